@@ -23,7 +23,10 @@ EVERY = 9
 ITERATED = ("double-butterfly", "planar-3rpr", "stephenson-ii-class-iv", "stephenson-iii-output")
 """Templates with groups that Newton's method solves: there are no pages and functions of these."""
 
-LOADED = ("engine", "four-bar-forces", "planar-3rpr", "scissor-lift-between-arms", "six-link-dwell", "toggle-press")
+LOADED = (
+    "engine", "four-bar-forces", "planar-3rpr", "scissor-lift-between-arms", "six-link-dwell", "slotted-lever",
+    "toggle-press",
+)  # fmt: skip
 """Templates with masses or loads."""
 
 LISTED = ("five-bar-robot",)

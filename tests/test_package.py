@@ -42,6 +42,16 @@ def test_contents(wheel):
     assert outside == {"METADATA", "WHEEL", "RECORD", "entry_points.txt", "licenses/LICENSE"}
 
 
+def test_what_a_package_index_shows_leads_to_nothing_that_is_not_there(wheel):
+    archive = zipfile.ZipFile(wheel)
+    metadata = next(name for name in archive.namelist() if name.endswith("METADATA"))
+    _, _, shown = archive.read(metadata).decode("utf-8").partition("\n\n")
+    assert shown.startswith("# mechsheet\n")
+    assert "mechsheet new four-bar -o mine.toml" in shown
+    assert "](" not in shown.replace("](https://", "")  # pictures and links into the repository
+    assert "| |" not in shown  # the table of pictures
+
+
 PACKAGES_OF_EXTRAS = [package.replace("-", "_") for packages, _ in EXTRAS.values() for package in packages]
 
 

@@ -27,6 +27,7 @@ DESCRIBED = {"studies.md": "wiper.md"}
 """Page -> the page that shows the descriptions that it uses."""
 ELSEWHERE = ("--on ",)
 """Options that need another machine."""
+MISSING = "No such file"
 EXTRA = re.compile(r"mechsheet\[\w+\]")
 
 
@@ -67,8 +68,10 @@ def main() -> int:
     failed = 0
     for page in PAGES:
         with tempfile.TemporaryDirectory(prefix="documented-") as folder:
+            before = None  # an extra that an earlier line of the page needs: later ones read what it writes
             for line, fault in run_page(program, page, Path(folder)):
-                needs = EXTRA.search(fault)
+                needs = fault and (EXTRA.search(fault) or (before if MISSING in fault else None))
+                before = needs or before
                 failed += bool(fault and not needs)
                 state = f"needs {needs[0]}" if needs else "FAILED" if fault else "ok"
                 print(f"{state:<24}{page.name}: {line}", flush=True)

@@ -8,7 +8,7 @@ from mechsheet.diagnostics import Fault, MissingProgramError
 from mechsheet.said import say
 
 EXTRAS = {
-    "plot": (("matplotlib",), "pictures and animations: mechsheet plot, .png and .gif"),
+    "plot": (("matplotlib",), "pictures and animations: mechsheet plot, .svg, .png and .gif"),
     "study": (("pyarrow", "scipy"), "millions of designs: mechsheet study"),
     "dask": (("distributed", "pyarrow", "scipy"), "studies on many machines"),
     "notebook": (("matplotlib", "pandas"), "motion.frame() in notebooks"),

@@ -139,3 +139,37 @@ def test_formulas_of_a_synthesis_alone_are_damaged(tmp_path, name):
     assert found.clear
     assert found.agrees
     assert {damage.where.partition("!")[0] for damage in found.damages} == {"Synthesis"}
+
+
+LEVER = """
+format = 1
+[mechanism]
+name = "lever"
+[links.ground]
+points = { A0 = [0, 0] }
+[links.lever]
+points = { A0 = [0, 0], C = [80, 10] }
+mass = 2
+center = "C"
+[driver]
+link = "lever"
+start = 0
+stop = 90
+step = 30
+[dynamics]
+gravity = 9.81
+"""
+
+
+def test_every_formula_of_a_sheet_is_damaged_in_every_way_that_it_can_be(tmp_path):
+    path = tmp_path / "lever.toml"
+    path.write_text(LEVER, encoding="utf-8")
+    said = []
+    found = mutate(path, None, progress=said.append, sheets=("forces",))
+    assert found.agrees
+    assert {each.where.rpartition("!")[0] for each in found.damages} == {"Forces"}
+    formulas = {each.where for each in found.damages}
+    assert said[-1] == f"Forces: formula {len(said)} of {len(said)}"
+    assert len(formulas) >= len(said) - 2  # what every damage leaves as it is: a formula that is 0
+    kinds = [(each.where, each.kind) for each in found.damages]
+    assert len(kinds) == len(set(kinds)) > len(formulas)

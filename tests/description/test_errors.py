@@ -29,6 +29,12 @@ def test_missing_file(tmp_path: Path) -> None:
         load(tmp_path / "no-such.toml")
 
 
+def test_a_name_to_which_notepad_has_added_an_ending(tmp_path: Path) -> None:
+    (tmp_path / "mine.toml.txt").write_text("format = 1", encoding="utf-8")
+    with pytest.raises(DescriptionError, match=r"there is \S*mine\.toml\.txt: Notepad has added \.txt; rename it"):
+        load(tmp_path / "mine.toml")
+
+
 def test_directory(tmp_path: Path) -> None:
     with pytest.raises(DescriptionError, match="this is a directory"):
         load(tmp_path)

@@ -347,6 +347,16 @@ def test_words_are_turkish_and_every_control_has_a_name(opening, four_bar):
         assert nameless == []
 
 
+@pytest.mark.slow
+def test_faults_are_told_in_the_language_that_is_chosen(opening, four_bar):
+    opened = opening(four_bar)
+    opened.page.fill("#text", opened.text().replace('link = "crank"', 'link = "crnk"'))
+    opened.said('no link is called "crnk"')
+    opened.page.click("#language")
+    opened.said('"crnk" adlı uzuv yok')
+    assert "uzuvlar: ground, crank" in opened.page.locator("#faults").text_content()
+
+
 def test_a_link_that_is_dragged_moves_the_mechanism(opening, four_bar):
     """With the tool Move: the text stays, the crank turns after the mouse, and the rocker with it."""
     opened = opening(four_bar)

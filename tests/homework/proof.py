@@ -14,9 +14,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import mechsheet
+from homework.methods import METHODS, NotConvergedError
 from homework.styles import STYLES
 from mechsheet.description.templates import template_names
-from mechsheet.diagnostics import MechanismError, MechsheetError
+from mechsheet.diagnostics import DescriptionError, MechanismError, MechsheetError
 from mechsheet.formula.book import Book
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
@@ -43,7 +44,17 @@ def judged(book: Book, mechanism: Mechanism) -> Audit:
 
 
 def other_inputs(mechanism: Mechanism, draw: random.Random) -> Mechanism:
-    """The mechanism with each dimension changed by up to one per cent."""
+    """The mechanism with each dimension changed by up to one per cent; drawn again where it cannot be built so."""
+    while True:
+        try:
+            found = _changed(mechanism, draw)
+            solve(found)
+        except (DescriptionError, MechanismError):
+            continue
+        return found
+
+
+def _changed(mechanism: Mechanism, draw: random.Random) -> Mechanism:
     values = {}
     for dim in mechanism.dimensions:
         if not (dim.derived or dim.place) and isinstance(dim.value, float):
@@ -134,35 +145,46 @@ def right(name: str, count: int, seed: int = 1) -> Iterator[tuple[str, Audit]]:
     """(style, audit) of right workbooks of a template, each with other inputs and in the next style."""
     mechanism = mechsheet.template(name)
     draw = random.Random(f"{name} {seed}")
+    made = {**STYLES, **METHODS}
     for number in range(count):
-        style = list(STYLES)[(number + len(name)) % len(STYLES)]
+        style = list(made)[(number + len(name)) % len(made)]
         own = mechanism if number == 0 else other_inputs(mechanism, draw)
-        yield style, judged(STYLES[style](own), own)
+        try:
+            book = made[style](own)
+        except NotConvergedError:
+            style = "down"
+            book = made[style](own)
+        yield style, judged(book, own)
 
 
 def _of_right(names: list[str], count: int) -> None:
-    start, total, blamed = time.process_time(), 0, 0
+    start, total, blamed, styles = time.process_time(), 0, 0, Counter[str]()
     for name in names:
+        own, own_blamed, began = 0, 0, time.process_time()
         try:
             for style, audit in right(name, count):
-                total += 1
+                own += 1
+                styles[style] += 1
                 if not audit.right or audit.faults:
-                    blamed += 1
+                    own_blamed += 1
                     print(name, style, {s: one.verdict for s, one in audit.asked.items()}, audit.faults, flush=True)
         except (MechsheetError, KeyError) as error:
             print(name, "not tried:", type(error).__name__, str(error)[:100], flush=True)
-    print(f"{total} right workbooks, {blamed} blamed; {time.process_time() - start:.0f} s CPU")
+        total, blamed, took = total + own, blamed + own_blamed, time.process_time() - began
+        print(f"= {name}: {own - own_blamed} of {own} right, {took:.0f} s CPU", flush=True)
+    print(f"{total} right workbooks, {blamed} blamed; {dict(styles)}; {time.process_time() - start:.0f} s CPU")
 
 
 def _of_damaged(names: list[str], count: int) -> None:
     start, totals = time.process_time(), Counter[str]()
     for name in names:
-        began = time.process_time()
+        began = first = time.process_time()
+        own = Counter[str]()
         try:
             for one in damaged(name, count):
-                totals["workbooks"] += 1
+                own["workbooks"] += 1
                 for what in ("found", "mended", "exact", "blamed"):
-                    totals[what] += getattr(one, what)
+                    own[what] += getattr(one, what)
                 took, began = time.process_time() - began, time.process_time()
                 if not (one.found and one.mended and one.exact) or one.blamed or took > 12:
                     print(f"{name} {one.style} {one.cells} {one.was} -> {one.now} ({one.kind}), {took:.1f} s")
@@ -172,6 +194,8 @@ def _of_damaged(names: list[str], count: int) -> None:
                     sys.stdout.flush()
         except (MechsheetError, KeyError) as error:
             print(name, "not tried:", type(error).__name__, str(error)[:100], flush=True)
+        totals += own
+        print(f"= {name}: {dict(own)}, {time.process_time() - first:.0f} s CPU", flush=True)
     print(dict(totals), f"{time.process_time() - start:.0f} s CPU")
 
 

@@ -201,6 +201,12 @@ def test_the_texts_fivelink_subtracts_alpha1_twice(tmp_path):
         ("Sayfa1!B17:B35", "RADIANS(A17)-$B$10", "RADIANS(A17)", "term too many")
     ]
     assert found.faults[0].rights == ("theta13", "theta15")
+    told = "theta13, Sayfa1!E17 hücresinde: bulunan -4.35283, olması gereken -4.44843"
+    assert told in found.remarks  # a turn less than 110.60 and 105.12 degrees
+    assert [math.degrees(number + math.tau) for number in (-4.35283, -4.44843)] == pytest.approx(
+        [110.6, 105.12], abs=0.01
+    )
+    assert "$B$10 Sayfa1!C17 hücresinde de var" in found.remarks
 
 
 @pytest.mark.parametrize("name", ["chebyshev", "whitworth"])

@@ -14,7 +14,7 @@ import mechsheet
 from homework.handmade import STEPS, Table, four_bar
 from mechsheet.cli import main
 from mechsheet.description import loads
-from mechsheet.homework.exercise import fulfils
+from mechsheet.homework.exercise import fulfils, safe
 from mechsheet.homework.marks import lines_of
 from mechsheet.homework.marks_book import page
 
@@ -194,6 +194,60 @@ def test_what_is_wrong_with_a_class_is_told_all_at_once(week, tmp_path):
     assert 'no column is called "id"' in run(
         "exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "out", code=2
     )
+
+
+def test_description_list_and_folder_are_told_at_once(tmp_path):
+    """Nobody wants to mend the description only to hear of the list."""
+    asked = "asked = { theta31 = 1 }\nvary = { gamma3 = [1, 2, 1], a9 = [1, 2, 1] }"
+    (tmp_path / "m.toml").write_text(f"{mechsheet.template('four-bar').text}\n[exercise]\n{asked}\n", encoding="utf-8")
+    (tmp_path / "class.csv").write_text("id\n1\n1\n", encoding="utf-8")
+    (tmp_path / "out").write_text("a file", encoding="utf-8")
+    command = ("exercise", tmp_path / "m.toml", tmp_path / "class.csv", "-o", tmp_path / "out")
+    output = run(*command, code=2)
+    for text in ("theta31", "gamma3", '"a9"', "class.csv:3: 1: the same id as line 2"):
+        assert text in output
+    need = 'vary = { a2 = [30, 31, 1] }\nneed = "mu_min > 80"'
+    (tmp_path / "m.toml").write_text(f"{mechsheet.template('four-bar').text}\n[exercise]\n{need}\n", encoding="utf-8")
+    output = run(*command, code=2)
+    for text in (
+        "m.toml:",
+        "no draw of 1000 meets it",
+        "class.csv:3: 1: the same id",
+        "is a file: a folder is written",
+    ):
+        assert text in output
+    assert (tmp_path / "out").read_text(encoding="utf-8") == "a file"
+
+
+def test_a_long_id_in_a_cell_and_a_file_that_cannot_be_read_are_the_students(week, tmp_path):
+    """A number of eight digits is no 2.02112e+07; a lost file is a line of its student's, not nobody's."""
+    (tmp_path / "class.csv").write_text("id\n20211234\n20215678\n", encoding="utf-8")
+    run("exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "week")
+    handed = tmp_path / "handed"
+    handed.mkdir()
+    filled(tmp_path, 0, handed / "mine.xlsx")
+    book = openpyxl.load_workbook(handed / "mine.xlsx")
+    book.active["A1"] = 20211234
+    book.save(handed / "mine.xlsx")
+    (handed / "hw_20215678.xlsx").write_bytes(b"PK lost")
+    first, second = mechsheet.mark(handed, tmp_path / "week" / "key.json").students
+    assert (first.id, first.mark) == ("20211234", 4)
+    assert (second.id, second.mark, second.file) == ("20215678", 0, second.file)
+    assert "cannot be judged" in second.why
+
+
+@pytest.mark.parametrize(
+    ("identifier", "file"),
+    [("../../x", "x"), ("con", "con_"), ("Lpt1", "Lpt1_"), ("a/b\\c:d", "a_b_c_d"), ("Ayşe 1", "Ayşe_1"), ("..", "_")],
+)
+def test_file_names_are_safe_on_any_system(identifier, file):
+    assert safe(identifier) == file
+
+
+def test_long_ids_give_short_names_that_differ():
+    long = "1" * 300
+    assert len(safe(long)) < 80
+    assert safe(long) != safe(long + "2")
 
 
 def test_what_is_needed_may_name_outputs_of_summaries():

@@ -1,5 +1,7 @@
 """What is given row by row, and between the rows."""
 
+import tomllib
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ from mechsheet.description.templates import template_names, template_text
 from mechsheet.kinematics.driving import given_between, given_values, place_of
 from mechsheet.kinematics.solve import dimension_values
 
-STEPPED = [name for name in template_names() if not loads(template_text(name)).driver.values]
+STEPPED = [name for name in template_names() if "values" not in tomllib.loads(template_text(name))["driver"]]
 
 
 @pytest.mark.parametrize("name", some(STEPPED, 12))

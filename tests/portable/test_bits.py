@@ -30,6 +30,13 @@ def test_an_array_has_the_bits_of_its_numbers(name, numbers):
         assert bits(function(np.array(numbers))) == bits([function(number) for number in numbers])
 
 
+@given(st.lists(floats, min_size=1, max_size=20))
+def test_sine_and_cosine_together_have_the_bits_of_each(numbers):
+    with np.errstate(all="ignore"):
+        for x in (np.array(numbers), numbers[0]):
+            assert [bits(part) for part in portable.sin_and_cos(x)] == [bits(portable.sin(x)), bits(portable.cos(x))]
+
+
 @given(st.lists(st.tuples(floats, floats), min_size=1, max_size=20))
 def test_arrays_of_two_have_the_bits_of_their_numbers(pairs):
     first, second = np.array(pairs).T
@@ -41,6 +48,7 @@ def test_arrays_of_two_have_the_bits_of_their_numbers(pairs):
 def test_a_long_array_is_computed_in_pieces_with_the_same_bits():
     x = np.random.default_rng(1).uniform(-9, 9, (3, PIECE))
     assert bits(portable.sin(x)) == [bits(portable.sin(row)) for row in x]
+    assert [bits(part) for part in portable.sin_and_cos(x)] == [bits(portable.sin(x)), bits(portable.cos(x))]
     whole = portable.arctan2(x, x[:, ::-1])
     assert bits(whole) == [bits(portable.arctan2(row, row[::-1])) for row in x]
 

@@ -4,7 +4,6 @@ import itertools
 
 import numpy as np
 import pytest
-from scipy.stats import qmc
 
 from mechsheet.model import Range
 from mechsheet.studies.sampling import Grid, Sobol
@@ -38,6 +37,8 @@ def test_a_grid_of_a_million_million_is_not_held():
 
 @pytest.mark.parametrize("seed", [0, 7])
 def test_sobol_points_are_scipys(seed):
+    from scipy.stats import qmc  # a second to load: only where it is needed
+
     engine = qmc.Sobol(3, scramble=True, bits=30, seed=np.random.default_rng(seed))
     wanted = [20, -1, 0.5] + engine.random(2**14) * [40, 2, 0.25]
     assert np.array_equal(Sobol(BOX, 20_000, seed).values(np.arange(2**14)), wanted)

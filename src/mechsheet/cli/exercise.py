@@ -6,6 +6,8 @@ from pathlib import Path
 
 import click
 
+from mechsheet.diagnostics import MechsheetError
+
 from .common import Changes, at_lines_of, described, progress, say_written
 from .helping import Explained
 
@@ -27,8 +29,12 @@ def exercise(description: Path, class_list: Path, output: Path, seed: int, langu
     (the ordinary workbook) and week3/key.json, which mechsheet mark reads.
     """
     from mechsheet.homework.exercise import exercise as write_all
+    from mechsheet.homework.exercise import faults_of_class
 
-    mechanism = described(description, Changes(), language)
+    try:
+        mechanism = described(description, Changes(), language)
+    except MechsheetError as error:  # all that is wrong at once, with the list as well
+        raise MechsheetError([*error.faults, *faults_of_class(class_list)]) from error
     with at_lines_of(mechanism, description), progress(class_list.name) as say:
         say("drawing dimensions")
         found = write_all(mechanism, class_list, output, seed, say)

@@ -68,7 +68,7 @@ def mark(
         click.echo(json.dumps(as_dict(found), indent=2, ensure_ascii=False))
     elif not files:
         for one in found.students:
-            click.echo(f"{one.id}\t{one.mark:g}\t{one.file or one.why}")
+            click.echo("\t".join(filter(None, (one.id, f"{one.mark:g}", one.file, one.why))))
     else:
         say_written(files)
 

@@ -24,7 +24,7 @@ from mechsheet.description.shape import fit
 from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.description.source import Source, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
-from mechsheet.model import Mechanism, Solution, Words
+from mechsheet.model import Dimension, Driver, Dynamics, FurtherDriver, Joint, Link, Mechanism, Sketch, Solution, Words
 from mechsheet.said import say
 
 LANGUAGES = ("en", "tr")
@@ -136,102 +136,151 @@ def _check_format(source: Source) -> None:
 
 
 def _read(source: Source, report: Report) -> Mechanism | None:
-    data = fit(source.data, DESCRIPTION, (), report)
-    head = part(data, "mechanism", {})
-    scope = scope_of(head, report)
-    given, bodies = part(data, "dimensions", {}), part(data, "links", {})
-    outputs, summary = part(data, "outputs", {}), part(data, "summary", {})
+    """The steps in the order in which they need one another; each goes on where an earlier one has found faults."""
+    reading = _Reading(source, report)
+    reading.dimensions_and_links()
+    reading.driving()
+    reading.sketch_and_gears()
+    reading.forces()
+    reading.asked()
+    reading.workbook()
+    return reading.mechanism()
 
-    bare_links = links.declare(bodies, scope)  # first: a dimension that takes an angle's name is the one to rename
-    task = synthesis.read(data.get("synthesis"), given, scope, (*outputs, *summary))
-    dimensions.declare(given, scope, task.units)
-    scope.outputs.extend(outputs)  # known by name in messages, before they are entered after all variables
-    table = (*task.dimensions, *dimensions.read(given, scope, task))
-    made = links.read(bodies, bare_links, scope)
-    ends = joints.Ends(bodies, made, scope)
-    sliding = joints.read(part(data, "joints", []), ends, scope)
-    made, sliding, redundant_links = redundant.read(data, made, sliding, ends, scope)
-    driven = driver.read(data["driver"], made, sliding, ends, scope) if made else None
-    further, values = drivers.read(part(data, "drivers", []), driven, made, sliding, ends, scope) if made else ((), ())
-    table = (*table, *values)
-    if made and report.sound("links", "joints"):
-        links.check_connected(made, sliding, scope)
 
-    rates.declare(made, sliding, driven, data["driver"], scope)
-    motion = rates.motion(data["driver"], made, driven, scope) if driven else None
-    if driven and motion:
-        driven = replace(
-            driven,
-            speed=motion.speed,
-            acceleration=motion.acceleration,
-            law=motion.law,
-            speeds=motion.speeds,
-            accelerations=motion.accelerations,
+class _Reading:
+    """One description: what the steps have found so far.
+
+    table  the dimensions, in the order of their cells;  links, joints: without those that a redundant link has
+    parts  of the mechanism, by the names of its fields
+    """
+
+    links: tuple[Link, ...]
+    joints: tuple[Joint, ...]
+    driver: Driver | None = None
+    further: tuple[FurtherDriver, ...] = ()
+    sketch: Sketch
+    masses: Dynamics | None
+
+    def __init__(self, source: Source, report: Report) -> None:
+        self.source, self.report = source, report
+        self.data = fit(source.data, DESCRIPTION, (), report)
+        self.head = self._part("mechanism", {})
+        self.scope = scope_of(self.head, report)
+        self.outputs, self.summary = self._part("outputs", {}), self._part("summary", {})
+        self.layout = choice(self._part("workbook", {}), "layout", "sheets")
+        self.table: tuple[Dimension, ...] = ()
+        self.parts: dict[str, Any] = {}
+
+    def _part(self, key: str, empty: Any) -> Any:
+        return part(self.data, key, empty)
+
+    def dimensions_and_links(self) -> None:
+        """Dimensions, with those of a synthesis; links and their points; joints."""
+        given, bodies, scope = self._part("dimensions", {}), self._part("links", {}), self.scope
+        bare = links.declare(bodies, scope)  # first: a dimension that takes an angle's name is the one to rename
+        self.task = synthesis.read(self.data.get("synthesis"), given, scope, (*self.outputs, *self.summary))
+        dimensions.declare(given, scope, self.task.units)
+        scope.outputs.extend(self.outputs)  # known by name in messages, before they are entered after all variables
+        self.table = (*self.task.dimensions, *dimensions.read(given, scope, self.task))
+        made = links.read(bodies, bare, scope)
+        self.ends = joints.Ends(bodies, made, scope)
+        sliding = joints.read(self._part("joints", []), self.ends, scope)
+        self.links, self.joints, self.parts["redundant"] = redundant.read(self.data, made, sliding, self.ends, scope)
+
+    def driving(self) -> None:
+        """What is driven, and how fast."""
+        made, sliding, given, scope = self.links, self.joints, self.data["driver"], self.scope
+        if made:
+            self.driver = driver.read(given, made, sliding, self.ends, scope)
+            listed = self._part("drivers", [])
+            self.further, values = drivers.read(listed, self.driver, made, sliding, self.ends, scope)
+            self.table = (*self.table, *values)
+            if self.report.sound("links", "joints"):
+                links.check_connected(made, sliding, scope)
+        rates.declare(made, sliding, self.driver, given, scope)
+        motion = rates.motion(given, made, self.driver, scope) if self.driver else None
+        if self.driver and motion:
+            self.driver = motion.of(self.driver)
+            self.table = (*self.table, *motion.dimensions)
+        drivers.check_speeds(self.driver, self.further, scope)
+        self.driver = drivers.listed(self.driver, self.further, scope) if self.driver else None
+
+    def sketch_and_gears(self) -> None:
+        """The sketch, and the relations of gears, whose phases may be read from it."""
+        made, sliding, scope = self.links, self.joints, self.scope
+        self.sketch = results.sketch(self._part("assembly", {}), self.driver, scope)
+        shown = SketchedAngles(made, sliding, self.driver, self.further, self.sketch, scope)
+        given = self._part("joints", [])
+        self.relations, values = gears.read(given, self.ends, made, sliding, shown, scope) if made else ((), ())
+        self.table = (*self.table, *values)
+
+    def forces(self) -> None:
+        """Masses and loads."""
+        bodies, loads, scope = self._part("links", {}), self._part("loads", []), self.scope
+        force_names.declare(bodies, loads, self.links, self.joints, self.driver, self.further, self.relations, scope)
+        self.masses, cells = dynamics.read(bodies, self._part("dynamics", {}), loads, self.links, scope)
+        self.table = (*self.table, *cells)
+
+    def asked(self) -> None:
+        """Outputs, summaries, charts and tables; a flywheel; an exercise and a study."""
+        scope, bodies = self.scope, self._part("links", {})
+        results.declare(self.outputs, self.summary, scope)
+        of_rows, of_motion = further_outputs.outputs(self.outputs, self.driver, scope)
+        wheel = self._part("flywheel", {})
+        flywheel.declare(wheel, scope)
+        if self.driver:
+            own = flywheel.read(wheel, self.masses, self.driver, self.links, self.table, self.layout, scope)
+            self.table = (*self.table, *own)
+        self.parts |= {
+            "outputs": of_rows,
+            "motion_outputs": of_motion,
+            "summaries": results.summaries(self.summary, scope),
+            "charts": results.charts(self._part("charts", []), scope),
+            "tables": results.tables(self._part("tables", []), self.driver, scope),
+            "rate_points": rates.points(self._part("rates", {}), scope),
+            "synthesis": synthesis.with_modes(self.task.synthesis, self._part("assembly", {}), scope),
+            "exercise": exercise.read(self._part("exercise", {}), self.summary, scope),
+            "study": study.read(self._part("study", {}), bodies, self.summary, scope),
+        }
+        drivers.check_tables(self.further, self.parts["tables"], scope)
+
+    def workbook(self) -> None:
+        """How the workbook is written, how what has no closed form is solved, and tolerances, of which a page has none."""
+        workbook, solution = self._part("workbook", {}), self._part("solution", {})
+        driven: tuple[Driver | FurtherDriver, ...] = (
+            self.further if self.driver is None else (self.driver, *self.further)
         )
-        table = (*table, *motion.dimensions)
-    drivers.check_speeds(driven, further, scope)
-    driven = drivers.listed(driven, further, scope) if driven else None
+        self.parts |= {
+            "language": choice(workbook, "language", "en"),
+            "layout": self.layout,
+            "drawn": workbook.get("drawing", True) is not False,
+            "references": choice(workbook, "references", "anchors" if self.layout == "page" else "names"),
+            "solution": Solution(passes=solution.get("passes"), force=solution.get("force", False) is True),
+            "bands": tolerances.read(self.data, self.table, driven, self.layout, self.scope),
+        }
 
-    sketched = part(data, "assembly", {})
-    sketch = results.sketch(sketched, driven, scope)
-    shown = SketchedAngles(made, sliding, driven, further, sketch, scope)
-    relations, values = gears.read(part(data, "joints", []), ends, made, sliding, shown, scope) if made else ((), ())
-    table = (*table, *values)
-
-    loads = part(data, "loads", [])
-    force_names.declare(bodies, loads, made, sliding, driven, further, relations, scope)
-    masses, cells = dynamics.read(bodies, part(data, "dynamics", {}), loads, made, scope)
-    table = (*table, *cells)
-
-    results.declare(outputs, summary, scope)
-    of_rows, of_motion = further_outputs.outputs(outputs, driven, scope)
-    workbook, solution = part(data, "workbook", {}), part(data, "solution", {})
-    wheel = part(data, "flywheel", {})
-    flywheel.declare(wheel, scope)
-    if driven:
-        table = (
-            *table,
-            *flywheel.read(wheel, masses, driven, made, table, choice(workbook, "layout", "sheets"), scope),
+    def mechanism(self) -> Mechanism | None:
+        """All of it, where there is no fault."""
+        name = _name(self.head, self.report)
+        if self.report.faults or self.driver is None:
+            return None
+        return Mechanism(
+            name=name,
+            title=words(self.head.get("title")) or Words(name, name),
+            source=words(self.head.get("source")) or Words("", ""),
+            length_unit=self.scope.length_unit,
+            angle_unit=self.scope.angle_unit,
+            dimensions=self.table,
+            links=self.links,
+            joints=self.joints,
+            driver=self.driver,
+            drivers=self.further,
+            relations=self.relations,
+            sketch=self.sketch,
+            dynamics=self.masses,
+            text=self.source.text,
+            **self.parts,
         )
-    parts: dict[str, Any] = {
-        "sketch": sketch,
-        "relations": relations,
-        "redundant": redundant_links,
-        "drivers": further,
-        "outputs": of_rows,
-        "motion_outputs": of_motion,
-        "summaries": results.summaries(summary, scope),
-        "charts": results.charts(part(data, "charts", []), scope),
-        "tables": results.tables(part(data, "tables", []), driven, scope),
-        "language": choice(workbook, "language", "en"),
-        "layout": (layout := choice(workbook, "layout", "sheets")),
-        "drawn": workbook.get("drawing", True) is not False,
-        "rate_points": rates.points(part(data, "rates", {}), scope),
-        "dynamics": masses,
-        "solution": Solution(passes=solution.get("passes"), force=solution.get("force", False) is True),
-        "synthesis": synthesis.with_modes(task.synthesis, sketched, scope),
-        "exercise": exercise.read(part(data, "exercise", {}), summary, scope),
-        "study": study.read(part(data, "study", {}), bodies, summary, scope),
-        "references": choice(workbook, "references", "anchors" if layout == "page" else "names"),
-    }
-    parts["bands"] = tolerances.read(data, table, [*([driven] if driven else []), *further], layout, scope)
-    drivers.check_tables(further, parts["tables"], scope)
-    name = _name(head, report)
-    if report.faults or driven is None:
-        return None
-    return Mechanism(
-        name=name,
-        title=words(head.get("title")) or Words(name, name),
-        source=words(head.get("source")) or Words("", ""),
-        length_unit=scope.length_unit,
-        angle_unit=scope.angle_unit,
-        dimensions=table,
-        links=made,
-        joints=sliding,
-        driver=driven,
-        text=source.text,
-        **parts,
-    )
 
 
 def _name(head: dict[str, Any], report: Report) -> str:

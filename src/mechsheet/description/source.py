@@ -83,7 +83,9 @@ def read_text(path: str | FilePath) -> str:
         with FilePath(path).open("rb") as file:
             content = file.read(MAX_BYTES + 1)
     except FileNotFoundError:
-        raise _refusal(name, say("there is no such file")) from None
+        twice = FilePath(f"{path}.txt")
+        hint = say("there is {file}: Notepad has added .txt; rename it", file=readable_name(twice))
+        raise _refusal(name, say("there is no such file"), hint if twice.is_file() else "") from None
     except IsADirectoryError:
         raise _refusal(name, say("this is a directory; name a description, a .toml file")) from None
     except (OSError, ValueError) as error:  # ValueError: a null character in the path

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
-from itertools import islice
+from itertools import repeat
+from typing import TypeAlias
 
 from mechsheet.formula.nodes import (
     MAX_ROWS,
@@ -28,6 +29,10 @@ _FIRST_ROW, _LAST_ROW = 777_776, 888_887
 """Stand-ins for the rows of a reference, found again as 777777 and 888888 in its text."""
 
 Escape = Callable[[str], str]
+Piece: TypeAlias = str | Sequence[str]
+"""What stands in every row, or one text for each."""
+_Part: TypeAlias = str | int
+"""Text that is the same in all rows, or the first of the numbers that stand there."""
 
 
 def texts_down(formula: Node, rows: range, dialect: str, escape: Escape) -> Iterator[str]:
@@ -35,39 +40,68 @@ def texts_down(formula: Node, rows: range, dialect: str, escape: Escape) -> Iter
 
     The same as `escape(print_formula(shifted(formula, n), dialect))` for each n, a hundred times faster.
     """
-    moving = list(_moving(formula))
-    references = list(dict.fromkeys(moving))
-    numbers = list(dict.fromkeys(row + 1 for reference in references for row in _rows(reference)))
-    fields = {number: f"{{{i}}}" for i, number in enumerate(numbers)}
-    ends = [number - 1 + n for number in numbers for n in (rows.start, rows.stop - 1)]
-    stays = all(0 <= row < MAX_ROWS for row in ends)
-    template = _template(formula, references, fields, dialect, escape, len(moving)) if stays else None
-    if template is None:
-        # Somewhere a reference leaves the sheet and becomes #REF!.
-        return (escape(print_formula(shifted(formula, n), dialect)) for n in rows)
-    if not numbers:
-        return (template.format() for _ in rows)
-    return map(template.format, *(range(rows.start + number, rows.stop + number) for number in numbers))
+    return rowwise(_pieces(formula, _parts(formula, rows, dialect, escape), rows, dialect, escape), len(rows))
+
+
+def rowwise(pieces: Iterable[Piece], rows: int) -> Iterator[str]:
+    """The pieces of each row, joined."""
+    columns = [repeat(piece, rows) if isinstance(piece, str) else piece for piece in pieces]
+    return map("".join, zip(*columns, strict=True)) if columns else repeat("", rows)
+
+
+@lru_cache(maxsize=64)
+def row_numbers(first: int, end: int) -> tuple[str, ...]:
+    """first .. end-1 as texts: a band's columns read the same rows again and again."""
+    return tuple(map(str, range(first, end)))
 
 
 class ColumnTexts:
-    """The texts of filled columns, asked for band by band from the top: each column's template is made once."""
+    """The texts of filled columns, asked for band by band: what is printed of each column is printed once."""
 
     def __init__(self, dialect: str, escape: Escape) -> None:
         self.dialect = dialect
         self.escape = escape
-        self._begun: dict[tuple[int, int], tuple[int, Iterator[str]]] = {}
+        self._known: dict[tuple[int, int], tuple[Node, list[_Part] | None]] = {}
+
+    def pieces(self, fill: Fill, col: int, first: int, last: int) -> list[Piece]:
+        """The formulas of one column of a fill in the sheet's rows first..last-1."""
+        place = (fill.row, col)
+        if place not in self._known:
+            formula = shifted(fill.formula, 0, col - fill.col)
+            self._known[place] = formula, _parts(formula, range(fill.rows), self.dialect, self.escape)
+        rows = range(first - fill.row, last - fill.row)
+        return _pieces(*self._known[place], rows, self.dialect, self.escape)
 
     def rows(self, fill: Fill, col: int, first: int, last: int) -> list[str]:
-        """The formulas of one column of a fill in the sheet's rows first..last-1."""
-        start, texts = self._begun.pop((fill.row, col), (-1, iter(())))
-        if start != first:
-            formula = shifted(fill.formula, 0, col - fill.col)
-            texts = texts_down(formula, range(first - fill.row, fill.rows), self.dialect, self.escape)
-        found = list(islice(texts, last - first))
-        if last < fill.row + fill.rows:
-            self._begun[fill.row, col] = last, texts
-        return found
+        """The same, as one text for each row."""
+        return list(rowwise(self.pieces(fill, col, first, last), last - first))
+
+
+def _pieces(formula: Node, parts: list[_Part] | None, rows: range, dialect: str, escape: Escape) -> list[Piece]:
+    if parts is None:
+        return [[escape(print_formula(shifted(formula, n), dialect)) for n in rows]]
+    return [
+        part if isinstance(part, str) else row_numbers(rows.start + part, rows.stop + part) for part in parts if part
+    ]
+
+
+def _parts(formula: Node, rows: range, dialect: str, escape: Escape) -> list[_Part] | None:
+    """The text of `formula` with a number wherever a row stands; None where a reference leaves the sheet in some row and
+    becomes #REF!, or where the text holds the mark itself."""
+    moving = list(_moving(formula))
+    references = list(dict.fromkeys(moving))
+    ends = [row + n for reference in references for row in _rows(reference) for n in (rows.start, rows.stop - 1)]
+    if any(not 0 <= row < MAX_ROWS for row in ends):
+        return None
+    marks: dict[Node, Node] = {ref: NameRef(f"{_MARK}{i}{_MARK}") for i, ref in enumerate(references)}
+    pieces = print_formula(_replaced(formula, marks), dialect).split(_MARK)
+    if len(pieces) != 1 + 2 * len(moving):
+        return None
+    parts: list[_Part] = []
+    for i, piece in enumerate(pieces):
+        # Every second piece is the number of a reference.
+        parts += _reference_parts(references[int(piece)], dialect, escape) if i % 2 else [escape(piece)]
+    return parts
 
 
 def _moving(node: Node) -> Iterator[CellRef | RangeRef]:
@@ -87,26 +121,6 @@ def _rows(reference: CellRef | RangeRef) -> Iterator[int]:
     return (corner.row for corner in corners if not corner.row_abs)
 
 
-def _template(
-    formula: Node,
-    references: list[CellRef | RangeRef],
-    fields: dict[int, str],
-    dialect: str,
-    escape: Escape,
-    marked: int,
-) -> str | None:
-    """The text with a field for each row number; None where it holds the mark itself, beside the `marked` references."""
-    marks: dict[Node, Node] = {ref: NameRef(f"{_MARK}{i}{_MARK}") for i, ref in enumerate(references)}
-    pieces = print_formula(_replaced(formula, marks), dialect).split(_MARK)
-    if len(pieces) != 1 + 2 * marked:
-        return None
-    # Every second piece is the number of a reference.
-    return "".join(
-        _reference_template(references[int(piece)], fields, dialect, escape) if i % 2 else _literal(piece, escape)
-        for i, piece in enumerate(pieces)
-    )
-
-
 def _replaced(node: Node, marks: dict[Node, Node]) -> Node:
     match node:
         case CellRef() | RangeRef():
@@ -121,11 +135,11 @@ def _replaced(node: Node, marks: dict[Node, Node]) -> Node:
             return node
 
 
-def _reference_template(reference: CellRef | RangeRef, fields: dict[int, str], dialect: str, escape: Escape) -> str:
-    """The reference's text with a field for each row that moves."""
+def _reference_parts(reference: CellRef | RangeRef, dialect: str, escape: Escape) -> list[_Part]:
+    """The reference's text, with a number for each row that moves."""
     if isinstance(reference, CellRef):
         text = _printed(replace(reference, row=_LAST_ROW), dialect)
-        return _with_field(text, {_LAST_ROW: reference.row}, fields, escape)
+        return _split(text, {_LAST_ROW: reference.row}, escape)
     stand_ins: dict[int, int] = {}
     start, end = reference.start, reference.end
     if not end.row_abs:
@@ -134,7 +148,7 @@ def _reference_template(reference: CellRef | RangeRef, fields: dict[int, str], d
     if not start.row_abs:
         stand_ins[_FIRST_ROW] = start.row
         start = replace(start, row=_FIRST_ROW)
-    return _with_field(_printed(RangeRef(start, end), dialect), stand_ins, fields, escape)
+    return _split(_printed(RangeRef(start, end), dialect), stand_ins, escape)
 
 
 @lru_cache(maxsize=4096)
@@ -143,16 +157,11 @@ def _printed(reference: CellRef | RangeRef, dialect: str) -> str:
     return print_formula(reference, dialect)
 
 
-def _with_field(text: str, stand_ins: dict[int, int], fields: dict[int, str], escape: Escape) -> str:
-    """The text with its stand-in rows, from the last to the first, replaced by the fields of the real ones."""
-    tail = ""
+def _split(text: str, stand_ins: dict[int, int], escape: Escape) -> list[_Part]:
+    """The text with its stand-in rows, from the last to the first, replaced by the real ones."""
+    tail: list[_Part] = []
     for stand_in, row in stand_ins.items():
         # From the right: the name of a sheet, which stands before, may hold any digits.
         text, _, rest = text.rpartition(str(stand_in + 1))
-        tail = fields[row + 1] + _literal(rest, escape) + tail
-    return _literal(text, escape) + tail
-
-
-def _literal(text: str, escape: Escape) -> str:
-    """The text as a template holds it."""
-    return escape(text).replace("{", "{{").replace("}", "}}")
+        tail = [row + 1, escape(rest), *tail]
+    return [escape(text), *tail]

@@ -8,22 +8,19 @@ from pathlib import Path
 from typing import Any
 
 from mechsheet import reference
-from mechsheet.diagnostics import WorkbookError, readable_name
+from mechsheet.diagnostics import readable_name
 from mechsheet.formats import read
-from mechsheet.homework.faults import Mend, Suspect, first_wrong, many, mended_sheet
+from mechsheet.homework.faults import Mend, Suspect
 from mechsheet.homework.inputs import Input
+from mechsheet.homework.judging import Judged, judged_tables
 from mechsheet.homework.marking_rules import AskedFor, asked_of
 from mechsheet.homework.own_dimensions import changed_by, other_dimensions
-from mechsheet.homework.remarks import Judged, remarks_of
+from mechsheet.homework.remarks import remarks_of
 from mechsheet.homework.series import Series
-from mechsheet.homework.thinned import thinned
-from mechsheet.homework.trial import Effort
-from mechsheet.homework.truth import Truth, other_assemblies, without_limits
-from mechsheet.homework.understanding import Understanding, understand
+from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.upright import Work, upright
-from mechsheet.homework.verdicts import Finding, Sheet, Verdict, findings, with_liveness
+from mechsheet.homework.verdicts import Finding, Verdict
 from mechsheet.model import Mechanism
-from mechsheet.words.homework import HOMEWORK, said
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,18 +114,17 @@ def audited(
     shown           what messages call it
     own_dimensions  the mechanism has a student's own dimensions: another one in the sheet is a fault of its own
     """
-    judged = _judged(work, mechanism, wanted, shown)
-    asked, first, last, mends = judged.asked, judged.first, judged.last, judged.mends
-    results = {symbol: _result(judged.found, first[symbol], last[symbol], mends) for symbol in asked}
+    parts = judged_tables(work, mechanism, wanted, shown)
+    asked = {symbol: marks for symbol, marks in wanted.marks.items() if any(symbol in part.asked for part in parts)}
+    found = {symbol: result for part in parts for symbol, result in _results(part).items()}
+    results = {symbol: found[symbol] for symbol in asked}
     if any_assembly:
         results = {s: replace(r, verdict="right") if r.verdict == "other assembly" else r for s, r in results.items()}
-    faults = [_fault(judged.found, mend) for mend in mends]
-    if judged.suspect is not None and not mends:
-        faults.append(_unmended(judged.found, judged.suspect))
-    if own_dimensions:
-        others = other_dimensions(judged.found)
-        faults = [_other(judged.found, one) for one in others] + faults
-        for symbol in changed_by(judged, others):
+    faults = [fault for part in parts for fault in _faults(part)]
+    for part in parts if own_dimensions else ():
+        others = other_dimensions(part.found)
+        faults = [_other(part.found, one) for one in others] + faults
+        for symbol in changed_by(part, others):
             if results[symbol].verdict == "right":
                 results[symbol] = replace(results[symbol], verdict="follows", plain="wrong")
     plain = _earned(asked, wanted, {symbol: one.plain for symbol, one in results.items()})
@@ -140,21 +136,11 @@ def audited(
         sum(asked.values()),
         round(sum(plain.values()), 6),
         round(sum(earned.values()), 6),
-        tuple(remarks_of(judged, mechanism.language)),
+        tuple(dict.fromkeys(text for part in parts for text in remarks_of(part, mechanism.language))),
         mechanism.language,
-        _given(judged.found),
+        _given(parts[0].found),
         earned,
     )
-
-
-def _found_once(mechanism: Mechanism) -> Mechanism:
-    """A mechanism with dimensions found from a task, as numbers: a sheet may have them typed, as they were found."""
-    given = reference.dimension_values(mechanism)
-    found = tuple(
-        dim if dim.place or isinstance(dim.value, float) else replace(dim, value=given[dim.symbol], written="")
-        for dim in mechanism.dimensions
-    )
-    return replace(mechanism, dimensions=found)
 
 
 def _given(found: Understanding) -> dict[str, Given]:
@@ -167,139 +153,15 @@ def _given(found: Understanding) -> dict[str, Given]:
     }
 
 
-@dataclass(frozen=True, slots=True)
-class _Seen:
-    """A workbook understood, before faults are looked for; the parts as `Judged` has them."""
-
-    sheet: Sheet
-    truth: Truth
-    asked: Mapping[str, float]
-    first: dict[str, Finding]
-    unusual: bool
-
-    @property
-    def right(self) -> int:
-        """How many asked quantities are right."""
-        return sum(one.verdict == "right" for one in self.first.values())
+def _results(part: Judged) -> dict[str, AskedResult]:
+    return {symbol: _result(part.found, part.first[symbol], part.last[symbol], part.mends) for symbol in part.asked}
 
 
-def _judged(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str) -> Judged:
-    """Everything found in a workbook."""
-    effort = Effort()
-    try:
-        seen = _seen(work, mechanism, wanted)
-        other = None
-        if mechanism.synthesis is not None and seen.right < len(seen.first):
-            other = _seen(work, _found_once(mechanism), wanted)
-        judged = _of_both(seen, other, effort) if other is not None else _with_mends(seen, effort)
-        if not judged.promising:
-            unusual = _seen(work, mechanism, wanted, unusual=True)
-            if unusual.right:
-                judged = _with_mends(unusual, effort)
-    except WorkbookError as error:
-        raise _told(error, mechanism, shown) from error
-    return judged
-
-
-def _of_both(typed: _Seen, computed: _Seen, effort: Effort) -> Judged:
-    """A sheet read with the dimensions of a task typed, or computed: as more is right. A fault can leave nothing right
-    either way, and any number near a dimension may be taken for it: then as more is right with mends, computed first."""
-    if typed.right != computed.right:
-        return _with_mends(max(typed, computed, key=lambda one: one.right), effort)
-    judged = _with_mends(computed, effort)
-    if all(one.verdict == "right" for one in judged.last.values()):
-        return judged
-    return max(
-        _with_mends(typed, Effort()), judged, key=lambda one: sum(f.verdict == "right" for f in one.last.values())
-    )
-
-
-def _seen(work: Work, mechanism: Mechanism, wanted: AskedFor, unusual: bool = False) -> _Seen:
-    """A workbook understood. `unusual`: the driver may be counted clockwise, or from another zero."""
-    found = understand(work, mechanism, list(wanted.marks), wanted.tolerance, unusual)
-    asked = _moving(found, wanted)
-    sheet = Sheet(found, list(asked))
-    first = findings(sheet)
-    if any(one.verdict != "right" for one in first.values()):
-        # a fault may hide what the sheet has in rows at a limit: a mend is not held against them
-        found = replace(found, truth=without_limits(found.truth))
-        sheet = Sheet(found, list(asked))
-        first = findings(sheet)
-    truth, first = _assembly(sheet, first)
-    return _Seen(sheet, truth, asked, first, unusual)
-
-
-def _with_mends(seen: _Seen, effort: Effort) -> Judged:
-    """Mends, where something is wrong; what is right and does not follow the dimensions."""
-    found, first, truth = seen.sheet.found, seen.first, seen.truth
-    start = {s: replace(f, verdict="right") if f.verdict == "other assembly" else f for s, f in first.items()}
-    if seen.unusual:
-        mends, last_sheet, last = list[Mend](), seen.sheet, start
-    else:
-        mends, last_sheet, last = _mends(seen.sheet, truth, start, effort)
-    suspect = None
-    if any(one.verdict == "wrong" for one in last.values()):
-        suspect = first_wrong(last_sheet, truth, last)
-    if truth is found.truth and found.mechanism.synthesis is None:  # lengths that a task gives have no say of their own
-        first = with_liveness(found, first)
-    return Judged(found, truth, seen.asked, first, last, mends, suspect, seen.unusual)
-
-
-def _mends(
-    sheet: Sheet, truth: Truth, start: dict[str, Finding], effort: Effort
-) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
-    """As `many`; of a long table the mends are looked for in a part of its rows."""
-    wrong = any(one.verdict in ("wrong", "missing") for one in start.values())
-    part = thinned(sheet.found, truth) if wrong else None
-    if part is None:
-        return many(sheet, truth, start, effort)
-    small = Sheet(part.found, sheet.asked)
-    found, _, _ = many(small, part.truth, findings(small, part.truth), effort)
-    mends: list[Mend] = []
-    for mend in found:
-        whole = part.back(mend, sheet.found.work)
-        if whole is not None:
-            mends.append(whole)
-            sheet = mended_sheet(sheet, whole.strip, whole.formula)
-    return mends, sheet, findings(sheet, truth) if mends else start
-
-
-def _moving(found: Understanding, wanted: AskedFor) -> dict[str, float]:
-    """What is asked, without what does not move and nobody has asked for by name."""
-    exercise = found.mechanism.exercise
-    explicit = exercise.asked if exercise is not None else {}
-    return {
-        symbol: marks
-        for symbol, marks in wanted.marks.items()
-        if symbol not in found.truth.columns
-        or symbol in explicit
-        or found.truth.quantity(symbol).moves(found.truth.size)
-    }
-
-
-def _assembly(sheet: Sheet, first: dict[str, Finding]) -> tuple[Truth, dict[str, Finding]]:
-    """The assembly that the sheet shows, and its findings: another one where all that is there is right for it."""
-    base = sheet.found.truth
-    there = [symbol for symbol, finding in first.items() if finding.verdict != "missing"]
-    if all(first[symbol].verdict == "right" for symbol in there):
-        return base, first
-    for truth in other_assemblies(base):
-        found = findings(sheet, truth)
-        if all(_as_right(found[symbol], first[symbol]) for symbol in there):
-            return truth, {
-                symbol: replace(one, verdict="other assembly")
-                if one.verdict == "right" and first[symbol].verdict != "right"
-                else first[symbol]
-                for symbol, one in found.items()
-            }
-    return base, first
-
-
-def _as_right(other: Finding, own: Finding) -> bool:
-    """Whether a quantity is right for another assembly, and not less plainly so than for the description's own."""
-    if other.verdict != "right" or other.reading is None:
-        return False
-    return other.reading.plain or own.verdict != "right" or own.reading is None or not own.reading.plain
+def _faults(part: Judged) -> list[FaultFound]:
+    faults = [_fault(part.found, mend) for mend in part.mends]
+    if part.suspect is not None and not part.mends:
+        faults.append(_unmended(part.found, part.suspect))
+    return faults
 
 
 def _result(found: Understanding, first: Finding, last: Finding, mends: Sequence[Mend]) -> AskedResult:
@@ -351,10 +213,3 @@ def _unmended(found: Understanding, suspect: Suspect) -> FaultFound:
     strip = suspect.strip
     cells = found.work.where(strip.sheet, strip.start, strip.line, strip.length)
     return FaultFound(cells, found.work.shown(strip.formula, strip.sheet), "", (), "no single change mends it")
-
-
-def _told(error: WorkbookError, mechanism: Mechanism, shown: str) -> WorkbookError:
-    return WorkbookError(
-        replace(fault, file=shown, message=said(mechanism.language, fault.about)) if fault.about in HOMEWORK else fault
-        for fault in error.faults
-    )

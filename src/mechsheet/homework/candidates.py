@@ -69,7 +69,7 @@ def candidates(formula: Node, around: Surroundings) -> list[Candidate]:
     parts = list(paths)
     angles = _angles(formula)
     arguments = {arg for part in parts for arg in _sums(part)}
-    terms = set(_terms(formula)) | {term for arg in arguments for term in _terms(arg)}
+    summed = set(terms(formula)) | {term for arg in arguments for term in terms(arg)}
     found: dict[Node, Candidate] = {}
 
     def add(whole: Node, kind: str, weight: float) -> None:
@@ -78,7 +78,7 @@ def candidates(formula: Node, around: Surroundings) -> list[Candidate]:
             found[whole] = Candidate(whole, kind, weight)
 
     for part in parts:
-        for new, kind, weight in _variants(part, formula, angles, terms, arguments, around):
+        for new, kind, weight in _variants(part, formula, angles, summed, arguments, around):
             if new != part:
                 for whole in _put(formula, paths[part], new):
                     add(whole, kind, weight)
@@ -106,17 +106,18 @@ def _put(formula: Node, paths: Sequence[_Path], new: Node) -> Iterator[Node]:
     """The formula with `new` in all these places; and where they are several, in each of them alone."""
     whole = formula
     for path in paths:
-        whole = _replaced(whole, path, new)
+        whole = put_at(whole, path, new)
     yield whole
     if 1 < len(paths) <= 4:
-        yield from (_replaced(formula, path, new) for path in paths)
+        yield from (put_at(formula, path, new) for path in paths)
 
 
-def _replaced(node: Node, path: _Path, new: Node) -> Node:
+def put_at(node: Node, path: _Path, new: Node) -> Node:
+    """A tree with another node at a path; what does not stand on the path is the same object."""
     if not path:
         return new
     below = list(children(node))
-    below[path[0]] = _replaced(below[path[0]], path[1:], new)
+    below[path[0]] = put_at(below[path[0]], path[1:], new)
     return rebuilt(node, tuple(below))
 
 
@@ -130,18 +131,18 @@ def _exchanged(formula: Node, paths: Mapping[Node, Sequence[_Path]]) -> Iterator
             for old, new in ((one, other), (other, one)):
                 for path in paths[old]:
                     if path[: len(inside)] == inside:
-                        whole = _replaced(whole, path, new)
+                        whole = put_at(whole, path, new)
             yield whole
 
 
-def _terms(node: Node) -> Iterator[Node]:
+def terms(node: Node) -> Iterator[Node]:
     """The terms of a sum; a product is one."""
     match node:
         case Binary("+" | "-", left, right):
-            yield from _terms(left)
-            yield from _terms(right)
+            yield from terms(left)
+            yield from terms(right)
         case Unary("-" | "+", operand):
-            yield from _terms(operand)
+            yield from terms(operand)
         case _:
             yield node
 
@@ -163,10 +164,10 @@ def _sums(part: Node) -> Iterator[Node]:
 
 def _angles(formula: Node) -> set[Node]:
     """Parts that are angles: the whole, arguments of sines and cosines, their terms, what arcs give."""
-    found = {formula, *_terms(formula)}
+    found = {formula, *terms(formula)}
     for part in walk(formula):
         if isinstance(part, Call) and part.name in _TRIGONOMETRIC and part.args:
-            found |= {part.args[0], *_terms(part.args[0])}
+            found |= {part.args[0], *terms(part.args[0])}
         if isinstance(part, Call) and part.name in _INVERSE:
             found.add(part)
     return found
@@ -176,7 +177,7 @@ _Variant = tuple[Node, str, float]
 
 
 def _variants(
-    part: Node, formula: Node, angles: set[Node], terms: set[Node], arguments: set[Node], around: Surroundings
+    part: Node, formula: Node, angles: set[Node], summed: set[Node], arguments: set[Node], around: Surroundings
 ) -> Iterator[_Variant]:
     """(what may have been meant by a part, what kind of slip it is, its weight)."""
     if isinstance(part, RangeRef):
@@ -208,7 +209,7 @@ def _variants(
         yield from _of_any(part)
     if part in angles and not isinstance(part, Number):
         yield from _of_angle(part)
-    if part in terms or isinstance(part, CellRef | NameRef):
+    if part in summed or isinstance(part, CellRef | NameRef):
         yield from _with_factor(part, around)
     if part == formula or part in arguments:
         yield from _with_term(part, around)
@@ -324,7 +325,7 @@ def _of_number(value: float, around: Surroundings) -> Iterator[_Variant]:
     for node, number in zip(around.single, around.numbers, strict=True):
         if number and abs(abs(value) - abs(number)) <= 1e-6 * abs(number):
             yield (node if value * number > 0 else Unary("-", node)), "typed number", 0.7
-    yield Number(-value), "typed number", 1.5
+    yield Number(-value), *(("sign", 1.0) if value < 0 else ("typed number", 1.5))
     for other in dict.fromkeys((*_NUMBERS, value - 1, float(round(value)), 1 / value if value else 0.0)):
         yield Number(other), "typed number", 1.6
     yield from ((node, "typed number", 1.9) for node in around.single)
@@ -381,7 +382,7 @@ def _with_factor(part: Node, around: Surroundings) -> Iterator[_Variant]:
 
 
 def _with_term(part: Node, around: Surroundings) -> Iterator[_Variant]:
-    squares = any(isinstance(term, Binary) and term.op == "^" for term in _terms(part))
+    squares = any(isinstance(term, Binary) and term.op == "^" for term in terms(part))
     for node in (*around.single, *around.row):
         term = Binary("^", node, Number(2.0)) if squares else node
         yield Binary("+", part, term), "term missing", 2.0

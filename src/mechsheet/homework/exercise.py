@@ -17,7 +17,7 @@ from typing import Any
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, OutputError, readable_name
+from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, readable_name
 from mechsheet.formats import write
 from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.formula.scalar import evaluate
@@ -30,6 +30,10 @@ from mechsheet.model import Mechanism, Need, Vary
 DRAWS = 1000
 """Times that dimensions are drawn anew for one student."""
 KEY = "key.json"
+LONGEST = 60
+"""Letters of an id in a file's name."""
+_DEVICE = re.compile(r"con|prn|aux|nul|(com|lpt)[0-9¹²³]", re.IGNORECASE)
+"""What Windows takes for a device, whatever the ending."""
 _UNSAFE = re.compile(r"[^\w-]+")
 
 
@@ -70,11 +74,16 @@ def exercise(
     students are done. Raises MechsheetError with
     all that is wrong with the list, or when nothing drawn fulfils `need`; nothing is written then.
     """
-    people = class_of(Path(class_list))
-    students, remarks = drawn(mechanism, people, seed)
+    people, faults = _read(Path(class_list))
     folder = Path(output)
     if folder.exists() and not folder.is_dir():
-        raise OutputError(Fault("is a file: a folder is written", readable_name(folder), key="-o"))
+        faults.append(Fault("is a file: a folder is written", readable_name(folder), key="-o"))
+    try:
+        students, remarks = drawn(mechanism, people or [("", "")], seed)  # that `need` is never met is told in any case
+    except DescriptionError as error:
+        faults = [*error.faults, *faults]
+    if faults:
+        raise MechsheetError(faults)
     changed = [(student, with_dimensions(mechanism, student.dimensions)) for student in students]
     for part in (folder, folder / "student", folder / "solution"):
         if not part.is_dir():
@@ -103,8 +112,24 @@ def key_of(mechanism: Mechanism, students: Sequence[Student], seed: int) -> dict
 
 
 def safe(identifier: str) -> str:
-    """A name for a file, on any system, made of an id."""
-    return _UNSAFE.sub("_", identifier.strip()).strip("_") or "_"
+    """A name for a file, on any system, made of an id: a long one ends with a few letters of its sum."""
+    name = _UNSAFE.sub("_", identifier.strip()).strip("_") or "_"
+    if len(name) > LONGEST:
+        name = f"{name[:LONGEST]}_{hashlib.sha256(identifier.encode()).hexdigest()[:8]}"
+    return f"{name}_" if _DEVICE.fullmatch(name) else name
+
+
+def _read(path: Path) -> tuple[list[tuple[str, str]], list[Fault]]:
+    """The class, or what is wrong with its file."""
+    try:
+        return class_of(path), []
+    except MechsheetError as error:
+        return [], list(error.faults)
+
+
+def faults_of_class(path: Path) -> list[Fault]:
+    """What is wrong with a list of a class."""
+    return _read(path)[1]
 
 
 def class_of(path: Path) -> list[tuple[str, str]]:

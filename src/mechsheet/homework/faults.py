@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import CellRef, Node, RangeRef
-from mechsheet.homework.agreement import Reading, agrees, gaps, likely, reading_of, units_of
+from mechsheet.homework.agreement import Reading, agrees, gaps, likely, reading_of, units_of, wrapped
 from mechsheet.homework.candidates import Candidate, Surroundings, candidates
 from mechsheet.homework.headings import around, names_over, says
 from mechsheet.homework.inputs import single_cells
@@ -30,13 +30,14 @@ OF_VERIFYING = 10_000
 VERIFIED = 12
 """Mends of one formula that are tried under retyped dimensions."""
 SURE = 1.3
-"""Where a mend of less weight puts all right, only smaller changes are looked for."""
+"""Where a mend of less weight puts all right that is wrong, only smaller changes are looked for, though more is missing."""
 LIGHT = 1.7
 """Candidates up to this weight are tried in all formulas before heavier ones in any. In a large linkage the formula at fault
 may be one of the last (its wrong values can still be those of another link), and the heavy candidates, terms and factors
 from anywhere in the sheet, are most of all: those of earlier formulas would use up what may be spent."""
 MOST_AROUND = 60
 """Cells that a formula may have meant instead."""
+ALL = slice(None)
 MOST_OF_PAIRS = 3
 """Formulas in which two changes are tried."""
 
@@ -92,7 +93,7 @@ class Search:
         self.found = replace(sheet.found, truth=truth)
         self.graph: Graph = sheet.found.graph
         self.goals = goals_of(sheet, results)
-        self.trial = Trial(self.graph, effort)
+        self.trial = Trial(self.graph, effort, sheet.found.series, truth.exists)
 
     @cached_property
     def retyped(self) -> list[Retyped]:
@@ -107,6 +108,7 @@ class Search:
             return None
         best: Mend | None = None
         wanted = {symbol for symbol, _ in self.goals if self.results[symbol].verdict == "wrong"}
+        everything = {symbol for symbol, _ in self.goals}
         changes: dict[int, list[Candidate]] = {}
         for heavy in (False, True):
             for number in self.suspects:
@@ -116,7 +118,11 @@ class Search:
                     changes[number] = self._candidates(number)
                 later = 0.0 if self._is_doubtful(number) else 1.0  # a formula that is known is right as it stands
                 tried = [one for one in changes[number] if (one.weight > LIGHT) is heavy]
-                if best is not None and best.live and wanted <= set(best.rights) and best.weight < SURE:
+                if (
+                    best is not None
+                    and best.live
+                    and (everything <= set(best.rights) or (wanted <= set(best.rights) and best.weight < SURE))
+                ):
                     tried = [one for one in tried if one.weight + later < best.weight]
                 mend = self._of_strip(number, tried) if tried else None
                 if mend is not None:
@@ -189,30 +195,44 @@ class Search:
                 if not reading.plain and says(self.found.heading(computed[place]), word.name):
                     turned.add(by_main[main])  # but not where the column is called as the length itself
         found -= turned
+        mains = [series.main for symbol, series in self.goals if self.results[symbol].verdict == "wrong"]
+        wrong = {by_main[strip] for strip in mains if strip is not None}
         right = [one.series for one in self.results.values() if one.verdict in ("right", "not live")]
         for series in right:
-            if series is not None and series.rows > 1:
-                found |= self.graph.above(set(series.strips(work)))
-        wrong = [series.main for symbol, series in self.goals if self.results[symbol].verdict == "wrong"]
-        return found - {by_main[strip] for strip in wrong if strip is not None}
+            if series is not None and series.rows > 1:  # a difference of two wrong angles may be right
+                found |= self.graph.above(set(series.strips(work)), wrong)
+        return found - wrong
 
     @cached_property
     def derived(self) -> dict[int, bool]:
-        """Single computed cells that are called as a derived dimension: whether they have its value."""
-        dims = [dim for dim in self.found.mechanism.dimensions if dim.derived]
+        """Single computed cells called as a derived dimension or a fixed point's place: whether they have its value."""
+        called_so = self._standing()
         work = self.graph.work
         found = {}
-        for number, strip in enumerate(work.strips) if dims else ():
+        for number, strip in enumerate(work.strips) if called_so else ():
             place = (strip.sheet, strip.start, strip.line)
             if strip.length > 1 or self._beside(strip):
                 continue
             words = [*around(work, place)[:1], *names_over(work, [place])]
-            called = [dim for dim in dims if any(says(text, dim.symbol) for text in words)]
+            called = [one for one in called_so if any(says(text, one.name) for text in words)]
             if len(called) == 1:
-                value = np.array([self.truth.dimensions[called[0].symbol]])
-                quantity = Quantity("", kind_of(called[0].unit.kind), value)
-                apart = [gaps(np.array([work.number(place)]), quantity, Reading(unit)) for unit in units_of(quantity)]
-                found[number] = bool(min(float(gap[0]) for gap in apart) <= self.found.allowed(quantity))
+                (one,) = called
+                apart = [gaps(np.array([work.number(place)]), one, Reading(unit)) for unit in units_of(one)]
+                found[number] = bool(min(float(gap[0]) for gap in apart) <= self.found.allowed(one))
+        return found
+
+    def _standing(self) -> list[Quantity]:
+        """Derived dimensions, and what of the mechanism does not move."""
+        dims = [dim for dim in self.found.mechanism.dimensions if dim.derived]
+        found = [
+            Quantity(dim.symbol, kind_of(dim.unit.kind), np.array([self.truth.dimensions[dim.symbol]])) for dim in dims
+        ]
+        names = {one.name for one in found}
+        row = int(np.flatnonzero(self.truth.exists)[0])
+        for symbol in self.truth.columns:
+            quantity = self.truth.quantity(symbol)
+            if symbol not in names and not quantity.moves(self.truth.size):
+                found.append(replace(quantity, values=quantity.values[row : row + 1]))
         return found
 
     def _beside(self, strip: Strip) -> bool:
@@ -242,7 +262,7 @@ class Search:
         strip = self.graph.work.strips[number]
         goals = list({series.key: series for _, series in self.goals}.values())
         try:
-            columns = self.trial.columns(number, [one.formula for one in tried], goals)
+            columns = self.trial.columns(number, [one.formula for one in tried], goals, self._may_be)
         except UntriableError:
             return None
         by_key = {series.key: found for series, found in zip(goals, columns, strict=True)}
@@ -261,12 +281,21 @@ class Search:
             spare = spare or mend
         return spare
 
-    def _are(self, symbol: str, columns: Array) -> NDArray[np.bool_]:
+    def _may_be(self, series: Series, columns: Array, rows: slice) -> NDArray[np.bool_]:
+        """Which columns, shape (columns, rows), are something that is wanted there, seen in some rows."""
+        good = np.zeros(len(columns), bool)
+        for symbol, goal in self.goals:
+            if goal.key == series.key:
+                good |= self._are(symbol, columns, rows)
+        return good
+
+    def _are(self, symbol: str, columns: Array, rows: slice = ALL) -> NDArray[np.bool_]:
         """Which columns, shape (columns, rows), are what is asked, in whatever unit."""
         if symbol not in self.truth.columns:
             return holding(columns[:, 0], span_of(self.truth, symbol), self.truth.size, self.found.tolerance)
         quantity = self.truth.quantity(symbol)
         allowed = self.found.allowed(quantity)
+        quantity = replace(quantity, values=quantity.values[rows])
         good = np.zeros(len(columns), bool)
         for unit in units_of(quantity):
             good |= agrees(columns, quantity, Reading(unit), allowed)
@@ -375,12 +404,12 @@ def first_wrong(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> S
     strip = sheet.found.work.strips[numbers[0]]
     for symbol, series in search.goals:
         if series.main == strip:
-            return _nearest(sheet, truth, strip, series, symbol)
+            return first_difference(sheet, truth, strip, series, symbol)
     place = (strip.sheet, strip.start, strip.line)
     return Suspect(strip, place, sheet.found.work.number(place), None, "")
 
 
-def _nearest(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: str) -> Suspect:
+def first_difference(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: str) -> Suspect:
     """The first cell of what is asked that is not what it should be, in the unit in which it comes nearest."""
     if symbol in truth.columns:
         quantity = truth.quantity(symbol)
@@ -388,10 +417,21 @@ def _nearest(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: s
     else:
         quantity = span_of(truth, symbol).quantity
         column, wanted = sheet.column(series), quantity.values[-1:]
-    unit = min(units_of(quantity), key=lambda each: float(np.nanmedian(np.abs(column * each - wanted))))
-    rows = np.flatnonzero(~(np.abs(column * unit - wanted) <= sheet.found.allowed(quantity)) & np.isfinite(wanted))
+
+    def apart(unit: float) -> Array:
+        found: Array = column * unit - wanted
+        return wrapped(found) if quantity.kind == "angle" else found
+
+    known = np.isfinite(column) & np.isfinite(wanted)
+    unit = 1.0
+    if known.any():
+        unit = min(units_of(quantity), key=lambda each: float(np.median(np.abs(apart(each))[known])))
+    gap = apart(unit)
+    rows = np.flatnonzero(~(np.abs(gap) <= sheet.found.allowed(quantity)) & np.isfinite(wanted))
     row = int(rows[0]) if len(rows) else 0
-    return Suspect(strip, series.places()[row], float(column[row]), float(wanted[row] / unit), symbol)
+    number = float(column[row])
+    right = number - float(gap[row]) / unit if known[row] else float(wanted[row]) / unit  # an angle in the same turn
+    return Suspect(strip, series.places()[row], number, right, symbol)
 
 
 def many(

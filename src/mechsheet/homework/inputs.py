@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from mechsheet.formula.nodes import symbols
 from mechsheet.homework.agreement import DEGREE, POWERS
 from mechsheet.homework.headings import around, contains, names_over, plain, says
-from mechsheet.homework.series import Graph, Run
+from mechsheet.homework.series import Graph, Run, of_table
 from mechsheet.homework.upright import Place
 from mechsheet.model import Dimension, Mechanism
 
@@ -36,11 +36,13 @@ class Input:
 
 
 def single_cells(graph: Graph, driver: Run) -> list[Place]:
-    """Typed numbers that formulas read one by one, in the order of the sheets; not those that make the driver alone."""
+    """Typed numbers that the formulas of a driver's table, or what these depend on, read one by one, in the order of the
+    sheets; not those that make the driver alone. Another table may have dimensions of its own."""
     work = graph.work
     along = {(driver.sheet, pos, driver.line) for pos in range(driver.start, driver.end)}
     found: dict[Place, None] = {}
-    for number, strip in enumerate(work.strips):
+    for number in sorted(graph.above(of_table(graph, driver)) or range(len(work.strips))):
+        strip = work.strips[number]
         if (strip.sheet, strip.line) == (driver.sheet, driver.line) and driver.start <= strip.start <= driver.end:
             continue
         for start, end in graph.corners(number):

@@ -145,10 +145,10 @@ class _Judged:
 def _judged(path: Path, key: Key, wanted: AskedFor, any_assembly: bool) -> _Judged:
     """One workbook; what is wrong with it is told in its line and does not keep the others from being marked."""
     work: Work | None = None
-    student: Student | None = None
+    student = _by_name(path, key.students)
     try:
         work = upright(read(path))
-        student = _owner(path, work, key.students)
+        student = student or _by_cells(work, key.students)
         mechanism = key.mechanism if student is None else with_dimensions(key.mechanism, student.dimensions)
         audit = audited(work, mechanism, wanted, readable_name(path), any_assembly, student is not None)
     except MechsheetError as error:
@@ -156,21 +156,24 @@ def _judged(path: Path, key: Key, wanted: AskedFor, any_assembly: bool) -> _Judg
     return _Judged(path, work, audit, "", student or _by_dimensions(audit, key.students))
 
 
-def _owner(path: Path, work: Work, students: Sequence[Student]) -> Student | None:
-    """The student whose id a file is called by, or that stands in a cell."""
+def _by_name(path: Path, students: Sequence[Student]) -> Student | None:
+    """The student whose id a file is called by, alone or between underscores."""
     stem = safe(path.stem).casefold()
     by_file = {student.file.casefold(): student for student in students}
     if stem in by_file:
         return by_file[stem]
     parts = [student for name, student in by_file.items() if name in stem.split("_")]
-    if len(parts) == 1:
-        return parts[0]
+    return parts[0] if len(parts) == 1 else None
+
+
+def _by_cells(work: Work, students: Sequence[Student]) -> Student | None:
+    """The student whose id stands in a cell."""
     ids = {student.id.casefold(): student for student in students}
     for sheet in work.book.sheets:
         for number, (_, _, value) in enumerate(sheet.constants.items()):
             if number > MOST_SEARCHED:
                 break
-            text = f"{value:g}" if isinstance(value, float) else str(value)
+            text = f"{value:.15g}" if isinstance(value, float) else str(value)
             if text.strip().casefold() in ids:
                 return ids[text.strip().casefold()]
     return None

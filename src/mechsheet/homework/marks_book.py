@@ -167,10 +167,12 @@ def _no_formula(text: str) -> str:
 def pages(marks: Marks) -> dict[str, str]:
     """File name -> the page of one student, without a word of any other."""
     found: dict[str, str] = {}
+    taken: set[str] = set()
     for one in marks.students:
         name = safe(one.id)
-        while f"{name}.html" in found:
+        while name.casefold() in taken:
             name += "_"
+        taken.add(name.casefold())
         found[f"{name}.html"] = page(marks, one)
     return found
 

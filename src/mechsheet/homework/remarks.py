@@ -3,48 +3,25 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Iterator
 
 import numpy as np
 
 from mechsheet import reference
+from mechsheet.formula.nodes import CellRef, NameRef, walk
 from mechsheet.homework.agreement import Reading, gaps, units_of
-from mechsheet.homework.faults import Mend, Suspect
+from mechsheet.homework.candidates import terms
+from mechsheet.homework.faults import Mend, Suspect, first_difference
 from mechsheet.homework.inputs import SAME
-from mechsheet.homework.truth import Truth
+from mechsheet.homework.judging import Judged
 from mechsheet.homework.understanding import Understanding
-from mechsheet.homework.verdicts import Finding
+from mechsheet.homework.verdicts import Finding, Sheet
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import said
 
 MOST_OF_ENGINE = 5
 """Remarks of the formula engine that are passed on."""
-
-
-@dataclass(frozen=True, slots=True)
-class Judged:
-    """Everything that was found in a workbook.
-
-    truth   of the assembly that the sheet shows
-    first   of each asked quantity what is found in the sheet as it is;  last  the same with the mends in place
-    """
-
-    found: Understanding
-    truth: Truth
-    asked: Mapping[str, float]
-    first: Mapping[str, Finding]
-    last: Mapping[str, Finding]
-    mends: Sequence[Mend]
-    suspect: Suspect | None
-    unusual: bool = False
-
-    @property
-    def promising(self) -> bool:
-        """Whether anything asked is found, as it is or with mends."""
-        return bool(self.mends) or any(
-            one.verdict in ("right", "not live", "other assembly") for one in self.first.values()
-        )
 
 
 def remarks_of(judged: Judged, language: str) -> Iterator[str]:
@@ -67,6 +44,8 @@ def remarks_of(judged: Judged, language: str) -> Iterator[str]:
             yield said(language, key, symbol=symbol, dimensions=dead)
         if finding.verdict == "wrong" and finding.series is not None and symbol in found.truth.columns:
             yield from _of_rows(symbol, finding, judged, language)
+    if judged.mends:
+        yield from _of_mend(judged, judged.mends[0], language)
     if judged.suspect is not None:
         yield _of_suspect(judged, judged.suspect, language)
     yield from [str(fault) for fault in found.work.values.remarks][:MOST_OF_ENGINE]
@@ -114,6 +93,28 @@ def _of_rows(symbol: str, finding: Finding, judged: Judged, language: str) -> It
     right = max(int((gaps(column, quantity, Reading(unit))[known] <= allowed).sum()) for unit in units_of(quantity))
     if right >= max(2, known.sum() // 10):
         yield said(language, "remark.rows", symbol=symbol, right=right, rows=int(known.sum()))
+
+
+def _of_mend(judged: Judged, mend: Mend, language: str) -> Iterator[str]:
+    """What a mended fault did to the first quantity that it made wrong; where a term that is too many stands as well."""
+    found = judged.found
+    sheet = Sheet(found, list(judged.asked))
+    for symbol in mend.rights:
+        series = judged.first[symbol].series
+        if judged.first[symbol].verdict == "wrong" and series is not None:
+            yield _of_suspect(judged, first_difference(sheet, judged.truth, mend.strip, series, symbol), language)
+            break
+    left = Counter(terms(mend.strip.formula)) - Counter(terms(mend.formula))
+    lost = [term for term in left if isinstance(term, CellRef | NameRef)]
+    if mend.kind != "term too many" or len(lost) != 1:
+        return
+    work = found.work
+    bound = work.bound(lost[0], mend.strip)
+    for number in sorted(found.graph.readers[work.strips.index(mend.strip)]) if mend.strip in work.strips else ():
+        if bound in set(walk(found.graph.formulas[number])):
+            strip = work.strips[number]
+            where = work.where(strip.sheet, strip.start, strip.line)
+            yield said(language, "remark.again", term=work.shown(bound, mend.strip.sheet), cell=where)
 
 
 def _of_suspect(judged: Judged, suspect: Suspect, language: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Sequence, Set
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -138,9 +138,9 @@ class Graph:
         """The strips themselves and all that depend on them."""
         return _closure(numbers, self.readers)
 
-    def above(self, numbers: set[int]) -> set[int]:
-        """The strips themselves and all that they depend on."""
-        return _closure(numbers, self.reads)
+    def above(self, numbers: set[int], without: Set[int] = frozenset()) -> set[int]:
+        """The strips themselves and all that they depend on, but for what they read through those left out."""
+        return _closure(numbers, self.reads, without)
 
     def readers_of(self, sheet: str, line: int, start: int, end: int) -> set[int]:
         """Strips that read some of these cells directly."""
@@ -175,12 +175,12 @@ class Graph:
         return depth
 
 
-def _closure(numbers: set[int], edges: Sequence[set[int]]) -> set[int]:
+def _closure(numbers: set[int], edges: Sequence[set[int]], without: Set[int] = frozenset()) -> set[int]:
     found: set[int] = set()
     waiting = list(numbers)
     while waiting:
         number = waiting.pop()
-        if number not in found:
+        if number not in found and number not in without:
             found.add(number)
             waiting += edges[number]
     return found
@@ -207,8 +207,8 @@ def runs_of_numbers(work: Work) -> list[Run]:
     return found
 
 
-def drivers(graph: Graph) -> list[Run]:
-    """What may be the driver's values, the likeliest first: what most cells depend on."""
+def drivers(graph: Graph, share: float = 0.5) -> list[Run]:
+    """What may be the driver's values, the likeliest first: what most cells depend on, and at least this share of them."""
     work = graph.work
     candidates = runs_of_numbers(work) + _stepped(graph)
     weighed = []
@@ -226,7 +226,7 @@ def drivers(graph: Graph) -> list[Run]:
             weighed.append((cells, run))
     weighed = weighed or [(1, run) for run in runs_of_numbers(work) if _beside_formulas(graph, run)]
     weighed.sort(key=lambda pair: (-pair[0], -pair[1].length))
-    return [run for cells, run in weighed if 2 * cells >= weighed[0][0]]
+    return [run for cells, run in weighed if cells >= share * weighed[0][0]]
 
 
 def _beside_formulas(graph: Graph, run: Run) -> bool:
@@ -357,6 +357,12 @@ def aligned(graph: Graph, driver: Run) -> list[Series]:
             found.append(Series(sheet, line, origin, driver.length, _main(strips), rows[0], rows[-1]))
     order = {sheet.title: number for number, sheet in enumerate(work.book.sheets)}
     return sorted(found, key=lambda series: (order[series.sheet], series.line, series.origin))
+
+
+def of_table(graph: Graph, driver: Run) -> set[int]:
+    """The strips beside a driver, and all that depend on it."""
+    origins = _origins(graph, driver)
+    return graph.below(graph.readers_of(driver.sheet, driver.line, driver.start, driver.end) | origins.keys())
 
 
 def _main(strips: Sequence[Strip]) -> Strip | None:

@@ -8,51 +8,39 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import cast
+from typing import TypeAlias, cast
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mechsheet.engine import evaluate
-from mechsheet.engine.interpreter.evaluator import Evaluator
 from mechsheet.engine.layout import Area
-from mechsheet.engine.values.cells import NUMBER, Cells
-from mechsheet.engine.values.frames import Frame
+from mechsheet.engine.values.cells import NUMBER
 from mechsheet.formula.book import Book, BookSheet
-from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.formula.nodes import (
-    Binary,
-    Boolean,
     Call,
     CellRef,
     ErrorValue,
     Foreign,
     NameRef,
     Node,
-    Number,
     RangeRef,
     SheetsRef,
     TableRef,
-    Text,
-    Unary,
-    calls,
     children,
     rebuilt,
-    walk,
 )
+from mechsheet.homework.own_values import PLACED, TURNED, is_simple, own_values
 from mechsheet.homework.routines import routine_names
 from mechsheet.homework.series import Graph, Series
 from mechsheet.homework.truth import Array
 from mechsheet.homework.upright import Place
+from mechsheet.homework.window import ROWS, Window, window_of
 
 MOST_AT_ONCE = 1500
 OF_ONE = 150
 """What a candidate costs besides its cells, in cells."""
 _MOST_LINES = 16
-_PLACED = frozenset(("OFFSET", "INDIRECT", "CELL", "FORMULATEXT"))
-_TURNED = frozenset(
-    ("ROW", "COLUMN", "INDEX", "VLOOKUP", "HLOOKUP", "MATCH", "LOOKUP", "ROWS", "COLUMNS", "TRANSPOSE", "MMULT")
-)
-"""Functions that mean another thing on a sheet laid out anew: always, and where rows and columns were exchanged."""
 
 
 class UntriableError(Exception):
@@ -75,116 +63,97 @@ class Effort:
         return self.left <= 0
 
 
+Keeps: TypeAlias = Callable[[Series, Array, slice], NDArray[np.bool_]]
+"""Which of the columns, shape (columns, rows), may be what a goal should be, seen in some rows of it."""
+
+
+@dataclass(frozen=True, slots=True)
 class Trial:
-    """Tries formulas for strips of one workbook."""
+    """Tries formulas for strips of one workbook. `table`: its series; `exists`: the rows in which something is wanted."""
 
-    def __init__(self, graph: Graph, effort: Effort) -> None:
-        self.graph = graph
-        self.effort = effort
+    graph: Graph
+    effort: Effort
+    table: Sequence[Series]
+    exists: NDArray[np.bool_]
 
-    def columns(self, number: int, candidates: Sequence[Node], goals: Sequence[Series]) -> list[Array]:
+    def columns(
+        self, number: int, candidates: Sequence[Node], goals: Sequence[Series], keeps: Keeps | None = None
+    ) -> list[Array]:
         """For each goal an array (candidates, rows): its numbers with each candidate in place of a strip's bound formula.
+
+        keeps  candidates that it turns down in a few rows, for every goal, are not computed in the others: NaN
 
         Raises UntriableError.
         """
         found = [
-            self._columns(number, candidates[first : first + MOST_AT_ONCE], goals)
+            self._columns(number, candidates[first : first + MOST_AT_ONCE], goals, keeps)
             for first in range(0, len(candidates), MOST_AT_ONCE)
         ]
         return [np.concatenate([part[index] for part in found]) for index in range(len(goals))]
 
-    def _columns(self, number: int, candidates: Sequence[Node], goals: Sequence[Series]) -> list[Array]:
+    def _columns(
+        self, number: int, candidates: Sequence[Node], goals: Sequence[Series], keeps: Keeps | None
+    ) -> list[Array]:
         work = self.graph.work
         last = {strip for goal in goals for strip in goal.strips(work)}
         affected = self.graph.below({number}) & (self.graph.above(last) | {number})
-        self.effort.spend(len(candidates) * (OF_ONE + sum(work.strips[index].length for index in affected)))
+        cells = sum(work.strips[index].length for index in affected)
         alone = not self.graph.reads[number] & self.graph.below({number})
-        if not alone or not _simple(self.graph.formulas[number]) or work.plan.settles:
-            self.effort.spend(3 * OF_ONE * len(candidates))
-            book = _Book(self, affected, len(candidates))
+        if not alone or not is_simple(self.graph.formulas[number]) or work.plan.settles:
+            self.effort.spend(len(candidates) * (4 * OF_ONE + cells))
+            book = _Book(self.graph, affected, len(candidates))
             book.candidates(number, candidates)
             book.follow(affected - {number})
             return book.computed(goals)
-        values = self._values(number, candidates)
+        self.effort.spend(len(candidates) * (OF_ONE + work.strips[number].length))
+        values = own_values(work, work.strips[number], self.graph.formulas[number], candidates)
         different, which = np.unique(values, axis=0, return_inverse=True, equal_nan=True)
-        book = _Book(self, affected, len(different))
-        book.numbers(number, different)
+        kept = self._kept(number, affected, different, goals, keeps)
+        self.effort.spend(len(kept) * (OF_ONE + cells))
+        found = []
+        for columns in self._with_values(number, affected, different[kept], goals):
+            whole = np.full((len(different), columns.shape[1]), np.nan)
+            whole[kept] = columns
+            found.append(whole[np.ravel(which)])
+        return found
+
+    def _kept(
+        self, number: int, affected: set[int], different: Array, goals: Sequence[Series], keeps: Keeps | None
+    ) -> NDArray[np.intp]:
+        """The numbers of those values that may be right, seen in a few rows."""
+        window = window_of(self.graph, number, affected, goals, self.table, self.exists) if keeps is not None else None
+        if window is None or keeps is None:
+            return np.arange(len(different))
+        self.effort.spend(len(different) * (OF_ONE + ROWS * len(affected)))
+        good = np.zeros(len(different), bool)
+        for goal, columns in zip(goals, self._with_values(number, affected, different, goals, window), strict=True):
+            good |= keeps(goal, columns[:, window.part], window.part)
+        return np.flatnonzero(good)
+
+    def _with_values(
+        self, number: int, affected: set[int], values: Array, goals: Sequence[Series], window: Window | None = None
+    ) -> list[Array]:
+        """The goals with values in place of a strip's own, (values, cells of the strip)."""
+        if not len(values):
+            return [np.empty((0, goal.rows)) for goal in goals]
+        book = _Book(self.graph, affected, len(values), window)
+        book.numbers(number, values)
         book.follow(affected - {number})
-        return [columns[np.ravel(which)] for columns in book.computed(goals)]
-
-    def _values(self, number: int, candidates: Sequence[Node]) -> Array:
-        """What each candidate gives in the strip's own cells, (candidates, rows): by the engine, common parts once."""
-        work = self.graph.work
-        strip = work.strips[number]
-        sheet, row, col = work.engine_place((strip.sheet, strip.start, strip.line))
-        index = next(n for n, title in enumerate(work.plan.layout.titles) if title == sheet)
-        frame = Frame(index, row, col, *((1, strip.length) if work.across else (strip.length, 1)))
-        evaluator = _Remembering(work.computed, set(map(id, walk(self.graph.formulas[number]))))
-        found = np.full((len(candidates), strip.length), np.nan)
-        turn = _Turn() if work.across else None
-        for place, candidate in enumerate(candidates):
-            cells = evaluator.result(candidate if turn is None else turn(candidate), frame)
-            numbers = np.ravel(np.broadcast_to(cells.numbers, frame.shape))
-            if cells.codes is not None:
-                numbers = np.where(np.ravel(np.broadcast_to(cells.codes, frame.shape)) == NUMBER, numbers, np.nan)
-            found[place] = numbers
-        return found
-
-
-_PLAIN = (Number, Text, Boolean, CellRef, RangeRef, Unary, Binary, Call)
-
-
-def _simple(formula: Node) -> bool:
-    """Whether a formula is made of what means the same anywhere."""
-    called = set(calls(formula))
-    plain = all(isinstance(part, _PLAIN) for part in walk(formula))
-    return plain and called <= FUNCTIONS.keys() and not called & (_PLACED | _TURNED)
-
-
-class _Remembering(Evaluator):
-    """An evaluator that computes what all candidates have in common once. `common`: ids of the nodes of the formula."""
-
-    def __init__(self, like: Evaluator, common: set[int]) -> None:
-        super().__init__(like.layout, like.numbers, like.codes, like.texts, like.around)
-        self.common = common
-        self.known: dict[tuple[int, bool], Cells] = {}
-
-    def value(self, node: Node, frame: Frame, spread: bool = False) -> Cells:
-        """As the evaluator's."""
-        if id(node) not in self.common:
-            return super().value(node, frame, spread)
-        key = id(node), spread
-        found = self.known.get(key)
-        if found is None:
-            found = self.known[key] = super().value(node, frame, spread)
-        return found
-
-
-class _Turn:
-    """Exchanges rows and columns; a part that was exchanged before is the same object again."""
-
-    def __init__(self) -> None:
-        self.known: dict[int, tuple[Node, Node]] = {}
-
-    def __call__(self, node: Node) -> Node:
-        found = self.known.get(id(node))
-        if found is None:
-            below = children(node)
-            if isinstance(node, CellRef):
-                new: Node = CellRef(node.col, node.row, node.col_abs, node.row_abs, node.sheet)
-            else:
-                new = rebuilt(node, tuple(map(self, below))) if below else node
-            found = self.known[id(node)] = (node, new)
-        return found[1]
+        return book.computed(goals)
 
 
 @dataclass
 class _Book:
-    """The small book: a sheet for each line with affected cells, and sheets of numbers as they are."""
+    """The small book: a sheet for each line with affected cells, and sheets of numbers as they are.
 
-    trial: Trial
+    pieces  strip -> (start, length, formula) of what is laid out of it: of a window its rows alone
+    """
+
+    graph: Graph
     affected: set[int]
     count: int
+    window: Window | None = None
+    pieces: dict[int, tuple[int, int, Node]] = field(default_factory=dict)
     cells: dict[tuple[str, int], set[int]] = field(default_factory=dict)
     sheets: dict[tuple[str, int], BookSheet] = field(default_factory=dict)
     given: dict[str, BookSheet] = field(default_factory=dict)
@@ -193,29 +162,35 @@ class _Book:
 
     def __post_init__(self) -> None:
         for index in sorted(self.affected):
-            strip = self.trial.graph.work.strips[index]
-            line = strip.sheet, strip.line
-            self.cells.setdefault(line, set()).update(range(strip.start, strip.end))
-            self.sheets.setdefault(line, BookSheet(f"t{len(self.sheets)}"))
+            strip, formula = self.graph.work.strips[index], self.graph.formulas[index]
+            piece = (strip.start, strip.length, formula)
+            cut = piece if self.window is None else self.window.cut(strip, formula)
+            if cut is not None:
+                self.pieces[index] = cut
+                line = strip.sheet, strip.line
+                self.cells.setdefault(line, set()).update(range(cut[0], cut[0] + cut[1]))
+                self.sheets.setdefault(line, BookSheet(f"t{len(self.sheets)}"))
 
     def follow(self, indices: Iterable[int]) -> None:
         """Strips that depend on the candidates: the same formula beside each."""
-        for index in sorted(indices):
-            strip = self.trial.graph.work.strips[index]
-            formula = self._placed(self.trial.graph.formulas[index], strip.length, 0)
-            self.sheets[strip.sheet, strip.line].block(strip.start, 0, strip.length, self.count, formula)
+        for index in sorted(self.pieces.keys() & set(indices)):
+            strip = self.graph.work.strips[index]
+            start, length, formula = self.pieces[index]
+            placed = self._placed(formula, length, 0)
+            self.sheets[strip.sheet, strip.line].block(start, 0, length, self.count, placed)
 
     def numbers(self, number: int, values: Array) -> None:
         """The candidates' values, one beside the other."""
-        strip = self.trial.graph.work.strips[number]
+        strip = self.graph.work.strips[number]
+        start, length, _ = self.pieces[number]
         sheet = self.sheets[strip.sheet, strip.line]
-        for column, numbers in enumerate(values):
-            known = [ErrorValue("#NUM!") if value != value else float(value) for value in numbers]
-            sheet.column_constants(strip.start, column, known)
+        wrong = ErrorValue("#NUM!")
+        for column, numbers in enumerate(values[:, start - strip.start :][:, :length].tolist()):
+            sheet.column_constants(start, column, [wrong if value != value else value for value in numbers])
 
     def candidates(self, number: int, candidates: Sequence[Node]) -> None:
         """The candidates themselves, one beside the other."""
-        work = self.trial.graph.work
+        work = self.graph.work
         strip = work.strips[number]
         sheet = self.sheets[strip.sheet, strip.line]
         for column, candidate in enumerate(candidates):
@@ -226,12 +201,12 @@ class _Book:
         """A bound formula with references into the small book; `column`: where it stands there."""
 
         def area(start: CellRef, end: CellRef) -> list[Node]:
-            sheet = self.trial.graph.titles.get((start.sheet or "").casefold())
+            sheet = self.graph.titles.get((start.sheet or "").casefold())
             if sheet is None or not start.col <= end.col < start.col + _MOST_LINES:
                 raise UntriableError
             low = min(start.row, end.row)
             high = max(one.row if one.row_abs else one.row + length - 1 for one in (start, end))
-            last = max(low, self.trial.graph.work.ends[sheet] - 1)
+            last = max(low, self.graph.work.ends[sheet] - 1)
             if high > last:  # of a whole column what is there
                 high = last
                 end = replace(end, row=min(end.row, last)) if start is not end else end
@@ -249,7 +224,7 @@ class _Book:
 
         def change(part: Node) -> Node:
             if isinstance(part, Call):
-                if part.name in _PLACED or (part.name in _TURNED and self.trial.graph.work.across):
+                if part.name in PLACED or (part.name in TURNED and self.graph.work.across):
                     raise UntriableError
                 return Call(part.name, tuple(one for arg in part.args for one in _spread(arg)))
             if isinstance(part, NameRef | Foreign | SheetsRef | TableRef):
@@ -263,7 +238,7 @@ class _Book:
 
     def _line(self, sheet: str, line: int, low: int, high: int) -> tuple[bool, str]:
         """(whether candidates differ there, the sheet to read) for positions low to high of a line."""
-        work = self.trial.graph.work
+        work = self.graph.work
         moving = self.cells.get((sheet, line), set())
         if moving.isdisjoint(range(low, high + 1)):
             held = self.given.setdefault(sheet, BookSheet(f"g{len(self.given)}"))
@@ -282,7 +257,7 @@ class _Book:
         if place in self.kept:
             return
         self.kept.add(place)
-        value = self.trial.graph.work.value(place)
+        value = self.graph.work.value(place)
         if value is not None:
             sheet = self.sheets[place[0], place[2]]
             for column in range(self.count):
@@ -296,7 +271,7 @@ class _Book:
 
     def computed(self, goals: Sequence[Series]) -> list[Array]:
         """The goals' numbers."""
-        work = self.trial.graph.work
+        work = self.graph.work
         found: list[Array] = []
         lines = list(self.sheets)
         values = evaluate(Book([*self.sheets.values(), *self.given.values()], routine_names(work.book)))

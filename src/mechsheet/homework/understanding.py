@@ -13,8 +13,8 @@ from mechsheet import reference
 from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.homework.agreement import DEGREE, POWERS, allowance, likely, reading_of
 from mechsheet.homework.headings import heading, names_over
-from mechsheet.homework.inputs import Input, inputs_of, unread_inputs
-from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, likely_runs
+from mechsheet.homework.inputs import Input, inputs_of, is_length, unread_inputs
+from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, drivers, likely_runs
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.upright import Place, Work
 from mechsheet.model import Mechanism
@@ -55,6 +55,11 @@ class Understanding:
         """Angles among the dimensions."""
         return [self.truth.dimensions[dim.symbol] for dim in self.mechanism.dimensions if dim.unit.kind == "angle"]
 
+    @property
+    def length_unit(self) -> float:
+        """The factor from the sheet's lengths to the mechanism's: that of its dimensions."""
+        return next((abs(one.factor) for one in self.inputs if is_length(self.mechanism, one.symbol)), 1.0)
+
     def allowed(self, quantity: Quantity) -> float:
         """How far a column may be from a quantity."""
         return allowance(quantity, self.truth.size, self.tolerance)
@@ -69,14 +74,20 @@ class Understanding:
 
 
 def understand(
-    work: Work, mechanism: Mechanism, asked: Sequence[str], tolerance: float, unusual: bool = False
+    work: Work,
+    mechanism: Mechanism,
+    asked: Sequence[str],
+    tolerance: float,
+    unusual: bool = False,
+    runs: Sequence[Run] | None = None,
 ) -> Understanding:
     """Understand a workbook. Raises WorkbookError where nothing in it is a table of this mechanism.
 
     unusual  the driver may be counted clockwise, or from another zero; or be computed from a column of times
+    runs     what may be the driver's values; without them the likeliest of the workbook
     """
     graph = Graph(work)
-    runs = likely_runs(graph)
+    runs = likely_runs(graph) if runs is None else runs
     if unusual:
         runs = [*runs, *by_law(graph, runs)]
     if not runs:
@@ -102,6 +113,20 @@ def understand(
     if best is None:
         raise WorkbookError(Fault("no position", about="no position"))
     return best[1]
+
+
+def other_runs(graph: Graph, used: Sequence[Understanding]) -> list[Run]:
+    """What may be the driver's values in tables of the workbook besides those understood."""
+    lines = [(one.sheet, one.line, one.start, one.end) for found in used for one in [found.driver]]
+    lines += [(one.sheet, one.line, one.origin, one.origin + one.rows) for found in used for one in found.series]
+
+    def beside(run: Run) -> bool:
+        return not any(
+            (run.sheet, run.line) == (sheet, line) and run.start < end and start < run.end
+            for sheet, line, start, end in lines
+        )
+
+    return list(filter(beside, drivers(graph, 0.0)))
 
 
 def _possible_inputs(

@@ -46,6 +46,9 @@ Place: TypeAlias = tuple[str, int, int]
 MOST_BLOCKS = 50_000
 """Runs of equal formulas of a workbook that are looked at."""
 
+MOST_APART = 3
+"""Cells one after the other, all with the same value, that are no column yet."""
+
 _COMMA = re.compile(r"\s*[+-]?\d+,\d+\s*")
 
 
@@ -379,10 +382,19 @@ def _strips(
             length += count
             continue
         if first is not None:
-            yield _strip(first, length, formulas, across)
+            yield from _apart(_strip(first, length, formulas, across))
         first, length = (sheet, line, start, key), count
     if first is not None:
-        yield _strip(first, length, formulas, across)
+        yield from _apart(_strip(first, length, formulas, across))
+
+
+def _apart(strip: Strip) -> Iterator[Strip]:
+    """A strip; as single cells where a few happen to have one formula: two constants one below the other, by names."""
+    alike = all(part.row_abs for part in walk(strip.formula) if isinstance(part, CellRef))
+    if 1 < strip.length <= MOST_APART and alike:
+        yield from (replace(strip, start=pos, length=1) for pos in range(strip.start, strip.end))
+    else:
+        yield strip
 
 
 def _strip(first: tuple[str, int, int, int], length: int, formulas: Mapping[int, Node], across: bool) -> Strip:

@@ -17,7 +17,7 @@ from mechsheet.homework.inputs import is_length
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
-from mechsheet.homework.understanding import Understanding, anything, retyped
+from mechsheet.homework.understanding import MOVING, Understanding, anything, retyped
 from mechsheet.homework.upright import Place, Strip
 from mechsheet.model import Summary
 
@@ -95,16 +95,21 @@ def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
 
 
 def agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] | None:
-    """The series that is a quantity: read plainly before in another sense, headed so before not, computed before typed."""
+    """The series that is a quantity: read plainly before in another sense, headed so before not, computed before typed, in
+    the sheet's own unit before another. With a quantity that hardly moves many a column agrees: then the nearest."""
     found = sheet.found
     quantity = truth.quantity(symbol)
     allowed = found.allowed(quantity)
-    best: tuple[tuple[bool, bool, bool], Series, Reading] | None = None
+    still = quantity.spread <= MOVING * allowed
+    best: tuple[tuple[bool, bool, bool, bool, float], Series, Reading] | None = None
     for series in found.series:
-        reading = reading_of(sheet.column(series), quantity, allowed, found.zeros)
+        column = sheet.column(series)
+        reading = reading_of(column, quantity, allowed, found.zeros)
         if reading is None or not _conventional(reading, series):
             continue
-        rank = (reading.plain, says(found.heading(series), symbol), series.main is not None)
+        own = quantity.kind != "length" or reading.unit == found.length_unit
+        apart = float(gaps(column, quantity, reading).max(initial=0.0)) if still else 0.0
+        rank = reading.plain, says(found.heading(series), symbol), series.main is not None, own, -apart
         if best is None or rank > best[0]:
             best = rank, series, reading
     return None if best is None else best[1:]

@@ -75,31 +75,40 @@ def _fold(function: Callable[[Any, Any], Any], args: tuple[Any, ...]) -> Any:
     return result
 
 
-def value(node: Node, known: Mapping[str, Any], rooted: bool = False) -> Any:
+def value(node: Node, known: Mapping[str, Any], rooted: bool = False, seen: dict[Any, Any] | None = None) -> Any:
     """The value of a tree, whole columns at once. `known` holds the symbols' columns.
 
     rooted  what stands under a root is a rounding error where it is negative, and counts as 0
+    seen    keeps the sine and cosine of each angle for the other trees over the same `known`
     """
+
+    def of(part: Node) -> Any:
+        return value(part, known, rooted, seen)
+
     match node:
         case Number(number):
             return number
         case Symbol(name):
             return known[name]
         case Unary("-", operand):
-            return -value(operand, known, rooted)
+            return -of(operand)
         case Unary("+", operand):
-            return value(operand, known, rooted)
+            return of(operand)
         case Unary("%", operand):
-            return value(operand, known, rooted) / 100
+            return of(operand) / 100
         case Binary("^", base, Number(2.0)):
-            number = value(base, known, rooted)
+            number = of(base)
             return number * number
         case Binary(op, left, right):
-            return OPERATORS[op](value(left, known, rooted), value(right, known, rooted))
+            return OPERATORS[op](of(left), of(right))
         case Call("SQRT", (square,)) if rooted:
-            return np.sqrt(np.maximum(0.0, value(square, known, rooted)))
+            return np.sqrt(np.maximum(0.0, of(square)))
+        case Call("SIN" | "COS", (angle,)) if seen is not None:
+            if (angle, rooted) not in seen:
+                seen[angle, rooted] = portable.sin_and_cos(of(angle))
+            return seen[angle, rooted][node.name == "COS"]
         case Call(name, args) if name in FUNCTIONS:
-            return FUNCTIONS[name](*(value(arg, known, rooted) for arg in args))
+            return FUNCTIONS[name](*map(of, args))
         case Direction(y, x):
             return without_jumps(portable.arctan2(value(y, known), value(x, known)))
         case TriangleAngle(opposite, beside, other):
@@ -165,9 +174,10 @@ def _unwrapped(angles: Array) -> Array:
 def evaluate_equation(
     equation: Equation, known: Mapping[str, Any], rows: int, seen: dict[Any, Any] | None = None
 ) -> Array:
-    """One equation over all rows; NaN where it does not exist. `seen` keeps where the same conditions fail."""
+    """One equation over all rows; NaN where it does not exist. `seen` keeps where the same conditions fail, and what
+    `value` keeps."""
     with np.errstate(all="ignore"):
-        result = value(equation.expression, known, rooted=bool(equation.exists))
+        result = value(equation.expression, known, bool(equation.exists), seen)
         if equation.exists:
             fails = None if seen is None else seen.get(equation.exists)
             if fails is None:

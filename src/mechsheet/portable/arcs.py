@@ -51,7 +51,7 @@ def _corners() -> tuple[list[float], list[float], list[float]]:
 
 
 _FIRSTS, _RESTS, _WAYS = _corners()
-_TABLES = tuple(np.array(table) for table in (_FIRSTS, _RESTS, _WAYS, _P, _Q))
+_TABLES = tuple(np.array(table) for table in (_FIRSTS, _RESTS, _WAYS, 4 * _P, 4 * _Q))
 
 
 def arctan2(y: Any, x: Any) -> Any:
@@ -108,10 +108,12 @@ def _directions(y: Any, x: Any) -> Any:
     if not usual.all():
         for place in zip(*np.nonzero(~usual), strict=True):
             short[place], long[place] = _of_middle_size(float(short[place]), float(long[place]))
-    band = np.add(16.0 * short >= 7.0 * long, 16.0 * short >= 11.0 * long, dtype=np.intp)
-    place = band + 3 * steep + 6 * np.signbit(x)
-    firsts, rests, ways, p, q = _TABLES
-    angle = firsts[place] + (rests[place] + ways[place] * _from_corner(short, long, p[band], q[band]))
+    sixteen = 16.0 * short
+    lower, upper, left = sixteen >= 7.0 * long, sixteen >= 11.0 * long, np.signbit(x)
+    place = lower.view(np.int8) + upper.view(np.int8) + 3 * steep.view(np.int8) + 6 * left.view(np.int8)
+    place = place.astype(np.intp)  # once, not for each table
+    firsts, rests, ways, p, q = (table.take(place) for table in _TABLES)
+    angle = firsts + (rests + ways * _from_corner(short, long, p, q))
     return np.copysign(angle, y)
 
 

@@ -44,7 +44,7 @@ def sin(x: Any) -> Any:
         quadrant, y, tail = _reduced(float(x))
         found = _cosine(y, tail) if quadrant & 1 else _sine(y, tail)
         return -found if quadrant & 2 else found
-    return in_pieces(lambda part: np.where(part == 0.0, part, _circular(part, 0.0)), np.asarray(x, np.float64))
+    return in_pieces(lambda part: _with_zeros(part, _circular(part, 0.0)), np.asarray(x, np.float64))
 
 
 def cos(x: Any) -> Any:
@@ -64,16 +64,48 @@ def tan(x: Any) -> Any:
         quadrant, y, tail = _reduced(float(x))
         sine, cosine = _sine_parts(y, tail), _cosine_parts(y, tail)
         return _ratio((-cosine[0], -cosine[1]), sine) if quadrant & 1 else _ratio(sine, cosine)
-    return in_pieces(lambda part: np.where(part == 0.0, part, _tangents(part)), np.asarray(x, np.float64))
+    return in_pieces(lambda part: _with_zeros(part, _tangents(part)), np.asarray(x, np.float64))
+
+
+def sin_and_cos(x: Any) -> tuple[Any, Any]:
+    """`sin` and `cos` of the same angles: what an angle leaves of its quarters, and both series, are computed once."""
+    if np.ndim(x) == 0:
+        return sin(x), cos(x)
+    found = in_pieces(_sines_and_cosines, np.asarray(x, np.float64), results=2)
+    return found[0], found[1]
 
 
 def _circular(x: Any, ahead: float) -> Any:
     """The sine of angles, or the cosine, which is a quarter `ahead`."""
     quarters, y, tail = _all_reduced(x)
-    quarters = quarters + ahead
-    quadrant = quarters - 4.0 * np.floor(quarters * 0.25)
+    quadrant = _quadrant(quarters + ahead)
     found: Any = np.where((quadrant == 1.0) | (quadrant == 3.0), _cosine(y, tail), _sine(y, tail))
     return np.where(quadrant >= 2.0, -found, found)
+
+
+def _sines_and_cosines(x: Any) -> Parts:
+    quarters, y, tail = _all_reduced(x)
+    quadrant = _quadrant(quarters)
+    sines, cosines = _sine(y, tail), _cosine(y, tail)
+    second = quadrant == 1.0
+    odd = second | (quadrant == 3.0)
+    sine: Any = np.where(odd, cosines, sines)
+    cosine: Any = np.where(odd, sines, cosines)
+    sine = np.where(quadrant >= 2.0, -sine, sine)
+    return _with_zeros(x, sine), np.where(second | (quadrant == 2.0), -cosine, cosine)
+
+
+def _quadrant(quarters: Any) -> Any:
+    """0..3."""
+    return quarters - 4.0 * np.floor(quarters * 0.25)
+
+
+def _with_zeros(x: Any, found: Any) -> Any:
+    """What is found of a function that keeps zeros with their signs."""
+    zeros = x == 0.0
+    if zeros.any():
+        found[zeros] = x[zeros]
+    return found
 
 
 def _tangents(x: Any) -> Any:
@@ -149,7 +181,9 @@ def _all_reduced(x: Any) -> tuple[Any, Any, Any]:
     """(quarters as numbers, y, tail) of many angles."""
     quarters = np.rint(x * _PER_QUARTER)
     y, tail = _less(x, quarters)
-    hard = np.abs(y) < np.abs(quarters) * _CANCELLED
+    size = np.abs(quarters)
+    size *= _CANCELLED
+    hard = np.abs(y) < size
     hard |= np.abs(x) > _MOST
     if hard.any():
         hard &= np.isfinite(x)

@@ -18,12 +18,18 @@ _SPLITTER = 134217729.0  # 2^27 + 1
 PIECE = 4096
 """Numbers of a long array that are computed together: with their intermediate results they fit the processor's cache."""
 
+np.empty(64 * PIECE)
+"""Freed at once. GNU's C library learns from it to keep so much freed memory; else it hands the pages of a piece's results
+back to the system and fetches them again for the next piece, which takes twice as long as all the arithmetic."""
+
 
 def polynomial(coefficients: tuple[float, ...], x: Real) -> Real:
     """c0 + c1 x + c2 x^2 + ..., by Horner's rule."""
-    total = coefficients[-1]
-    for coefficient in coefficients[-2::-1]:
-        total = total * x + coefficient
+    total = coefficients[-1] * x
+    total += coefficients[-2]
+    for coefficient in coefficients[-3::-1]:
+        total *= x
+        total += coefficient
     return total
 
 
@@ -47,14 +53,14 @@ def remainder(n: Real, q: Real, d: Real) -> Real:
     return (n - product) - (((q1 * d1 - product) + (q1 * d2 + q2 * d1)) + q2 * d2)
 
 
-def in_pieces(function: Callable[..., Any], *arrays: Any) -> Any:
-    """A function of arrays, called for a piece after the other where they are long."""
+def in_pieces(function: Callable[..., Any], *arrays: Any, results: int = 1) -> Any:
+    """A function of arrays, called for a piece after the other where they are long. Of several results, one array."""
     arrays = tuple(np.broadcast_arrays(*arrays)) if len(arrays) > 1 else arrays
     size = arrays[0].size
     if size <= PIECE:
         return function(*arrays)
     flat = [np.ravel(array) for array in arrays]
-    result = np.empty(size)
+    found = np.empty((results, size))
     for start in range(0, size, PIECE):
-        result[start : start + PIECE] = function(*(array[start : start + PIECE] for array in flat))
-    return result.reshape(arrays[0].shape)
+        found[:, start : start + PIECE] = function(*(array[start : start + PIECE] for array in flat))
+    return found.reshape(arrays[0].shape if results == 1 else (results, *arrays[0].shape))

@@ -101,6 +101,7 @@ HOMEWORK: dict[str, tuple[str, str]] = {
         "{symbol} in {cell}: {found:.6g} found, {wanted:.6g} wanted",
         "{symbol}, {cell} hücresinde: bulunan {found:.6g}, olması gereken {wanted:.6g}",
     ),
+    "remark.again": ("{term} stands in {cell} as well", "{term} {cell} hücresinde de var"),
     "remark.first": (
         "first formula that is nothing of the mechanism though all that it reads is: {cell}",
         "okuduğu her şey mekanizmaya ait olduğu halde kendisi olmayan ilk formül: {cell}",

@@ -74,13 +74,13 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.passes": ("between", "arada"),
     "verdict.passes.all": ("no gap between neighbouring positions", "komşu konumlar arasında kopma yok"),
     "verdict.passes.not": ("may not close near {place}: smaller step", "{place} yakınında kopabilir: adımı küçültün"),
-    "verdict.gap": ("gap", "açıklık"),
+    "verdict.gap": ("joints", "mafsallar"),
     "verdict.gap.closed": ("largest gap of a joint: rounding only", "en büyük mafsal açıklığı: yalnız yuvarlama"),
     "verdict.gap.open": ("a joint is open: see the sheet {sheet}", "bir mafsal açık: {sheet} sayfasına bakın"),
     "verdict.gap.typed": (
         "a formula was typed over: see the sheet {sheet}", "bir formülün üstüne yazılmış: {sheet} sayfasına bakın"
     ),
-    "verdict.leaps": ("leaps", "sıçrama"),
+    "verdict.leaps": ("turns", "dönmeler"),
     "verdict.leaps.none": ("no link turns far between two positions", "iki konum arasında büyük dönme yok"),
     "verdict.leaps.some": ("turns of over 90° in a step: smaller step", "bir adımda 90° üstü dönme: adımı küçültün"),
     "verdict.grashof": ("Grashof", "Grashof"),

@@ -7,7 +7,6 @@ import tomllib
 
 import pytest
 from laid import ROOT, Laid, template_text
-from scipy.optimize import brentq
 
 from mechsheet.formula.nodes import ErrorValue
 
@@ -61,6 +60,8 @@ def test_slider_crank(offset):
 
 def test_time_ratio_by_a_motion_law_is_one_of_times():
     """The crank starts and stops gently: between the dead centres it needs other times than at an even speed."""
+    from scipy.optimize import brentq  # a second to load: only where it is needed
+
     r, rod, offset = 50, 250, 60
     text = re.sub(r"(?m)^(start|stop|step) *=.*\n", "", template_text("slider-crank"))
     law = 'start = 0\nstop = 360\nmotion = { law = "cycloidal", duration = 3, rows = 73 }'

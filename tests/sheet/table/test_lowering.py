@@ -13,11 +13,10 @@ from chosen import examples
 from mechsheet.engine import evaluate
 from mechsheet.formula.algebra import rooted
 from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, Symbol, walk
+from mechsheet.formula.nodes import Call, CellRef, ErrorValue, Symbol, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.table.lowering import angle_by_sides, lowered, sine_side
-from mechsheet.sheet.table.positions import in_degrees
 
 NA = ErrorValue("#N/A")
 FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
@@ -158,21 +157,3 @@ def test_one_column_for_each_equation(name):
     assert len(set(symbols)) == len(symbols)
     added = {each.symbol for each in ours.columns} - {each.symbol for each in equations.all}
     assert added == set(ours.margins.values())
-
-
-def test_angles_read_in_degrees_are_added_in_degrees():
-    """DEGREES(RADIANS(a) - RADIANS(b)) is a - b; of a sum with radians each part is turned, functions are turned whole."""
-    a, b, c = CellRef(0, 0), CellRef(0, 1), CellRef(0, 2)
-    rad_a, rad_b = (Call("RADIANS", (cell,)) for cell in (a, b))
-
-    def shown(node):
-        return print_formula(in_degrees(node), "excel")
-
-    assert shown(rad_a) == "A1"
-    assert shown(Binary("-", rad_a, rad_b)) == "A1-B1"
-    assert shown(Binary("-", rad_a, Binary("*", b, c))) == "A1-DEGREES(B1*C1)"
-    assert shown(Binary("+", rad_a, Number(math.pi))) == "A1+180"
-    assert shown(Number(math.radians(60))) == "60"
-    assert shown(Call("ATAN2", (a, b))) == "DEGREES(ATAN2(A1,B1))"
-    assert shown(Binary("*", Number(2.0), rad_a)) == "DEGREES(2*RADIANS(A1))"
-    assert shown(Call("IF", (a, Call("NA"), rad_b))) == "IF(A1,NA(),B1)"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from mechsheet.description.driving import motion_laws
@@ -40,6 +40,17 @@ class Motion:
     law: Law | None = None
     speeds: tuple[Quantity, ...] = ()
     accelerations: tuple[Quantity, ...] = ()
+
+    def of(self, driver: Driver) -> Driver:
+        """The driver, moving so."""
+        return replace(
+            driver,
+            speed=self.speed,
+            acceleration=self.acceleration,
+            law=self.law,
+            speeds=self.speeds,
+            accelerations=self.accelerations,
+        )
 
 
 def declare(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None, data: Any, scope: Scope) -> None:

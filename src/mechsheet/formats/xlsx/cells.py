@@ -29,7 +29,7 @@ from mechsheet.formula.references import area_name, cell_address, column_letters
 from mechsheet.sheet.workbook import Area, Cell, Content, Fill, Rich, Sheet, Style
 
 from ..bands import Band, bands, column_values
-from ..fill_down_text import ColumnTexts
+from ..fill_down_text import ColumnTexts, Piece, row_numbers, rowwise
 from ..xml_text import number, numbers, ooxml_escaped, plain_value
 
 MAX_CACHED_POINTS = 4096
@@ -77,11 +77,11 @@ class SheetData:
             height = heights.get(band.first)
             # Heights are in pixels, the file wants points.
             kind = "" if height is None else f' ht="{number(height * 0.75)}" customHeight="1"'
-            heads = [f'<row r="{row + 1}"{kind}>' for row in range(band.first, band.last)]
-            ends = ["</row>"] * len(heads)
-            yield "".join(map("".join, zip(heads, *(texts for _, texts in columns), ends, strict=True)))
+            cells = [piece for _, pieces in columns for piece in pieces]
+            row = ['<row r="', _numbers(band), f'"{kind}>', *cells, "</row>"]
+            yield "".join(rowwise(row, band.last - band.first))
 
-    def _constant(self, cell: Cell) -> tuple[int, list[str]]:
+    def _constant(self, cell: Cell) -> tuple[int, list[Piece]]:
         head = f'<c r="{column_letters(cell.col)}{cell.row + 1}" s="{self.style_index(cell.style)}"'
         match cell.content:
             case None:
@@ -93,29 +93,29 @@ class SheetData:
             case value:
                 return cell.col, [f"{head}><v>{number(value)}</v></c>"]
 
-    def _fill(self, fill: Fill, band: Band) -> Iterator[tuple[int, list[str]]]:
+    def _fill(self, fill: Fill, band: Band) -> Iterator[tuple[int, list[Piece]]]:
         style = self.style_index(fill.style)
         dynamic = calls_one_of(fill.formula, self.functions)
         mark = ' cm="1"' if dynamic else ""
         for col in range(fill.col, fill.col + fill.cols):
             letters = column_letters(col)
-            heads = [f'<c r="{letters}{row + 1}" s="{style}"{mark}' for row in range(band.first, band.last)]
+            types, values = _values(column_values(fill, col, band.first, band.last), band, col, self.sheet.title)
             formulas = self._dynamic(fill, col, band) if dynamic else self._formulas(fill, col, band)
-            values = column_values(fill, col, band.first, band.last)
-            yield col, _formula_cells(heads, formulas, values, cell_address(self.sheet.title, band.first, col))
+            head: list[Piece] = [f'<c r="{letters}', _numbers(band), f'" s="{style}"{mark}', types, ">"]
+            yield col, [*head, *formulas, "<v>", values, "</v></c>"]
 
-    def _formulas(self, fill: Fill, col: int, band: Band) -> list[str]:
+    def _formulas(self, fill: Fill, col: int, band: Band) -> list[Piece]:
         """The <f> elements of one column of a fill."""
         start = (fill.row, fill.col)
         if fill.rows * fill.cols == 1:
             return [f"<f>{self.texts[start]}</f>"]
         if not self._is_shared(fill):
-            return [f"<f>{text}</f>" for text in self.fill_down.rows(fill, col, band.first, band.last)]
+            return ["<f>", *self.fill_down.pieces(fill, col, band.first, band.last), "</f>"]
         index = self.shared.setdefault(start, len(self.shared))
         if (band.first, col) == start:
             area = area_name(fill.row, fill.col, fill.rows, fill.cols)
             return [f'<f t="shared" ref="{area}" si="{index}">{self.texts[start]}</f>']
-        return [f'<f t="shared" si="{index}"/>'] * (band.last - band.first)
+        return [f'<f t="shared" si="{index}"/>']
 
     def _is_shared(self, fill: Fill) -> bool:
         """Whether the cells of a fill refer to its first formula; asked band by band, found once."""
@@ -124,20 +124,24 @@ class SheetData:
             self.shareable[start] = can_be_shared(fill)
         return self.shareable[start]
 
-    def _dynamic(self, fill: Fill, col: int, band: Band) -> list[str]:
+    def _dynamic(self, fill: Fill, col: int, band: Band) -> list[Piece]:
         """The <f> elements of dynamic arrays of one cell each: without, Excel shows `=@Pump(...)` for a call of a LAMBDA."""
-        letters = column_letters(col)
-        texts = self.fill_down.rows(fill, col, band.first, band.last)
-        return [f'<f t="array" ref="{letters}{row}">{text}</f>' for row, text in enumerate(texts, band.first + 1)]
+        texts = self.fill_down.pieces(fill, col, band.first, band.last)
+        return [f'<f t="array" ref="{column_letters(col)}', _numbers(band), '">', *texts, "</f>"]
 
 
-def _formula_cells(heads: list[str], formulas: list[str], values: Sequence[Scalar], place: str) -> list[str]:
-    """Cells from their beginnings, their <f> elements and their values."""
+def _numbers(band: Band) -> Piece:
+    return row_numbers(band.first + 1, band.last + 1)
+
+
+def _values(values: Sequence[Scalar], band: Band, col: int, title: str) -> tuple[Piece, Piece]:
+    """The type attributes of a column of a band, and its values."""
     texts = numbers(values)
     if texts is not None:
-        return [f"{h}>{f}<v>{v}</v></c>" for h, f, v in zip(heads, formulas, texts, strict=True)]
-    typed = (_typed(plain_value(value, place)) for value in values)
-    return [f"{h}{t}>{f}<v>{v}</v></c>" for h, f, (t, v) in zip(heads, formulas, typed, strict=True)]
+        return "", texts
+    place = cell_address(title, band.first, col)
+    typed = [_typed(plain_value(value, place)) for value in values]
+    return [kind for kind, _ in typed], [text for _, text in typed]
 
 
 def _typed(value: float | str | bool | ErrorValue) -> tuple[str, str]:

@@ -10,11 +10,12 @@ from collections.abc import Mapping
 from typing import TypeAlias
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Symbol
+from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.ledger import CLOSING
 from mechsheet.kinematics.places import angle_of, length_node
 from mechsheet.model import Cartesian, Distances, Link, Polar
+from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.lowering import Assignments
 
 UV: TypeAlias = tuple[Node, Node]
@@ -64,7 +65,7 @@ def _by_distances(given: Distances, first: UV, second: UV) -> UV:
         al.mul(al.add(al.add(b, c), d), al.sub(al.add(b, c), d)),
         al.mul(al.sub(al.add(d, b), c), al.add(al.sub(d, b), c)),
     )
-    across = al.div(Call("SQRT", (Call("MAX", (al.ZERO, product)),)), al.mul(al.TWO, d))
+    across = formula("SQRT(MAX(0,product))/(2*d)", product=product, d=d)
     if given.side == "right":
         across = al.neg(across)
     return (
@@ -85,7 +86,7 @@ def distance(link: Link, start: str, end: str, known: Known = NOTHING_KNOWN) -> 
     for point, other in ((start, end), (end, start)):
         given = link.points[point]
         if isinstance(given, Polar) and _known_place(link, other, known) == (al.ZERO, al.ZERO):
-            return Call("ABS", (length_node(given.r),))
+            return formula("ABS(length)", length=length_node(given.r))
     (u0, v0), (u1, v1) = (_known_place(link, point, known) for point in (start, end))
     return al.sqrt(al.add(al.square(al.sub(u1, u0)), al.square(al.sub(v1, v0))))
 

@@ -102,7 +102,7 @@ class Page:
         cell: Node = CellRef(self.first, spot.col, sheet=spot.sheet)
         if self.stride > 1:
             number = CellRef(self.first, SWEEP, col_abs=True)
-            cell = Call("INDEX", (self.column_at(spot), al.add(number, al.ONE)))
+            cell = formula("INDEX(column,number+1)", column=self.column_at(spot), number=number)
         return Call("RADIANS", (cell,)) if spot.degrees else cell
 
     def at_position(self, symbol: str) -> Node:
@@ -116,7 +116,7 @@ class Page:
     def indexed(self, spot: Spot) -> Node:
         """What stands in a column of the table in the row of the position shown."""
         position = self.plan.at.reference("#position", self.title, None)
-        return Call("INDEX", (self.column_at(spot), al.add(position, al.ONE)))
+        return formula("INDEX(column,position+1)", column=self.column_at(spot), position=position)
 
     def column_at(self, spot: Spot) -> RangeRef:
         """A whole column of the table."""
@@ -157,7 +157,7 @@ class Page:
         if not found:
             return al.ZERO, al.ZERO
         lows, highs = (RangeRef(found[0][side], found[-1][side]) for side in (0, 1))
-        return Call("MIN", (lows,)), Call("MAX", (highs,))
+        return formula("MIN(lows)", lows=lows), formula("MAX(highs)", highs=highs)
 
     def _numbers(self) -> None:
         """The table's row numbers that the sweep columns look at; the last one always."""

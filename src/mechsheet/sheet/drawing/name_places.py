@@ -15,13 +15,14 @@ from collections.abc import Mapping, Sequence
 
 from mechsheet import portable
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef
+from mechsheet.formula.nodes import CellRef, Node, Number, RangeRef
 from mechsheet.model import Mechanism
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import EIGHTH, FIRST, NAME, NINTH, NUMBER_STYLE, SEVENTH, Page
 from mechsheet.sheet.drawing.outlines import block_point
 from mechsheet.sheet.drawing.points import PointCells, labelled_points
 from mechsheet.sheet.drawing.shapes import Guide
+from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import Fill
 
@@ -70,7 +71,7 @@ def place_names(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Gu
         at_block = [guide for guide in guides if block_point(mechanism, guide.joint) == name]
         for guide in at_block:
             along = al.add(al.mul(guide.cosine, c), al.mul(guide.sine, s))
-            terms.append(Call("ABS", (along,)))
+            terms.append(formula("ABS(along)", along=along))
         if name in mechanism.ground.points:
             terms += [_fixed(math.radians(side), c, s) for side in SUPPORT_SIDES]
         # Rounded, so that of equally free directions every program takes the same.
@@ -78,12 +79,13 @@ def place_names(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Gu
         page.fills.append(Fill(page.row, FIRST, score, NUMBER_STYLE, cols=len(DIRECTIONS)))
         scores = _across(page.row)
         row = here.x.row
-        least = Call("MATCH", (Call("MIN", (scores,)), scores, al.ZERO))
+        least = formula("MATCH(MIN(scores),scores,0)", scores=scores)
         side = page.formula(SEVENTH, least, styles.decimals(styles.INNER, 0), row)
         # gnumeric takes the number after a range of one row for that of a row: both are given.
         reach = Number(BLOCK_REACH if at_block else REACH)
         for col, place, parts in ((EIGHTH, here.chart_x, cosines), (NINTH, here.chart_y, sines)):
-            page.formula(col, al.add(place, al.mul(reach, Call("INDEX", (parts, al.ONE, side)))), row=row)
+            there = formula("place+reach*INDEX(parts,1,side)", place=place, reach=reach, parts=parts, side=side)
+            page.formula(col, there, row=row)
         page.row += 1
 
 
@@ -100,7 +102,7 @@ def _neighbours(mechanism: Mechanism, name: str) -> tuple[str, ...]:
 def _distance(here: PointCells, other: PointCells) -> Node:
     """How far another point is, not quite 0."""
     dx, dy = al.sub(other.chart_x, here.chart_x), al.sub(other.chart_y, here.chart_y)
-    return Call("MAX", (Number(1e-9), Call("SQRT", (al.add(al.square(dx), al.square(dy)),))))
+    return formula("MAX(least,SQRT(dx^2+dy^2))", least=1e-9, dx=dx, dy=dy)
 
 
 def _cosine(here: PointCells, other: PointCells, length: Node, c: Node, s: Node) -> Node:

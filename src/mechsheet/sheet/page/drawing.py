@@ -13,11 +13,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, Unary, symbols, transform
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text, Unary, symbols, transform
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import ChartRequest, Joint, Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.geometry import length_in_cells
+from mechsheet.sheet.degrees import degrees_together
 from mechsheet.sheet.drawing.drawing import DRAWING_INNER, PATH_COLORS
 from mechsheet.sheet.drawing.frames import HIDDEN_AXIS, INK, QUIET
 from mechsheet.sheet.drawing.outlines import corners, direction_of, line_end, through_of
@@ -27,7 +28,6 @@ from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan, traced_points
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.positions import degrees_together
 from mechsheet.sheet.workbook import Anchor, Area, Cell, Chart, Column, Content, Fill, Series, SeriesRef
 from mechsheet.units import behind_number
 
@@ -483,7 +483,7 @@ class PageDrawing:
         """The driver's value in the upper left corner, and what does not close."""
         plan = self.plan
         driver = plan.mechanism.driver
-        value = Call("ROUND", (self._quantity(driver.symbol), Number(3.0)))
+        value = formula("ROUND(value,3)", value=self._quantity(driver.symbol))
         said = self._indexed("#status")
         words: Node = joined(f"{plain(driver.symbol)} = ", value, behind_number(driver.unit.text), "  ", said)
         nothing: Node = Text(plan.text("drawing.nothing"))

@@ -129,7 +129,7 @@ class _Lowering:
         ratio = al.div(leg, hypotenuse)
         angle = replace(beside, exists=equation.exists)
         self._add(angle, self._where_it_exists(angle, _inverse("ASIN", ratio)), Call("ASIN", (ratio,)))
-        length = al.mul(hypotenuse, Call("COS", (Symbol(beside.symbol),)))
+        length = formula("hypotenuse*COS(angle)", hypotenuse=hypotenuse, angle=Symbol(beside.symbol))
         self._add(equation, length, length)
 
     def _add(self, equation: Equation, expression: Node, says: Node, continuous: bool = False) -> None:

@@ -8,18 +8,17 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform, walk
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
+from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.driving import by_time, time_after
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
-from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan
 from mechsheet.sheet.page.top import status_words
 from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import (
-    degrees_together,
     first_open,
     group_headings,
     places,

@@ -9,18 +9,18 @@ from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRe
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
+from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import input_validation, unit_of_column, value_style
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
 from mechsheet.sheet.over_rows import LEAST, MEAN, MOST, over_rows
-from mechsheet.sheet.page.degrees import in_degrees
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.positions import degrees_together, places_of
+from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.units import Unit
 from mechsheet.words.equations import body_words, link_words

@@ -27,7 +27,7 @@ from mechsheet.kinematics.rates.sensitivity import (
     toleranced,
 )
 from mechsheet.model import Mechanism
-from mechsheet.sheet.quoted import SHOWN
+from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded
 from mechsheet.units import LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
@@ -169,7 +169,7 @@ def _columns(
     middle, shown, most = Symbol(found.quantity), Symbol(SHOWN + found.quantity), Symbol(worst)
     sums: list[tuple[str, Node, Node, str]] = [
         (worst, al.total(Call("ABS", (part,)) for part in band.parts), Symbol("Σ|S·t|"), "band_worst"),
-        (root, Call("SQRT", (Call("SUMSQ", band.parts),)), Symbol("√Σ(S·t)²"), "band_root"),
+        (root, formula("SQRT(squares)", squares=Call("SUMSQ", band.parts)), Symbol("√Σ(S·t)²"), "band_root"),
         (part_of(found.quantity, LOW), al.sub(shown, most), al.sub(middle, most), "band_low"),
         (part_of(found.quantity, HIGH), al.add(shown, most), al.add(middle, most), "band_high"),
     ]

@@ -150,7 +150,7 @@ class CellFormula:
 
     def _there(self, symbol: str, row: Node) -> Node:
         """An angle [rad] in a row of the table of positions."""
-        value = Call("INDEX", (self.plan.at.column(symbol, self.title), row))
+        value = formula("INDEX(column,row)", column=self.plan.at.column(symbol, self.title), row=row)
         return Call("RADIANS", (value,)) if self.plan.at.spots[symbol].degrees else value
 
     def _cell(self, rules: Mapping[str, Node], closing: Collection[str]) -> Node:

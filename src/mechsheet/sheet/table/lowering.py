@@ -316,4 +316,4 @@ def guarded(conditions: Iterable[Condition], value: Node) -> Node:
     if not fails:
         return value
     test = fails[0] if len(fails) == 1 else Call("OR", tuple(fails))
-    return Call("IF", (test, Call("NA"), al.rooted(value)))
+    return formula("IF(fails,NA(),value)", fails=test, value=al.rooted(value))

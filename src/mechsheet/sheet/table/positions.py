@@ -9,20 +9,17 @@ from itertools import groupby
 from mechsheet import portable
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import (
-    Binary,
-    Call,
     CellRef,
     Node,
-    Number,
     RangeRef,
     Symbol,
-    Unary,
     shifted,
     transform,
 )
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses
+from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.driving import by_time, time_after
 from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
@@ -148,41 +145,6 @@ def cell_formula(plan: Plan, at: Addresses, column: TableColumn, expression: Nod
     if column.symbol in plan.unguarded:
         value = while_inputs_can_be(plan, value, sheet)
     return in_degrees(value) if at.spots[column.symbol].degrees else value
-
-
-def degrees_together(node: Node) -> Node:
-    """RADIANS(a) + RADIANS(b) as RADIANS(a + b)."""
-    match node:
-        case Binary("+" | "-" as sign, Call("RADIANS", (one,)), Call("RADIANS", (other,))):
-            return Call("RADIANS", (Binary(sign, one, other),))
-    return node
-
-
-def in_degrees(node: Node) -> Node:
-    """An angle in degrees: angles that are read in degrees are added as they are."""
-    match node:
-        case Call("RADIANS", (angle,)):
-            return angle
-        case Unary("-", angle):
-            return Unary("-", in_degrees(angle))
-        case Number(value):
-            return Number(float(f"{math.degrees(value):.15g}"))
-        case Call("IF", (test, Call("NA", ()), value)):
-            return Call("IF", (test, Call("NA"), in_degrees(value)))
-        case Binary("+" | "-" as sign, left, right) if _reads_degrees(left) or _reads_degrees(right):
-            return Binary(sign, in_degrees(left), in_degrees(right))
-    return Call("DEGREES", (node,))
-
-
-def _reads_degrees(node: Node) -> bool:
-    match node:
-        case Call("RADIANS", _):
-            return True
-        case Unary("-", angle):
-            return _reads_degrees(angle)
-        case Binary("+" | "-", left, right):
-            return _reads_degrees(left) or _reads_degrees(right)
-    return False
 
 
 def status(plan: Plan) -> Node:

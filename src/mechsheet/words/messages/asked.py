@@ -6,7 +6,7 @@ ASKED: dict[str, str] = {
     # outputs, charts, tables
     "no point, link angle or displacement is called {name}": "{name} adlı nokta, uzuv açısı ya da ötelenme yok",
     "{name} is no point, link angle or displacement": "{name} bir nokta, uzuv açısı ya da ötelenme değil",
-    "the point {name} is sketched as [x, y]": "{name} noktası taslakta [x, y] olarak verilir",
+    "the point {name} is sketched as [x, y]": "{name} noktası eskizde [x, y] olarak verilir",
     "no link has a point {name}": "hiçbir uzuvda {name} noktası yok",
     "{where}no point is called {point}": "{where}{point} adlı nokta yok",
     "{where}a point has no {axis}": "{where}noktanın {axis} bileşeni yok",

@@ -17,7 +17,7 @@ CHECKS: dict[str, str] = {
     "  note: {message}: skipped": "  not: {message}: atlandı",
     "the step misses the stop ({stop}): the last row is {last}": "adım bitişe ({stop}) denk gelmiyor: son satır {last}",
     "the sketch says nothing about group {group}: mode +1 was taken, {mode}; a point under [assembly] decides": (
-        "taslak {group}. grup için bir şey söylemiyor: +1 alındı, {mode}; [assembly] altında bir nokta karar verir"
+        "eskiz {group}. grup için bir şey söylemiyor: +1 alındı, {mode}; [assembly] altında bir nokta karar verir"
     ),
     "{package} is not installed": "{package} kurulu değil",
     "{package} is not installed: {use}": "{package} kurulu değil: {use}",

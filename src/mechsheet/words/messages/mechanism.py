@@ -265,18 +265,18 @@ MECHANISM: dict[str, str] = {
     "check the lengths of these links and the distance of their outer joints": (
         "bu uzuvların boylarını ve dış mafsallarının uzaklığını gözden geçirin"
     ),
-    "the sketch lies between the two assemblies of {group}": "taslak, şunun iki montajının arasında: {group}",
+    "the sketch lies between the two assemblies of {group}": "eskiz, şunun iki montajının arasında: {group}",
     "+1 is at {plus}; -1 is at {minus}: sketch a point nearer to the one that is meant": (
         "+1: {plus}; -1: {minus}; bir noktayı istenene daha yakın gösterin"
     ),
     "the sketch lies between two of the {count} assemblies of {group}": (
-        "taslak, {count} montajdan ikisinin arasında: {group}"
+        "eskiz, {count} montajdan ikisinin arasında: {group}"
     ),
     "{assemblies}: sketch a point nearer to the one that is meant": (
         "{assemblies}; bir noktayı istenene daha yakın gösterin"
     ),
     "{hint}; {fits}: if it was drawn there, write at = {at}": "{hint}; {fits}: orada çizildiyse at = {at} yazın",
-    "the sketch fits {positions}": "taslak şuraya uyuyor: {positions}",
+    "the sketch fits {positions}": "eskiz şuraya uyuyor: {positions}",
     "two assemblies of {group} meet in the first position": "ilk konumda iki montaj birleşiyor: {group}",
     "begin the sweep at another value of the driver, or walk it the other way": (
         "tahriki başka bir değerden başlatın ya da ters yönde yürütün"
@@ -300,13 +300,13 @@ MECHANISM: dict[str, str] = {
     "take a much smaller step, or end the sweep before": "çok daha küçük bir adım alın ya da daha önce bitirin",
     "a step of {step:.4g} works": "{step:.4g} adımı olur",
     "from the position that the sketch shows {links} cannot be followed to the first one: they come apart between": (
-        "taslaktaki konumdan ilk konuma izlenemiyor, arada ayrılıyorlar: {links}"
+        "eskizdeki konumdan ilk konuma izlenemiyor, arada ayrılıyorlar: {links}"
     ),
     "sketch a position of the same stretch, or begin the sweep in it": (
         "aynı aralıktan bir konum gösterin ya da tahriki o aralıkta başlatın"
     ),
     "the sketch cannot show this position: there {links} cannot be joined": (
-        "taslak bu konumu gösteremez, orada birleşemiyorlar: {links}"
+        "eskiz bu konumu gösteremez, orada birleşemiyorlar: {links}"
     ),
     "check `at`, which is in the driver's unit, and the lengths of these links": (
         "tahrikin biriminde olan `at` değerini ve bu uzuvların boylarını gözden geçirin"

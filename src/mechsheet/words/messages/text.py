@@ -18,6 +18,7 @@ TEXT: dict[str, str] = {
     'did you mean "{name}"?': '"{name}" mi demek istediniz?',
     # the file
     "there is no such file": "böyle bir dosya yok",
+    "there is {file}: Notepad has added .txt; rename it": "{file} var: .txt ekini Not Defteri koymuş; adını değiştirin",
     "this is a directory; name a description, a .toml file": (
         "bu bir klasör; bir tanımın, yani bir .toml dosyasının adını verin"
     ),

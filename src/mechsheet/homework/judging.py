@@ -1,0 +1,263 @@
+"""A workbook judged: what of it is asked, right or wrong, with mends; table by table."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence, Set
+from dataclasses import dataclass, replace
+
+from mechsheet import reference
+from mechsheet.diagnostics import WorkbookError
+from mechsheet.homework.faults import Mend, Suspect, first_wrong, many, mended_sheet
+from mechsheet.homework.marking_rules import AskedFor
+from mechsheet.homework.series import Run
+from mechsheet.homework.thinned import thinned
+from mechsheet.homework.trial import Effort
+from mechsheet.homework.truth import Truth, other_assemblies, without_limits
+from mechsheet.homework.understanding import Understanding, other_runs, understand
+from mechsheet.homework.upright import Work
+from mechsheet.homework.verdicts import Finding, Sheet, findings, with_liveness
+from mechsheet.model import Mechanism
+from mechsheet.words.homework import HOMEWORK, said
+
+MOST_TABLES = 4
+"""Tables of one workbook that are looked at."""
+
+
+@dataclass(frozen=True, slots=True)
+class Judged:
+    """Everything that was found in a workbook.
+
+    truth   of the assembly that the sheet shows
+    first   of each asked quantity what is found in the sheet as it is;  last  the same with the mends in place
+    """
+
+    found: Understanding
+    truth: Truth
+    asked: Mapping[str, float]
+    first: Mapping[str, Finding]
+    last: Mapping[str, Finding]
+    mends: Sequence[Mend]
+    suspect: Suspect | None
+    unusual: bool = False
+
+    @property
+    def promising(self) -> bool:
+        """Whether anything asked is found, as it is or with mends."""
+        return bool(self.mends) or any(
+            one.verdict in ("right", "not live", "other assembly") for one in self.first.values()
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class _Seen:
+    """A workbook understood, before faults are looked for; the parts as `Judged` has them."""
+
+    sheet: Sheet
+    truth: Truth
+    asked: Mapping[str, float]
+    first: dict[str, Finding]
+    unusual: bool
+
+    @property
+    def right(self) -> int:
+        """How many asked quantities are right."""
+        return sum(one.verdict == "right" for one in self.first.values())
+
+
+def judged_tables(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str) -> list[Judged]:
+    """Everything found in a workbook, table by table: the first is the largest; what is not right in it is looked for in the
+    others. Each asked quantity is in one of them.
+
+    Raises WorkbookError where nothing is a table of the mechanism.
+    """
+    effort = Effort()
+    try:
+        main = _judged(work, mechanism, wanted, effort)
+    except WorkbookError as error:
+        raise _told(error, mechanism, shown) from error
+    parts = [main]
+    used = [main.found]
+    while len(parts) < MOST_TABLES:
+        lost = {symbol: marks for symbol, marks in main.asked.items() if _rank(parts, symbol) > FOLLOWS}
+        runs = other_runs(main.found.graph, used) if lost else []
+        if not runs:
+            break
+        try:
+            part = _judged(work, mechanism, replace(wanted, marks=lost), effort, runs)
+        except WorkbookError:  # another table, of something else
+            break
+        used.append(part.found)
+        better = {symbol for symbol in part.asked if _place(part, symbol) < _rank(parts, symbol)}
+        if not better:
+            break
+        parts = [_only(one, set(one.asked) - better) for one in parts] + [_only(part, better)]
+    return [parts[0], *(part for part in parts[1:] if part.asked)]
+
+
+RIGHT, FOLLOWS, WRONG = 0, 1, 3
+
+
+def _place(part: Judged, symbol: str) -> int:
+    """How well a table has a quantity: a smaller number is better."""
+    first, last = part.first[symbol].verdict, part.last[symbol].verdict
+    if first in ("right", "not live", "other assembly"):
+        return RIGHT
+    return FOLLOWS if last == "right" else WRONG if first == "wrong" else WRONG + 1
+
+
+def _rank(parts: Sequence[Judged], symbol: str) -> int:
+    return min((_place(part, symbol) for part in parts if symbol in part.asked), default=WRONG + 1)
+
+
+def _only(part: Judged, symbols: Set[str]) -> Judged:
+    """A table with a part of what is asked, and the faults that matter to that."""
+    mends = [mend for mend in part.mends if symbols & set(mend.rights)]
+    wrong = any(symbol in symbols and one.verdict == "wrong" for symbol, one in part.last.items())
+    return replace(
+        part,
+        asked={symbol: marks for symbol, marks in part.asked.items() if symbol in symbols},
+        first={symbol: one for symbol, one in part.first.items() if symbol in symbols},
+        last={symbol: one for symbol, one in part.last.items() if symbol in symbols},
+        mends=mends,
+        suspect=part.suspect if wrong else None,
+    )
+
+
+def _judged(
+    work: Work, mechanism: Mechanism, wanted: AskedFor, effort: Effort, runs: Sequence[Run] | None = None
+) -> Judged:
+    """Everything found in one table. `runs`: what may be its driver's values, where it is not the largest table."""
+    seen = _seen(work, mechanism, wanted, runs=runs)
+    other = None
+    if mechanism.synthesis is not None and seen.right < len(seen.first):
+        other = _seen(work, _found_once(mechanism), wanted, runs=runs)
+    judged = _of_both(seen, other, effort) if other is not None else _with_mends(seen, effort)
+    if not judged.promising and runs is None:
+        unusual = _seen(work, mechanism, wanted, unusual=True)
+        if unusual.right:
+            judged = _with_mends(unusual, effort)
+    return judged
+
+
+def _of_both(typed: _Seen, computed: _Seen, effort: Effort) -> Judged:
+    """A sheet read with the dimensions of a task typed, or computed: as more is right. A fault can leave nothing right
+    either way, and any number near a dimension may be taken for it: then as more is right with mends, computed first."""
+    if typed.right != computed.right:
+        return _with_mends(max(typed, computed, key=lambda one: one.right), effort)
+    judged = _with_mends(computed, effort)
+    if all(one.verdict == "right" for one in judged.last.values()):
+        return judged
+    return max(
+        _with_mends(typed, Effort()), judged, key=lambda one: sum(f.verdict == "right" for f in one.last.values())
+    )
+
+
+def _seen(
+    work: Work, mechanism: Mechanism, wanted: AskedFor, unusual: bool = False, runs: Sequence[Run] | None = None
+) -> _Seen:
+    """A workbook understood. `unusual`: the driver may be counted clockwise, or from another zero."""
+    found = understand(work, mechanism, list(wanted.marks), wanted.tolerance, unusual, runs)
+    asked = _moving(found, wanted)
+    sheet = Sheet(found, list(asked))
+    first = findings(sheet)
+    if any(one.verdict != "right" for one in first.values()):
+        # a fault may hide what the sheet has in rows at a limit: a mend is not held against them
+        found = replace(found, truth=without_limits(found.truth))
+        sheet = Sheet(found, list(asked))
+        first = findings(sheet)
+    truth, first = _assembly(sheet, first)
+    return _Seen(sheet, truth, asked, first, unusual)
+
+
+def _with_mends(seen: _Seen, effort: Effort) -> Judged:
+    """Mends, where something is wrong; what is right and does not follow the dimensions."""
+    found, first, truth = seen.sheet.found, seen.first, seen.truth
+    start = {s: replace(f, verdict="right") if f.verdict == "other assembly" else f for s, f in first.items()}
+    if seen.unusual:
+        mends, last_sheet, last = list[Mend](), seen.sheet, start
+    else:
+        mends, last_sheet, last = _mends(seen.sheet, truth, start, effort)
+    suspect = None
+    if any(one.verdict == "wrong" for one in last.values()):
+        suspect = first_wrong(last_sheet, truth, last)
+    if truth is found.truth and found.mechanism.synthesis is None:  # lengths that a task gives have no say of their own
+        first = with_liveness(found, first)
+    return Judged(found, truth, seen.asked, first, last, mends, suspect, seen.unusual)
+
+
+def _mends(
+    sheet: Sheet, truth: Truth, start: dict[str, Finding], effort: Effort
+) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
+    """As `many`; of a long table the mends are looked for in a part of its rows."""
+    wrong = any(one.verdict in ("wrong", "missing") for one in start.values())
+    part = thinned(sheet.found, truth) if wrong else None
+    if part is None:
+        return many(sheet, truth, start, effort)
+    small = Sheet(part.found, sheet.asked)
+    found, _, _ = many(small, part.truth, findings(small, part.truth), effort)
+    mends: list[Mend] = []
+    for mend in found:
+        whole = part.back(mend, sheet.found.work)
+        if whole is not None:
+            mends.append(whole)
+            sheet = mended_sheet(sheet, whole.strip, whole.formula)
+    return mends, sheet, findings(sheet, truth) if mends else start
+
+
+def _moving(found: Understanding, wanted: AskedFor) -> dict[str, float]:
+    """What is asked, without what does not move and nobody has asked for by name."""
+    exercise = found.mechanism.exercise
+    explicit = exercise.asked if exercise is not None else {}
+    return {
+        symbol: marks
+        for symbol, marks in wanted.marks.items()
+        if symbol not in found.truth.columns
+        or symbol in explicit
+        or found.truth.quantity(symbol).moves(found.truth.size)
+    }
+
+
+def _assembly(sheet: Sheet, first: dict[str, Finding]) -> tuple[Truth, dict[str, Finding]]:
+    """The assembly that the sheet shows, and its findings: another one where all that is there is right for it."""
+    base = sheet.found.truth
+    there = [symbol for symbol, finding in first.items() if finding.verdict != "missing"]
+    if all(first[symbol].verdict == "right" for symbol in there):
+        return base, first
+    for truth in other_assemblies(base):
+        found = findings(sheet, truth)
+        if all(_as_right(found[symbol], first[symbol]) for symbol in there):
+            return truth, {
+                symbol: replace(one, verdict="other assembly")
+                if one.verdict == "right" and first[symbol].verdict != "right"
+                else first[symbol]
+                for symbol, one in found.items()
+            }
+    return base, first
+
+
+def _as_right(other: Finding, own: Finding) -> bool:
+    """Whether a quantity is right for another assembly, and not less plainly so than for the description's own: what is
+    plainly right for that in its column is not of another one because some other column holds what it would be there."""
+    if other.verdict != "right" or other.reading is None:
+        return False
+    if own.verdict != "right" or own.reading is None or not own.reading.plain:
+        return True
+    assert other.series is not None and own.series is not None
+    return other.reading.plain and other.series.key == own.series.key
+
+
+def _found_once(mechanism: Mechanism) -> Mechanism:
+    """A mechanism with dimensions found from a task, as numbers: a sheet may have them typed, as they were found."""
+    given = reference.dimension_values(mechanism)
+    found = tuple(
+        dim if dim.place or isinstance(dim.value, float) else replace(dim, value=given[dim.symbol], written="")
+        for dim in mechanism.dimensions
+    )
+    return replace(mechanism, dimensions=found)
+
+
+def _told(error: WorkbookError, mechanism: Mechanism, shown: str) -> WorkbookError:
+    return WorkbookError(
+        replace(fault, file=shown, message=said(mechanism.language, fault.about)) if fault.about in HOMEWORK else fault
+        for fault in error.faults
+    )
