@@ -40,7 +40,7 @@ def measure(folder: Path, quick: bool) -> None:
     command = [sys.executable, "-m", "pytest", "-n", "auto", "--dist", "worksteal", *(["--quick"] if quick else [])]
     environment = dict(os.environ) if quick else dict(os.environ, MECHSHEET_MEASURED="1")
     subprocess.run(
-        [*command, "-p", "cpu_of_tests", "--cpu-of-tests", str(folder)], cwd=ROOT, env=environment, check=False
+        [*command, "-p", "cpu_of_tests", f"--cpu-of-tests={folder}"], cwd=ROOT, env=environment, check=False
     )
 
 

@@ -65,7 +65,7 @@ def entered() -> dict[str, Functions]:
     """Functions that each file of tests enters, by a run of them; what fails is no matter here."""
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, "-m", "pytest", "-n", "auto", "--dist", "loadfile", "--quick"]
-        subprocess.run([*command, "-p", "functions_run", "--functions-run", folder], cwd=ROOT, check=False)
+        subprocess.run([*command, "-p", "functions_run", f"--functions-run={folder}"], cwd=ROOT, check=False)
         found: dict[str, dict[str, frozenset[str]]] = defaultdict(dict)
         for path in Path(folder).glob("*.json"):
             for file, entries in json.loads(path.read_text(encoding="utf-8")).items():
