@@ -5,7 +5,7 @@ PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
 
-.PHONY: demo test full quick lint types reference pictures bench clean
+.PHONY: demo test full quick quick-tests lint types reference pictures bench clean
 
 $(VENV)/.ready: pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)
@@ -25,8 +25,10 @@ full: $(VENV)/.ready
 	MECHSHEET_ALL=1 $(BIN)/python -m pytest -n auto --dist worksteal
 
 quick: $(VENV)/.ready
-	$(MAKE) lint types
-	$(BIN)/python -m pytest -n auto --dist worksteal -m "not slow and not libreoffice and not gnumeric and not jing and not octave and not chromium and not latex"
+	$(MAKE) -j3 lint types quick-tests
+
+quick-tests: $(VENV)/.ready
+	$(BIN)/python -m pytest -n auto --dist worksteal --quick
 
 lint: $(VENV)/.ready
 	$(BIN)/ruff check --no-cache .

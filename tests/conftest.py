@@ -1,7 +1,10 @@
 """What tests may count on: outside programs are there, or the test says what is missing (in CI that is a failure)."""
 
 import gc
+import os
 import shutil
+from collections import defaultdict
+from pathlib import Path
 
 import pytest
 
@@ -17,21 +20,69 @@ PROGRAMS = {
 OPTIONAL = {"latex": ("pdflatex",)}
 """Large, and what it judges is a side of the product: nowhere a must."""
 
+MEASURED = bool(os.environ.get("MECHSHEET_MEASURED"))
+"""tools/slow_tests.py measures all anew."""
+
 gc.set_threshold(100_000, 50, 50)
 """Trees of formulas are many small objects without circles: to look for circles in them took a tenth of the time."""
 
 
+CHEAP = 0.3
+"""Seconds of CPU time of a case that `make quick` may afford, once, of a test whose cases together take long."""
+
+SHARE = 1.5
+"""Seconds of CPU time that the cases of one test may take together outside CI; if they take more, a part of them runs."""
+
+
+def slow_tests():
+    """Tests that take long, all their cases together, and the seconds of one case (tools/slow_tests.py)."""
+    found = {}
+    for line in (Path(__file__).parent / "slow.txt").read_text(encoding="utf-8").splitlines():
+        if not line.startswith("#"):
+            seconds, cases, test = line.split()
+            found[test] = float(seconds) / int(cases)
+    return found
+
+
+def mark_slow(items):
+    """What takes long is marked slow, but for a first case that is cheap; outside CI only a part of its cases stay."""
+    seconds = slow_tests()
+    cases = defaultdict(list)
+    for item in items:
+        cases[item.nodeid.partition("[")[0]].append(item)
+    left_out = set()
+    for test in cases.keys() & seconds.keys():
+        found = cases[test]
+        in_quick = 1 if seconds[test] <= CHEAP else 0
+        for item in found[in_quick:]:
+            item.add_marker("slow")
+        if not IN_CI:
+            kept = max(1, int(SHARE / seconds[test]))
+            left_out.update(set(found) - set(found[:: -(-len(found) // kept)]))
+    return left_out
+
+
+def pytest_addoption(parser):
+    parser.addoption("--quick", action="store_true", help="only what is fast and needs no other program")
+
+
 def pytest_collection_modifyitems(config, items):
     """Fast ones first; what is marked `ci` runs in CI only."""
-    left_out = [item for item in items if item.get_closest_marker("ci") and not IN_CI]
+    left_out = set() if MEASURED else mark_slow(items)
+    without = set() if IN_CI else {"ci"}
+    if config.getoption("--quick"):
+        without |= {"slow", *PROGRAMS, *OPTIONAL}
+    left_out |= {item for item in items if without & {marker.name for marker in item.iter_markers()}}
     if left_out:
-        config.hook.pytest_deselected(items=left_out)
+        config.hook.pytest_deselected(items=[item for item in items if item in left_out])
         items[:] = [item for item in items if item not in left_out]
     items.sort(key=lambda item: item.get_closest_marker("slow") is not None)
 
 
 def pytest_terminal_summary(terminalreporter):
     """What a run has not seen, in its last lines."""
+    if terminalreporter.config.getoption("--quick"):
+        terminalreporter.write_line("left to `make test`: what is slow (tests/slow.txt) or needs another program")
     if not IN_CI:
         terminalreporter.write_line("left to CI (.ci/run): tests marked ci, and more cases where a part ran here")
     if not ALL:
