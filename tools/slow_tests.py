@@ -39,9 +39,7 @@ def measure(folder: Path, quick: bool) -> None:
     """Runs the tests; what fails is no matter here."""
     command = [sys.executable, "-m", "pytest", "-n", "auto", "--dist", "worksteal", *(["--quick"] if quick else [])]
     environment = dict(os.environ) if quick else dict(os.environ, MECHSHEET_MEASURED="1")
-    subprocess.run(
-        [*command, "-p", "cpu_of_tests", f"--cpu-of-tests={folder}"], cwd=ROOT, env=environment, check=False
-    )
+    subprocess.run([*command, "-p", "cpu_of_tests", f"--cpu-of-tests={folder}"], cwd=ROOT, env=environment, check=False)
 
 
 def needed(folder: Path) -> dict[str, Needed]:

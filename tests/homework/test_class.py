@@ -166,7 +166,9 @@ def test_a_dimension_typed_over_is_an_earlier_fault(week):
 
 
 WRONG = {
-    "asked = { theta31 = 1 }": 'exercise.asked.theta31: no variable, coordinate, rate, force, output or summary is called "theta31"',
+    "asked = { theta31 = 1 }": (
+        'exercise.asked.theta31: no variable, coordinate, rate, force, output or summary is called "theta31"'
+    ),
     "vary = { gamma3 = [1, 2, 1] }": 'the dimension "gamma3" is derived',
     "vary = { a9 = [1, 2, 1] }": 'no dimension is called "a9"',
     "vary = { a2 = [5, 2, 1] }": "expected [from, to, step]",
