@@ -19,7 +19,7 @@ FOUR_BAR = template_text("four-bar")
         (["mode_2=1"], ['--set mode_2=1: no group of links has the assembly mode "mode_2"', "modes: mode_1"]),
         (["mode1=1"], ['did you mean "mode_1"?']),
         (["mode_2=1", "a9=1"], ["--set mode_2=1: no group", "--set a9=1: no dimension"]),
-        (["mode_1=-1", "a2=500"], ["-:22: dimensions: the links cannot be joined at any value of the driver"]),
+        (["mode_1=-1", "a2=500"], ["-:24: dimensions: the links cannot be joined at any value of the driver"]),
         (
             ["mode_1=3", "x", "a2=1/0"],
             ["--set mode_1=3:", '--set: "x" is not NAME=VALUE', "--set a2=1/0: has no value"],
@@ -30,7 +30,7 @@ def test_what_is_wrong_with_modes(settings, messages):
     result = run("show", "-", *(part for setting in settings for part in ("--set", setting)), text=FOUR_BAR)
     assert result.exit_code == 2 and result.stdout == ""
     for message in messages:
-        assert message.replace("-:22", "<stdin>:22") in result.stderr, result.stderr
+        assert message.replace("-:24", "<stdin>:24") in result.stderr, result.stderr
 
 
 def test_every_command_means_the_same(tmp_path):
