@@ -21,5 +21,4 @@ def test_what_is_listed_is_there():
     there = {module.as_posix() for module in tests_of.modules()}
     for module, files in tests_of.listed().items():
         assert module in there, f"{module} is no more: python tools/tests_of.py --measure"
-        assert files, f"{module} has no test"
         assert [file for file in files if not (TESTS / file).exists()] == [], module

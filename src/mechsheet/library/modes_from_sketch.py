@@ -177,7 +177,7 @@ def numbered_anew(mechanism: Mechanism, equations: Equations, wanted: Mapping[st
 def _away(start: Sequence[float], meant: Sequence[float], equations: Equations, names: Sequence[str]) -> float:
     turns = (equations.of(name).unit.kind == "angle" for name in names)
     gaps = (math.remainder(x - y, math.tau) if turn else x - y for x, y, turn in zip(start, meant, turns, strict=True))
-    return math.hypot(*gaps)
+    return math.sqrt(sum(gap * gap for gap in gaps))
 
 
 def _gaps(
