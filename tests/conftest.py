@@ -30,8 +30,8 @@ gc.set_threshold(100_000, 50, 50)
 CHEAP = 0.3
 """Seconds of CPU time of a case that `make quick` may afford, once, of a test whose cases together take long."""
 
-SHARE = 1.5
-"""Seconds of CPU time that the cases of one test may take together outside CI; if they take more, a part of them runs."""
+SHARE, SHARE_IN_CI = 1.5, 10.0
+"""Seconds of CPU time that the cases of one test may take together; if they take more, a part of them runs."""
 
 
 def slow_tests():
@@ -45,7 +45,7 @@ def slow_tests():
 
 
 def mark_slow(items):
-    """What takes long is marked slow, but for a first case that is cheap; outside CI only a part of its cases stay."""
+    """What takes long is marked slow, but for a first case that is cheap; returned are cases that do not run here."""
     seconds = slow_tests()
     cases = defaultdict(list)
     for item in items:
@@ -56,8 +56,8 @@ def mark_slow(items):
         in_quick = 1 if seconds[test] <= CHEAP else 0
         for item in found[in_quick:]:
             item.add_marker("slow")
-        if not IN_CI:
-            kept = max(1, int(SHARE / seconds[test]))
+        if not ALL:
+            kept = max(1, int((SHARE_IN_CI if IN_CI else SHARE) / max(seconds[test], 1e-3)))
             left_out.update(set(found) - set(found[:: -(-len(found) // kept)]))
     return left_out
 

@@ -109,7 +109,7 @@ def bar_of(done: int, whole: int) -> str:
 @contextlib.contextmanager
 def progress(label: str) -> Iterator[Callable[[str], None]]:
     """Say on a terminal what is being done, `set 3 of 100` with a bar; nothing in a pipe."""
-    if not sys.stderr.isatty():
+    if sys.stderr is None or not sys.stderr.isatty():
         yield lambda _: None
         return
 

@@ -105,7 +105,7 @@ def _table(found: Studied) -> str:
 @contextmanager
 def _bar() -> Iterator[Callable[[Progress], None]]:
     """A bar on a terminal: designs, share kept, designs a second, time left; nothing in a pipe."""
-    if not sys.stderr.isatty():
+    if sys.stderr is None or not sys.stderr.isatty():
         yield lambda _: None
         return
     begun = time.monotonic()

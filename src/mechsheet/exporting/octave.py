@@ -188,10 +188,10 @@ def _loop(program: Program, column: ColumnLine, system: System) -> list[str]:
 def _pass(program: Program, column: ColumnLine, system: System) -> list[str]:
     """A function for one pass."""
     names = program.names
-    lines = ["", f"function [correction, residual_, determinant] = newton_pass_{column.group}(x, row)"]
+    lines = ["", f"function [correction, residual_, determinant] = newton_pass_{column.group}(x_, row_)"]
     lines += ["% J^-1 F, the residual and det J."]
-    lines += [f"  {names[name]} = x({index});" for index, name in enumerate(system.unknowns, 1)]
-    lines += [f"  {names[name]} = row({index});" for index, name in enumerate(system.given, 1)]
+    lines += [f"  {names[name]} = x_({index});" for index, name in enumerate(system.unknowns, 1)]
+    lines += [f"  {names[name]} = row_({index});" for index, name in enumerate(system.given, 1)]
     for part in system.body:
         words = one_line(part.label.of(program.mechanism.language))
         lines += commented(f"  {names[part.symbol]} = {_text(program, part.expression)};", words, "%")

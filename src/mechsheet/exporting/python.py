@@ -206,10 +206,10 @@ def _loop(program: Program, column: ColumnLine, system: System) -> list[str]:
     lines = [
         "",
         f"        def {step}(",
-        *_paragraph(f"x: Array, {typed},", " " * 12),
+        *_paragraph(f"x_: Array, {typed},", " " * 12),
         "        ) -> tuple[Array, float, float]:",
     ]
-    lines += [f"            {unknowns}{tail} = x"]
+    lines += [f"            {unknowns}{tail} = x_"]
     for part in system.body:
         words = one_line(part.label.of(program.mechanism.language))
         lines += commented(f"            {names[part.symbol]} = {_text(program, part.expression)}", words, "#")

@@ -119,7 +119,11 @@ def assert_agree(mechanism, once=1e-8, twice=2e-6):
     return judged
 
 
-@pytest.mark.parametrize("template", some(but(TEMPLATES, *ITERATED, *LISTED), 5), ids=lambda path: path.stem)
+BESIDE = ("excavator",)
+"""Its first position lies beside a limit, where differences are no judge."""
+
+
+@pytest.mark.parametrize("template", some(but(TEMPLATES, *ITERATED, *LISTED, *BESIDE), 5), ids=lambda path: path.stem)
 def test_templates_against_differences(template):
     assert assert_agree(load(template)) > 0
 

@@ -119,9 +119,10 @@ def test_both_ways_to_differentiate_the_closures_agree(template):
     found = Found(load(template))
     derived = {name for dim in found.mechanism.dimensions if dim.derived for name in symbols(dim.value)}
     judged = 0
-    for dim in toleranced(found.mechanism):
-        if dim.symbol in derived:
-            continue  # `rates_over` knows nothing between dimensions and equations
+    free = [dim for dim in toleranced(found.mechanism) if dim.symbol not in derived]
+    if not free:
+        pytest.skip("`rates_over` knows nothing between dimensions and equations, and all others follow from these")
+    for dim in free:
         forwards = rates_over(found.equations, found.values, {dim.symbol: (1.0, 0.0)})
         for name in found.quantities:
             theirs = np.broadcast_to(forwards.get(name + PRIME, 0.0), found.driver.shape)

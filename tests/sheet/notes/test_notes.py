@@ -124,6 +124,7 @@ def test_turkish_throughout(name):
         "held",
         "size",
         "residual",
+        "determinant",
         "turn",
         "motor",
         "sign",

@@ -216,7 +216,9 @@ class Limits:
                         apart=APART, inside=inside, outside=outside, place=place)  # fmt: skip
         probes.work(row + 3, AT, "apart", apart=apart)
         zero = self._zero(row + 3, begin, one, two, three, way)
-        best = probes.work(row, side + 6, "IF(ISNUMBER(outside),zero,NA())", outside=outside, zero=zero)
+        # where the row itself is the limit, the probes coincide
+        best = probes.work(row, side + 6, "IF(ISNUMBER(outside),IFERROR(zero,probed),NA())", outside=outside, zero=zero,
+                           probed=three[0])  # fmt: skip
         # a little inside, by a part of what the last step still changed
         found = probes.work(
             row, side + 4, "MEDIAN(inside,outside,best+(inside-outside)*(ABS(best-probed)*part+inwards))",
