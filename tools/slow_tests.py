@@ -4,10 +4,10 @@
 
 All tests are taken, with all their cases, the cheapest first, until together they take so many seconds of CPU time; what is
 left is named in tests/slow.txt. tests/conftest.py leaves it out of `make quick`, but for the first case of those whose cases
-are cheap, and a test that takes very long runs with a part of its cases, a larger one in CI. A test that is new runs everywhere until
-this is run again. Tests share what they compute: when the first that asks for something is left out, the next one pays for
-it. So --quick measures what `make quick` runs with the present list, and adds to the list. --times takes what an earlier run
-of tests/cpu_of_tests.py has measured.
+are cheap, and a test that takes very long runs with a part of its cases, a larger one in CI. A test that is new runs
+everywhere until this is run again. Tests share what they compute: when the first that asks for something is left out, the
+next one pays for it. So --quick measures what `make quick` runs with the present list, and adds to the list. --times takes
+what an earlier run of tests/cpu_of_tests.py has measured.
 """
 
 from __future__ import annotations
