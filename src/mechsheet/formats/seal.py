@@ -7,6 +7,7 @@ import zipfile
 from pathlib import Path
 
 from .archive import contents_of
+from .reading.package import DAMAGED
 
 PROPERTIES = ("docProps/core.xml", "meta.xml")
 """Where the properties of an .xlsx and of an .ods stand; this part is written last and is not under the seal."""
@@ -34,8 +35,7 @@ def is_untouched(path: Path) -> bool:
             if len(holders) != 1 or holders[0].file_size > _MOST:
                 return False
             found = _SEAL.findall(archive.read(holders[0]))
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, ValueError):
-        # What zipfile says of damaged archives, unknown compression, passwords.
+    except (*DAMAGED, RuntimeError, ValueError):  # the last two: a password, a name that is no text
         return False
     others = contents_of(entry for entry in entries if entry is not holders[0])
     return found[-1:] == [others.encode()]

@@ -16,6 +16,8 @@ from mechsheet.diagnostics import Fault, WorkbookError, readable_name
 
 from .repeated_rows import RepeatedRows
 
+DAMAGED = (zipfile.BadZipFile, zlib.error, struct.error, EOFError, NotImplementedError)
+"""What zipfile raises at archives that are damaged or packed in a way that it does not know."""
 MAX_PARTS = 10_000
 MAX_SHEETS = 10_000
 MAX_SIZE = 4 << 30
@@ -78,7 +80,7 @@ class Package:
             with self._zip.open(info) as stream:
                 while piece := stream.read(_PIECE):
                     yield piece
-        except (zipfile.BadZipFile, zlib.error, EOFError, OSError, NotImplementedError) as problem:
+        except (*DAMAGED, OSError) as problem:
             raise self.fault(f"the file is damaged ({problem})", part) from problem
 
     def entries(self) -> list[zipfile.ZipInfo]:
@@ -170,7 +172,7 @@ def open_package(path: Path) -> Iterator[Package]:
         with zipfile.ZipFile(path) as file:
             _check_sizes(file, name)
             yield Package(file, name)
-    except (zipfile.BadZipFile, NotImplementedError, struct.error) as problem:
+    except DAMAGED as problem:
         raise WorkbookError(Fault(f"the file is damaged or cut off ({problem})", file=name)) from problem
     except OSError as problem:
         reason = problem.strerror or str(problem)

@@ -452,6 +452,15 @@ class Extremes:
             return 0.0
         return whole_turn(self.plan.at.spots[symbol].degrees) / 2.0
 
+    def _root(self, block: Block, index: int) -> None:
+        """The root of a probe's distance from the limit beside the best row, as a part of the row's; without limit the
+        distance from a place before all."""
+        probes, row = self.probes, block.row
+        probes.work(
+            row + index, ROOT, "((place-limit)/(here-limit))^IF(limit>0,0.5,1)", limit=self._limit_of(block),
+            here=probes.cell(row, AT), place=probes.cell(row + index, AT),
+        )  # fmt: skip
+
     def _further_probes(self, block: Block, wraps: CellRef) -> None:
         """At the vertex of the parabola through the row and the two probes; then through the three probes."""
         probes, row = self.probes, block.row
@@ -459,16 +468,14 @@ class Extremes:
         middle = probes.cell(row + 1, AT)
         here, limit = probes.cell(row, AT), self._limit_of(block)
         if self.ends:
-            probes.work(row + 1, ROOT, "((place-limit)/(here-limit))^IF(limit>0,0.5,1)", limit=limit, here=here,
-                        place=middle)  # fmt: skip
+            self._root(block, 1)
         vertex: Node
         for probe in range(3, PROBES + 1):
             points: list[tuple[Node, Node]] = [
                 (probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in range(probe - 3, probe)
             ]
             if self.ends:  # over the root of the distance from a limit, as a part of the row's
-                probes.work(row + probe - 1, ROOT, "((place-limit)/(here-limit))^IF(limit>0,0.5,1)", limit=limit, here=here,
-                            place=points[2][0])  # fmt: skip
+                self._root(block, probe - 1)
                 roots: list[Node] = [probes.cell(row + index, ROOT) for index in range(1, probe)]
                 points = list(zip([al.ONE, *roots][-3:], (value for _, value in points), strict=True))
                 vertex = formula("limit+(here-limit)*MAX(0,vertex)^IF(limit>0,2,1)", limit=limit, here=here,
