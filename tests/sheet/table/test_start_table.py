@@ -13,11 +13,12 @@ from mechsheet.kinematics.newton.leading import leading
 from mechsheet.kinematics.newton.system import CLOSED, refined
 from mechsheet.kinematics.numeric import evaluate_equation
 from mechsheet.kinematics.solve import dimension_values
+from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.table.lowering import in_pass
 from random_mechanisms import Grower
 
 CHANGES = 100 if ALL else 40 if IN_CI else 16
-STEPS = 400
+STEPS = 200
 ALARMS = 0.04
 """Of the changes after which it begins where it ought to, so many at most are told to be doubtful all the same."""
 KEPT, BEGUN = (f"verdict.same_assembly.{word}" for word in ("kept", "begun"))
@@ -37,6 +38,13 @@ class Followed:
         self.leaves, names = leading(system.given, rules, [*self.described])
         self.way = [each for each in equations.all if each.symbol in names or each in equations.constants]
         self.modes = {group.mode: float(group.mode_value) for group in equations.groups}
+        begin = [sheet.plan.at.spots[in_pass(name, 0)] for name in (*system.unknowns, system.residual)]
+        status = sheet.plan.at.spots["#status"]
+        sheet.only(
+            *((spot.sheet, spot.row, spot.col) for spot in begin),
+            *((status.sheet, status.row + row, status.col) for row in range(sheet.plan.rows)),
+            (sheet.plan.main, sheet.plan.blocks["verdicts"].rows["same_assembly"], MEANING),
+        )
         self.scale = np.array(
             [
                 1.0 if sheet.plan.equations.of(name).unit.kind == "angle" else max(map(abs, dimensions.values()))
@@ -58,7 +66,7 @@ class Followed:
             }
             for equation in self.way:
                 known[equation.symbol] = evaluate_equation(equation, known, count)
-            found, residual, determinant = refined(self.system, known, unknowns, 5)
+            found, residual, determinant = refined(self.system, known, unknowns, 4)
             sign = np.sign(determinant) if step == 0 else sign
             moved = (np.array(found) - np.array(unknowns)) / self.scale[:, None]
             leapt = np.max(np.abs(moved - before), axis=0) > 0.2 if step > 1 else False

@@ -42,6 +42,9 @@ CLOSED = 1e-11
 SETTLED = 1e-12
 """Below this residual a pass has arrived."""
 
+STILL = 1e-14
+"""Radians, or parts of a displacement: a smaller change is of the last digits, whatever the determinant is."""
+
 MOST_PASSES = 12
 
 _SINGLE: Mapping[str, Callable[..., Any]] = FUNCTIONS | {
@@ -141,11 +144,20 @@ def _arrived(step: Step, start: Sequence[float], given: Sequence[float], passes:
     unknowns = start
     try:
         for _ in range(passes):
-            unknowns = step(unknowns, given).unknowns
-        last = step(unknowns, given)
+            here = step(unknowns, given)
+            if _stays(unknowns, here.unknowns):
+                break
+            unknowns = here.unknowns
+        else:
+            here = step(unknowns, given)
     except (ArithmeticError, ValueError):
         return None
-    return Pass(tuple(unknowns), last.residual, last.determinant) if last.residual <= CLOSED else None
+    return Pass(tuple(unknowns), here.residual, here.determinant) if here.residual <= CLOSED else None
+
+
+def _stays(unknowns: Sequence[float], following: Sequence[float]) -> bool:
+    """Whether a pass moves nothing any more: those that are left would not either."""
+    return all(abs(x - y) <= STILL * max(1.0, abs(x)) for x, y in zip(unknowns, following, strict=True))
 
 
 # --- one pass as generated code: a row is too little for numpy, and a walk over the trees is too slow -----------------
