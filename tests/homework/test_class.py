@@ -14,9 +14,9 @@ import mechsheet
 from homework.handmade import STEPS, Table, four_bar
 from mechsheet.cli import main
 from mechsheet.description import loads
-from mechsheet.homework.exercise import fulfils, safe
-from mechsheet.homework.marks import lines_of
-from mechsheet.homework.marks_book import page
+from mechsheet.homework.classroom.exercise import fulfils, safe
+from mechsheet.homework.classroom.marks import lines_of
+from mechsheet.homework.classroom.marks_book import page
 
 EXERCISE = """
 [exercise]

@@ -15,9 +15,9 @@ from mechsheet.formula.nodes import Binary, Call, Number
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 from mechsheet.homework.audit import audit, audited
-from mechsheet.homework.candidates import Surroundings, candidates
 from mechsheet.homework.marking_rules import asked_of
-from mechsheet.homework.pairs import pairs
+from mechsheet.homework.mends.candidates import Surroundings, candidates
+from mechsheet.homework.mends.pairs import pairs
 from mechsheet.homework.upright import upright
 
 LEAST = {"A40": "mu_min", "B40": "=MIN(L9:L33)"}

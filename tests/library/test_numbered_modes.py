@@ -3,7 +3,7 @@
 import pytest
 
 import mechsheet
-from mechsheet.checking.pull import pull
+from mechsheet.checking.edited.pull import pull
 from mechsheet.compiled import compiled_of
 from mechsheet.description.templates import template_text
 from mechsheet.kinematics.solve import solve
