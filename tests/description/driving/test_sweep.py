@@ -11,7 +11,7 @@ from mechsheet.diagnostics import DescriptionError
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.solve import dimension_values
 
-DATA = Path(__file__).parents[1] / "data"
+DATA = Path(__file__).parents[2] / "data"
 TEXTS = {name: template_text(name) for name in ("four-bar", "chebyshev", "roberts", "cylinder-boom")}
 
 

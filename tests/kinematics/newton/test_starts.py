@@ -20,7 +20,7 @@ from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import Sketch
 from random_mechanisms import Grower
 
-TEMPLATES = Path(__file__).parents[2] / "templates"
+TEMPLATES = Path(__file__).parents[3] / "templates"
 
 
 def swept(mechanism, equations=None):
