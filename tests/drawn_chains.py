@@ -179,7 +179,8 @@ class Drawn:
         return found
 
     def plates(self) -> None:
-        one, other = self.hung(self.crank), self.hung(self.held())
+        one = self.hung(self.crank)
+        other = self.hung(next(body for body in (self.held(), *self.free) if body is not self.crank))
         self.stay(one, other)
         self.stay(one, other, "leg")
         self.free += [one, other]
