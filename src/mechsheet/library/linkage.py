@@ -16,6 +16,7 @@ from mechsheet.arguments.numbers import number_text, whole_number_given
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.extras import missing_package
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 if TYPE_CHECKING:
     from mechsheet.compiled import Compiled
@@ -218,8 +219,8 @@ def _sweep(rows: int | None, step: Value | None) -> tuple[str | None, str | None
 def _texts(overrides: Overrides | None) -> dict[str, str]:
     """The values as texts. Raises MechsheetError with every value that is no number."""
     if not isinstance(overrides, Mapping | None):
-        hint = '{"a1": 65}: the dimension, and its value in its own unit'
-        raise MechsheetError(Fault("expected a mapping of values", key="overrides", hint=hint))
+        hint = say('{"a1": 65}: the dimension, and its value in its own unit')
+        raise MechsheetError(Fault(say("expected a mapping of values"), key="overrides", hint=hint))
     texts: dict[str, str] = {}
     faults: list[Fault] = []
     for name, value in (overrides or {}).items():

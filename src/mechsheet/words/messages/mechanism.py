@@ -323,4 +323,26 @@ MECHANISM: dict[str, str] = {
     '"{name}" is not known here': '"{name}" burada bilinmiyor',
     "the task has no solution": "görevin çözümü yok",
     "give it another one": "başka bir görev verin",
+    # a sketch that is doubtful
+    '"{point}" is a point of the ground: sketching it decides nothing': (
+        '"{point}" sabit uzvun noktası: onu eskize koymak bir şey belirlemez'
+    ),
+    "{name} is sketched {angle:.3g} degrees away from where the phase puts it": (
+        "{name} eskizde, faz açısının koyduğu yerden {angle:.3g} derece ötede"
+    ),
+    "write phase = {phase:.4g}, or sketch {name} elsewhere": "phase = {phase:.4g} yazın ya da {name} için başka yer çizin",
+    "the sketch is read at the first position, {where}, but it fits {fits}": (
+        "eskiz ilk konumda okunur, {where}, oysa şuna uyuyor: {fits}"
+    ),
+    "write at = {at} in [assembly], or sketch the first position": (
+        "[assembly] altına at = {at} yazın ya da ilk konumun eskizini verin"
+    ),
+    "the sketch is said to show {where}, but it fits {fits}": (
+        "eskizin {where} konumunu gösterdiği söyleniyor, oysa şuna uyuyor: {fits}"
+    ),
+    "write at = {at}, or sketch the position at {where}": "at = {at} yazın ya da {where} konumunun eskizini verin",
+    "the sketch of {name} is far from every position; at {where} it is at {lies}": (
+        "{name} eskizi bütün konumlardan uzak; {where} iken yeri {lies}"
+    ),
+    "check the dimensions and the sketch": "boyutları ve eskizi gözden geçirin",
 }
