@@ -155,7 +155,8 @@ class Drawn:
 
     def platform(self) -> None:
         middle = self.body(self.somewhere())
-        for one in (self.crank, self.held(), self.held()):
+        second, third = self.held(), self.held()
+        for one in (self.crank, self.ground if second is third is self.crank else second, third):
             self.stay(one, middle)
         self.free.append(middle)
 

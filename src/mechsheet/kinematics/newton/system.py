@@ -74,10 +74,11 @@ def followed(system: System, known: Mapping[str, Any], rows: int) -> dict[str, A
     if start is None:
         return {name: found[:, index] for index, name in enumerate(system.unknowns)}
     step, last = _scalar(system), start.unknowns
-    for row in range(rows):
-        here = _arrived(step, last, [column[row] for column in given], system.passes)
-        if here is not None and here.determinant * start.determinant > 0:
-            found[row] = last = here.unknowns
+    with np.errstate(all="ignore"):  # far from any position numbers grow without bound
+        for row in range(rows):
+            here = _arrived(step, last, [column[row] for column in given], system.passes)
+            if here is not None and here.determinant * start.determinant > 0:
+                found[row] = last = here.unknowns
     return {name: found[:, index] for index, name in enumerate(system.unknowns)}
 
 
@@ -91,9 +92,10 @@ def start_of(system: System, known: Mapping[str, Any], rows: int) -> Pass | None
     there = {name: float(np.broadcast_to(column, (rows,))[row]) for name, column in known.items()}
     given = [there[name] for name in system.given]
     step = _scalar(system)
-    if all(there[name] == value for name, value in system.described):
-        return _arrived(step, start, given, FIRST_PASSES)
-    return _arrived(step, _led(system, step, start, there), given, FIRST_PASSES - LED)
+    with np.errstate(all="ignore"):
+        if all(there[name] == value for name, value in system.described):
+            return _arrived(step, start, given, FIRST_PASSES)
+        return _arrived(step, _led(system, step, start, there), given, FIRST_PASSES - LED)
 
 
 def _led(system: System, step: Step, start: Sequence[float], there: Mapping[str, float]) -> Sequence[float]:
