@@ -12,6 +12,7 @@ from mechsheet.description import outputs as further_outputs
 from mechsheet.description.asked import exercise, study, synthesis, tolerances
 from mechsheet.description.driving import driver, drivers, rates
 from mechsheet.description.driving.sweep import with_sweep
+from mechsheet.description.file_names import is_device
 from mechsheet.description.forces import dynamics, flywheel, force_names
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
@@ -29,7 +30,6 @@ from mechsheet.said import say
 
 LANGUAGES = ("en", "tr")
 LAYOUTS = ("sheets", "page")
-_DEVICES = {"con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))}
 
 
 def load(path: str | FilePath, overrides: Overrides | None = None, language: str | None = None) -> Mechanism:
@@ -293,7 +293,7 @@ def _name(head: dict[str, Any], report: Report) -> str:
             "{name} must begin with a letter, a digit or _ and go on with letters, digits, - and _", name=quoted(name)
         )
         report.at(path, message, say("it becomes the stem of file names"))
-    elif name.lower() in _DEVICES:
+    elif is_device(name):
         report.at(
             path, say("{name} cannot be the stem of a file: Windows keeps that name for a device", name=quoted(name))
         )
