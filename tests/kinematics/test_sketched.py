@@ -11,8 +11,8 @@ from chosen import LISTED, but, part, some
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.description.source import parse
 from mechsheet.description.templates import template_names, template_text
+from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import DescriptionWarning, MechanismError
 from mechsheet.exporting.program import program_of
 from mechsheet.kinematics.driving import driver_values

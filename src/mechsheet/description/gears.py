@@ -10,13 +10,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from mechsheet.description.cells import own_cell
-from mechsheet.description.index import Path
 from mechsheet.description.joints import RELATIONS, Ends
 from mechsheet.description.kinds import ANGLE, ANY, LENGTH
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.sketched_angles import SketchedAngles
+from mechsheet.description.text.index import Path
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node
 from mechsheet.model import PRESSURE, Dimension, Gear, Joint, Link, Rack, Relation

@@ -12,12 +12,12 @@ from typing import Any
 
 from mechsheet import portable
 from mechsheet.description.head import part
-from mechsheet.description.index import Path
 from mechsheet.description.joints import Ends
 from mechsheet.description.kinds import LENGTH
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import listed
 from mechsheet.description.scope import Scope
+from mechsheet.description.text.index import Path
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.model import Cartesian, Distances, Joint, Link, Place, Polar, Quantity, Redundant
