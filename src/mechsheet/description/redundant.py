@@ -97,12 +97,8 @@ def _direction(start: Place, end: Place, scope: Scope) -> Quantity:
 def _parts(place: Place) -> tuple[Node, Node]:
     match place:
         case Cartesian(x, y):
-            return _node(x), _node(y)
+            return al.as_node(x), al.as_node(y)
         case Polar(r, angle):
-            length, turn = _node(r), _node(angle)
+            length, turn = al.as_node(r), al.as_node(angle)
             return al.mul(length, Call("COS", (turn,))), al.mul(length, Call("SIN", (turn,)))
     raise ValueError(f"no coordinates: {place}")
-
-
-def _node(quantity: Quantity) -> Node:
-    return al.number(quantity) if isinstance(quantity, float) else quantity
