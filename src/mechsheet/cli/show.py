@@ -14,7 +14,7 @@ from .helping import Explained
 from .streams import print_file
 
 
-@click.command(cls=Explained, short_help="Print how a description was understood: variables, equations, verdicts.")
+@click.command(cls=Explained, short_help="Show how a description is understood: equations, verdicts.")
 @click.argument("description", type=click.Path(path_type=Path))
 @change_options
 @click.option("--equations", "what", flag_value="equations", help="The equations, in order of solution.")
