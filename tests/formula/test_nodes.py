@@ -14,7 +14,7 @@ def test_relative_references_move_and_others_stay(text, moved):
     assert print_formula(shifted(parse_formula(text), 3, 2), "excel") == moved
 
 
-def test_what_leaves_the_sheet_is_an_error_unless_the_sheet_is_a_ring():
+def test_what_leaves_the_sheet_is_an_error_or_comes_back_on_the_other_side():
     assert shifted(CellRef(0, 0), -1) == ErrorValue("#REF!")
     assert shifted(CellRef(0, 0), -1, -1, wrap=True) == CellRef(1_048_575, 16_383)
 
