@@ -145,10 +145,10 @@ def test_the_first_experiment_goes_as_the_page_says(page):
 
 LESSON = {
     "lecturer.md": (
-        r"from row (\d+) on a row for each crank angle\. Row (\d+) shows.*?(F\d+) is\n\n```text\n(=.*?)\n```.*?"
+        r"each crank angle from row (\d+) on\. Row (\d+) shows.*?(F\d+) is\n\n```text\n(=.*?)\n```.*?"
         r"ends at (\d+)°\. Select A(\d+) to M(\d+), .*?to row (\d+): 360°.*?all (\d+) positions.*?above row (\d+) "
-        r"instead, and fill the whole row (\d+) .*?is ([\d.]+)° in rows.*?has ([\d.]+)°.*?\(rows (\d+) to (\d+)\).*?"
-        r"in row (\d+), and fill"
+        r"instead, and fill all of row (\d+) .*?is ([\d.]+)° in rows.*?finds ([\d.]+)°.*?\(rows (\d+) to (\d+)\).*?"
+        r"in row (\d+), and"
     ),
     "lecturer.tr.md": (
         r"B11'de, (\d+)\. satırdan.*? (\d+)\. satırda her sütunun.*?(F\d+) hücresi de\n\n```text\n(=.*?)\n```.*?"
