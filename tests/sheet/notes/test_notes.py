@@ -78,6 +78,14 @@ def test_rows_are_high_enough(name):
     assert high
 
 
+@pytest.mark.parametrize(("name", "said"), [("four-bar", True), ("slider-crank", False)])
+def test_what_the_number_of_grashof_is(name, said):
+    """A student who wants to turn a crank further learns which number must change its sign."""
+    _, found = lines(Laid(template_text(name)))
+    texts = [str(line.get(SYMBOL)) for line in found.values()]
+    assert any("Below 0 the shortest can turn fully" in text for text in texts) == said
+
+
 EMPTY = ("verdict.line.positions", "page.verdict.positions")
 """Words that one of the languages has elsewhere in the sentence."""
 
