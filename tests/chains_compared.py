@@ -13,9 +13,10 @@ import numpy as np
 
 from mechsheet import reference
 from mechsheet.description import loads
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.sketched import doubts
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 

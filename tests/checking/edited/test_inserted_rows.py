@@ -152,12 +152,14 @@ def test_notes_below_a_table_move_nothing(yoke):
     assert undone(book, moves) is book
 
 
-@pytest.mark.parametrize("shift", [Shift(3, 2), Shift(3, -2), Shift(0, 1), NOTHING])
-def test_there_and_back(shift):
-    for place in range(12):
-        now = shift.now(place)
-        assert now is None or shift.before(now) == place
-    assert [shift.now(place) for place in (0, 2)] == [shift.before(place) for place in (0, 2)] or shift.at == 0
+@pytest.mark.parametrize(
+    ("shift", "gone"), [(Shift(3, 2), []), (Shift(3, -2), [3, 4]), (Shift(0, 1), []), (NOTHING, [])]
+)
+def test_there_and_back(shift, gone):
+    now = {place: shift.now(place) for place in range(12)}
+    assert [place for place, moved in now.items() if moved is None] == gone
+    assert all(shift.before(moved) == place for place, moved in now.items() if moved is not None)
+    assert [now[place] for place in range(shift.at)] == list(range(shift.at))
 
 
 def test_a_title_as_a_cell_is_enough(yoke):

@@ -76,5 +76,5 @@ def test_tables_on_one_line_are_refused_with_their_line():
     with pytest.raises(DescriptionError) as told:
         with_table(parse("links = { ground = { points = {} } }", "x"), ("links", "rod"), [])
     assert told.value.faults[0].line == 1
-    with pytest.raises(DescriptionError):
+    with pytest.raises(DescriptionError, match="one line"):
         with_table(parse("joints = [ { type = 'gear' } ]", "x"), ("joints", 1), [])

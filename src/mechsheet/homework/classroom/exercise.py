@@ -17,6 +17,7 @@ from typing import Any
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
+from mechsheet.description.text.file_names import is_device
 from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, readable_name
 from mechsheet.formats import write
 from mechsheet.formats.archive import make_folder, replace_file
@@ -33,8 +34,6 @@ DRAWS = 1000
 KEY = "key.json"
 LONGEST = 60
 """Letters of an id in a file's name."""
-_DEVICE = re.compile(r"con|prn|aux|nul|(com|lpt)[0-9¹²³]", re.IGNORECASE)
-"""What Windows takes for a device, whatever the ending."""
 _UNSAFE = re.compile(r"[^\w-]+")
 
 
@@ -71,9 +70,9 @@ def exercise(
 ) -> Exercises:
     """Write `student/ID.xlsx`, `solution/ID.xlsx` for everybody in a CSV file (id, name, ...), and `key.json`.
 
-    Dimensions are drawn as [exercise] of the description says, from the seed and the id alone; `progress` is told how many
-    students are done. Raises MechsheetError with
-    all that is wrong with the list, or when nothing drawn fulfils `need`; nothing is written then.
+    Dimensions are drawn as the description's [exercise] says, from the seed and the id alone; `progress` is told how many
+    students are done. Raises MechsheetError with everything that is wrong with the list, or if nothing drawn fulfils
+    `need`; nothing is written then.
     """
     people, faults = _read(Path(class_list))
     folder = Path(output)
@@ -117,7 +116,7 @@ def safe(identifier: str) -> str:
     name = _UNSAFE.sub("_", identifier.strip()).strip("_") or "_"
     if len(name) > LONGEST:
         name = f"{name[:LONGEST]}_{hashlib.sha256(identifier.encode()).hexdigest()[:8]}"
-    return f"{name}_" if _DEVICE.fullmatch(name) else name
+    return f"{name}_" if is_device(name) else name
 
 
 def _read(path: Path) -> tuple[list[tuple[str, str]], list[Fault]]:
