@@ -1,6 +1,8 @@
 """`check --mutate`: damaged formulas, and who notices."""
 
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from edited import laid_out, saved
@@ -15,6 +17,9 @@ from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import column_letters
 from mechsheet.formula.slips import damages
+
+sys.path.append(str(Path(__file__).parents[2] / "tools"))
+import proof  # noqa: E402
 
 
 def texts(formula, kind, names=()):
@@ -173,3 +178,10 @@ def test_every_formula_of_a_sheet_is_damaged_in_every_way_that_it_can_be(tmp_pat
     assert len(formulas) >= len(said) - 2  # what every damage leaves as it is: a formula that is 0
     kinds = [(each.where, each.kind) for each in found.damages]
     assert len(kinds) == len(set(kinds)) > len(formulas)
+
+
+def test_the_proofs_table_knows_every_sheet_of_a_template_with_a_flywheel():
+    """It ended in an IndexError after an hour of damaging, when the table was made."""
+    titles = proof.sheet_titles("engine")
+    found = {title: proof.place_of(title, titles) for title in ("Positions", "Rates", "Forces", "Table s14")}
+    assert found == {"Positions": "positions", "Rates": "others", "Forces": "others", "Table s14": "tables"}
