@@ -1,6 +1,6 @@
 """`check --mutate`: damaged formulas, and who notices."""
 
-import sys
+import runpy
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,9 +17,6 @@ from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import column_letters
 from mechsheet.formula.slips import damages
-
-sys.path.append(str(Path(__file__).parents[2] / "tools"))
-import proof  # noqa: E402
 
 
 def texts(formula, kind, names=()):
@@ -182,6 +179,7 @@ def test_every_formula_of_a_sheet_is_damaged_in_every_way_that_it_can_be(tmp_pat
 
 def test_the_proofs_table_knows_every_sheet_of_a_template_with_a_flywheel():
     """It ended in an IndexError after an hour of damaging, when the table was made."""
-    titles = proof.sheet_titles("engine")
-    found = {title: proof.place_of(title, titles) for title in ("Positions", "Rates", "Forces", "Table s14")}
+    proof = runpy.run_path(str(Path(__file__).parents[2] / "tools" / "proof.py"))
+    titles = proof["sheet_titles"]("engine")
+    found = {title: proof["place_of"](title, titles) for title in ("Positions", "Rates", "Forces", "Table s14")}
     assert found == {"Positions": "positions", "Rates": "others", "Forces": "others", "Table s14": "tables"}
