@@ -36,7 +36,7 @@ def gap_columns(plan: Plan, sheet: str, row: int) -> list[tuple[int, Node]]:
     return found
 
 
-def chunks_of(parts: Sequence[Node], longest: int = LONGEST) -> list[list[Node]]:
+def chunks_of(parts: Sequence[Node]) -> list[list[Node]]:
     """The parts in runs whose spellings stay below a length together."""
     runs: list[list[Node]] = []
     room = 0
@@ -44,7 +44,7 @@ def chunks_of(parts: Sequence[Node], longest: int = LONGEST) -> list[list[Node]]
         length = longest_spelling(part) + 1
         if not runs or length > room:
             runs.append([])
-            room = longest - 20
+            room = LONGEST - 20
         runs[-1].append(part)
         room -= length
     return runs
