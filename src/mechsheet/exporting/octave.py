@@ -15,10 +15,10 @@ from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import ColumnLine, Line, Loop, Program, commented, heading, one_line, program_of
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import TIME, ChartRequest, Joint
 from mechsheet.sheet.drawing.charts import chart_requests, traced_points
 from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, line_end, through_of
@@ -111,7 +111,7 @@ def _opening(program: Program, name: str) -> list[str]:
 def _given(program: Program) -> list[str]:
     names = program.names
     changeable = [names[line.symbol] for line in (*program.given, *program.modes)]
-    changeable += [names[symbol] for symbol in _asked(program)]
+    changeable += [names[symbol] for symbol in program.asked_by_row]
     lines = [f"  check_names(varargin, {{{', '.join(_string(name) for name in changeable)}}});", "", "  % dimensions"]
     for line in program.given:
         lines += _argument(program, line)
@@ -132,11 +132,6 @@ def _words(line: Line) -> str:
 def _argument(program: Program, line: Line) -> list[str]:
     name = program.names[line.symbol]
     return commented(f"  {name} = given(varargin, '{name}', {_text(program, line.node)});", _words(line), "%")
-
-
-def _asked(program: Program) -> tuple[str, ...]:
-    """What may be given row by row: by a motion law the time, from which the driver follows."""
-    return program.given_by_row if program.law is None else (TIME,)
 
 
 def _driver(program: Program) -> list[str]:
@@ -195,7 +190,7 @@ def _loop(program: Program, column: ColumnLine, loop: Loop) -> list[str]:
     return [
         f"  starts_{number} = [{starts}];",
         f"  home = min({system.row + 1}, rows);",
-        f"  if is_given(varargin, '{names[_asked(program)[0]]}')",
+        f"  if is_given(varargin, '{names[program.asked_by_row[0]]}')",
         f"    [~, home] = min(abs({names[system.driver]} - ({system.home!r})));",
         "  end",
         f"  there_ = [{there}];",

@@ -12,10 +12,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations, Group, System
 from mechsheet.kinematics.newton.leaving import led, scales, trends
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.said import say
