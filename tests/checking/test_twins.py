@@ -8,12 +8,14 @@ from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
 import mechsheet
 from chosen import IN_CI
 from mechsheet.checking import check, with_twins
+from mechsheet.checking.inputs import Inputs, OfTheLast
 from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import difference
 from mechsheet.checking.twins import compare_twins
@@ -65,6 +67,26 @@ def test_twins_agree(folder):
         formulas = sum(block.rows * block.cols for sheet in book.sheets for block in sheet.blocks)
         constants = sum(1 for sheet in book.sheets for _ in sheet.constants.items())
         assert twin.cells == 1 + len(book.names) + 2 * formulas + constants
+
+
+def test_what_twins_have_in_common_is_found_once_and_anew_for_other_inputs():
+    """Search and reference read the inputs only: a number typed into one of the twins, and they are asked again."""
+    plan, other, found = object(), object(), OfTheLast()
+    inputs = Inputs({"a2": 50.0}, {"mode_1": 1}, {"theta12": np.array([0.0, 0.1, np.nan])})
+    asked = []
+
+    def count(of_plan, **changes):
+        found.of(of_plan, replace(inputs, **changes), lambda: asked.append(1))
+        return len(asked)
+
+    assert [count(plan), count(plan), count(plan, remarks=("told",))] == [1, 1, 1]
+    changes = (
+        {"dimensions": {"a2": 50.5}},
+        {"modes": {"mode_1": -1}},
+        {"given": {"theta12": np.array([0.0, 0.2, np.nan])}},
+    )
+    assert [count(plan, **change) for change in changes] == [2, 3, 4]
+    assert [count(plan), count(other)] == [5, 6]
 
 
 def test_files_that_are_no_twins_are_let_be(folder):
