@@ -27,7 +27,7 @@ def draw(description: Path | None, language: str | None, no_browser: bool) -> No
     The page is served to this machine only and needs no network. It ends when it is closed, or
     with Ctrl-C.
     """
-    from mechsheet.description.source import read_text
+    from mechsheet.description.text.source import read_text
     from mechsheet.drawing_page.answers import Studio
     from mechsheet.drawing_page.server import DrawingServer
 

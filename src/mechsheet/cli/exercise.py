@@ -28,8 +28,8 @@ def exercise(description: Path, class_list: Path, output: Path, seed: int, langu
     dimensions, the driver's column, headings of what is asked; no answer anywhere), week3/solution/ID.xlsx
     (the ordinary workbook) and week3/key.json, which mechsheet mark reads.
     """
-    from mechsheet.homework.exercise import exercise as write_all
-    from mechsheet.homework.exercise import faults_of_class
+    from mechsheet.homework.classroom.exercise import exercise as write_all
+    from mechsheet.homework.classroom.exercise import faults_of_class
 
     try:
         mechanism = described(description, Changes(), language)

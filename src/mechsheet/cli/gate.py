@@ -13,7 +13,7 @@ import click
 
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 
-from .common import Command, doubts_told, in_file, progress
+from .common import Command, doubts_told, in_file, progress, with_options
 
 if TYPE_CHECKING:
     from mechsheet.checking import Baseline, Report, Rules
@@ -42,9 +42,7 @@ OPTIONS = (
 
 def gate_options(command: Command) -> Command:
     """The options of a gate, in the order of OPTIONS."""
-    for option in reversed(OPTIONS):
-        command = option(command)
-    return command
+    return with_options(OPTIONS, command)
 
 
 @dataclass(slots=True)

@@ -43,9 +43,9 @@ def mark(
     """
     from mechsheet.formats import write
     from mechsheet.formats.archive import make_folder, replace_file
-    from mechsheet.homework.marks import as_dict, files_of, key_of_file
-    from mechsheet.homework.marks import mark as mark_all
-    from mechsheet.homework.marks_book import marks_csv, marks_workbook, pages
+    from mechsheet.homework.classroom.marks import as_dict, files_of, key_of_file
+    from mechsheet.homework.classroom.marks import mark as mark_all
+    from mechsheet.homework.classroom.marks_book import marks_csv, marks_workbook, pages
 
     _refuse(output, csv_file, books, files_of(books))
     key = key_of_file(against)

@@ -145,14 +145,14 @@ def _print_areas(result: Result, areas: Iterable[Any], as_json: bool) -> None:
     """The cells of some ranges: JSON as for the whole workbook, or tables with an empty line between them."""
     from mechsheet.checking.remark_lines import cell_text
     from mechsheet.formula.references import cell_name
-    from mechsheet.library.recalculation import plain
+    from mechsheet.library.recalculation import json_value
 
     if as_json:
         found: dict[str, dict[str, object]] = {}
         for area in areas:
             cells = found.setdefault(area.sheet, {})
             for row, values in enumerate(result.table(area), area.row):
-                cells.update({cell_name(row, col): plain(value) for col, value in enumerate(values, area.col)})
+                cells.update({cell_name(row, col): json_value(value) for col, value in enumerate(values, area.col)})
         click.echo(json.dumps(found))
         return
     for number, area in enumerate(areas):

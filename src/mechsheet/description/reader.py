@@ -17,12 +17,12 @@ from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import Report
-from mechsheet.description.rewrite import with_value
 from mechsheet.description.schema import DESCRIPTION, FORMAT
 from mechsheet.description.scope import words
 from mechsheet.description.shape import fit
 from mechsheet.description.sketched_angles import SketchedAngles
-from mechsheet.description.source import Source, parse_as_meant, read_text
+from mechsheet.description.text.rewrite import with_value
+from mechsheet.description.text.source import Source, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 from mechsheet.model import Dimension, Driver, Dynamics, FurtherDriver, Joint, Link, Mechanism, Sketch, Solution, Words
 from mechsheet.said import say

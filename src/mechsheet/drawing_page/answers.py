@@ -8,8 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from mechsheet.description.source import read_text
 from mechsheet.description.templates import template_names, template_text, template_titles
+from mechsheet.description.text.source import read_text
 from mechsheet.diagnostics import Fault, OutputError, readable_name
 from mechsheet.drawing_page.editing.orders import edited
 from mechsheet.drawing_page.looking import look

@@ -11,7 +11,7 @@ from mechsheet.compiled import Compiled
 from mechsheet.description.locate import located
 from mechsheet.description.parts import Parts, parts_of
 from mechsheet.description.reader import loads
-from mechsheet.description.source import Source, parse
+from mechsheet.description.text.source import Source, parse
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.graph import graph_of

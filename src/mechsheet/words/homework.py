@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
-Language = Literal["en", "tr"]
-
 HOMEWORK: dict[str, tuple[str, str]] = {
     # verdicts
     "right": ("right", "doğru"),
