@@ -36,8 +36,11 @@ def test_a_file_that_is_there_is_not_overwritten_by_a_new_drawing(tmp_path):
     assert studio.answer("save", {"text": "new", "mark": "", "name": "other"})["file"].endswith("other.toml")
 
 
-@pytest.mark.parametrize("name", ["../mine", "a/b.toml", "/tmp/x.toml", "..", ".hidden", "a\\b", "C:mine"])
-def test_a_name_is_never_a_path(tmp_path, name):
+@pytest.mark.parametrize(
+    "name",
+    ["../mine", "a/b.toml", "/tmp/x.toml", "..", ".hidden", "a\\b", "C:mine", "con", "LPT1.toml", "what?", "mine."],
+)
+def test_a_name_is_never_a_path_nor_one_that_windows_keeps(tmp_path, name):
     folder = tmp_path / "inside"
     folder.mkdir()
     with pytest.raises(MechsheetError, match="is not the name of a file in this folder"):

@@ -30,12 +30,12 @@ OPTIONS = (
     click.option(
         "--relative", type=float, metavar="X", help="Largest relative difference of numbers; 1e-9 if not given."
     ),
-    click.option("--absolute", type=float, metavar="X", help="Largest difference of numbers, however small they are."),
+    click.option("--absolute", type=float, metavar="X", help="Largest absolute difference of numbers."),
     click.option(
         "--ignore", multiple=True, metavar="RANGE", help="Leave out Sheet!A1:B9, a name, a sheet; may be repeated."
     ),
     click.option("--baseline", type=click.Path(path_type=Path), help="Differences that are accepted, one line a cell."),
-    click.option("--update-baseline", is_flag=True, help="Accept what differs now: write the baseline anew."),
+    click.option("--update-baseline", is_flag=True, help="Accept what differs now: rewrite the baseline."),
     click.option("--junit", "junit_file", type=click.Path(path_type=Path), help="Write a report for build servers."),
 )
 

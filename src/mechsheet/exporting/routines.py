@@ -71,8 +71,9 @@ class Source:
             symbol: Step(symbol, derived[symbol]) for symbol in dimension_order(self.mechanism) if symbol in derived
         }
         for equation in self.equations.all:
+            reading = equation.role == "output" or equation.symbol in self.equations.tied
             for step in lowering.steps[equation.symbol]:
-                expression = reading_taken(step.expression, branches) if equation.role == "output" else step.expression
+                expression = reading_taken(step.expression, branches) if reading else step.expression
                 expression = expression if step.missing is None else al.rooted(expression)
                 found[step.symbol] = Step(step.symbol, expression, step.missing)
             if equation.symbol in branches:

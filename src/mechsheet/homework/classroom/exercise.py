@@ -17,6 +17,7 @@ from typing import Any
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
+from mechsheet.description.text.file_names import is_device
 from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, readable_name
 from mechsheet.formats import write
 from mechsheet.formats.archive import make_folder, replace_file
@@ -32,8 +33,6 @@ DRAWS = 1000
 KEY = "key.json"
 LONGEST = 60
 """Letters of an id in a file's name."""
-_DEVICE = re.compile(r"con|prn|aux|nul|(com|lpt)[0-9¹²³]", re.IGNORECASE)
-"""What Windows takes for a device, whatever the ending."""
 _UNSAFE = re.compile(r"[^\w-]+")
 
 
@@ -116,7 +115,7 @@ def safe(identifier: str) -> str:
     name = _UNSAFE.sub("_", identifier.strip()).strip("_") or "_"
     if len(name) > LONGEST:
         name = f"{name[:LONGEST]}_{hashlib.sha256(identifier.encode()).hexdigest()[:8]}"
-    return f"{name}_" if _DEVICE.fullmatch(name) else name
+    return f"{name}_" if is_device(name) else name
 
 
 def _read(path: Path) -> tuple[list[tuple[str, str]], list[Fault]]:
