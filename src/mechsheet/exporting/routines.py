@@ -15,8 +15,8 @@ from mechsheet.exporting.lowering import Lowering, Step
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, renamed, transform
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
+from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.newton.refusing import need_one_position
-from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Words
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase
