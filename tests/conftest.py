@@ -27,7 +27,7 @@ gc.set_threshold(100_000, 50, 50)
 """Trees of formulas are many small objects without circles: to look for circles in them took a tenth of the time."""
 
 
-CHEAP = 0.3
+CHEAP = 0.2
 """Seconds of CPU time of a case that `make quick` may afford, once, of a test whose cases together take long."""
 
 SHARE, SHARE_IN_CI = 0.6, 4.0
