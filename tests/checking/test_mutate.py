@@ -137,7 +137,7 @@ def test_formulas_of_forces_alone_are_damaged_and_the_sheet_asks_both_ways_to_th
 @pytest.mark.parametrize("name", ["quick-return-lever", "quick-return-slider"])
 def test_formulas_of_a_synthesis_alone_are_damaged(tmp_path, name):
     path = saved(laid_out(name)[0], tmp_path / f"{name}.xlsx")
-    found = mutate(path, 8, sheets=("synthesis",))
+    found = mutate(path, 8 if IN_CI else 3, sheets=("synthesis",))
     assert found.clear
     assert found.agrees
     assert {damage.where.partition("!")[0] for damage in found.damages} == {"Synthesis"}

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from mechsheet import portable
-from mechsheet.checking.inputs import inputs_in
+from mechsheet.checking.inputs import OfTheLast, inputs_in
 from mechsheet.checking.report import Comparison, Tally
 from mechsheet.checking.searched.summaries import judge_summaries
 from mechsheet.checking.searched.tables import judge_tables
@@ -47,6 +47,10 @@ ROUNDED = 2e-6
 _NUMBER = re.compile(r"\d+")
 
 
+_SEARCHES: OfTheLast[dict[tuple[tuple[str, float], ...], Search | None]] = OfTheLast()
+"""By other values of some inputs: a search reads no cell but inputs."""
+
+
 def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Comparison | None:
     """Hold every verdict cell against what is found with the inputs in the cells; arguments as of `against_plan`.
 
@@ -60,7 +64,15 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
         for group in equations.groups
     )
 
+    known = _SEARCHES.of(plan, inputs, dict)
+
     def search(other: Mapping[str, float]) -> Search | None:
+        asked = tuple(other.items())
+        if asked not in known:
+            known[asked] = searched(other)
+        return known[asked]
+
+    def searched(other: Mapping[str, float]) -> Search | None:
         given = {**inputs.dimensions, **other}
         if missing_dimensions(mechanism, given):
             return None
