@@ -284,8 +284,10 @@ class _Judge:
         gap = sheets.of("largest_gap")
         words = sheets.words("largest_gap")
         if truth.count:
-            self.say("largest_gap", isinstance(gap, float) and gap <= 1e-9 * truth.size, gap)
-            self.say("largest_gap words", words == self.verdict("gap.closed"), words)
+            misfit = truth.misfit()
+            self.say("largest_gap", close(gap, misfit, 1e-9 * truth.size), gap, misfit)
+            said = self.verdict("gap.closed") if self.fits() else self.open_joint()
+            self.say("largest_gap words", words == said, words, misfit)
         turned = truth.turns_between_rows()
         most = math.radians(90.0)
         far = np.zeros(truth.rows - 1, dtype=bool)
@@ -297,6 +299,13 @@ class _Judge:
         far &= truth.row_there[1:] & truth.row_there[:-1]
         if not doubt and not truth.holes and not truth.doubtful:
             self.say("leaps", (shown > 0) == bool(far.any()), shown, int(far.sum()))
+
+    def fits(self):
+        """Whether the lengths of redundant links are what the others ask of them."""
+        return self.truth.misfit() <= 1e-9 * self.truth.size
+
+    def open_joint(self):
+        return self.verdict("gap.open", sheet=self.plan.at.titles["checks"])
 
     # --- lines -----------------------------------------------------------------------------------------------------------
 
@@ -311,6 +320,9 @@ class _Judge:
             return
         if self.plan.newton and (lost := self.rows_off_their_trend()):
             self.say("verdict", line == self.verdict("same_assembly.lost"), line, lost)
+            self.say("verdict colour", colour == "red", colour)
+        elif not self.fits():
+            self.say("verdict", line == self.open_joint(), line, truth.misfit())
             self.say("verdict colour", colour == "red", colour)
         elif truth.count == truth.rows:
             self.say("verdict", line.startswith(self.verdict("line.all", rows=truth.rows)), line)
