@@ -62,7 +62,7 @@ SYNTHESIS = 560
 
 LARGE_BESIDE_FEW_ROWS = {
     "fivelink": 790,
-    "adjustable-pump": 590,
+    "adjustable-pump": 610,
     "cylinder-boom": 860,
     "peaucellier": 885,
     "cardan-gear": 555,
@@ -71,7 +71,7 @@ LARGE_BESIDE_FEW_ROWS = {
     "crank-rocker-swing": 505,
 }  # wheels are drawn, too
 """Of 19 to 37 rows: what does not grow with the rows (drawing, extremes) is about half. Three working cells for each
-extreme make it right beside a limit, four for each limit where several groups can come apart."""
+extreme make it right beside a limit, four for each limit where several groups can come apart; lines that may turn parallel have a column of checks."""
 
 IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anchors"): 160}
 """Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""

@@ -185,6 +185,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.at": ("at driver", "tahrik değeri"),
     "checks.gap": ("gap, group {number}", "açıklık, {number}. grup"),
     "checks.margin": ("margin, group {number}", "pay, {number}. grup"),
+    "checks.crossing": ("lines, group {number}: sine × sine before", "doğrular, {number}. grup: sinüs × önceki sinüs"),
     "checks.leap": ("leap", "sıçrama"),
     **NOTES,
     **RATES,

@@ -277,7 +277,10 @@ class _Judge:
             place = numbers_in(words)
             near = [float(truth.driver(hole)) * truth.scale for hole in holes]
             step = abs(truth.step) * truth.scale
-            self.say("passes words", any(abs(place[0] - hole) <= step for hole in near), words, near)
+            ways = [abs(place[0] - hole) for hole in near]
+            if truth.whole:  # the last row, left out, is the first
+                ways += [abs(way - TURN * truth.scale) for way in ways]
+            self.say("passes words", any(way <= step for way in ways), words, near)
 
     def gap_and_leaps(self):
         truth, sheets = self.truth, self.sheets

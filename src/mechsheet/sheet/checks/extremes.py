@@ -411,8 +411,10 @@ class Extremes:
             cell = CellRef(row + index, plan.at.spots[symbol].col, False, True)
             probes.work(row + index, VALUE, "cell", cell=cell)
         first, there = probes.cell(row + 1, AT), probes.cell(row + 1, VALUE)
-        outer = formula("IF(first>here,here+1,here-1)", first=first, here=here)
-        beyond = formula("IF(first>here,after,before)", first=first, here=here, before=before, after=after)
+        # of a dip that is no parabola the first probe may be higher than the row: then it lies on the other side
+        right = formula("(first>here)=(there<=value)", first=first, here=here, there=there, value=value)
+        outer = formula("IF(right,here+1,here-1)", right=right, here=here)
+        beyond = formula("IF(right,after,before)", right=right, before=before, after=after)
         vertex = vertex_of([(here, value), (first, there), (outer, beyond)])
         probes.work(row + 2, AT, "IFERROR(MAX(here-1,MIN(here+1,vertex)),here)", here=here, vertex=vertex)
         probes.work(row, SIDE, "MIN(margins)", margins=probes.cells_down(row, VALUE, 3))

@@ -223,7 +223,7 @@ class _Block:
         self.line("input_to", "", unit, high, digits, Text(""))
 
     def passes(self) -> None:
-        """Whether a group comes apart between two rows that exist."""
+        """Whether a group comes apart between two rows that exist, or lines of it turn parallel."""
         tolerance = self.plan.at.bind(Symbol(self.plan.equations.tolerance), self.plan.main)
         found: Node = al.ZERO
         where: Node = Text("")
@@ -232,6 +232,10 @@ class _Block:
             found = al.add(formula("IF(dips,1,0)", dips=dips), found)
             place = driver_at(self.plan, Symbol(f"#gap_row_{number}"))
             where = formula("IF(dips,place,other)", dips=dips, place=place, other=where)
+        for number in () if self.driver.values else self.plan.equations.crossings:
+            turned = formula("IFERROR(least<0,FALSE)", least=Symbol(f"#crossed_{number}"))
+            found = al.add(formula("IF(turned,1,0)", turned=turned), found)
+            where = formula("IF(turned,place,other)", turned=turned, place=Symbol(f"#crossed_at_{number}"), other=where)
         cell = self.value("passes")
         before, after = self.text("passes.not", place="#").split("#")
         place = CellRef(self.rows["passes"], TOLERANCE, True, True)
