@@ -71,7 +71,8 @@ LARGE_BESIDE_FEW_ROWS = {
     "crank-rocker-swing": 505,
 }  # wheels are drawn, too
 """Of 19 to 37 rows: what does not grow with the rows (drawing, extremes) is about half. Three working cells for each
-extreme make it right beside a limit, four for each limit where several groups can come apart; lines that may turn parallel have a column of checks."""
+extreme make it right beside a limit, four for each limit where several groups can come apart; lines that may turn parallel
+have a column of checks."""
 
 IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anchors"): 160}
 """Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""

@@ -21,6 +21,7 @@ from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.search import TURN
 from mechsheet.sheet.checks.geometry import distance
 from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.first.verdicts import closes_in_all
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.symbols import plain
 from mechsheet.words.equations import link_words
@@ -328,7 +329,7 @@ class _Judge:
             self.say("verdict", line == self.open_joint(), line, truth.misfit())
             self.say("verdict colour", colour == "red", colour)
         elif truth.count == truth.rows:
-            self.say("verdict", line.startswith(self.verdict("line.all", rows=truth.rows)), line)
+            self.say("verdict", line.startswith(closes_in_all(self.plan)), line)
             if not truth.doubtful:
                 self.say("verdict colour", colour == ("amber" if truth.holes else "green"), colour, truth.holes)
         else:

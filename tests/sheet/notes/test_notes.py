@@ -75,7 +75,7 @@ def test_rows_are_high_enough(name):
             assert heights[row] >= 13 * needed
 
 
-EMPTY = ("verdict.line.positions", "page.verdict.positions")
+EMPTY = ("verdict.line.positions", "page.verdict.positions", "page.verdict.position")
 """Words that one of the languages has elsewhere in the sentence."""
 
 

@@ -22,7 +22,7 @@ from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
-from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
+from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
@@ -531,7 +531,7 @@ class _Block:
         count, rows = self.value("rows_closed"), float(plan.rows)
         closed = joined(self.text("line.closes"), " ", count, f" / {plan.rows} ", self.text("line.positions"))
         parts: list[Node | str] = [formula("IF(count=rows,everywhere,some)", count=count, rows=rows,
-                                           everywhere=self.text("line.all", rows=plan.rows), some=closed)]  # fmt: skip
+                                           everywhere=closes_in_all(plan), some=closed)]  # fmt: skip
         if plan.found.limits:
             parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
@@ -585,6 +585,11 @@ class _Block:
             'IFERROR(what&INDEX(symbols,_worst_group)&" "&INDEX(said,_worst_group),"")', what=what, symbols=symbols,
             said=said,
         )  # fmt: skip
+
+
+def closes_in_all(plan: Plan) -> str:
+    """What the line says first of a mechanism that closes in all positions."""
+    return plan.text("verdict.line.one") if plan.rows == 1 else plan.text("verdict.line.all", rows=plan.rows)
 
 
 def _in(value: Node, degrees: bool) -> Node:
