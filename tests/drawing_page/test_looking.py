@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from asking_page import Drawing, pin, spot
 
 from chosen import but, some
 from mechsheet import reference
@@ -154,6 +155,14 @@ def test_loose_links_are_named_in_the_words_of_show():
     found = looked(text)
     assert found["mobility"] == 3
     assert any('"rocker" is loose' in fault["message"] for fault in found["faults"])
+
+
+def test_half_a_drawing_is_not_told_how_many_drivers_it_would_need():
+    """Two links, nothing driven: the loose one is named; "2 drivers would be needed, one is given" would be untrue."""
+    drawing = Drawing().do("ground", end=spot(0, 0)).do("link", ends=[pin("A0"), spot(20, 30)])
+    drawing.do("link", ends=[pin("A"), spot(75, 60)])
+    assert drawing.look["mobility"] == 2
+    assert [fault["key"] for fault in drawing.look["faults"]] == ["driver", "links.link3"]
 
 
 def test_titles_and_reasons_come_in_both_languages():

@@ -72,7 +72,9 @@ def test_random_groups_against_the_reference(seed, record_property):
         assert "the sketch lies between" in str(error)
         pytest.skip("between two assemblies")
     record_property("worst", worst)
-    assert rows > 0 or seed > 4
+    if not rows and seed > 4:
+        pytest.skip("closes in no row")
+    assert rows > 0
     assert max(worst) < 1e-9
 
 

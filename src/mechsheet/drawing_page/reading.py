@@ -11,7 +11,7 @@ from mechsheet.compiled import Compiled
 from mechsheet.description.locate import located
 from mechsheet.description.parts import Parts, parts_of
 from mechsheet.description.reader import loads
-from mechsheet.description.source import Source, parse
+from mechsheet.description.text.source import Source, parse
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.graph import graph_of
@@ -84,7 +84,8 @@ def _counted(parts: Parts) -> tuple[int | None, list[Fault]]:
     try:
         check_mobility(mechanism, graph)
     except MechanismError as error:
-        return count, list(error.faults)
+        unfinished = parts.driver is None and count > 1  # how many drivers are missing is no news yet: links are
+        return count, [fault for fault in error.faults if not (unfinished and fault.key == "links")]
     return count, []
 
 

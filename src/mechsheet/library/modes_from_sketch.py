@@ -10,8 +10,8 @@ import numpy as np
 
 from mechsheet import portable
 from mechsheet.description import loads
-from mechsheet.description.rewrite import number_text, with_number, with_value, without_key
-from mechsheet.description.source import Source
+from mechsheet.description.text.rewrite import number_text, with_number, with_value, without_key
+from mechsheet.description.text.source import Source
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations, Group

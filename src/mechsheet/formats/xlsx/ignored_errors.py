@@ -12,7 +12,7 @@ from itertools import groupby, pairwise
 
 from mechsheet.formula.nodes import RangeRef, walk
 from mechsheet.formula.references import area_name
-from mechsheet.sheet.workbook import Fill, Rich, Sheet
+from mechsheet.sheet.workbook import Fill, Sheet
 
 Place = tuple[int, int]
 Run = tuple[int, int, int]
@@ -72,7 +72,7 @@ def _reads_range(fill: Fill) -> bool:
 
 def _numeric_texts(sheet: Sheet) -> Iterator[Place]:
     for cell in sheet.cells:
-        text = cell.content.plain if isinstance(cell.content, Rich) else cell.content
+        text = cell.value
         if isinstance(text, str) and _NUMBER.fullmatch(text):
             yield cell.row, cell.col
 
