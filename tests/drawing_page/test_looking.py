@@ -31,9 +31,7 @@ def test_positions_are_those_of_the_reference(path):
     assert found["faults"] == []
     frames = found["frames"]
     compiled = reading.compiled
-    truth = reference.solve(
-        compiled.mechanism, start=rough_poses(compiled.mechanism, compiled.modes, compiled.equations)
-    )
+    truth = reference.solve(compiled.mechanism, start=rough_poses(compiled.mechanism, compiled.equations))
     size = np.nanmax(np.abs(np.array([truth.points[name] for name in truth.points])))
     places, driver = np.array(frames["driver"]), compiled.mechanism.driver.unit.to_shown(compiled.driver)
     stepped = len(places) != len(driver)  # other sweeps show their rows alone

@@ -15,9 +15,10 @@ from mechsheet.description.templates import template_names, template_text
 from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import DescriptionWarning, MechanismError
 from mechsheet.exporting.program import program_of
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.sketched import doubts
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.library.building import compile_workbook
 from mechsheet.library.modes_from_sketch import with_modes

@@ -107,8 +107,8 @@ def build(
 
 def _of_design(path: Path, design: str, changes: Changes) -> Changes:
     """The changes that make a description a design of a study, and those asked for besides."""
+    from mechsheet.kinematics.dimensions import dimension_values
     from mechsheet.kinematics.driving import driver_values
-    from mechsheet.kinematics.solve import dimension_values
     from mechsheet.library.studying import design_of
 
     if path == STANDARD_INPUT:

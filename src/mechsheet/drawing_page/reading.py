@@ -14,9 +14,9 @@ from mechsheet.description.reader import loads
 from mechsheet.description.text.source import Source, parse
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.formula.nodes import symbols
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.redundant_links import with_redundant
 from mechsheet.model import Cartesian, Distances, Driver, Joint, Link, Mechanism, Polar, Quantity, Words
 from mechsheet.words.messages import text_in

@@ -15,8 +15,8 @@ from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import ColumnLine, Line, Program, commented, heading, one_line, program_of
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import System
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import TIME, ChartRequest, Joint
 from mechsheet.sheet.drawing.charts import chart_requests, traced_points
 from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, line_end, through_of

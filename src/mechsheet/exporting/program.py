@@ -16,9 +16,9 @@ from mechsheet.exporting.routines import missing_where
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, transform
 from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.equations import FORCES, RATES, Condition, Equation, Equations, Group, System
 from mechsheet.kinematics.sketched import tell
-from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import TIME, Dimension, Law, Mechanism, Quantity
 from mechsheet.units import NUMBER, Unit
 

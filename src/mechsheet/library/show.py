@@ -14,11 +14,11 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_name
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.places import number
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.library.recalculation import json_value
 from mechsheet.library.verdicts import verdict

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from mechsheet.compiled import Compiled
 from mechsheet.formula.nodes import Scalar
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import Search
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.model import Mechanism
 from mechsheet.said import say

@@ -2,9 +2,9 @@
 
 As the sheet of extremes does (`sheet/checks/extremes.py`): the best row (or the best away from an end of the motion), a
 probe at the vertex of the parabola through it and its neighbours, one beside it or on the row's other side, then two at the
-vertices of parabolas through what is known; beside a limit all parabolas are over the root of the distance from it; where the
-workbook has the quantity's derivatives, two probes where the first changes its sign. What is given has been attained: the
-best of the row, the probes and both ends of the stretch. Of several stretches, and of one of one row, the rows are all.
+vertices of parabolas through what is known; beside a limit all parabolas are over the root of the distance from it; where
+the workbook has the quantity's derivatives, two probes where the first changes its sign. What is given has been attained:
+the best of the row, the probes and both ends of the stretch. Of several stretches, and of one of one row, the rows are all.
 Places count rows from 1.
 """
 

@@ -12,8 +12,8 @@ from mechsheet.checking import check
 from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.formula.nodes import ErrorValue
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_at
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.library.building import build
 from mechsheet.library.show import equations_text

@@ -8,8 +8,8 @@ import pytest
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.solve import dimension_values
 
 DATA = Path(__file__).parents[2] / "data"
 TEXTS = {name: template_text(name) for name in ("four-bar", "chebyshev", "roberts", "cylinder-boom")}

@@ -12,10 +12,12 @@ from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.derivatives import derivative
 from mechsheet.formula.nodes import Symbol, symbols, transform
+from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.newton.cramer import cramer
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.sketched import doubts
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import Sketch
 from random_mechanisms import Grower
@@ -102,8 +104,7 @@ def test_class_and_fewest_unknowns(name, kind, unknowns):
 def test_random_groups_are_as_the_reference_finds_them(kind, seed):
     mechanism = loads(Grower(seed, 1, (kind,)).text(rows=6, step=1.0))
     equations, values = swept(mechanism)
-    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
-    solution = reference.solve(mechanism, start=rough_poses(mechanism, modes, equations))
+    solution = reference.solve(mechanism, start=rough_poses(mechanism, equations))
     theirs = reference.variables(solution)
     there = np.isfinite(values[equations.groups[0].closes])
     assert there.any()
@@ -191,7 +192,7 @@ def test_the_reference_starts_in_the_stretch_that_the_sheet_begins_in():
     assert np.isfinite(values["theta16"]).tolist() == [True, False, True, True]
     turns = math.remainder(values["theta16"][2] - values["theta16"][0], math.tau)
     assert abs(turns) > 1.0  # another assembly
-    _, _, angle = rough_poses(mechanism, {"mode_1": 2}, equations)["platform"]
+    _, _, angle = rough_poses(mechanism, equations)["platform"]
     assert math.remainder(angle - values["theta16"][0], math.tau) == pytest.approx(0, abs=1e-3)
 
 

@@ -15,9 +15,9 @@ from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.solve import solve
 from mechsheet.engine import compile_book
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import TURN, Search
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.reference.geometry import link_places
 from mechsheet.sheet import styles
 from mechsheet.sheet.layout import lay_out

@@ -21,8 +21,8 @@ from mechsheet.description.text.source import Source, parse, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, readable_name
 from mechsheet.formats import read
 from mechsheet.formula.nodes import Scalar
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.places import number
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.modes_from_sketch import numbered_anew, with_modes
 from mechsheet.model import Mechanism
 
