@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechsheet.formula.nodes import CellRef, ErrorValue, Number, anchored, shifted, transform
+from mechsheet.formula.nodes import Arrayed, CellRef, ErrorValue, Number, anchored, shifted, transform
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
 
@@ -12,6 +12,15 @@ from mechsheet.formula.printer import print_formula
 )
 def test_relative_references_move_and_others_stay(text, moved):
     assert print_formula(shifted(parse_formula(text), 3, 2), "excel") == moved
+
+
+def test_a_formula_that_is_not_moved_stays_itself():
+    node = parse_formula("A1")
+    assert shifted(node, 0) is node
+
+
+def test_an_array_formula_is_changed_inside():
+    assert transform(Arrayed(CellRef(0, 0)), anchored) == Arrayed(CellRef(0, 0, True, True))
 
 
 def test_what_leaves_the_sheet_is_an_error_or_comes_back_on_the_other_side():
