@@ -81,7 +81,13 @@ def drawings(job: Job) -> Iterator[Drawn]:
     if job.frames:
         there = [row for row in range(found.sweep) if found.exists[row]]
         if job.frames > len(there):
-            fault = say("{frames} frames: the sweep has {count} positions to draw", frames=job.frames, count=len(there))
+            fault = say(
+                "{frames} frames: the sweep has 1 position to draw"
+                if len(there) == 1
+                else "{frames} frames: the sweep has {count} positions to draw",
+                frames=job.frames,
+                count=len(there),
+            )
             raise MechsheetError(Fault(fault, key="frames"))
         rows = [there[round(place)] for place in np.linspace(0, len(there) - 1, job.frames).tolist()]
     stage = Stage(found)

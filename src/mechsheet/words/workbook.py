@@ -51,6 +51,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "head.status": ("Closes", "Kapanıyor mu"),
     "column.here": ("→ the row that the drawing shows", "→ çizimin gösterdiği satır"),
     "verdict.line.all": ("closes in all {rows} positions", "{rows} konumun hepsinde kapanıyor"),
+    "verdict.line.one": ("closes in its one position", "tek konumunda kapanıyor"),
     "verdict.line.closes": ("closes in", "kapandığı konum sayısı:"),
     "verdict.line.positions": ("positions", ""),
     "verdict.line.nowhere": (
@@ -76,6 +77,9 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.passes.not": ("may not close near {place}: smaller step", "{place} yakınında kopabilir: adımı küçültün"),
     "verdict.gap": ("joints", "mafsallar"),
     "verdict.gap.closed": ("largest gap of a joint: rounding only", "en büyük mafsal açıklığı: yalnız yuvarlama"),
+    "verdict.gap.redundant": (
+        "the link {link} does not fit: see the sheet {sheet}", "{link} uzvu uymuyor: {sheet} sayfasına bakın",
+    ),
     "verdict.gap.open": ("a joint is open: see the sheet {sheet}", "bir mafsal açık: {sheet} sayfasına bakın"),
     "verdict.gap.typed": (
         "a formula was typed over: see the sheet {sheet}", "bir formülün üstüne yazılmış: {sheet} sayfasına bakın"
@@ -185,6 +189,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.at": ("at driver", "tahrik değeri"),
     "checks.gap": ("gap, group {number}", "açıklık, {number}. grup"),
     "checks.margin": ("margin, group {number}", "pay, {number}. grup"),
+    "checks.crossing": ("lines, group {number}: sine × sine before", "doğrular, {number}. grup: sinüs × önceki sinüs"),
     "checks.leap": ("leap", "sıçrama"),
     **NOTES,
     **RATES,

@@ -17,12 +17,13 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import ROUNDING, Checks
 from mechsheet.sheet.checks.efforts import AGREES
 from mechsheet.sheet.checks.extremes import Extremes, about, where_bounded
+from mechsheet.sheet.checks.gaps import misfits_of
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
-from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
+from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
@@ -223,7 +224,7 @@ class _Block:
         self.line("input_to", "", unit, high, digits, Text(""))
 
     def passes(self) -> None:
-        """Whether a group comes apart between two rows that exist."""
+        """Whether a group comes apart between two rows that exist, or lines of it turn parallel."""
         tolerance = self.plan.at.bind(Symbol(self.plan.equations.tolerance), self.plan.main)
         found: Node = al.ZERO
         where: Node = Text("")
@@ -232,6 +233,10 @@ class _Block:
             found = al.add(formula("IF(dips,1,0)", dips=dips), found)
             place = driver_at(self.plan, Symbol(f"#gap_row_{number}"))
             where = formula("IF(dips,place,other)", dips=dips, place=place, other=where)
+        for number in () if self.driver.values else self.plan.equations.crossings:
+            turned = formula("IFERROR(least<0,FALSE)", least=Symbol(f"#crossed_{number}"))
+            found = al.add(formula("IF(turned,1,0)", turned=turned), found)
+            where = formula("IF(turned,place,other)", turned=turned, place=Symbol(f"#crossed_at_{number}"), other=where)
         cell = self.value("passes")
         before, after = self.text("passes.not", place="#").split("#")
         place = CellRef(self.rows["passes"], TOLERANCE, True, True)
@@ -247,18 +252,24 @@ class _Block:
         plan = self.plan
         key, cell = "largest_gap", self.value("largest_gap")
         rounding = plan.at.cell("#rounding", plan.main, None)
+        wrong = {"open": self.text("gap.open", sheet=self.checks.title)}
+        left_open: Node = Text(wrong["open"])
+        for number, (link, group) in enumerate(misfits_of(plan), 1):
+            wrong[f"misfit_{number}"] = misfit = self.text("gap.redundant", link=link, sheet=self.checks.title)
+            left_open = formula("IF(own>rounding,misfit,other)", own=self.checks.worst("gap", group), rounding=rounding,
+                                misfit=misfit, other=left_open)  # fmt: skip
         words = formula('IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed)))',
                         typed=plan.at.cell("#typed", plan.main, None), count=self.value("rows_closed"), gap=cell,
                         rounding=rounding, over=self.text("gap.typed", sheet=self.checks.title),
-                        closed=self.text("gap.closed"), open=self.text("gap.open", sheet=self.checks.title))  # fmt: skip
+                        closed=self.text("gap.closed"), open=left_open)  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
         self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style, words)
         # where rounding is largest says nothing, and another program rounds otherwise
         place = self.checks.worst_at("gap")
         self.at(key, formula('IFERROR(IF(gap>rounding,place,""),"")', gap=cell, rounding=rounding, place=place))
-        wrong = {"open": self.text("gap.open", sheet=self.checks.title)}
         wrong["over"] = self.text("gap.typed", sheet=self.checks.title)
-        self.colour(key, "OR(said=open,said=over)", styles.BAD, said=self.words(key), **wrong)
+        said = ",".join(f"said={name}" for name in wrong)
+        self.colour(key, f"OR({said})", styles.BAD, said=self.words(key), **wrong)
         self.colour(key, "said=closed", styles.GOOD, said=self.words(key), closed=self.text("gap.closed"))
         cell = self.value("leaps")
         words = formula('IF(closed=0,"",IF(count=0,none,some))', closed=self.value("rows_closed"), count=cell,
@@ -527,7 +538,7 @@ class _Block:
         count, rows = self.value("rows_closed"), float(plan.rows)
         closed = joined(self.text("line.closes"), " ", count, f" / {plan.rows} ", self.text("line.positions"))
         parts: list[Node | str] = [formula("IF(count=rows,everywhere,some)", count=count, rows=rows,
-                                           everywhere=self.text("line.all", rows=plan.rows), some=closed)]  # fmt: skip
+                                           everywhere=closes_in_all(plan), some=closed)]  # fmt: skip
         if plan.found.limits:
             parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
@@ -581,6 +592,11 @@ class _Block:
             'IFERROR(what&INDEX(symbols,_worst_group)&" "&INDEX(said,_worst_group),"")', what=what, symbols=symbols,
             said=said,
         )  # fmt: skip
+
+
+def closes_in_all(plan: Plan) -> str:
+    """What the line says first of a mechanism that closes in all positions."""
+    return plan.text("verdict.line.one") if plan.rows == 1 else plan.text("verdict.line.all", rows=plan.rows)
 
 
 def _in(value: Node, degrees: bool) -> Node:

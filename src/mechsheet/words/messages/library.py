@@ -44,6 +44,7 @@ LIBRARY: dict[str, str] = {
         "örneğin --set psi=[60,80,105], biri için --set psi.2=80"
     ),
     "an assembly mode is 1 or -1, not {value}": "montaj biçimi 1 ya da -1'dir, {value} değil",
+    "{name} is the number of one of 1 assembly, not {value}": "{name} için tek montaj var, numarası 1; {value} değil",
     "{name} is the number of one of {count} assemblies, not {value}": (
         "{name}, {count} montajdan birinin numarasıdır, {value} değil"
     ),
@@ -91,6 +92,7 @@ LIBRARY: dict[str, str] = {
         "ya bir konum ya birkaç konum: at ile frames birlikte verilmez"
     ),
     "{frames} frames: from 1 to {most} can be written": "{frames} kare: 1 ile {most} arası yazılabilir",
+    "{frames} frames: the sweep has 1 position to draw": "{frames} kare: harekette çizilecek 1 konum var",
     "{frames} frames: the sweep has {count} positions to draw": "{frames} kare: harekette çizilecek {count} konum var",
     "no position of the sweep exists": "hareketin hiçbir konumu yok",
     '"{name}" is called by the file itself: a function of that name would stand in its way': (
