@@ -29,6 +29,7 @@ from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.search import Search
 from mechsheet.sheet.drawing.outlines import number_places
+from mechsheet.sheet.first.verdicts import closes_in_all
 from mechsheet.sheet.plan import MEANING, Plan
 from mechsheet.words.equations import link_words
 
@@ -225,8 +226,11 @@ class _Judge:
             expected = plan.text("verdict.gap.redundant", link=misfit, sheet=plan.at.titles["checks"])
             right = line == expected
         elif search.count == search.rows:
-            begin, end = plan.text("page.verdict.all"), plan.text("page.verdict.positions")
-            expected = f"{begin}{search.rows}{end}" if self.page else plan.text("verdict.line.all", rows=search.rows)
+            begin, end = (
+                plan.text("page.verdict.all"),
+                plan.text(f"page.verdict.position{'s' if search.rows > 1 else ''}"),
+            )
+            expected = f"{begin}{search.rows}{end}" if self.page else closes_in_all(plan)
             right = line.startswith(expected)
         else:
             expected = some
