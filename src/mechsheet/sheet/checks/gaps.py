@@ -19,6 +19,7 @@ from mechsheet.model import Joint, Link
 from mechsheet.sheet.checks.geometry import base_point, distance, measured_pairs, place
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
+from mechsheet.words.equations import link_words
 
 LONGEST = 380
 """Characters of one formula; what does not fit takes a further column."""
@@ -131,3 +132,11 @@ def _through(plan: Plan, joint: Joint, carrier: Link, angle: Node) -> tuple[Node
         formula("x_base+u*COS(angle)-v*SIN(angle)", **turned),
         formula("y_base+u*SIN(angle)+v*COS(angle)", **turned),
     )
+
+
+def misfits_of(plan: Plan) -> list[tuple[str, int]]:
+    """What redundant links are called, and the group of which each is the first link."""
+    groups = {name: group.number for group in plan.equations.groups for name in group.links}
+    return [
+        (link_words(each.link).of(plan.mechanism.language), groups[each.link.name]) for each in plan.mechanism.redundant
+    ]
