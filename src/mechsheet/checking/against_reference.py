@@ -13,9 +13,12 @@ from numpy.typing import NDArray
 from mechsheet import reference
 from mechsheet.checking.bands import compare_bands
 from mechsheet.checking.conditioning import excused
+from mechsheet.checking.driver_tables import compare_tables
 from mechsheet.checking.inputs import Array, Inputs, OfTheLast, inputs_in
+from mechsheet.checking.nearness import CLOSED, DEAD_CENTRE, apart_of
 from mechsheet.checking.report import TOLERANCE, Comparison, Tally
 from mechsheet.checking.steepness import EDGE, Steepness
+from mechsheet.checking.typed import changed, equations_as_typed, typed, with_listed_rates
 from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.book import Book
@@ -30,14 +33,6 @@ from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import ENERGY, Mechanism
 from mechsheet.sheet.plan import Plan
 
-DEAD_CENTRE = 1e-6
-"""At a dead centre a position is as uncertain as the square root of rounding: two answers that both close the loops to
-CLOSED agree when they are this near."""
-
-
-CLOSED = 1e-11
-"""A closure residual, as a part of the size, that is nothing but rounding."""
-
 
 def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Comparison, list[str]]:
     """Compare every variable, point and output, row by row, with what the reference finds for the inputs in the cells.
@@ -45,28 +40,33 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     `values` is the engine's, `plan` that of the description inside the workbook. Returns the comparison, and remarks for a
     person.
     """
-    mechanism = plan.mechanism
     inputs = inputs_in(book, values, plan, shown)
+    tally = Tally("reference")
+    remarks = _compare_rows(book, values, plan, inputs, tally)
+    compare_tables(book, values, plan, inputs, tally)
+    return tally.result(), [*inputs.remarks, *remarks]
+
+
+def _compare_rows(book: Book, values: Any, plan: Plan, inputs: Inputs, tally: Tally) -> list[str]:
+    """The table of positions and what goes with it; returns why nothing can be compared, where that is so."""
+    mechanism = plan.mechanism
     if missing := missing_dimensions(mechanism, inputs.dimensions):
-        lost = readers(plan.equations, missing)
-        words = [f"{symbol} has no value with these dimensions: {why}" for symbol, why in missing.items()]
-        return _without(plan, values, lost), [*inputs.remarks, *words, UNREACHED]
+        _without(plan, values, tally, readers(plan.equations, missing))
+        return [*(f"{symbol} has no value with these dimensions: {why}" for symbol, why in missing.items()), UNREACHED]
     opened = _opened(plan, values)
-    changed = _changed(mechanism, inputs)
-    equations = _as_typed(plan, inputs) if plan.newton else None
-    start = _start(changed, inputs, equations)
+    as_typed = changed(mechanism, inputs)
+    equations = equations_as_typed(plan, inputs) if plan.newton else None
+    start = _start(as_typed, inputs, equations)
     if start is None:
-        tally = Tally("reference")
         _judge_status(plan, tally, opened, np.zeros(plan.rows, dtype=bool))
         for symbol, mask in opened.items():
             if symbol in plan.at.spots and plan.equations.of(symbol).role in RESULTS:
                 _expect_nothing(plan, tally, symbol, _column(plan, values, symbol), mask)
-        return tally.result(), [*inputs.remarks, NOWHERE]
+        return [NOWHERE]
     solution = _SOLUTIONS.of(plan, inputs, lambda: _solved(mechanism, inputs, start))
     beyond = np.zeros(plan.rows, dtype=bool)
     if equations is not None:
-        solution, beyond = _reached(solution, changed, equations, inputs.given[mechanism.driver.symbol])
-    tally = Tally("reference")
+        solution, beyond = _reached(solution, as_typed, equations, inputs.given[mechanism.driver.symbol])
     known = _Known(plan, values)
     steep = Steepness(plan, known)
     ours = {symbol: known[symbol] for symbol in _judged(plan)}
@@ -83,8 +83,8 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
         else:
             _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol), beyond)
     if plan.bands and book.sheet(plan.at.titles["tolerance"]) is not None:  # that it is missing is told as an edit
-        _compare_bands(plan, tally, values, changed, inputs, start)
-    return tally.result(), list(inputs.remarks)
+        _compare_bands(plan, tally, values, as_typed, inputs, start)
+    return []
 
 
 _SOLUTIONS: OfTheLast[reference.Solution] = OfTheLast()
@@ -94,7 +94,7 @@ def _solved(mechanism: Mechanism, inputs: Inputs, start: Any) -> reference.Solut
     """What the reference finds, from the sketch `start` on, for the inputs in the cells; it reads no other cell."""
     by_law = mechanism.driver.law is not None  # the reference has laws of its own
     return reference.solve(
-        _typed(_with_listed_rates(mechanism, inputs), inputs), inputs.dimensions, start=start,
+        typed(with_listed_rates(mechanism, inputs), inputs), inputs.dimensions, start=start,
         values=None if by_law else inputs.given[mechanism.driver.symbol],
     )  # fmt: skip
 
@@ -108,7 +108,7 @@ def _compare_bands(plan: Plan, tally: Tally, values: Any, mechanism: Mechanism, 
 
     def solve(driver: Array) -> reference.Solution:
         own = None if mechanism.driver.law is not None else driver
-        return reference.solve(_typed(plan.mechanism, inputs), inputs.dimensions, start=start, values=own)
+        return reference.solve(typed(plan.mechanism, inputs), inputs.dimensions, start=start, values=own)
 
     known, dead = _Known(plan, values), np.zeros(plan.rows, dtype=bool)
     for group in plan.equations.groups:
@@ -118,13 +118,6 @@ def _compare_bands(plan: Plan, tally: Tally, values: Any, mechanism: Mechanism, 
             with np.errstate(invalid="ignore"):
                 dead |= ~(value(group.dead.margin, there) > (1 + EDGE) * value(group.dead.least, there))
     compare_bands(plan, tally, number, solve, inputs.given[plan.mechanism.driver.symbol], dead)
-
-
-def _with_listed_rates(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
-    """The mechanism with the speeds and accelerations that stand in the cells."""
-    speeds, accelerations = (tuple(inputs.given[name].tolist()) if name in inputs.given else ()
-                             for name in mechanism.driver_rates)  # fmt: skip
-    return replace(mechanism, driver=replace(mechanism.driver, speeds=speeds, accelerations=accelerations))
 
 
 RESULTS = ("variable", "point", "rate", "force", "output")
@@ -138,14 +131,12 @@ NOWHERE = "with these dimensions and modes no row exists: there is no position t
 UNREACHED = "the reference cannot be asked: compared is only that no number is shown of what depends on them"
 
 
-def _without(plan: Plan, values: Any, symbols: Collection[str]) -> Comparison:
+def _without(plan: Plan, values: Any, tally: Tally, symbols: Collection[str]) -> None:
     """Nothing can be said of `symbols`: each must say so in every row."""
-    tally = Tally("reference")
     for equation in plan.equations.columns:
         if equation.role in RESULTS and equation.symbol in symbols:
             column = _column(plan, values, equation.symbol)
             _expect_nothing(plan, tally, equation.symbol, column, np.ones(plan.rows, dtype=bool))
-    return tally.result()
 
 
 class _Known(dict[str, Array]):
@@ -251,15 +242,8 @@ def _elsewhere(plan: Plan, ours: Mapping[str, Array], theirs: Mapping[str, Array
     found = np.zeros(plan.rows, dtype=bool)
     for symbol in ours.keys() & {each.symbol for each in plan.equations.columns if each.role in ("variable", "point")}:
         turns = plan.equations.of(symbol).unit.kind == "angle"
-        found |= _apart(ours[symbol], np.asarray(theirs[symbol], float), turns, max(size, 1e-300)) > DEAD_CENTRE
+        found |= apart_of(ours[symbol], np.asarray(theirs[symbol], float), turns, max(size, 1e-300)) > DEAD_CENTRE
     return found
-
-
-def _apart(ours: Array, theirs: Array, turns: bool, scale: float | Array) -> Array:
-    """How far two columns are apart, row by row: as a part of the scale; of one that `turns`, but for whole turns [rad]."""
-    with np.errstate(invalid="ignore"):
-        gap = ours - theirs
-        return np.abs(np.remainder(gap + math.pi, math.tau) - math.pi) if turns else np.abs(gap / scale)
 
 
 def _compare_column(
@@ -279,7 +263,7 @@ def _compare_column(
     unit, is_angle = own.kind, own.kind == "angle" and not own.per
     of_length = unit == "length" or (output is None and symbol not in plan.mechanism.given_by_row)
     scale = solution.size if of_length else 1.0
-    apart = _apart(ours, theirs, is_angle, scale if of_length else np.maximum(1.0, np.abs(theirs)))
+    apart = apart_of(ours, theirs, is_angle, scale if of_length else np.maximum(1.0, np.abs(theirs)))
     fine = np.isnan(ours) & np.isnan(theirs)
     # in a row that does not exist, the sheet goes on with what does not depend on the group that comes apart
     fine |= ~solution.exists & (np.isnan(ours) | (np.isnan(theirs) & (True if opened is None else ~opened)))
@@ -334,40 +318,6 @@ def _note_worst(plan: Plan, tally: Tally, symbol: str, apart: Array, ours: Array
     row = int(np.argmax(apart))
     where = f"{_address(plan, symbol, row)} ({symbol}, row {row})"
     tally.note(float(apart[row]), where, float(ours[row]), float(theirs[row]))
-
-
-def _typed(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
-    """With the values of further drivers as they are typed, row by row."""
-    drivers = tuple(
-        replace(driver, values=tuple(float(value) for value in inputs.given[driver.symbol]))
-        if driver.values
-        else driver
-        for driver in mechanism.drivers
-    )
-    return replace(mechanism, drivers=drivers) if drivers else mechanism
-
-
-def _changed(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
-    """The mechanism with what has been typed into the cells."""
-    values = tuple(inputs.given[mechanism.driver.symbol].tolist())
-    listed = replace(mechanism, driver=replace(mechanism.driver, values=values))
-    return replace(
-        _typed(mechanism, inputs),
-        dimensions=tuple(
-            dim if dim.derived else replace(dim, value=inputs.dimensions[dim.symbol]) for dim in mechanism.dimensions
-        ),
-        driver=mechanism.driver if mechanism.driver.law is not None else _with_listed_rates(listed, inputs).driver,
-    )
-
-
-def _as_typed(plan: Plan, inputs: Inputs) -> Equations:
-    """The plan's own equations with the assemblies of the cells: their start values are those of the workbook."""
-    equations = plan.equations.equations
-    groups = (
-        replace(group, assembly=group.assembly_of(inputs.modes[group.mode])) if group.mode in inputs.modes else group
-        for group in equations.groups
-    )
-    return replace(equations, groups=tuple(groups))
 
 
 def _reached(

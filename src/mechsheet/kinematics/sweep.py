@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -26,12 +26,19 @@ DIGITS = 3
 """Poses are rounded to so many digits of the size: a sketch, not an answer."""
 
 
-def sweep(mechanism: Mechanism, equations: Equations, given: Array | Mapping[str, Array]) -> dict[str, Array]:
+def sweep(
+    mechanism: Mechanism,
+    equations: Equations,
+    given: Array | Mapping[str, Array],
+    turned: Mapping[str, Callable[[Array], Array]] | None = None,
+) -> dict[str, Array]:
     """Every symbol's values; NaN where a position does not exist.
 
-    given  the driver's values, and what is given beside them (`given_values`); the driver's values alone where positions
-           are all that is asked for: then what needs the rest is NaN
+    given   the driver's values, and what is given beside them (`given_values`); the driver's values alone where positions
+            are all that is asked for: then what needs the rest is NaN
+    turned  angle -> what takes its column into other turns, before anything reads it
     """
+    taken = turned or {}
     rowwise = given if isinstance(given, Mapping) else {mechanism.driver.symbol: given}
     rows = len(rowwise[mechanism.driver.symbol])
     known: dict[str, Array] = {symbol: np.array(number) for symbol, number in dimension_values(mechanism).items()}
@@ -49,7 +56,8 @@ def sweep(mechanism: Mechanism, equations: Equations, given: Array | Mapping[str
                 driver = rowwise[mechanism.driver.symbol]
                 known |= _roots(mechanism, equations, equation.symbol, known, driver)
             continue
-        known[equation.symbol] = evaluate_equation(equation, known, rows, seen)
+        column = evaluate_equation(equation, known, rows, seen)
+        known[equation.symbol] = taken[equation.symbol](column) if equation.symbol in taken else column
     return {symbol: np.broadcast_to(column, (rows,)) for symbol, column in known.items()}
 
 
@@ -89,13 +97,21 @@ def rough_poses(mechanism: Mechanism, equations: Equations) -> dict[str, tuple[f
     driver = driver_values(mechanism, dimensions)
     for count in (*CHUNKS, len(driver)):
         values = sweep(mechanism, equations, driver[:count])
-        good = _distinct(equations, values)
+        good = distinct(equations, values)
         begun = np.where(_followed(equations, values), good, -1.0)
         good = begun if np.any(begun >= 0) else good  # nowhere near its beginning: anywhere
         if np.any(good >= DISTINCT) or count >= len(driver):
             break
-    row = int(np.argmax(np.minimum(good, DISTINCT)))  # the first that is good enough, else the best there is
-    size = max([abs(value) for value in dimensions.values()], default=1.0) or 1.0
+    return poses_in(
+        mechanism, equations, values, int(np.argmax(np.minimum(good, DISTINCT)))
+    )  # good enough, or the best
+
+
+def poses_in(
+    mechanism: Mechanism, equations: Equations, values: Mapping[str, Array], row: int
+) -> dict[str, tuple[float, float, float]]:
+    """(x, y, theta) of each moving link's frame in one row of a sweep's values, rounded."""
+    size = max([abs(value) for value in dimension_values(mechanism).values()], default=1.0) or 1.0
     there = {name: float(column[row]) for name, column in values.items()}
     found = {}
     for link in mechanism.links[1:]:
@@ -118,7 +134,7 @@ def _followed(equations: Equations, values: Mapping[str, Array]) -> NDArray[np.b
     return found
 
 
-def _distinct(equations: Equations, values: Mapping[str, Array]) -> Array:
+def distinct(equations: Equations, values: Mapping[str, Array]) -> Array:
     """How well the assemblies of all groups are told apart, row by row: -1 where one does not close, 0 at a dead centre.
 
     The measure is what shrinks to nothing at the dead centre, as a part of its largest value.
