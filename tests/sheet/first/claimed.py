@@ -15,13 +15,14 @@ from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.solve import solve
 from mechsheet.engine import compile_book
+from mechsheet.formats import write
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.kinematics.solve import dimension_values
 from mechsheet.sheet import styles
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import MEANING, VALUE
-from mechsheet.sheet.workbook import Fill, Sheet
+from mechsheet.sheet.workbook import Fill, Sheet, with_values
 from random_mechanisms import Grower
 
 ROOT = Path(__file__).parents[3]
@@ -35,10 +36,8 @@ class Sheets:
     """A mechanism's workbook, ready for changed inputs: without its drawing, with the first sheet's colour rules as
     cells.
 
-    values  of its cells, with the inputs typed last;  coloured  whether the rules are among them
+    values  of its cells, with the inputs typed last
     """
-
-    coloured = True
 
     def __init__(self, mechanism):
         self.mechanism = mechanism
@@ -52,10 +51,12 @@ class Sheets:
         for sheet in workbook.sheets:
             if sheet.title == self.plan.main:
                 sheet = self._with_rules(sheet)
-            sheets.append(sheet if sheet.title in needed else Sheet(sheet.title))
-        self.book = compile_book(book_of(replace(workbook, sheets=tuple(sheets))))
+            sheets.append(replace(sheet, charts=(), controls=()) if sheet.title in needed else Sheet(sheet.title))
+        self.workbook = replace(workbook, sheets=tuple(sheets))
+        self.book = compile_book(book_of(self.workbook))
         self.names = {name.name: name for name in workbook.names}
         self.values = None
+        self.truths = {}
 
     def _with_rules(self, sheet):
         fills = []
@@ -68,15 +69,34 @@ class Sheets:
         """Type what stands in `inputs` by symbol, as shown; None empties a cell."""
         self.values = self.book.evaluate(self.cells_of(inputs))
 
+    def write(self, inputs, path):
+        """The file with these inputs typed: 0 is stored as the result of every formula, which nobody may believe."""
+        typed = self.cells_of(inputs)
+
+        def as_typed(sheet):
+            cells = (replace(c, content=typed.get((sheet.title, c.row, c.col), c.content)) for c in sheet.cells)
+            return replace(sheet, cells=tuple(cells))
+
+        workbook = replace(self.workbook, sheets=tuple(map(as_typed, self.workbook.sheets)))
+        fills = [fill for sheet in workbook.sheets for fill in sheet.fills]
+        write(with_values(workbook, ([0.0] * (fill.rows * fill.cols) for fill in fills)), path)
+
+    def truth_of(self, inputs):
+        """The motion that these inputs mean; kept, since several programs are judged by it."""
+        key = tuple(sorted(inputs.items()))
+        if key not in self.truths:
+            self.truths[key] = Truth(self, dict(key))
+        return self.truths[key]
+
     def cells_of(self, inputs):
         """The cells in which inputs stand."""
         spots = self.plan.at.spots
         return {(spots[key].sheet, spots[key].row, spots[key].col): value for key, value in inputs.items()}
 
     def elsewhere(self, values):
-        """The same workbook with another program's values: without colours."""
+        """The same workbook with another program's values."""
         found = copy(self)
-        found.values, found.coloured = values, False
+        found.values = values
         return found
 
     def cell(self, row, col):
