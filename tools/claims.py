@@ -38,7 +38,7 @@ from mechsheet.diagnostics import WorkbookError  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "proof.md"
 Inputs = dict[str, float]
-A_PART, BATCH = 10, 40
+A_PART, BATCH = 10, 20
 """Other programs are asked of one setting in so many, and of so many files at once: to start LibreOffice is slow."""
 
 

@@ -22,8 +22,9 @@ from mechsheet.kinematics.solve import dimension_values
 from mechsheet.sheet import styles
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import MEANING, VALUE
-from mechsheet.sheet.workbook import Fill, Sheet, with_values
+from mechsheet.sheet.workbook import Fill, Sheet
 from random_mechanisms import Grower
+from typed_files import with_inputs
 
 ROOT = Path(__file__).parents[3]
 COLOURS = {id(styles.BAD): "red", id(styles.WARN): "amber", id(styles.GOOD): "green"}
@@ -71,15 +72,7 @@ class Sheets:
 
     def write(self, inputs, path):
         """The file with these inputs typed: 0 is stored as the result of every formula, which nobody may believe."""
-        typed = self.cells_of(inputs)
-
-        def as_typed(sheet):
-            cells = (replace(c, content=typed.get((sheet.title, c.row, c.col), c.content)) for c in sheet.cells)
-            return replace(sheet, cells=tuple(cells))
-
-        workbook = replace(self.workbook, sheets=tuple(map(as_typed, self.workbook.sheets)))
-        fills = [fill for sheet in workbook.sheets for fill in sheet.fills]
-        write(with_values(workbook, ([0.0] * (fill.rows * fill.cols) for fill in fills)), path)
+        write(with_inputs(self.workbook, self.cells_of(inputs)), path)
 
     def truth_of(self, inputs):
         """The motion that these inputs mean; kept, since several programs are judged by it."""
@@ -231,7 +224,7 @@ def change(sheets, random):
             steps = [whole, -whole, 360 / plan.rows, random.uniform(0.2, 1.5) * whole, -random.uniform(0.2, 1) * whole]
             inputs["#step"] = float(steps[int(random.integers(len(steps)))]) * degrees
     for group in plan.equations.groups:
-        if group.mode and random.random() < 0.3:
+        if group.mode and random.random() < 0.3 and group.follows is None:  # the cell of one that follows is not yellow
             inputs[group.mode] = float(
                 next(value for value in (*group.mode_values[::-1], 0) if value != group.mode_value)
             )
