@@ -52,12 +52,12 @@ def compare_cells(
     angles: Angles | None = None,
     rules: Rules | None = None,
     but: Collection[int] = (),
-    compared: Callable[[str, int], Compared] = lambda _sheet, _row: "value",
+    compared: Callable[[str, int, int], Compared] = lambda _sheet, _row, _col: "value",
 ) -> Comparison:
     """The engine's value of every formula against `theirs(sheet, row, col)`.
 
     but       blocks that are left out, by their number
-    compared  what is compared in a sheet's row: values, whether there is one or an error, nothing
+    compared  what is compared in a cell of a sheet: values, whether there is one or an error, nothing
     """
     angles, rules = angles or Angles(), rules or Rules()
     ignored = ignored_in(book, rules.ignore)
@@ -73,7 +73,7 @@ def compare_cells(
                 scale = column_scale(ours, angles.size)
                 period = angles.periods.get((sheet.title, col))
                 for row, value in enumerate(ours, block.row):
-                    what = compared(sheet.title, row)
+                    what = compared(sheet.title, row, col)
                     if what == "nothing" or ignored.has(sheet.title, row, col):
                         continue
                     other = theirs(sheet.title, row, col)
