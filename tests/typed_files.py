@@ -12,7 +12,9 @@ def with_inputs(workbook: Workbook, typed: Mapping[tuple[str, int, int], Scalar]
     left = dict(typed)
 
     def with_them(sheet: Sheet) -> Sheet:
-        cells = (replace(cell, content=left.pop((sheet.title, cell.row, cell.col), cell.content)) for cell in sheet.cells)
+        cells = (
+            replace(cell, content=left.pop((sheet.title, cell.row, cell.col), cell.content)) for cell in sheet.cells
+        )
         return replace(sheet, cells=tuple(cells))
 
     changed = replace(workbook, sheets=tuple(map(with_them, workbook.sheets)))

@@ -2,9 +2,9 @@
 
 python tools/chains.py [COUNT] [--with libreoffice,gnumeric]
 
-Each of COUNT (20) mechanisms, with velocities and joint forces, is built as .xlsx and .ods; the engine and each program compute
-both, and every cell is compared with the engine, positions, rates and forces with the reference. Then one dimension is changed
-so that Newton's method lands elsewhere than in the described assembly, typed, and the programs' first sheet is read.
+Each of COUNT (20) mechanisms, with velocities and joint forces, is built as .xlsx and .ods; the engine and each program
+compute both, and every cell is compared with the engine, positions, rates and forces with the reference. Then one dimension
+is typed with which Newton's method lands elsewhere than in the described assembly, and the programs' first sheets are read.
 Prints a table in Markdown; with COUNT left out it is put into docs/proof.md.
 """
 
@@ -57,7 +57,9 @@ def _batch(
 ) -> None:
     """Some linkages, all files of which each program computes at once."""
     cases = [
-        Case(text, written(text, folder / f"chain-{seed}.{suffix}")) for seed, text in linkages for suffix in ("xlsx", "ods")
+        Case(text, written(text, folder / f"chain-{seed}.{suffix}"))
+        for seed, text in linkages
+        for suffix in ("xlsx", "ods")
     ]
     changes: list[Elsewhere] = [change for each in linkages if (change := elsewhere(*each)) is not None]
     moved = [change.written(folder / f"moved-{number}.ods") for number, change in enumerate(changes)]

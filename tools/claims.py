@@ -50,7 +50,9 @@ def main() -> None:
     names = [path.stem for path in but(paths, *LISTED)]
     names += [f"random {seed}" for seed in range(given.first, given.first + given.random)]
     again = _written_before(Path(given.again)) if given.again else None
-    run = _Run(given.changes, [name for name in given.programs.split(",") if name], given.check, given.wrong, given.asked)
+    run = _Run(
+        given.changes, [name for name in given.programs.split(",") if name], given.check, given.wrong, given.asked
+    )
     begun = time.perf_counter()
     try:
         for name in again or names:

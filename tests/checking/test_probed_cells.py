@@ -4,8 +4,8 @@ import math
 from pathlib import Path
 
 import pytest
-
 from laid import Laid, template_text
+
 from mechsheet.checking.probed_cells import UNMOVED, Astray, Searched, compare_program
 from mechsheet.checking.searched_summaries import Expected
 from mechsheet.compiled import Compiled

@@ -112,7 +112,10 @@ ENDS = (
 )
 """It closes in no row at either end."""
 
-TABLES = "".join(f'[[tables]]\nrows = {{ a2 = [60] }}\ncolumns = {{ a1 = [80] }}\nvalue = "{value}"\n' for value in ("begun", "ended"))
+TABLES = "".join(
+    f'[[tables]]\nrows = {{ a2 = [60] }}\ncolumns = {{ a1 = [80] }}\nvalue = "{value}"\n'
+    for value in ("begun", "ended")
+)
 
 
 @pytest.mark.parametrize(

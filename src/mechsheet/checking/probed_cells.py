@@ -1,8 +1,8 @@
 """What a workbook searches by probe rows, as another program finds it: held against the search in Python, not cell by cell.
 
 Where a parabola has its vertex, or which of two equal rows is the best, rounding decides; each program may place its probes
-elsewhere. What they find must be the same. Likewise Newton's method in a row where the links do not meet: it leaps about, each leap
-makes a difference of the last digit larger, and all that is asked is that no program takes such a row for a position.
+elsewhere. What they find must be the same. Likewise Newton's method in a row where the links do not meet: it leaps about,
+each leap makes a difference of the last digit larger; asked is only that no program takes such a row for a position.
 """
 
 from __future__ import annotations
@@ -93,7 +93,9 @@ class Astray:
                 if column.group // BLOCKS == group.number and not column.symbol.startswith(FITS)
             ]
             shown = there.column(closes.sheet, closes.col, plan.at.first, plan.at.last)
-            rows = [move.rows.now(row) for row, value in enumerate(shown, plan.at.first) if not isinstance(value, float)]
+            rows = [
+                move.rows.now(row) for row, value in enumerate(shown, plan.at.first) if not isinstance(value, float)
+            ]
             self.cells |= {(move.now, row, col) for row in rows for col in cols if row is not None and col is not None}
 
 

@@ -14,6 +14,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 import numpy as np
+
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.search import TURN
