@@ -60,7 +60,14 @@ def _page(plan: PagePlan) -> Sheet:
     requests = [request for request in chart_requests(plan) if request.y and _has_columns(plan, request)]
     hodographs = [request for request in chart_requests(plan) if request.hodographs and plan.drawn]
     squares = [CHART_HEIGHT] * (len(hodographs) + plan.drawn)
-    paper = on_paper(widths, _left(widths), [*squares, *([CHART_WIDTH] * len(requests))])
+    note_lines = math.ceil(len(_note(table)) / (NOTE_CHARACTERS * sum(widths[: note_last(plan) + 1])))
+    heights = {row: float(ROW_HEIGHT) for row in range(2, plan.at.first)}
+    heights |= {
+        0: TITLE_HEIGHT, VERDICT_ROW: VERDICT_HEIGHT, plan.note_row: NOTE_LINE * (note_lines + 1) - 8,
+        plan.symbol_row: HEAD_HEIGHT, plan.symbol_row + 1: table.formula_height,
+    }  # fmt: skip
+    height = sum(heights.values()) + ROW_HEIGHT * plan.rows
+    paper = on_paper(widths, height, _left(widths), [*squares, *([CHART_WIDTH] * len(requests))])
     right = _charts_right(widths, len(requests) + len(squares), paper.moved)
     drawing = PageDrawing(plan, right + 1, _charted(requests)) if plan.drawn else None
     ends = [drawing.hodograph(request) for request in hodographs] if drawing else []
@@ -69,13 +76,7 @@ def _page(plan: PagePlan) -> Sheet:
     # a column that begins a sheet of paper stands by itself
     starts = [len(widths), *(col for col in paper.begins if col > len(widths)), right + 1]
     columns += [Column(col, end - 1, NARROW) for col, end in pairwise(starts) if col < end]
-    note_lines = math.ceil(len(_note(table)) / (NOTE_CHARACTERS * sum(widths[: note_last(plan) + 1])))
-    heights = {row: float(ROW_HEIGHT) for row in range(2, plan.at.first)}
-    heights |= {
-        0: TITLE_HEIGHT, VERDICT_ROW: VERDICT_HEIGHT, plan.note_row: NOTE_LINE * (note_lines + 1) - 8,
-        plan.symbol_row: HEAD_HEIGHT, plan.symbol_row + 1: table.formula_height,
-    }  # fmt: skip
-    last = max(plan.status_column, right - 1 if charts else 0)
+    last = max(plan.status_column, _columns_to(widths, paper.charts[-1] + charts[-1].anchor.width) - 1 if charts else 0)
     return Sheet(
         plan.main,
         (*top.cells, *table.cells, *(drawing.cells if drawing else ())),
@@ -119,9 +120,13 @@ def _left(widths: list[float]) -> int:
 
 def _charts_right(widths: list[float], count: int, moved: int) -> int:
     """The first column to the right of the charts, and of the table."""
-    wanted = _left(widths) - GAP + count * (CHART_WIDTH + GAP) + moved
+    return max(len(widths), _columns_to(widths, _left(widths) - GAP + count * (CHART_WIDTH + GAP) + moved))
+
+
+def _columns_to(widths: list[float], wanted: int) -> int:
+    """How many columns reach so far [pixels]."""
     col, reached = 0, 0
-    while reached < wanted or col < len(widths):
+    while reached < wanted:
         reached += pixels(widths[col] if col < len(widths) else NARROW)
         col += 1
     return col
