@@ -61,7 +61,7 @@ def _batch(
         for seed, text in linkages
         for suffix in ("xlsx", "ods")
     ]
-    changes: list[Elsewhere] = [change for each in linkages if (change := elsewhere(*each)) is not None]
+    changes: list[Elsewhere] = [change for seed, _ in linkages if (change := elsewhere(seed)) is not None]
     moved = [change.written(folder / f"moved-{number}.ods") for number, change in enumerate(changes)]
     paths = [*(case.path for case in cases), *moved]
     answers: dict[str, list[Answers]] = {name: list(answers_to_all(name, paths)) for name in programs}

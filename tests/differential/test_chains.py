@@ -27,7 +27,7 @@ def test_other_programs_compute_them(tmp_path, record_property):
         for (seed, text), suffixes in zip(given, formats, strict=True)
         for suffix in suffixes
     ]
-    changes = [MOVED, *filter(None, (elsewhere(*each) for each in given if ALL))]
+    changes = [MOVED, *filter(None, (elsewhere(seed) for seed, _ in given if ALL))]
     moved = [change.written(tmp_path / f"moved-{number}.ods") for number, change in enumerate(changes)]
     paths = [*(case.path for case in cases), *moved]
     answers = {program: list(answers_to_all(program, paths)) for program in PROGRAMS}
