@@ -31,7 +31,7 @@ from mechsheet.dynamics.solve import solve
 from mechsheet.engine import compile_book
 from mechsheet.formula.book import Book, BookBuilder
 from mechsheet.formula.nodes import CellRef
-from mechsheet.kinematics.solve import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.library.building import build
 from mechsheet.sheet.layout import lay_out

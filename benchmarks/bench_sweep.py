@@ -16,7 +16,8 @@ import numpy as np
 
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 
 MECHANISM = loads(template_text("four-bar"), "four-bar.toml")

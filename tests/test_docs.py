@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
+import openpyxl
 import pytest
 
 import mechsheet
@@ -140,6 +141,60 @@ def test_the_first_experiment_goes_as_the_page_says(page):
     if "most" in said:  # Grashof with equality: crank + longest = the other two
         lengths = sorted(values[name] for name in ("a1", "a3", "a4"))
         assert math.isclose(said["most"], lengths[0] + lengths[1] - lengths[2])
+
+
+LESSON = {
+    "lecturer.md": (
+        r"each crank angle from row (\d+) on\. Row (\d+) shows.*?(F\d+) is\n\n```text\n(=.*?)\n```.*?"
+        r"ends at (\d+)°\. Select A(\d+) to M(\d+), .*?to row (\d+): 360°.*?all (\d+) positions.*?above row (\d+) "
+        r"instead, and fill all of row (\d+) .*?is ([\d.]+)° in rows.*?finds ([\d.]+)°.*?\(rows (\d+) to (\d+)\).*?"
+        r"in row (\d+), and"
+    ),
+    "lecturer.tr.md": (
+        r"B11'de, (\d+)\. satırdan.*? (\d+)\. satırda her sütunun.*?(F\d+) hücresi de\n\n```text\n(=.*?)\n```.*?"
+        r"şimdi (\d+)°'de.*?A(\d+)'den M(\d+)'ye kadar.*?köşesinden (\d+)\. satıra.*?kapanıyor, (\d+)\..*?(\d+)\. satırın "
+        r"üstüne satır ekleyin ve (\d+)\. satırı .*?satırlarda ([\d,]+)°'dir.*?bakar ve ([\d,]+)° bulur.*?"
+        r"\((\d+)–(\d+)\. satırlar\).*?formüllerini (\d+)\. satıra"
+    ),
+}
+"""The lesson on one sheet as each page tells it: rows, a formula, what is said of the swing."""
+
+TURKISH = {"EĞERHATA": "IFERROR", "DERECE": "DEGREES", "YUVARLA": "ROUND", "YOKSAY": "NA", ";": ","}
+
+
+@pytest.mark.parametrize("name", LESSON)
+def test_the_lesson_on_one_sheet_goes_as_the_page_says(name):
+    page = openpyxl.load_workbook(ROOT / "generated" / "four-bar-page.xlsx").worksheets[0]
+    last = page.max_row
+    first = 1 + max(row for row in range(1, last) if not str(page.cell(row, 2).value).startswith("="))
+    found = re.search(LESSON[name], (DOCS / name).read_text(encoding="utf-8"), re.DOTALL)
+    assert found, "the page tells the lesson in other words: change the pattern with it"
+    begin, heading, cell, formula, ends, a, m, filled, rows, above, copied, rough, swing, *others = found.groups()
+    for turkish, english in TURKISH.items():
+        formula = formula.replace(turkish, english)
+    assert formula == page[cell].value
+    assert [int(begin), int(heading), cell, int(a), int(m)] == [first, first - 1, f"F{first}", last, last]
+    assert [int(ends), int(filled), int(rows)] == [10 * (last - first), first + 36, 37]
+    assert [int(above), int(copied), *map(int, others)] == [last, last - 1, first, last, first]
+    motion = mechsheet.template("four-bar").solve()
+    assert fits(float(np.ptp(motion["theta14"])), rough.replace(",", "."))
+    exact = mechsheet.open_book(ROOT / "generated" / "four-bar.xlsx")
+    assert fits(exact["swing"], swing.replace(",", "."))
+
+
+def test_what_the_class_finds():
+    """Grashof's number before and after, both limits, and lengths with a better transmission angle."""
+    book = mechsheet.open_book(ROOT / "generated" / "four-bar.xlsx")
+    found = [f"{book['grashof_1']:+.2f}"]
+    book["a_2"] = 50
+    found += [f"{book['grashof_1']:+.2f}", f"{book['limit_1']:.2f}", f"{book['limit_2']:.2f}"]
+    book["a_1"], book["a_2"], book["a_3"] = 85, 35, 75
+    found.append(f"{book['transmission_1']:.1f}")
+    for name in LESSON:
+        text = (DOCS / name).read_text(encoding="utf-8").replace(",", ".").replace("−", "-")
+        grashof, limits = r"(-[\d.]+) mm.*?(\+[\d.]+) mm", r"(\d{3}\.\d+)°[^°]*? (\d{3}\.\d+)°"
+        (least,) = re.search(r"`a1` = 85\D*`a3` = 75\D*([\d.]+)°", text).groups()
+        assert [*re.search(grashof, text).groups(), *re.search(limits, text).groups(), least] == found
 
 
 def number_in(page: Path, pattern: str) -> list[str]:

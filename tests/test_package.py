@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import tarfile
 import zipfile
 from pathlib import Path
 
@@ -40,6 +41,21 @@ def test_contents(wheel):
     assert "templates/mechsheet.schema.json" in templates
     outside = {name.split("/", 1)[1] for name in names if not name.startswith("mechsheet/")}
     assert outside == {"METADATA", "WHEEL", "RECORD", "entry_points.txt", "licenses/LICENSE"}
+
+
+def test_the_source_archive_holds_what_the_wheel_is_built_from(wheel, tmp_path):
+    """Neither tests nor ready workbooks: a small archive, from which the same wheel comes."""
+    from hatchling.builders.sdist import SdistBuilder
+
+    (path,) = SdistBuilder(str(ROOT)).build(directory=str(tmp_path), versions=["standard"])
+    with tarfile.open(path) as archive:
+        names = {name.split("/", 1)[1] for name in archive.getnames()}
+    rooms = {name.partition("/")[0] for name in names}
+    alone = {"hatch_build.py", "pyproject.toml", "README.md", "CHANGELOG.md", "LICENSE", "PKG-INFO", ".gitignore"}
+    assert rooms == {"src", "templates", *alone}
+    inside = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith("mechsheet/")}
+    assert {f"src/{name}" for name in inside if "/templates/" not in name} <= names
+    assert {f"templates/{Path(name).name}" for name in inside if "/templates/" in name} <= names
 
 
 def test_what_a_package_index_shows_leads_to_nothing_that_is_not_there(wheel):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from mechsheet.description import loads
-from mechsheet.kinematics.solve import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.reference.synthesis import crank_rocker, functions
 
 ROOT = Path(__file__).parent.parent

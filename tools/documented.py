@@ -54,10 +54,8 @@ def run_page(program: str, page: Path, folder: Path) -> Iterator[tuple[str, str]
         if any(option in line for option in ELSEWHERE):
             continue
         command = [program, *shlex.split(line)[1:]]
-        done = subprocess.run(
-            command, cwd=folder, capture_output=True, text=True, stdin=subprocess.DEVNULL, check=False
-        )
-        yield line, done.stderr.strip() if done.returncode else ""
+        done = subprocess.run(command, cwd=folder, capture_output=True, stdin=subprocess.DEVNULL, check=False)
+        yield line, done.stderr.decode(errors="replace").strip() if done.returncode else ""
 
 
 def main() -> int:

@@ -24,9 +24,9 @@ import mechsheet
 from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.description import load, loads
 from mechsheet.formats import write
-from mechsheet.homework.exercise import KEY, exercise
-from mechsheet.homework.marks import mark
-from mechsheet.homework.marks_book import marks_workbook
+from mechsheet.homework.classroom.exercise import KEY, exercise
+from mechsheet.homework.classroom.marks import mark
+from mechsheet.homework.classroom.marks_book import marks_workbook
 from mechsheet.library.building import build
 from mechsheet.plotting import plot
 from mechsheet.plotting.pictures import few_colors

@@ -45,9 +45,9 @@ def command_line() -> str:
         NOTE,
         "# The command line\n",
         "Exit codes: 0 done and all agree, 1 something differs, 2 the input cannot be read or used. "
-        "What can be piped goes to standard output, everything else to standard error. "
-        "Where a description is read, `-` is standard input. Long work shows how far it is, on a terminal only. Nothing is "
-        "printed in colour, so there is nothing for `NO_COLOR` to take away.\n",
+        "Whatever can be piped goes to standard output, everything else to standard error. "
+        "Where a description is expected, `-` is standard input. Long tasks show their progress, but only on a terminal. "
+        "Nothing is printed in colour, so `NO_COLOR` has nothing to turn off.\n",
         "The shell completes commands, options and templates after "
         '`eval "$(_MECHSHEET_COMPLETE=bash_source mechsheet)"` '
         "(`zsh_source` for zsh, `_MECHSHEET_COMPLETE=fish_source mechsheet | source` for fish).\n",

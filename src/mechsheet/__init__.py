@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from mechsheet.diagnostics import MechsheetError
     from mechsheet.exporting import export
     from mechsheet.homework.audit import Audit, audit
-    from mechsheet.homework.exercise import exercise
-    from mechsheet.homework.marks import Marks, mark
+    from mechsheet.homework.classroom.exercise import exercise
+    from mechsheet.homework.classroom.marks import Marks, mark
     from mechsheet.library.building import build, compile_workbook
     from mechsheet.library.linkage import Linkage, Motion, load, loads, template
     from mechsheet.library.recalculation import Result, recalc
@@ -31,9 +31,9 @@ if TYPE_CHECKING:
 _HOMES = {
     "audit": "homework.audit",
     "Audit": "homework.audit",
-    "exercise": "homework.exercise",
-    "mark": "homework.marks",
-    "Marks": "homework.marks",
+    "exercise": "homework.classroom.exercise",
+    "mark": "homework.classroom.marks",
+    "Marks": "homework.classroom.marks",
     "build": "library.building",
     "compile_workbook": "library.building",
     "check": "checking",

@@ -29,8 +29,9 @@ PROGRAMS = {
 
 
 def command_for(extra: str) -> str:
-    """What installs an extra; the quotes are those that every shell takes."""
-    return f'pip install "mechsheet[{extra}]"'
+    """What installs an extra on this platform; the quotes are those that every shell takes."""
+    starter = "py -m " if sys.platform == "win32" else ""  # there pip is seldom on the PATH
+    return f'{starter}pip install "mechsheet[{extra}]"'
 
 
 def how_to_get(program: str) -> str:

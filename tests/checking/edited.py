@@ -4,8 +4,8 @@ from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
 
-from mechsheet.checking.edits import Edits, edits_of
-from mechsheet.checking.expected import expected_for
+from mechsheet.checking.edited.edits import Edits, edits_of
+from mechsheet.checking.edited.expected import expected_for
 from mechsheet.checking.inputs import description_in
 from mechsheet.compiled.evaluation import book_of, computed
 from mechsheet.description import load

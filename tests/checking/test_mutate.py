@@ -7,8 +7,8 @@ from edited import laid_out, saved
 
 from chosen import ALL, IN_CI
 from mechsheet.checking import mutate
-from mechsheet.checking.edits import edits_of
-from mechsheet.checking.expected import expected_for
+from mechsheet.checking.edited.edits import edits_of
+from mechsheet.checking.edited.expected import expected_for
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.formats import read
 from mechsheet.formula.parser import parse_formula

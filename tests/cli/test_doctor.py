@@ -33,7 +33,7 @@ def test_says_how_to_get_what_is_missing(monkeypatch):
     monkeypatch.setattr(sys, "platform", "win32")
     parts = {part.name: part for part in installed.installed()}
     assert not any(part.found for part in parts.values())
-    assert parts["mechsheet[plot]"].get == 'pip install "mechsheet[plot]"'
+    assert parts["mechsheet[plot]"].get == 'py -m pip install "mechsheet[plot]"'
     assert parts["LibreOffice"].get.startswith("winget install")
     assert "gnumeric" not in parts  # nobody offers it for Windows
     assert not installed.on_path()

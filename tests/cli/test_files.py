@@ -162,7 +162,7 @@ def test_changes_are_not_overwritten(here, kind, suffix):
     result = run("build", "mine.toml", "--format", "xlsx,ods")
     assert result.exit_code == 2 and "--force" in result.stderr and path.name in result.stderr
     assert path.read_bytes() == held
-    with pytest.raises(mechsheet.MechsheetError):
+    with pytest.raises(mechsheet.MechsheetError, match="is not as build wrote it"):
         mechsheet.load("mine.toml").build(".", suffix)
 
 

@@ -31,7 +31,9 @@ def test_help_fits_a_screen_and_ends_with_examples(name):
 def test_examples_name_options_that_exist(name):
     command = main.commands[name]
     known = {option for parameter in command.params for option in (*parameter.opts, *parameter.secondary_opts)}
-    for line in example_lines(paragraphs(command.help)[1]):
+    examples = example_lines(paragraphs(command.help)[1])
+    assert examples
+    for line in examples:
         used = [word.partition("=")[0] for word in shlex.split(line.split("   ")[0], comments=True)]
         assert {word for word in used if word.startswith("-")} <= known | {"-h", "--help"}
 

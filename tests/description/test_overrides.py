@@ -187,10 +187,19 @@ def test_faults_of_values_and_of_the_description_together() -> None:
     assert [fault.key for fault in caught.value.faults] == ["overrides: a9=1", "overrides: a1=x", "driver.link"]
 
 
-@pytest.mark.parametrize("entry", ["{ unit = 'cm' }", "{ formula = 3 }", "{ value = 1, formula = 'a1' }", "{}", "["])
-def test_an_entry_that_is_faulty_itself(entry: str) -> None:
+@pytest.mark.parametrize(
+    ("entry", "said"),
+    [
+        ("{ unit = 'cm' }", 'dimensions.half: is not complete: give "value" or'),
+        ("{ formula = 3 }", "dimensions.half.formula: expected"),
+        ("{ value = 1, formula = 'a1' }", 'dimensions.half: "value" and "form'),
+        ("{}", "dimensions.half: is not complete"),
+        ("[", "dimensions.half: what begins here with"),
+    ],
+)
+def test_an_entry_that_is_faulty_itself(entry: str, said: str) -> None:
     text = EVERYTHING.read_text(encoding="utf-8").replace('half = { value = 0.5, unit = "1" }', f"half = {entry}")
-    with pytest.raises(DescriptionError):
+    with pytest.raises(DescriptionError, match=said):
         loads(text, overrides={"half": "1"})
 
 

@@ -15,8 +15,8 @@ from test_start_table import KEPT, Followed, typed
 
 from mechsheet.checking import Comparison
 from mechsheet.checking.against_reference import against_plan
-from mechsheet.checking.probed_cells import compare_program
 from mechsheet.checking.programs import Answers
+from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.compiled.evaluation import book_of
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formats import write
@@ -26,7 +26,7 @@ from typed_files import with_inputs
 
 ROWS, STEP = 12, 1.5
 CHANGES = 60
-"""Changes that are tried until one ends the described assembly while rows still close: of a third of the linkages one does."""
+"""Changes that are tried until one ends the described assembly while rows still close; in a third of the linkages one does."""
 
 
 def descriptions(count: int, rows: int = ROWS) -> Iterator[tuple[int, str]]:

@@ -17,8 +17,8 @@ from lxml import etree
 from chosen import first, some
 from mechsheet.checking import check
 from mechsheet.checking.inputs import description_in, plan_inside
-from mechsheet.checking.probed_cells import compare_program
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
+from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.checking.twins import compare_twins
 from mechsheet.description import loads
 from mechsheet.engine import evaluate

@@ -12,7 +12,7 @@ import pytest
 import mechsheet
 from chosen import part
 from mechsheet.checking.inputs import description_in, plan_inside
-from mechsheet.checking.probed_cells import compare_program
+from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.engine import evaluate
 from mechsheet.formats import read
 from office_macros import Job, with_macros

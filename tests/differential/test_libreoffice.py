@@ -8,8 +8,8 @@ import pytest
 
 from chosen import ALL
 from mechsheet.checking import check
-from mechsheet.checking.probed_cells import compare_program
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
+from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve

@@ -14,8 +14,8 @@ import pytest
 
 from chosen import first
 from mechsheet.checking.inputs import description_in, plan_inside
-from mechsheet.checking.probed_cells import compare_program
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
+from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError

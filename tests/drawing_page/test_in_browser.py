@@ -53,7 +53,7 @@ def test_a_number_that_is_typed_moves_the_drawing(opening, four_bar):
     field.fill("50")
     field.press("Enter")
     opened.until("document.querySelector('#text').value.includes('a2 = { value = 50,')")
-    opened.said("It can be joined only from")
+    opened.said("It can be joined only at")
     assert opened.place("A")[0] > x + 20
     field.fill("nonsense")
     field.press("Enter")
@@ -109,7 +109,7 @@ def test_a_drag_beyond_what_can_be_joined_says_why(opening, four_bar):
     """A longer crank: some positions are lost, the page says which, and which links do not meet there."""
     opened = opening(four_bar)
     opened.drag("A", (150, 0))
-    opened.said(re.compile(r"It can be joined only from .* \(does not close: .*coupler.*rocker"))
+    opened.said(re.compile(r"It can be joined only at .* \(does not close: .*coupler.*rocker"))
     assert opened.page.locator("#gaps i").count() > 0
     slider = opened.page.locator("#position")
     opened.until("document.querySelector('#gaps i') !== null")
@@ -334,6 +334,7 @@ def test_words_are_turkish_and_every_control_has_a_name(opening, four_bar):
     opened = opening(four_bar)
     opened.page.click("#language")
     opened.said("serbestlik derecesi: 1")
+    assert opened.page.locator("#templates option[value=watt-i]").text_content() == "Watt I altı uzuvlu mekanizması"
     assert opened.page.locator("#title").text_content() == "Dört-çubuk mekanizması"
     assert opened.page.evaluate("document.documentElement.lang") == "tr"
     for tab in ("dimensions", "curves", "workbook"):

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from asking_page import Drawing, pin, spot
 
 from chosen import but, some
 from mechsheet import reference
@@ -30,9 +31,7 @@ def test_positions_are_those_of_the_reference(path):
     assert found["faults"] == []
     frames = found["frames"]
     compiled = reading.compiled
-    truth = reference.solve(
-        compiled.mechanism, start=rough_poses(compiled.mechanism, compiled.modes, compiled.equations)
-    )
+    truth = reference.solve(compiled.mechanism, start=rough_poses(compiled.mechanism, compiled.equations))
     size = np.nanmax(np.abs(np.array([truth.points[name] for name in truth.points])))
     places, driver = np.array(frames["driver"]), compiled.mechanism.driver.unit.to_shown(compiled.driver)
     stepped = len(places) != len(driver)  # other sweeps show their rows alone
@@ -154,6 +153,14 @@ def test_loose_links_are_named_in_the_words_of_show():
     found = looked(text)
     assert found["mobility"] == 3
     assert any('"rocker" is loose' in fault["message"] for fault in found["faults"])
+
+
+def test_half_a_drawing_is_not_told_how_many_drivers_it_would_need():
+    """Two links, nothing driven: the loose one is named; "2 drivers would be needed, one is given" would be untrue."""
+    drawing = Drawing().do("ground", end=spot(0, 0)).do("link", ends=[pin("A0"), spot(20, 30)])
+    drawing.do("link", ends=[pin("A"), spot(75, 60)])
+    assert drawing.look["mobility"] == 2
+    assert [fault["key"] for fault in drawing.look["faults"]] == ["driver", "links.link3"]
 
 
 def test_titles_and_reasons_come_in_both_languages():

@@ -13,8 +13,8 @@ from mechsheet import reference
 from mechsheet.description import load
 from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.solve import solve
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import Solution
 from random_mechanisms import Grower
@@ -26,8 +26,7 @@ RANDOM = 120 if ALL else 12 if IN_CI else 4
 
 def where_alike(mechanism, equations, values):
     """Rows in which the sheet and the reference have the same position; the reference's solution."""
-    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
-    solution = reference.solve(mechanism, start=rough_poses(mechanism, modes, equations))
+    solution = reference.solve(mechanism, start=rough_poses(mechanism, equations))
     rows = solution.exists.copy()
     for name, theirs in reference.variables(solution).items():
         if name in values:
@@ -72,7 +71,9 @@ def test_random_groups_against_the_reference(seed, record_property):
         assert "the sketch lies between" in str(error)
         pytest.skip("between two assemblies")
     record_property("worst", worst)
-    assert rows > 0 or seed > 4
+    if not rows and seed > 4:
+        pytest.skip("closes in no row")
+    assert rows > 0
     assert max(worst) < 1e-9
 
 

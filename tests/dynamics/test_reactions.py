@@ -12,10 +12,10 @@ from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.dynamics.solve import solve
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower
 
@@ -82,8 +82,7 @@ def sines(equations, values):
 def worst_of(text):
     """The largest difference from the reference, as a part of the row's largest; how many columns were compared."""
     mechanism, equations, _, values = solved(text)
-    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
-    solution = reference.solve(mechanism, start=rough_poses(mechanism, modes, equations))
+    solution = reference.solve(mechanism, start=rough_poses(mechanism, equations))
     theirs = reference.forces(solution)
     found = {equation.symbol: equation.unit.kind for equation in equations.columns if equation.role == "force"}
     assert not [name for name in set(theirs) - set(found) if np.nanmax(np.abs(theirs[name])) > 1e-9]

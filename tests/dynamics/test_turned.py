@@ -5,8 +5,8 @@ import pytest
 
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.kinematics.sweep import sweep
 
 FORCES = ("F12", "F14", "F23", "F34")

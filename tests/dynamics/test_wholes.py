@@ -6,7 +6,8 @@ import pytest
 from in_line import IN_LINE
 from mechsheet import loads, reference
 from mechsheet.dynamics.solve import solve
-from mechsheet.kinematics.solve import dimension_values, driver_values
+from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.sweep import sweep
 
 ASKED = (

@@ -32,7 +32,7 @@ def worst_against_reference(mechanism, found, dimensions=None, modes=None):
     driver = np.asarray(found[mechanism.driver.symbol], float)
     equations = solve(mechanism)
     modes = {group.mode: group.mode_value for group in equations.groups if group.mode} | (modes or {})
-    start = rough_poses(mechanism, modes)
+    start = rough_poses(mechanism, solve(mechanism, modes))
     solution = reference.solve(mechanism, dimensions, start=start, values=driver)
     theirs = reference.further(solution) | reference.variables(solution)
     if equations.efforts:  # the same by virtual work

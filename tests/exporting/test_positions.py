@@ -32,8 +32,7 @@ CASES = [
 def at_a_position(mechanism):
     """The driver's value in its unit at a position of the sweep, and what the reference finds there, as people read it."""
     equations = solve(mechanism)
-    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
-    solved = reference.solve(mechanism, start=rough_poses(mechanism, modes))
+    solved = reference.solve(mechanism, start=rough_poses(mechanism, equations))
     row = int(np.flatnonzero(solved.exists)[solved.exists.sum() // 3])
     found = {symbol: float(column[row]) for symbol, column in reference.variables(solved).items()}
     driver = mechanism.driver

@@ -11,7 +11,8 @@ from exported import TEMPLATES, leaping_angles, mechanisms, worst_against_refere
 
 from mechsheet.description import load
 from mechsheet.exporting import export
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.solve import solve
 from mechsheet.model import Words
 
 RUNNER = """

@@ -21,8 +21,8 @@ from mechsheet.exporting.routines import Source
 from mechsheet.exporting.vba import write
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.show import variables_of
 from office_macros import Job as Office
 from office_macros import with_macros

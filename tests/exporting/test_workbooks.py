@@ -273,9 +273,26 @@ def test_the_assembly_mode_reaches_the_functions(folder):
     assert found[1] != pytest.approx(found[2], rel=1e-3)
 
 
-@pytest.mark.parametrize("seed", [2, 5, 9])
-def test_functions_of_random_mechanisms_equal_the_table_of_positions(seed):
-    mechanism = loads(Grower(seed, 1 + seed % 3).text(rows=7))
+WHEEL = """
+[links.wheel]
+points = { B0 = [0, 0], E = [20, 0] }
+[[joints]]
+type = "gear"
+link = "wheel"
+on = "rocker"
+arm = "ground"
+ratio = 2.5
+"""
+
+
+@pytest.mark.parametrize("seed", [None, 2, 5, 9])
+def test_functions_of_other_mechanisms_equal_the_table_of_positions(seed):
+    """Random ones, and what a rack and a gear make of an angle, of which whole turns would count."""
+    if seed is None:
+        text = (PUMP.parent / "rack-slider.toml").read_text(encoding="utf-8").replace("step = 15", "step = 60")
+        mechanism = loads(text + WHEEL)
+    else:
+        mechanism = loads(Grower(seed, 1 + seed % 3).text(rows=7))
     workbook = computed(functions_workbook(Compiled(mechanism), "lambda"))
     sheet = workbook.sheet("Functions")
     gaps = [fill.values[0] for fill in sheet.fills if fill.row == DIFFERENCE_ROW]

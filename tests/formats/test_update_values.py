@@ -117,7 +117,17 @@ class TestOurOwn:
             assert list(mine.constants.items()) == list(theirs.constants.items())
             assert mine.blocks == theirs.blocks
 
-    def test_in_its_own_place(self, suffix, yoke, tmp_path):
+    def test_in_its_own_place(self, suffix, yoke, tmp_path, monkeypatch):
+        replace = Path.replace
+
+        def as_on_windows(source, target):
+            """A file that is open is not replaced."""
+            held = Path("/proc/self/fd")
+            ours = [number.resolve() for number in held.iterdir()] if held.is_dir() else []
+            assert Path(target).resolve() not in ours
+            return replace(source, target)
+
+        monkeypatch.setattr(Path, "replace", as_on_windows)
         path = tmp_path / f"own.{suffix}"
         path.write_bytes(yoke[suffix].read_bytes())
         updated(path, path, {"a_2": 51.5})

@@ -81,6 +81,8 @@ def test_negation_and_square(node):
         (al.all_of([al.less(A, B), al.less(B, A)]), "and(a<b;b<a)"),
         (al.atan2(A, B), "atan2(a;b)"),
         (al.call("SIN", A), "sin(a)"),
+        (al.cos(al.Angle(Unary("-", A))), "cos(a)"),
+        (al.cos(al.Angle(Unary("+", A))), "cos(+a)"),
     ],
 )
 def test_it_reads_as_a_person_writes(node, text):
@@ -100,7 +102,9 @@ def test_constants():
     ]  # fmt: skip
     simple = [A, Unary("-", A), al.ONE, al.number(-2), al.PI, Unary("-", al.PI)]
     assert all(al.is_simple(node) for node in simple)
-    assert not any(al.is_simple(node) for node in (al.add(A, B), Call("SIN", (A,)), Unary("-", al.add(A, B))))
+    assert not any(
+        al.is_simple(node) for node in (al.add(A, B), Call("SIN", (A,)), Unary("-", al.add(A, B)), Unary("%", A))
+    )
 
 
 @pytest.mark.parametrize("count", [100, 101, 250, 300])

@@ -79,6 +79,16 @@ def test_what_is_put_later_stands_between_what_is_there():
     assert [store.get(row, 0) for row in range(8)] == ["head", 1, 2, None, None, 5, 6, None]
 
 
+@pytest.mark.parametrize("count", [3, 40])
+def test_cells_out_of_order_go_where_they_belong(count):
+    store = CellStore()
+    for row in reversed(range(count)):
+        store.put(2 * row, 0, float(row))
+    store.put(0, 0, "head")
+    expected = [(0, 0, "head"), *((2 * row, 0, float(row)) for row in range(1, count))]
+    assert list(store.items()) == expected
+
+
 def test_hidden_rows_that_touch_are_one_part():
     sheet = BookSheet("S")
     sheet.hide(2, 4)

@@ -98,6 +98,7 @@ def test_second_derivatives():
         ("3*theta - a", "3"),
         ("theta^2", "2*theta"),
         ("theta^3", "3*theta^2"),
+        ("theta^1", "1"),
         ("theta/a", "1/a"),
         ("a/theta", "-a/theta^2"),
         ("sqrt(theta)", "1/(2*sqrt(theta))"),

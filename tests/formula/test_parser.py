@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from formula_trees import spelt_out
 from mechsheet.diagnostics import FormulaError
-from mechsheet.formula.nodes import Binary, Call, CellRef, NameRef, Number, TableRef, shifted, walk
+from mechsheet.formula.nodes import Apply, Binary, Call, CellRef, Local, NameRef, Number, TableRef, shifted, walk
 from mechsheet.formula.parser import parse_description, parse_formula
 from mechsheet.formula.printer import print_formula
 
@@ -81,6 +81,12 @@ def test_cells_end_where_the_sheet_ends():
 
 def test_an_at_sign_asks_for_one_value_of_a_range():
     assert parse_formula("@A1:A3*2") == parse_formula("_xlfn.SINGLE(A1:A3)*2")
+
+
+def test_a_name_of_a_lambda_may_be_called():
+    called = parse_formula("_xlpm.f(A1)")
+    assert called == Apply(Local("f"), (CellRef(0, 0),))
+    assert print_formula(called) == "_xlpm.f(A1)"
 
 
 def test_columns_of_tables_stand_in_formulas():

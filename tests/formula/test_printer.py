@@ -8,7 +8,7 @@ from hypothesis import given
 from formula_trees import description_trees, sheet_trees
 from mechsheet.diagnostics import FormulaError
 from mechsheet.formula.functions import FUNCTIONS, canonical_name, spelling
-from mechsheet.formula.nodes import Binary, Call, CellRef, Number, Previous, RangeRef, Symbol, Unary
+from mechsheet.formula.nodes import Apply, Binary, Call, CellRef, Local, Number, Previous, RangeRef, Symbol, Unary
 from mechsheet.formula.parser import parse_description, parse_formula
 from mechsheet.formula.printer import number_text, print_formula, quote_sheet
 
@@ -118,12 +118,28 @@ def test_quoting(sheet, quoted):
     assert quote_sheet(sheet) == quoted
 
 
-def test_too_deep_to_write():
-    node = Number(1)
-    for _ in range(500):
-        node = Call("SIN", (node,))
-    with pytest.raises(FormulaError, match="nested deeper"):
-        print_formula(node)
+@pytest.mark.parametrize(
+    "around",
+    [
+        lambda node: Call("SIN", (node,)),
+        lambda node: Apply(Local("f"), (node,)),
+        lambda node: Unary("-", node),
+        lambda node: Binary(",", CellRef(0, 0), node),
+    ],
+    ids=["a function", "a function of a name", "a sign", "areas within areas"],
+)
+def test_sixty_four_levels_are_written_and_no_more(around):
+    node = CellRef(0, 0)
+    for _ in range(64):
+        node = around(node)
+    assert "A1" in print_formula(node)
+    with pytest.raises(FormulaError, match="nested deeper than 64 levels"):
+        print_formula(around(node))
+
+
+def test_many_areas_side_by_side_are_one_level():
+    text = f"SUM(({','.join(f'A{row}' for row in range(1, 200))}))"
+    assert print_formula(parse_formula(text)) == text
 
 
 def test_every_function_is_found_by_both_spellings():

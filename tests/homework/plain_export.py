@@ -17,8 +17,10 @@ from mechsheet.formula.nodes import (
     symbols,
     transform,
 )
+from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equation
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
 
 Angle = Callable[[Node, Callable[[Node], CellRef]], Node]

@@ -23,7 +23,7 @@ from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
 from mechsheet.formula.slips import damages
 from mechsheet.homework.audit import Audit, audited
-from mechsheet.homework.exercise import with_dimensions
+from mechsheet.homework.classroom.exercise import with_dimensions
 from mechsheet.homework.marking_rules import asked_of
 from mechsheet.homework.upright import upright
 from mechsheet.kinematics.solve import solve

@@ -251,7 +251,7 @@ def test_what_is_no_table_is_refused_in_words(tmp_path, mechanism):
     with pytest.raises(mechsheet.MechsheetError, match="no table was found"):
         audit(tmp_path / "empty.xlsx", mechanism)
     (tmp_path / "broken.xlsx").write_bytes(b"PK\x03\x04 no workbook")
-    with pytest.raises(mechsheet.MechsheetError):
+    with pytest.raises(mechsheet.MechsheetError, match="damaged"):
         audit(tmp_path / "broken.xlsx", mechanism)
 
 

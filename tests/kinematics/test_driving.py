@@ -8,8 +8,8 @@ import pytest
 from chosen import some
 from mechsheet.description import loads
 from mechsheet.description.templates import template_names, template_text
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_between, given_values, place_of
-from mechsheet.kinematics.solve import dimension_values
 
 STEPPED = [name for name in template_names() if "values" not in tomllib.loads(template_text(name))["driver"]]
 

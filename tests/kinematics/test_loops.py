@@ -10,9 +10,10 @@ from chosen import ITERATED, but
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower
 
@@ -27,8 +28,7 @@ def loops(mechanism):
 def worst_gap(mechanism):
     """The largest left - right over all loops and rows, as a part of the size; the variables are the reference's."""
     equations, found = loops(mechanism)
-    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
-    solution = reference.solve(mechanism, start=rough_poses(mechanism, modes))
+    solution = reference.solve(mechanism, start=rough_poses(mechanism, equations))
     known = {**solution.dimensions, **reference.variables(solution)}
     for equation in equations.constants:
         known[equation.symbol] = value(equation.expression, known)

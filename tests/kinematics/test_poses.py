@@ -12,9 +12,10 @@ import pytest
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Sketch
 from random_mechanisms import Grower

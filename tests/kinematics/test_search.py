@@ -7,9 +7,10 @@ import pytest
 
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.search import Search, edges
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 
 
 def searched(text):

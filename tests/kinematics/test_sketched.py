@@ -11,13 +11,14 @@ from chosen import LISTED, but, part, some
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.description.source import parse
 from mechsheet.description.templates import template_names, template_text
+from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import DescriptionWarning, MechanismError
 from mechsheet.exporting.program import program_of
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.sketched import doubts
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.library.building import compile_workbook
 from mechsheet.library.modes_from_sketch import with_modes
@@ -134,6 +135,7 @@ def test_the_reference_reads_the_sketch_there_too(name):
         solution = reference.solve(mechanism)
         for point, places in solution.points.items():
             there = solution.exists
+            assert there.any()
             apart = np.hypot(ours[f"{point}.x"] - places[:, 0], ours[f"{point}.y"] - places[:, 1])[there]
             assert np.nanmax(apart, initial=0.0) < 1e-4 * solution.size, (name, point)
 

@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from mechsheet.description import loads
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.places import number
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Cartesian, Polar
 from random_mechanisms import Grower

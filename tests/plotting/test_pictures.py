@@ -232,7 +232,7 @@ def test_mistakes(arguments, message, tmp_path, monkeypatch):
 def test_library_says_the_same(tmp_path):
     with pytest.raises(MechsheetError, match="ending"):
         mechsheet.plot(template("four-bar"), tmp_path / "x.pdf")
-    with pytest.raises(OutputError):
+    with pytest.raises(OutputError, match="there is no such folder"):
         mechsheet.plot(template("four-bar"), tmp_path / "no" / "x.html")
 
 

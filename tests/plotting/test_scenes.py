@@ -14,8 +14,8 @@ from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import load
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.engine import PORTABLE, evaluate
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.plotting.sampling import LEAST, MOST, resampled, sample, with_value
 from mechsheet.plotting.scenes import Stage, journey
 

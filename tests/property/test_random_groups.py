@@ -7,8 +7,9 @@ from judging import judged
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from random_mechanisms import Grower
 
 COUNT = 200

@@ -16,7 +16,7 @@ from mechsheet.description import loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.references import cell_address
-from mechsheet.kinematics.solve import dimension_values as of_equations
+from mechsheet.kinematics.dimensions import dimension_values as of_equations
 from mechsheet.library.session import Session
 from mechsheet.reference import dimension_values as of_reference
 from mechsheet.synthesis.kinds import KINDS

@@ -12,8 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.description import load
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 

@@ -80,9 +80,9 @@ ELSEWHERE = {"names": 400, "anchors": 520}
 """Characters of the longest formula beside the table of several sheets."""
 LONGER = {"planar-3rpr": 430, "stephenson-iii-output": 417, "stephenson-ii-class-iv": 405}
 """Whether the accelerations of four links fit, which Newton's method has found at once."""
-KILOBYTES = {"sheets": 68, "page": 30}
+KILOBYTES = {"sheets": 66, "page": 28}
 """Of the four-bar's .xlsx in either layout."""
-MORE_ROWS = {361: 260, 36_001: 14_000}
+MORE_ROWS = {361: 230, 36_001: 12_700}
 """Kilobytes of a four-bar of so many rows, with names: formulas that are alike are written once."""
 
 

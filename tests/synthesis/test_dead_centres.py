@@ -7,7 +7,7 @@ import pytest
 
 from chosen import first
 from mechsheet.description import loads
-from mechsheet.kinematics.solve import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values
 from synthesis_tasks import description, task
 
 

@@ -9,8 +9,10 @@ import pytest
 
 from chosen import but, part
 from mechsheet.description import load
+from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.solve import dimension_values, driver_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Sketch, Solution
 

@@ -12,9 +12,10 @@ import pytest
 
 from mechsheet import reference, template
 from mechsheet.description import load, loads
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.places import number
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 
 FOLDER = Path(__file__).resolve().parents[2] / "templates"

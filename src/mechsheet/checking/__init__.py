@@ -10,19 +10,19 @@ from pathlib import Path
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.baseline import Baseline, read_baseline
 from mechsheet.checking.cells import compare_cells
-from mechsheet.checking.edits import edits_of
-from mechsheet.checking.expected import expected_for, functions_in, inside
+from mechsheet.checking.edited.edits import edits_of
+from mechsheet.checking.edited.expected import expected_for, functions_in, inside
+from mechsheet.checking.edited.inserted_rows import MovedValues
 from mechsheet.checking.inputs import description_in
-from mechsheet.checking.inserted_rows import MovedValues
 from mechsheet.checking.mutate import Mutation, mutate
 from mechsheet.checking.perturb import Perturbation, perturb
-from mechsheet.checking.probed_cells import compare_program
 from mechsheet.checking.programs import answers, cannot_judge, names_of, refuse_unknown
 from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
 from mechsheet.checking.rules import Rules
+from mechsheet.checking.searched.against_search import against_search
+from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.checking.stored import Stored, judge_stored
 from mechsheet.checking.twins import with_twins
-from mechsheet.checking.verdicts import against_search
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
 from mechsheet.formats import read

@@ -24,6 +24,7 @@ from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import value
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import ENERGY, Mechanism
 from mechsheet.sheet.checks.assemblies import LEAP
@@ -394,6 +395,6 @@ def _start(
     mode. The poses are rounded to three digits: Newton's method finds the position itself.
     """
     try:
-        return rough_poses(mechanism, inputs.modes, equations)
+        return rough_poses(mechanism, equations or solve(mechanism, inputs.modes))
     except MechanismError:
         return None  # it assembles nowhere: the reference will find that by itself

@@ -16,9 +16,9 @@ from mechsheet.description import loads
 from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.places import number as place_number
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.sheet.layout import DESCRIPTION_MARK
 from mechsheet.sheet.plan import VALUE, Plan
 

@@ -18,9 +18,9 @@ from typing import Any
 
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.inputs import description_in, plan_inside
-from mechsheet.checking.probed_cells import compare_program
 from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
+from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
 from mechsheet.engine import compile_book

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from mechsheet.checking.cells import column_scale
-from mechsheet.checking.formula_diff import Formulas, neutral, stretches
+from mechsheet.checking.edited.formula_diff import Formulas, neutral, stretches
 from mechsheet.checking.inputs import description_in
 from mechsheet.checking.report import Comparison, Report, Tally, difference
 from mechsheet.formats import FORMATS, read

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics.solve import dimension_order
+from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.model import Mechanism
 from mechsheet.sheet.table.lowering import Assignments
 

@@ -80,7 +80,7 @@ def main() -> None:
     \b
     mechsheet new four-bar -o mine.toml      start from a packaged description
     mechsheet build mine.toml                write mine.xlsx
-    mechsheet check mine.xlsx                recalculate it and compare with the numpy reference
+    mechsheet check mine.xlsx                recalculate it and compare with numpy
     """
 
 

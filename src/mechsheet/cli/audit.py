@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 @click.argument("workbook", metavar="BOOK", type=click.Path(path_type=Path))
 @click.option(
     "--against", "description", metavar="DESCRIPTION", type=click.Path(path_type=Path),
-    help="What the workbook should be; without it: what does it seem to be?",
+    help="What the workbook should be; if not given, find out what it seems to be.",
 )  # fmt: skip
-@click.option("--assembly", type=click.Choice(["any"]), help="any: another assembly than the sketch's is right, too.")
+@click.option("--assembly", type=click.Choice(["any"]), help="any: accept assemblies other than the sketch's.")
 @click.option(
     "--describe", metavar="OUT.toml", type=click.Path(path_type=Path),
     help="Without --against: write a description to start from.",
@@ -39,18 +39,18 @@ def audit(
     language: str | None,
     as_json: bool,
 ) -> None:
-    """Find the quantities of a mechanism in a workbook laid out in any way, and the faults.
+    """Find the quantities of a mechanism, and the faults, in a workbook of any layout.
 
     \b
     mechsheet audit student.xlsx --against four-bar.toml
     mechsheet audit student.xlsx --against four-bar.toml --json
     mechsheet audit old.xls --describe old.toml               what does it seem to be?
 
-    The sheet's own dimensions and driver hold. Each asked quantity is right, right but for an earlier fault,
+    The sheet's own dimensions and driver are used. Each quantity asked for is right, right but for an earlier fault,
     wrong, of the other assembly, not live (it does not follow the dimensions) or missing.
 
-    Without --against: which of the packaged linkages do its formulas follow? Nothing is claimed that the sheet's own
-    formulas do not prove, also when its dimensions are retyped.
+    Without --against, it says which packaged linkage the formulas follow, and claims only what the sheet's own formulas
+    prove, even when its dimensions are retyped.
 
     Exit code 0: all right, or recognised; 1: something is not; 2: cannot be read or judged.
     """

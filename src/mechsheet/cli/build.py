@@ -52,8 +52,8 @@ if TYPE_CHECKING:
     default="",
     help="Extra files whose tables call functions: in Basic (.ods, macros), as LAMBDA (.xlsx, Excel 365).",
 )
-@click.option("--design", metavar="FOLDER:N", help="With the dimensions of a design of a study (mechsheet study).")
-@click.option("--force", is_flag=True, help="Overwrite also what somebody has changed since it was built.")
+@click.option("--design", metavar="FOLDER:N", help="Use the dimensions of a design from a study (mechsheet study).")
+@click.option("--force", is_flag=True, help="Overwrite even what somebody has changed since it was built.")
 @change_options
 def build(
     descriptions: tuple[Path, ...],
@@ -67,7 +67,7 @@ def build(
     force: bool,
     **changes: Any,
 ) -> None:
-    """Write the workbooks of descriptions, each called as its description.
+    """Write the workbooks of descriptions, each named after its description.
 
     \b
     mechsheet build mine.toml                                  mine.xlsx
@@ -75,7 +75,7 @@ def build(
     mechsheet build *.toml -o workbooks/ --format xlsx,ods
     mechsheet build adjustable-pump.toml --functions lambda    adjustable-pump-lambda.xlsx too
 
-    A workbook in which somebody has saved changes is left as it is, unless with --force.
+    A workbook in which somebody has saved changes is left as it is, unless you say --force.
     """
     from mechsheet.description.reader import with_layout, with_tolerance
     from mechsheet.library.building import refuse_edited, targets, told, write_all
@@ -107,8 +107,8 @@ def build(
 
 def _of_design(path: Path, design: str, changes: Changes) -> Changes:
     """The changes that make a description a design of a study, and those asked for besides."""
+    from mechsheet.kinematics.dimensions import dimension_values
     from mechsheet.kinematics.driving import driver_values
-    from mechsheet.kinematics.solve import dimension_values
     from mechsheet.library.studying import design_of
 
     if path == STANDARD_INPUT:

@@ -30,15 +30,15 @@ def _programs() -> tuple[str, ...]:
     "programs",
     default="",
     shell_complete=completing(_programs),
-    help="Other judges: formulas, ironcalc, libreoffice, gnumeric, onlyoffice.",
+    help="Other programs to ask: formulas, ironcalc, libreoffice, gnumeric, onlyoffice.",
 )
 @click.option("--perturb", type=click.IntRange(min=1), metavar="N", help="Type N random sets of inputs and compare.")
 @click.option("--mutate", type=click.IntRange(min=1), metavar="N", help="Damage N formulas: would anybody notice?")
 @click.option("--seed", default=0, show_default=True, help="Another seed: other random sets, other damages.")
 @gate_options
-@click.option("--strict", is_flag=True, help="Exit code 1 also when something cannot be computed or compared.")
+@click.option("--strict", is_flag=True, help="Exit code 1 even if something just cannot be computed or compared.")
 @click.option("-q", "--quiet", is_flag=True, help="Say only what is wrong.")
-@click.option("-v", "--verbose", is_flag=True, help="Say everything of each file, also of many.")
+@click.option("-v", "--verbose", is_flag=True, help="Say everything about each file, even if there are many.")
 @JSON
 def check(
     files: tuple[Path, ...],

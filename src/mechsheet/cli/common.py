@@ -6,7 +6,7 @@ import contextlib
 import re
 import sys
 import warnings
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -165,11 +165,16 @@ _CHANGES = (
 )
 
 
-def change_options(command: Command) -> Command:
-    """The options of every command that reads a description: what is changed in it. See `Changes`."""
-    for option in reversed(_CHANGES):
+def with_options(options: Sequence[Any], command: Command) -> Command:
+    """The command with these options, in their order."""
+    for option in reversed(options):
         command = option(command)
     return command
+
+
+def change_options(command: Command) -> Command:
+    """The options of every command that reads a description: what is changed in it. See `Changes`."""
+    return with_options(_CHANGES, command)
 
 
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")

@@ -24,7 +24,7 @@ TRIED = "four-bar"
 """The template that is built and checked."""
 
 
-@click.command(cls=Explained, short_help="Say what works here, what is missing, how to get it.")
+@click.command(cls=Explained, short_help="Say what works here, what is missing and how to get it.")
 @JSON
 def doctor(as_json: bool) -> None:
     """Say what of mechsheet works on this machine, what is missing, and how to get it.

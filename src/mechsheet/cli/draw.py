@@ -21,13 +21,13 @@ def draw(description: Path | None, language: str | None, no_browser: bool) -> No
     """Draw a mechanism with the mouse: a page on this machine, beside its text.
 
     \b
-    mechsheet draw                      begin with an empty sheet
-    mechsheet draw four-bar.toml        draw, move and change what is there
+    mechsheet draw                      start with an empty sheet
+    mechsheet draw four-bar.toml        draw, move and change an existing mechanism
 
-    The page is served to this machine only and needs no network. It ends when it is closed, or
-    with Ctrl-C.
+    The page is served to this machine only and needs no network. To end, close the page or press
+    Ctrl-C.
     """
-    from mechsheet.description.source import read_text
+    from mechsheet.description.text.source import read_text
     from mechsheet.drawing_page.answers import Studio
     from mechsheet.drawing_page.server import DrawingServer
 

@@ -12,24 +12,26 @@ from .common import Changes, at_lines_of, described, progress, say_written
 from .helping import Explained
 
 
-@click.command(cls=Explained, short_help="Give each student of a list other dimensions.")
+@click.command(cls=Explained, short_help="Give each student in a list different dimensions.")
 @click.argument("description", type=click.Path(path_type=Path))
 @click.argument("class_list", metavar="CLASS.CSV", type=click.Path(path_type=Path))
-@click.option("-o", "--output", required=True, metavar="FOLDER", type=click.Path(path_type=Path), help="Written there.")
+@click.option(
+    "-o", "--output", required=True, metavar="FOLDER", type=click.Path(path_type=Path), help="Folder to write into."
+)
 @click.option("--seed", default=0, show_default=True, help="Another seed: other dimensions.")
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Of the sheets, in place of the description's.")
 def exercise(description: Path, class_list: Path, output: Path, seed: int, language: str | None) -> None:
-    """Give each student of a list other dimensions, as [exercise] of the description says.
+    """Give each student in a list different dimensions, as [exercise] of the description says.
 
     \b
     mechsheet exercise four-bar.toml class.csv -o week3
 
-    CLASS.CSV has a column id, and one called name if you like. Written are week3/student/ID.xlsx (own
+    CLASS.CSV has a column id and, if you like, one called name. The command writes week3/student/ID.xlsx (own
     dimensions, the driver's column, headings of what is asked; no answer anywhere), week3/solution/ID.xlsx
     (the ordinary workbook) and week3/key.json, which mechsheet mark reads.
     """
-    from mechsheet.homework.exercise import exercise as write_all
-    from mechsheet.homework.exercise import faults_of_class
+    from mechsheet.homework.classroom.exercise import exercise as write_all
+    from mechsheet.homework.classroom.exercise import faults_of_class
 
     try:
         mechanism = described(description, Changes(), language)

@@ -13,7 +13,7 @@ import click
 
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 
-from .common import Command, doubts_told, in_file, progress
+from .common import Command, doubts_told, in_file, progress, with_options
 
 if TYPE_CHECKING:
     from mechsheet.checking import Baseline, Report, Rules
@@ -30,21 +30,19 @@ OPTIONS = (
     click.option(
         "--relative", type=float, metavar="X", help="Largest relative difference of numbers; 1e-9 if not given."
     ),
-    click.option("--absolute", type=float, metavar="X", help="Largest difference of numbers, however small they are."),
+    click.option("--absolute", type=float, metavar="X", help="Largest absolute difference of numbers."),
     click.option(
         "--ignore", multiple=True, metavar="RANGE", help="Leave out Sheet!A1:B9, a name, a sheet; may be repeated."
     ),
     click.option("--baseline", type=click.Path(path_type=Path), help="Differences that are accepted, one line a cell."),
-    click.option("--update-baseline", is_flag=True, help="Accept what differs now: write the baseline anew."),
+    click.option("--update-baseline", is_flag=True, help="Accept what differs now: rewrite the baseline."),
     click.option("--junit", "junit_file", type=click.Path(path_type=Path), help="Write a report for build servers."),
 )
 
 
 def gate_options(command: Command) -> Command:
     """The options of a gate, in the order of OPTIONS."""
-    for option in reversed(OPTIONS):
-        command = option(command)
-    return command
+    return with_options(OPTIONS, command)
 
 
 @dataclass(slots=True)

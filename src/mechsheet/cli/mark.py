@@ -21,7 +21,7 @@ FILE = click.Path(path_type=Path)
 @click.option("-o", "--output", metavar="MARKS.XLSX", type=FILE, help="The class as a workbook, .xlsx or .ods.")
 @click.option("--csv", "csv_file", metavar="FILE", type=FILE, help="id, mark and words as CSV.")
 @click.option("--html", "html_folder", metavar="FOLDER", type=FILE, help="A page for each student.")
-@click.option("--assembly", type=click.Choice(["any"]), help="any: another assembly than the sketch's is right, too.")
+@click.option("--assembly", type=click.Choice(["any"]), help="any: accept assemblies other than the sketch's.")
 @JSON
 def mark(
     books: tuple[Path, ...],
@@ -38,14 +38,14 @@ def mark(
     mechsheet mark handed-in --against week3/key.json -o marks.xlsx --csv marks.csv --html pages
     mechsheet mark a.xlsx b.ods --against four-bar.toml
 
-    In marks.xlsx a number in the yellow column stands in place of a total. Nothing leaves this machine; a
-    student's page has no other student's data.
+    In marks.xlsx a number in the yellow column replaces a total. Nothing leaves this machine; a student's page
+    contains no other student's data.
     """
     from mechsheet.formats import write
     from mechsheet.formats.archive import make_folder, replace_file
-    from mechsheet.homework.marks import as_dict, files_of, key_of_file
-    from mechsheet.homework.marks import mark as mark_all
-    from mechsheet.homework.marks_book import marks_csv, marks_workbook, pages
+    from mechsheet.homework.classroom.marks import as_dict, files_of, key_of_file
+    from mechsheet.homework.classroom.marks import mark as mark_all
+    from mechsheet.homework.classroom.marks_book import marks_csv, marks_workbook, pages
 
     _refuse(output, csv_file, books, files_of(books))
     key = key_of_file(against)

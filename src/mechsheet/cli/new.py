@@ -39,7 +39,7 @@ def new(template: str | None, output: str | None, show_list: bool) -> None:
         titles = template_titles()
         width = max(len(name) for name in titles)
         for name, title in titles.items():
-            click.echo(f"{name:<{width}}  {title}")
+            click.echo(f"{name:<{width}}  {title.en}")
         return
     first_line = f"#:schema {FILE}\n"
     text = template_text(template).removeprefix(first_line)

@@ -26,7 +26,7 @@ def pull(workbook: Path, output: str | None, into: Path | None) -> None:
     mechsheet pull edited.xlsx -o new.toml
     mechsheet pull edited.xlsx --into mine.toml -o mine.toml
     """
-    from mechsheet.checking.pull import pull as pulled_from
+    from mechsheet.checking.edited.pull import pull as pulled_from
     from mechsheet.formats.archive import replace_file
 
     file = None if output in (None, STANDARD_OUTPUT) else output_file(output, f"{workbook.stem}.toml", (workbook,))

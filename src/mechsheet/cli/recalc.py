@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     "--print", "ranges", multiple=True, metavar="RANGE", help="Print Sheet!A1:C9, tab separated; may be repeated."
 )
 @output_option("Write the recalculated workbook there.")
-@click.option("--strict", is_flag=True, help="Exit code 1 also when something cannot be computed or compared.")
+@click.option("--strict", is_flag=True, help="Exit code 1 even if something just cannot be computed or compared.")
 @click.option("--check", is_flag=True, help="Compare with the stored values instead, of files and whole folders.")
 @gate_options
 @JSON
@@ -50,13 +50,12 @@ def recalc(
 
     \b
     mechsheet recalc book.xlsx --set rate=0.07 --print 'Plan!A1:C9'
-    mechsheet recalc book.xlsx --set 'Plan!B2=3' -o new.xlsx      all else stays as it was
-    mechsheet recalc book.xlsx --check                            does it hold what its formulas say?
+    mechsheet recalc book.xlsx --set 'Plan!B2=3' -o new.xlsx      everything else stays as it was
+    mechsheet recalc book.xlsx --check                            do stored values match the formulas?
     mechsheet recalc --check workbooks --junit report.xml         every workbook in a folder and below
 
-    What cannot be computed as it is meant (an unknown function, another workbook, a circle ...) is named on standard
-    error. The cells of a function that is not known keep their stored values, and what depends on them is computed from
-    these.
+    Whatever cannot be computed as intended (an unknown function, another workbook, a circular reference ...) is named on
+    standard error. Cells with an unknown function keep their stored values, and what depends on them is computed from these.
 
     Exit code 0: done, all agree; 1: --check found a difference, or --strict anything to remark; 2: cannot be read.
     """
@@ -145,14 +144,14 @@ def _print_areas(result: Result, areas: Iterable[Any], as_json: bool) -> None:
     """The cells of some ranges: JSON as for the whole workbook, or tables with an empty line between them."""
     from mechsheet.checking.remark_lines import cell_text
     from mechsheet.formula.references import cell_name
-    from mechsheet.library.recalculation import plain
+    from mechsheet.library.recalculation import json_value
 
     if as_json:
         found: dict[str, dict[str, object]] = {}
         for area in areas:
             cells = found.setdefault(area.sheet, {})
             for row, values in enumerate(result.table(area), area.row):
-                cells.update({cell_name(row, col): plain(value) for col, value in enumerate(values, area.col)})
+                cells.update({cell_name(row, col): json_value(value) for col, value in enumerate(values, area.col)})
         click.echo(json.dumps(found))
         return
     for number, area in enumerate(areas):

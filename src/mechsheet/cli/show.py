@@ -14,7 +14,7 @@ from .helping import Explained
 from .streams import print_file
 
 
-@click.command(cls=Explained, short_help="Print what was understood: variables, equations, verdicts.")
+@click.command(cls=Explained, short_help="Show how a description is understood: equations, verdicts.")
 @click.argument("description", type=click.Path(path_type=Path))
 @change_options
 @click.option("--equations", "what", flag_value="equations", help="The equations, in order of solution.")
@@ -29,7 +29,7 @@ from .streams import print_file
     "--tolerance",
     "what",
     flag_value="tolerance",
-    help="What the tolerances come to: worst case, root sum of squares, share of each dimension.",
+    help="What the tolerances add up to: worst case, root sum of squares, share of each dimension.",
 )
 @click.option(
     "--dimensions",
@@ -40,7 +40,7 @@ from .streams import print_file
 @JSON
 @click.option("--csv", "as_csv", is_flag=True, help="Print the variables as CSV.")
 def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **changes: Any) -> None:
-    """Print what was understood: groups and variables, equations, dimensions, cells, verdicts, or bands.
+    """Print how a description was understood: groups and variables, equations, dimensions, cells, verdicts, or bands.
 
     \b
     mechsheet show four-bar.toml

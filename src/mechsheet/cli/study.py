@@ -22,11 +22,13 @@ if TYPE_CHECKING:
 
 @click.command(cls=Explained, short_help="Try millions of designs and keep the good ones.")
 @click.argument("description", type=click.Path(path_type=Path))
-@click.option("-o", "--output", required=True, metavar="FOLDER", type=click.Path(path_type=Path), help="Written there.")
-@click.option("--workers", type=click.IntRange(1), metavar="N", help="Processes.  [default: one for each core]")
-@click.option("--on", metavar="ADDRESS", help="A Dask scheduler that computes instead: tcp://HOST:8786.")
-@click.option("--resume", is_flag=True, help="Go on with a study that was begun in the folder.")
-@click.option("--limit-memory", metavar="SIZE", help="What all processes may have together: 2GiB.")
+@click.option(
+    "-o", "--output", required=True, metavar="FOLDER", type=click.Path(path_type=Path), help="Folder to write into."
+)
+@click.option("--workers", type=click.IntRange(1), metavar="N", help="Number of processes.  [default: one per core]")
+@click.option("--on", metavar="ADDRESS", help="Compute on a Dask scheduler: tcp://HOST:8786.")
+@click.option("--resume", is_flag=True, help="Continue the study in the folder.")
+@click.option("--limit-memory", metavar="SIZE", help="Memory for all processes together, such as 2GiB.")
 @click.option(
     "--format",
     "formats",
@@ -48,11 +50,11 @@ def study(
 
     \b
     mechsheet study wiper.toml -o wiper                        all cores of this machine
-    mechsheet study wiper.toml -o wiper --resume               goes on after an end of any kind
+    mechsheet study wiper.toml -o wiper --resume               continues after any interruption
     mechsheet study wiper.toml -o wiper --on tcp://10.0.0.5:8786
 
-    Written are FOLDER/parts/*.parquet (a row for each design that meets all conditions), study.json, result.json, the
-    summary workbook study.xlsx and the picture study.svg; printed are the best designs, * for those on the front. The
+    It writes FOLDER/parts/*.parquet (a row for each design that meets all conditions), study.json, result.json, the
+    summary workbook study.xlsx and the picture study.svg, and prints the best designs, with * for those on the front. The
     same study gives the same bytes, however it was computed. `mechsheet build wiper.toml --design wiper:17` writes the
     workbook of design 17.
     """

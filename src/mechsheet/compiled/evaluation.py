@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.formula.book import Book, BookBuilder
 from mechsheet.formula.nodes import CellRef, Scalar
-from mechsheet.sheet.workbook import Rich, Workbook, with_values
+from mechsheet.sheet.workbook import Workbook, with_values
 
 
 def book_of(workbook: Workbook) -> Book:
@@ -17,8 +17,7 @@ def book_of(workbook: Workbook) -> Book:
         target = builder.sheet(sheet.title)
         for cell in sheet.cells:
             if cell.content is not None:
-                content = cell.content.plain if isinstance(cell.content, Rich) else cell.content
-                target.constant(cell.row, cell.col, content)
+                target.constant(cell.row, cell.col, cell.value)
         for fill in sheet.fills:
             target.block(fill.row, fill.col, fill.rows, fill.cols, fill.formula)
     for name in workbook.names:

@@ -13,10 +13,10 @@ from mechsheet.compiled.evaluation import computed
 from mechsheet.dynamics.flywheel import Flywheel, flywheel
 from mechsheet.dynamics.solve import solve
 from mechsheet.formula.nodes import Scalar
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot

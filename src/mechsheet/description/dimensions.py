@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from typing import Any
 
 from mechsheet.description.asked import synthesis
-from mechsheet.description.index import Path
 from mechsheet.description.kinds import unit_kind
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import REPORTED, Scope, circle_message, cycles, words
+from mechsheet.description.text.index import Path
 from mechsheet.formula.nodes import Node, symbols
 from mechsheet.model import Dimension
 from mechsheet.units import Unit

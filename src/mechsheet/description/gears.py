@@ -10,13 +10,13 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from mechsheet.description.cells import own_cell
-from mechsheet.description.index import Path
 from mechsheet.description.joints import RELATIONS, Ends
 from mechsheet.description.kinds import ANGLE, ANY, LENGTH
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.sketched_angles import SketchedAngles
+from mechsheet.description.text.index import Path
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node
 from mechsheet.model import PRESSURE, Dimension, Gear, Joint, Link, Rack, Relation
@@ -87,7 +87,7 @@ class _Reader:
             if size >= math.pi / 2:
                 message = say("must be less than 90 degrees to either side")
                 self.scope.report.at((*path[:2], "pressure_angle"), message, say("usual are 20 and 14.5 degrees"))
-        return node, _as_node(degrees) if "pressure_angle" in entry else PRESSURE
+        return node, al.as_node(degrees) if "pressure_angle" in entry else PRESSURE
 
     @property
     def _length(self) -> Unit:
@@ -218,7 +218,3 @@ class _Reader:
             return 0.0
         wheel, other, carried = (angle for angle in angles if angle is not None)
         return math.degrees(math.remainder(wheel - carried - factor * (other - carried), math.tau))
-
-
-def _as_node(quantity: Node | float) -> Node:
-    return al.number(quantity) if isinstance(quantity, float) else quantity

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
-from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, LENGTH
 from mechsheet.description.links import pair, points_of
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope, Space
+from mechsheet.description.text.index import Path
 from mechsheet.model import Joint, Link
 from mechsheet.said import say
 

@@ -7,11 +7,11 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from mechsheet import portable
-from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, LENGTH
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import REPORTED, Scope, Space, circle_message, cycles, words
+from mechsheet.description.text.index import Path
 from mechsheet.model import GROUND, Cartesian, Distances, Joint, Link, Place, Polar
 from mechsheet.said import say
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mechsheet.description.source import parse
+from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import Fault, MechanismError
 
 

@@ -10,11 +10,11 @@ from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
 from mechsheet.description.asked.task_values import task_names, task_place, with_task_value
-from mechsheet.description.index import Path
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
-from mechsheet.description.rewrite import with_value
-from mechsheet.description.source import Source
+from mechsheet.description.text.index import Path
+from mechsheet.description.text.rewrite import with_value
+from mechsheet.description.text.source import Source
 from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
 

@@ -19,7 +19,7 @@ from mechsheet.description.head import part, scope_of
 from mechsheet.description.report import BAD, Report
 from mechsheet.description.schema import DESCRIPTION, LINK
 from mechsheet.description.shape import fit
-from mechsheet.description.source import Source
+from mechsheet.description.text.source import Source
 from mechsheet.model import Dimension, Driver, Joint, Link, Sketch
 from mechsheet.units import Unit
 

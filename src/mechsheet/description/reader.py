@@ -17,19 +17,19 @@ from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import Overrides, with_values
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import Report
-from mechsheet.description.rewrite import with_value
 from mechsheet.description.schema import DESCRIPTION, FORMAT
 from mechsheet.description.scope import words
 from mechsheet.description.shape import fit
 from mechsheet.description.sketched_angles import SketchedAngles
-from mechsheet.description.source import Source, parse_as_meant, read_text
+from mechsheet.description.text.file_names import is_device
+from mechsheet.description.text.rewrite import with_value
+from mechsheet.description.text.source import Source, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
 from mechsheet.model import Dimension, Driver, Dynamics, FurtherDriver, Joint, Link, Mechanism, Sketch, Solution, Words
 from mechsheet.said import say
 
 LANGUAGES = ("en", "tr")
 LAYOUTS = ("sheets", "page")
-_DEVICES = {"con", "prn", "aux", "nul", *(f"{port}{n}" for port in ("com", "lpt") for n in range(1, 10))}
 
 
 def load(path: str | FilePath, overrides: Overrides | None = None, language: str | None = None) -> Mechanism:
@@ -293,7 +293,7 @@ def _name(head: dict[str, Any], report: Report) -> str:
             "{name} must begin with a letter, a digit or _ and go on with letters, digits, - and _", name=quoted(name)
         )
         report.at(path, message, say("it becomes the stem of file names"))
-    elif name.lower() in _DEVICES:
+    elif is_device(name):
         report.at(
             path, say("{name} cannot be the stem of a file: Windows keeps that name for a device", name=quoted(name))
         )

@@ -12,12 +12,12 @@ from typing import Any
 
 from mechsheet import portable
 from mechsheet.description.head import part
-from mechsheet.description.index import Path
 from mechsheet.description.joints import Ends
 from mechsheet.description.kinds import LENGTH
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import listed
 from mechsheet.description.scope import Scope
+from mechsheet.description.text.index import Path
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.model import Cartesian, Distances, Joint, Link, Place, Polar, Quantity, Redundant
@@ -97,12 +97,8 @@ def _direction(start: Place, end: Place, scope: Scope) -> Quantity:
 def _parts(place: Place) -> tuple[Node, Node]:
     match place:
         case Cartesian(x, y):
-            return _node(x), _node(y)
+            return al.as_node(x), al.as_node(y)
         case Polar(r, angle):
-            length, turn = _node(r), _node(angle)
+            length, turn = al.as_node(r), al.as_node(angle)
             return al.mul(length, Call("COS", (turn,))), al.mul(length, Call("SIN", (turn,)))
     raise ValueError(f"no coordinates: {place}")
-
-
-def _node(quantity: Quantity) -> Node:
-    return al.number(quantity) if isinstance(quantity, float) else quantity

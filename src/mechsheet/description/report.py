@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Any, Final, Literal
 
-from mechsheet.description.index import Path
 from mechsheet.description.quoting import quoted
-from mechsheet.description.source import Source
+from mechsheet.description.text.index import Path
+from mechsheet.description.text.source import Source
 from mechsheet.diagnostics import Fault, near_miss
 from mechsheet.formula.names import folded
 from mechsheet.said import Said, say

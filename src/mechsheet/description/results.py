@@ -8,13 +8,13 @@ from typing import Any
 from mechsheet.description.driving.driver import LANDS
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.driving.rates import known as known_rate
-from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, LENGTH
 from mechsheet.description.links import pair
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
+from mechsheet.description.text.index import Path
 from mechsheet.model import ChartRequest, Driver, Quantity, Sketch, Summary, TableRequest
 from mechsheet.said import say
 

@@ -8,11 +8,11 @@ from dataclasses import dataclass, field
 from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
-from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, plain_unit
-from mechsheet.description.numbers import typed_number
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
+from mechsheet.description.text.index import Path
+from mechsheet.description.text.numbers import typed_number
 from mechsheet.diagnostics import FormulaError
 from mechsheet.formula.names import folded, name_fault
 from mechsheet.formula.nodes import Node, Symbol, children, symbols, transform

@@ -24,12 +24,12 @@ from mechsheet.description.grammar import (
     Words,
     YesNo,
 )
-from mechsheet.description.index import Path
 from mechsheet.description.kinds import plain_unit
-from mechsheet.description.numbers import typed_number, with_points
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, alternatives, found, listed, suggestion
 from mechsheet.description.schema import REASONS
+from mechsheet.description.text.index import Path
+from mechsheet.description.text.numbers import typed_number, with_points
 from mechsheet.diagnostics import near_miss
 from mechsheet.said import say
 

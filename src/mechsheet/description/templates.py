@@ -9,6 +9,7 @@ from pathlib import Path
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
 from mechsheet.diagnostics import DescriptionError, Fault
+from mechsheet.model import Words
 
 _SUFFIX = ".toml"
 
@@ -18,11 +19,11 @@ def template_names() -> tuple[str, ...]:
     return tuple(sorted(entry.name.removesuffix(_SUFFIX) for entry in _folder().iterdir() if _is_template(entry)))
 
 
-def template_titles() -> dict[str, str]:
-    """Name -> English title, in alphabetical order."""
+def template_titles() -> dict[str, Words]:
+    """Name -> title in both languages, in alphabetical order of the names."""
     from mechsheet.description.reader import loads
 
-    return {name: loads(template_text(name), name).title.en for name in template_names()}
+    return {name: loads(template_text(name), name).title for name in template_names()}
 
 
 def template_text(name: str) -> str:

@@ -10,16 +10,16 @@ from dataclasses import dataclass
 from mechsheet.description import dimensions
 from mechsheet.description.asked import synthesis
 from mechsheet.description.head import scope_of
-from mechsheet.description.index import Path
 from mechsheet.description.kinds import unit_kind
-from mechsheet.description.numbers import typed_number
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed
-from mechsheet.description.rewrite import number_text
 from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.scope import Scope
 from mechsheet.description.shape import fit
-from mechsheet.description.source import Source
+from mechsheet.description.text.index import Path
+from mechsheet.description.text.numbers import typed_number
+from mechsheet.description.text.rewrite import number_text
+from mechsheet.description.text.source import Source
 from mechsheet.diagnostics import Fault
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, walk
 from mechsheet.said import say

@@ -8,8 +8,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from mechsheet.description.source import read_text
 from mechsheet.description.templates import template_names, template_text, template_titles
+from mechsheet.description.text.file_names import is_file_name
+from mechsheet.description.text.source import read_text
 from mechsheet.diagnostics import Fault, OutputError, readable_name
 from mechsheet.drawing_page.editing.orders import edited
 from mechsheet.drawing_page.looking import look
@@ -76,7 +77,7 @@ class Studio:
             "text": text.removeprefix("\ufeff").replace("\r\n", "\n"),
             "mark": _mark(path) if path is not None else "",
             "language": self.language or "",
-            "templates": template_titles(),
+            "templates": {name: {"en": title.en, "tr": title.tr} for name, title in template_titles().items()},
         }
 
     def _template(self, question: dict[str, Any]) -> dict[str, Any]:
@@ -106,7 +107,7 @@ class Studio:
         if self.path is not None:
             return self.path
         wanted = name or UNTITLED
-        if Path(wanted).name != wanted or "\\" in wanted or ":" in wanted or wanted.startswith("."):
+        if not is_file_name(wanted):
             raise OutputError(
                 Fault(say("is not the name of a file in this folder"), wanted, hint=say("for example mine.toml"))
             )

@@ -18,10 +18,11 @@ from mechsheet.description.parts import Parts
 from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_positions, line_of, local_places
 from mechsheet.drawing_page.reading import Reading, fault_entry
 from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import edges
-from mechsheet.kinematics.solve import dimension_values, largest_length
+from mechsheet.kinematics.solve import largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Link, Mechanism
 from mechsheet.sheet.drawing.outlines import corners, direction_of, through_of

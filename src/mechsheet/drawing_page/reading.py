@@ -11,12 +11,12 @@ from mechsheet.compiled import Compiled
 from mechsheet.description.locate import located
 from mechsheet.description.parts import Parts, parts_of
 from mechsheet.description.reader import loads
-from mechsheet.description.source import Source, parse
+from mechsheet.description.text.source import Source, parse
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.formula.nodes import symbols
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.redundant_links import with_redundant
 from mechsheet.model import Cartesian, Distances, Driver, Joint, Link, Mechanism, Polar, Quantity, Words
 from mechsheet.words.messages import text_in
@@ -84,7 +84,8 @@ def _counted(parts: Parts) -> tuple[int | None, list[Fault]]:
     try:
         check_mobility(mechanism, graph)
     except MechanismError as error:
-        return count, list(error.faults)
+        unfinished = parts.driver is None and count > 1  # how many drivers are missing is no news yet: links are
+        return count, [fault for fault in error.faults if not (unfinished and fault.key == "links")]
     return count, []
 
 

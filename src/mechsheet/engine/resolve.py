@@ -35,6 +35,7 @@ from ..formula.nodes import (
     SheetsRef,
     Symbol,
     TableRef,
+    anchored,
     shifted,
     transform,
     walk,
@@ -126,11 +127,6 @@ def _same_size(call: Call) -> Call:
     return Call(call.name, (asked, criterion, RangeRef(start, corner)))
 
 
-def _anchored(part: Node) -> Node:
-    """Where it is used, a reference that was read from a text means these cells and no others."""
-    return replace(part, row_abs=True, col_abs=True) if isinstance(part, CellRef) else part
-
-
 def _typed(text: str) -> Node | None:
     """A reference as a person types it: "05:05" is a row, and a sheet's name needs no quotation marks."""
     before, mark, area = text.strip().rpartition("!")
@@ -192,7 +188,7 @@ class Resolver:
         block = Block(row, col, 1, 1, node or ErrorValue("#REF!"))
         found = self.named(block.formula, block, sheet, "", ())
         del self.found.remarks[before:]  # #REF! says enough
-        return None if isinstance(found, ErrorValue) else transform(found, _anchored)
+        return None if isinstance(found, ErrorValue) else transform(found, anchored)
 
     def formula(self, block: Block, sheet: str) -> Node:
         """The block's formula. Remarks are made with its cells."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.solution import Block, Display, Heading, Inline, Math, Paragraph, Table, solution
+from mechsheet.exporting.solution import Block, Display, Heading, Paragraph, Table, marked_up, solution
 from mechsheet.sheet.symbols import GREEK
 
 HEAD = r"""\documentclass[a4paper,11pt]{article}
@@ -49,7 +49,7 @@ def _block(block: Block) -> str:
         case Heading(level, text):
             return rf"\{HEADINGS[level]}{{{escaped(text)}}}"
         case Paragraph(parts):
-            return _inline(parts)
+            return marked_up(parts, escaped)
         case Display(lines):
             return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
         case Table():
@@ -63,14 +63,10 @@ def _table(table: Table) -> str:
     if last not in table.numbers:
         columns[last] = "p{95mm}"
     rows = [table.head, *table.rows]
-    lines = [" & ".join(_inline(cell) for cell in row) + r" \\" for row in rows]
+    lines = [" & ".join(marked_up(cell, escaped) for cell in row) + r" \\" for row in rows]
     kind, place = ("longtable", "[l]") if len(rows) > LONG else ("tabular", "")
     lines.insert(1, r"\hline" + (r"\endhead" if kind == "longtable" else ""))
     return "\n".join([rf"\begin{{{kind}}}{place}{{{''.join(columns)}}}", *lines, rf"\end{{{kind}}}\par\smallskip"])
-
-
-def _inline(parts: Inline) -> str:
-    return "".join(f"${part.code}$" if isinstance(part, Math) else escaped(part) for part in parts)
 
 
 def escaped(text: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.solution import Block, Display, Heading, Inline, Math, Paragraph, Table, solution
+from mechsheet.exporting.solution import Block, Display, Heading, Paragraph, Table, marked_up, solution
 
 
 def write(job: Job) -> list[bytes]:
@@ -18,17 +18,13 @@ def _block(block: Block) -> str:
         case Heading(level, text):
             return f"{'#' * level} {_escaped(text)}"
         case Paragraph(parts):
-            return _inline(parts)
+            return marked_up(parts, _escaped)
         case Display(lines):
             return "$$\n\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}\n$$"
         case Table(head, rows, numbers):
             rule = ["--:" if index in numbers else "---" for index in range(len(head))]
-            written = [f"| {' | '.join(_inline(cell) for cell in row)} |" for row in (head, *rows)]
+            written = [f"| {' | '.join(marked_up(cell, _escaped) for cell in row)} |" for row in (head, *rows)]
             return "\n".join([written[0], f"| {' | '.join(rule)} |", *written[1:]])
-
-
-def _inline(parts: Inline) -> str:
-    return "".join(f"${part.code}$" if isinstance(part, Math) else _escaped(part) for part in parts)
 
 
 def _escaped(text: str) -> str:

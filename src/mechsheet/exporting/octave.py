@@ -15,8 +15,8 @@ from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import ColumnLine, Line, Program, commented, heading, one_line, program_of
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import System
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import TIME, ChartRequest, Joint
 from mechsheet.sheet.drawing.charts import chart_requests, traced_points
 from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, line_end, through_of
@@ -97,7 +97,7 @@ def _opening(program: Program, name: str) -> list[str]:
 def _given(program: Program) -> list[str]:
     names = program.names
     changeable = [names[line.symbol] for line in (*program.given, *program.modes)]
-    changeable += [names[symbol] for symbol in _asked(program)]
+    changeable += [names[symbol] for symbol in program.asked_by_row]
     lines = [f"  check_names(varargin, {{{', '.join(_string(name) for name in changeable)}}});", "", "  % dimensions"]
     for line in program.given:
         lines += _argument(program, line)
@@ -118,11 +118,6 @@ def _words(line: Line) -> str:
 def _argument(program: Program, line: Line) -> list[str]:
     name = program.names[line.symbol]
     return commented(f"  {name} = given(varargin, '{name}', {_text(program, line.node)});", _words(line), "%")
-
-
-def _asked(program: Program) -> tuple[str, ...]:
-    """What may be given row by row: by a motion law the time, from which the driver follows."""
-    return program.given_by_row if program.law is None else (TIME,)
 
 
 def _driver(program: Program) -> list[str]:

@@ -16,10 +16,10 @@ from mechsheet.exporting.routines import missing_where
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, transform
 from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.equations import FORCES, RATES, Condition, Equation, Equations, Group, System
 from mechsheet.kinematics.sketched import tell
-from mechsheet.kinematics.solve import dimension_order
-from mechsheet.model import Dimension, Law, Mechanism, Quantity
+from mechsheet.model import TIME, Dimension, Law, Mechanism, Quantity
 from mechsheet.units import NUMBER, Unit
 
 BESIDE = (*RATES, *FORCES)
@@ -91,6 +91,11 @@ class Program:
     def given_by_row(self) -> tuple[str, ...]:
         """The driver, and what has a value in each row beside it."""
         return self.mechanism.driver.symbol, *self.mechanism.given_by_row
+
+    @property
+    def asked_by_row(self) -> tuple[str, ...]:
+        """What a caller may give row by row: by a motion law the time, from which the driver follows."""
+        return self.given_by_row if self.law is None else (TIME,)
 
     @property
     def law(self) -> Law | None:

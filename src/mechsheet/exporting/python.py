@@ -231,13 +231,8 @@ def _loop(program: Program, column: ColumnLine, system: System) -> list[str]:
     return lines
 
 
-def _asked(program: Program) -> tuple[str, ...]:
-    """What may be given row by row: by a motion law the time, from which the driver follows."""
-    return program.given_by_row if program.law is None else (TIME,)
-
-
 def _signature(program: Program) -> list[str]:
-    names = [program.names[symbol] for symbol in _asked(program)]
+    names = [program.names[symbol] for symbol in program.asked_by_row]
     head = ["", "def solve(", *(f"    {name}: ArrayLike | None = None," for name in names), "    *,"]
     whose = "driver's values" if program.law is None else "time in seconds"
     texts = ["", f"    {names[0]}: the {whose}, one per row; by default the description's sweep"]

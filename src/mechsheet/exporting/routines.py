@@ -15,8 +15,8 @@ from mechsheet.exporting.lowering import Lowering, Step
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, renamed, transform
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
+from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.newton.refusing import need_one_position
-from mechsheet.kinematics.solve import dimension_order
 from mechsheet.model import Words
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase
@@ -71,8 +71,9 @@ class Source:
             symbol: Step(symbol, derived[symbol]) for symbol in dimension_order(self.mechanism) if symbol in derived
         }
         for equation in self.equations.all:
+            reading = equation.role == "output" or equation.symbol in self.equations.tied
             for step in lowering.steps[equation.symbol]:
-                expression = reading_taken(step.expression, branches) if equation.role == "output" else step.expression
+                expression = reading_taken(step.expression, branches) if reading else step.expression
                 expression = expression if step.missing is None else al.rooted(expression)
                 found[step.symbol] = Step(step.symbol, expression, step.missing)
             if equation.symbol in branches:

@@ -6,7 +6,7 @@ the steps in their order with symbols and with numbers, and the check that the n
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from mechsheet.exporting.job import Job
@@ -42,6 +42,11 @@ class Math:
 
 
 Inline = tuple[str | Math, ...]
+
+
+def marked_up(parts: Inline, escaped: Callable[[str], str]) -> str:
+    """A line as LaTeX and Markdown both have it: formulas between dollars, words with their signs escaped."""
+    return "".join(f"${part.code}$" if isinstance(part, Math) else escaped(part) for part in parts)
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,14 +35,6 @@ _Part: TypeAlias = str | int
 """Text that is the same in all rows, or the first of the numbers that stand there."""
 
 
-def texts_down(formula: Node, rows: range, dialect: str, escape: Escape) -> Iterator[str]:
-    """The text of `formula` moved down by each number of `rows`, escaped.
-
-    The same as `escape(print_formula(shifted(formula, n), dialect))` for each n, a hundred times faster.
-    """
-    return rowwise(_pieces(formula, _parts(formula, rows, dialect, escape), rows, dialect, escape), len(rows))
-
-
 def rowwise(pieces: Iterable[Piece], rows: int) -> Iterator[str]:
     """The pieces of each row, joined."""
     columns = [repeat(piece, rows) if isinstance(piece, str) else piece for piece in pieces]
@@ -56,7 +48,10 @@ def row_numbers(first: int, end: int) -> tuple[str, ...]:
 
 
 class ColumnTexts:
-    """The texts of filled columns, asked for band by band: what is printed of each column is printed once."""
+    """The texts of filled columns, escaped, asked for band by band: what is printed of each column is printed once.
+
+    The same as `escape(print_formula(shifted(formula, n), dialect))` of each row n, a hundred times faster.
+    """
 
     def __init__(self, dialect: str, escape: Escape) -> None:
         self.dialect = dialect

@@ -10,7 +10,7 @@ from mechsheet.formula.names import folded, name_fault
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_address
-from mechsheet.sheet.workbook import Rich, Sheet, Workbook
+from mechsheet.sheet.workbook import Sheet, Workbook
 
 MAX_TEXT = 32767
 """Most characters of a text in a cell (Excel specifications and limits)."""
@@ -73,7 +73,7 @@ def _name_faults(workbook: Workbook) -> Iterator[Fault]:
 
 def _cell_faults(sheet: Sheet) -> Iterator[Fault]:
     for cell in sheet.cells:
-        text = cell.content.plain if isinstance(cell.content, Rich) else cell.content
+        text = cell.value
         if isinstance(text, str) and len(text) > MAX_TEXT:
             message = f"a text of {len(text)} characters, a cell holds {MAX_TEXT}"
             yield Fault(message, key=cell_address(sheet.title, cell.row, cell.col))

@@ -113,3 +113,4 @@ def write_package(package: Package, output: Path, parts: Mapping[str, Rewrite]) 
                 archive.copied(entry, package.raw(entry))
             else:
                 archive.rewritten(entry, rewrite())
+        package.close()  # it may be the file that is replaced now: Windows replaces none that is open

@@ -23,6 +23,11 @@ def number(value: float) -> Node:
     return Unary("-", Number(-value)) if value < 0 else Number(value + 0.0)
 
 
+def as_node(quantity: Node | float) -> Node:
+    """A quantity of the model, a number or an expression, as a formula."""
+    return number(quantity) if isinstance(quantity, float) else quantity
+
+
 def value_of(node: Node) -> float | None:
     """The number a constant node stands for, or None."""
     if isinstance(node, Number):

@@ -397,6 +397,11 @@ def calls(node: Node) -> tuple[str, ...]:
     return tuple(dict.fromkeys(part.name for part in walk(node) if isinstance(part, Call)))
 
 
+def anchored(part: Node) -> Node:
+    """A reference that means these cells wherever it is read: $A$1; what is none stays as it is."""
+    return CellRef(part.row, part.col, True, True, part.sheet) if isinstance(part, CellRef) else part
+
+
 def shifted(node: Node, rows: int, cols: int = 0, wrap: bool = False) -> Node:
     """The formula as fill-down (or fill-right) writes it `rows` further down and `cols` further right.
 

@@ -169,8 +169,9 @@ class _Printer:
     def infix(self, op: str, left: _Printed, right: _Printed) -> _Printed:
         if op == "," and self.dialect.name == "excel":
             # A union brings its own parentheses, because a comma alone would separate arguments.
-            text = left.text[1:-1] if left.power == _UNION else left.text
-            return _Printed(f"({text},{right.text})", _UNION, max(left.depth, right.depth) + 1)
+            if left.power == _UNION:  # one more area inside the same parentheses
+                return _Printed(f"({left.text[1:-1]},{right.text})", _UNION, max(left.depth, right.depth + 1))
+            return _Printed(f"({left.text},{right.text})", _UNION, max(left.depth, right.depth) + 1)
         if op not in self.dialect.infix:
             raise ValueError(f"{op!r} cannot be written in {self.dialect.name}")
         power = self.dialect.infix[op]

@@ -10,10 +10,10 @@ from typing import Any
 from mechsheet import reference
 from mechsheet.diagnostics import readable_name
 from mechsheet.formats import read
-from mechsheet.homework.faults import Mend, Suspect
 from mechsheet.homework.inputs import Input
 from mechsheet.homework.judging import Judged, judged_tables
 from mechsheet.homework.marking_rules import AskedFor, asked_of
+from mechsheet.homework.mends.faults import Mend, Suspect
 from mechsheet.homework.own_dimensions import changed_by, other_dimensions
 from mechsheet.homework.remarks import remarks_of
 from mechsheet.homework.series import Series

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 
 from mechsheet import reference
 from mechsheet.diagnostics import WorkbookError
-from mechsheet.homework.faults import Mend, Suspect, first_wrong, many, mended_sheet
 from mechsheet.homework.marking_rules import AskedFor
+from mechsheet.homework.mends.faults import Mend, Suspect, first_wrong, many, mended_sheet
+from mechsheet.homework.mends.thinned import thinned
+from mechsheet.homework.mends.trial import Effort
 from mechsheet.homework.series import Run
-from mechsheet.homework.thinned import thinned
-from mechsheet.homework.trial import Effort
 from mechsheet.homework.truth import Truth, other_assemblies, without_limits
 from mechsheet.homework.understanding import Understanding, other_runs, understand
 from mechsheet.homework.upright import Work

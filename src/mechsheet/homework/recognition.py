@@ -16,9 +16,9 @@ import numpy as np
 
 from mechsheet import reference
 from mechsheet.description import loads
-from mechsheet.description.rewrite import with_number
-from mechsheet.description.source import parse
 from mechsheet.description.templates import template_names, template_text
+from mechsheet.description.text.rewrite import with_number
+from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.nodes import symbols
 from mechsheet.homework.agreement import DEGREE, Reading, gaps, likely, reading_of

@@ -11,10 +11,10 @@ import numpy as np
 from mechsheet import reference
 from mechsheet.formula.nodes import CellRef, NameRef, walk
 from mechsheet.homework.agreement import Reading, gaps, units_of
-from mechsheet.homework.candidates import terms
-from mechsheet.homework.faults import Mend, Suspect, first_difference
 from mechsheet.homework.inputs import SAME
 from mechsheet.homework.judging import Judged
+from mechsheet.homework.mends.candidates import terms
+from mechsheet.homework.mends.faults import Mend, Suspect, first_difference
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.verdicts import Finding, Sheet
 from mechsheet.model import Mechanism

@@ -95,7 +95,7 @@ def truth_of(
     """The mechanism at these driver values; None where it cannot be assembled anywhere, or has no places."""
     try:
         if start is None and mechanism.synthesis is not None:
-            start = rough_poses(mechanism, {}, solve(mechanism))  # the task says which assembly is meant, not a sketch
+            start = rough_poses(mechanism, solve(mechanism))  # the task says which assembly is meant, not a sketch
         solution = reference.solve(mechanism, dimensions, start=start, values=driver)
         columns = reference.variables(solution)
     except (MechanismError, FloatingPointError, np.linalg.LinAlgError):

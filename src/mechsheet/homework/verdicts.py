@@ -44,7 +44,6 @@ class Finding:
     series: Series | None = None
     reading: Reading | None = None
     dead: tuple[str, ...] = ()
-    certain: bool = True
 
 
 @dataclass
@@ -145,7 +144,7 @@ def _left_over(sheet: Sheet, truth: Truth, results: dict[str, Finding], spare: S
     ends = [series for series in unexplained(sheet, truth, spare) if not _read_on(sheet.found, series)]
     ends = [series for series in ends if not _called_otherwise(sheet, series, open_symbols[0])]
     if len(ends) == 1:
-        results[open_symbols[0]] = Finding(open_symbols[0], "wrong", ends[0], certain=False)
+        results[open_symbols[0]] = Finding(open_symbols[0], "wrong", ends[0])
 
 
 def _single(sheet: Sheet, truth: Truth, summary: Summary) -> Finding | None:

@@ -44,10 +44,10 @@ def taken_near(angle: Node, place: Node) -> Node:
 
 
 def reading_taken(node: Node, angles: Collection[str]) -> Node:
-    """An output that reads these angles as they are taken into their turns.
+    """An output, or what a gear or rack decides, that reads these angles as they are taken into their turns.
 
     Inside the equations of groups an angle may be off by whole turns: they take its sine and cosine, or add it to others.
-    An output may halve it.
+    An output may halve it, a rack makes a way of it.
     """
 
     def change(part: Node) -> Node:
@@ -69,10 +69,15 @@ def branches_of(mechanism: Mechanism, equations: Equations, values: Mapping[str,
 
 
 def _known_up_to_turns(equations: Equations) -> list[str]:
-    """Angles of links that are a `Direction` or follow from one."""
+    """Angles of links that are a `Direction` or follow from one.
+
+    What a gear or rack makes of such an angle does not: it reads the angle as it is taken.
+    """
     following: set[str] = set()
     found = []
     for equation in equations.columns:
+        if equation.symbol in equations.tied:
+            continue
         if isinstance(equation.expression, Direction) or not following.isdisjoint(equation.reads):
             following.add(equation.symbol)
             if equation.role == "variable" and equation.unit.kind == "angle":

@@ -20,11 +20,6 @@ from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import link_words, phrase
 
 
-def length_node(quantity: Quantity) -> Node:
-    """A length of the model as a formula."""
-    return al.number(quantity) if isinstance(quantity, float) else quantity
-
-
 def angle_of(quantity: Quantity) -> Angle:
     """An angle of the model as a formula."""
     return al.right_angle(quantity) if isinstance(quantity, float) else Angle(quantity)
@@ -108,11 +103,11 @@ class LinkPlaces:
             given = self.link.points[point]
             match given:
                 case Cartesian(x, y):
-                    self._places[point] = cartesian(length_node(x), length_node(y))
+                    self._places[point] = cartesian(al.as_node(x), al.as_node(y))
                 case Polar(r, angle):
                     label = phrase("direction_in_link", point=point, link=self.words)
                     hoisted = self.ledger.hoist_angle(f"beta_{point}", angle_of(angle), label)
-                    self._places[point] = polar(length_node(r), hoisted)
+                    self._places[point] = polar(al.as_node(r), hoisted)
                 case Distances():
                     self._places[point] = self._from_distances(point, given)
         return self._places[point]
@@ -139,7 +134,7 @@ class LinkPlaces:
     def _from_distances(self, point: str, given: Distances) -> Place:
         """By the law of cosines: from the first point, turned from the line to the second by the angle between them."""
         ledger, n = self.ledger, self.link.number
-        b, c = length_node(given.first_distance), length_node(given.second_distance)
+        b, c = al.as_node(given.first_distance), al.as_node(given.second_distance)
         self._lengths[frozenset((point, given.first))] = b
         self._lengths[frozenset((point, given.second))] = c
         a, line = arm(self, given.first, given.second)

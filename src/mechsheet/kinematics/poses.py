@@ -19,7 +19,7 @@ from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.kinematics.places import ORIGIN, LinkPlaces, Place, angle_of, arm_of, cartesian, length_node
+from mechsheet.kinematics.places import ORIGIN, LinkPlaces, Place, angle_of, arm_of, cartesian
 from mechsheet.kinematics.ties import Tied, solved_for
 from mechsheet.model import Joint, Link, Mechanism, Words
 from mechsheet.units import ANGLE, LENGTH
@@ -113,7 +113,7 @@ class Poses:
         """The point of `on` that a joint's line passes, in `on`'s own frame."""
         if isinstance(joint.through, str):
             return self.own_place(joint.on, joint.through)
-        return cartesian(length_node(joint.through[0]), length_node(joint.through[1]))
+        return cartesian(al.as_node(joint.through[0]), al.as_node(joint.through[1]))
 
     def in_assembly(self, body: str, place: Place, name: str) -> Place:
         """A place of a body in its assembly's frame; for a body that moves in it, columns of its coordinates."""

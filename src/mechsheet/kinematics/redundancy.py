@@ -17,13 +17,14 @@ import numpy as np
 
 from mechsheet import portable
 from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.sketched import assemblies
-from mechsheet.kinematics.solve import dimension_values, solve, solve_unpicked
+from mechsheet.kinematics.solve import solve, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Rack, Sketch
 from mechsheet.said import say

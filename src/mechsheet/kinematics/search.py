@@ -15,10 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Direction, Node
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_between
 from mechsheet.kinematics.equations import Condition, Equations
 from mechsheet.kinematics.numeric import Array, value
-from mechsheet.kinematics.solve import dimension_values, largest_length
+from mechsheet.kinematics.solve import largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 

@@ -17,13 +17,14 @@ from numpy.typing import NDArray
 
 from mechsheet import portable
 from mechsheet.diagnostics import DescriptionWarning, Fault
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.mobility import listed_names
 from mechsheet.kinematics.newton.steps import step_doubts
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
-from mechsheet.kinematics.solve import dimension_values, solve_unpicked
+from mechsheet.kinematics.solve import solve_unpicked
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Gear, Mechanism
 from mechsheet.said import say

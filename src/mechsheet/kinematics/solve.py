@@ -16,6 +16,7 @@ from mechsheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
 from mechsheet.kinematics.closures import Loop
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values, given_values, listed_values
 from mechsheet.kinematics.dyads import Determinant, Solved
 from mechsheet.kinematics.equations import Equation, Equations, Group, assembly_of, validate
@@ -38,6 +39,7 @@ from mechsheet.kinematics.rates.coefficients import Written, add_rates, wanted
 from mechsheet.kinematics.rpr import solve_rpr
 from mechsheet.kinematics.rrp import solve_rrp
 from mechsheet.kinematics.rrr import solve_rrr
+from mechsheet.kinematics.sweep import sweep
 from mechsheet.kinematics.ties import Tied
 from mechsheet.kinematics.within import member, sketched_mode, solve_within
 from mechsheet.model import Cartesian, Dimension, Distances, FurtherDriver, Mechanism, Polar, Quantity, Words
@@ -47,38 +49,6 @@ from mechsheet.words.equations import phrase, same
 
 PROBED_ROWS = 200
 """Rows at the start, and as many again spread over the rest, on which modes are picked."""
-
-
-def dimension_values(mechanism: Mechanism) -> dict[str, float]:
-    """All dimensions in internal units, derived ones computed; NaN for what follows from a task without a solution."""
-    values: dict[str, float] = {}
-    given = {dim.symbol: dim.value for dim in mechanism.dimensions}
-    for symbol in dimension_order(mechanism):
-        quantity = given[symbol]
-        if not isinstance(quantity, float) and any(math.isnan(values[name]) for name in symbols(quantity)):
-            values[symbol] = math.nan  # as #N/A does in cells, also where a comparison asks for it
-            continue
-        try:
-            values[symbol] = number(quantity, values)
-        except (ArithmeticError, ValueError):
-            if mechanism.synthesis is None:
-                raise
-            values[symbol] = math.nan
-    return values
-
-
-def dimension_order(mechanism: Mechanism) -> tuple[str, ...]:
-    """Symbols of all dimensions, each after those it is derived from."""
-    known = dict.fromkeys(dim.symbol for dim in mechanism.dimensions if not dim.derived)
-    pending = {dim.symbol: set(symbols(dim.value)) for dim in mechanism.dimensions if not isinstance(dim.value, float)}
-    while pending:
-        ready = [symbol for symbol, reads in pending.items() if reads <= known.keys()]
-        if not ready:
-            raise ValueError(f"circular dimensions: {sorted(pending)}")  # the reader has refused these
-        for symbol in ready:
-            known[symbol] = None
-            del pending[symbol]
-    return tuple(known)
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,8 +89,6 @@ def _stepped(mechanism: Mechanism, equations: Equations) -> Equations:
     """The equations with as many Newton steps as their rows need."""
     if not any(group.system for group in equations.groups):
         return equations
-    from mechsheet.kinematics.sweep import sweep  # which needs this module
-
     return settled(mechanism, equations, driver_values(mechanism, dimension_values(mechanism)), sweep)
 
 
@@ -404,8 +372,6 @@ def _solve_chain(
 
 def _of_task(mechanism: Mechanism, home: float) -> Mapping[str, float]:
     """Values at the driver's value `home` in the assembly that a task finds: it knows those of dyads."""
-    from mechsheet.kinematics.sweep import sweep  # which needs this module
-
     driver = replace(mechanism.driver, values=(home,), law=None, speeds=(), accelerations=(), times=(), speed=None)
     there = replace(mechanism, driver=driver, solution=replace(mechanism.solution, force=False), dynamics=None)
     return {name: float(column[0]) for name, column in sweep(there, _solve(there, {}), np.array([home])).items()}
@@ -415,8 +381,6 @@ def _traced(
     mechanism: Mechanism, at: float, home: float, variables: Sequence[str], links: Words
 ) -> Mapping[str, float]:
     """Values at the driver's value `home` of the position that the sketch shows at `at`, followed in small steps."""
-    from mechsheet.kinematics.sweep import sweep  # which needs this module
-
     path = way(at, home, not mechanism.driver.joint)
     driver = replace(mechanism.driver, values=tuple(float(value) for value in path), law=None)
     drivers = _listed_at(mechanism, path)

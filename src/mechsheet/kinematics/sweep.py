@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Root
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values, listed_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.newton.system import CLOSED, followed, refined
 from mechsheet.kinematics.numeric import Array, evaluate_equation, value
-from mechsheet.kinematics.solve import dimension_values, solve
 from mechsheet.model import Mechanism
 
 CHUNKS = (200, 4_000)
@@ -79,18 +79,12 @@ def _roots(
     return {name: np.where(same, column, np.nan) for name, column in zip(system.unknowns, found, strict=True)}
 
 
-def rough_poses(
-    mechanism: Mechanism, modes: Mapping[str, int], equations: Equations | None = None
-) -> dict[str, tuple[float, float, float]]:
+def rough_poses(mechanism: Mechanism, equations: Equations) -> dict[str, tuple[float, float, float]]:
     """(x, y, theta) of each moving link's frame, rounded, in the first row in which every group closes.
 
     That row is away from dead centres when there is such a row: at a dead centre rough poses do not tell the assemblies
-    apart. Raises MechanismError when there is none.
-
-    equations  with these modes, where they are known: the start values of Newton's method among them
+    apart.
     """
-    if equations is None:
-        equations = solve(mechanism, modes)
     dimensions = dimension_values(mechanism)
     driver = driver_values(mechanism, dimensions)
     for count in (*CHUNKS, len(driver)):

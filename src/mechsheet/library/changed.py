@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING
 
 from mechsheet import description
 from mechsheet.description.locate import located
-from mechsheet.description.numbers import typed_number
 from mechsheet.description.overrides import Overrides, in_order, name_of, option_of
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
-from mechsheet.description.source import parse, parse_as_meant, read_text
+from mechsheet.description.text.numbers import typed_number
+from mechsheet.description.text.source import parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, MechsheetError, readable_name
 from mechsheet.library.redundant_links import with_redundant
 from mechsheet.model import Mechanism

@@ -6,7 +6,7 @@ import json
 import math
 from dataclasses import dataclass
 
-from mechsheet.kinematics.solve import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.model import Dimension, Mechanism
 
 DIGITS = 6

@@ -10,14 +10,15 @@ import numpy as np
 
 from mechsheet import portable
 from mechsheet.description import loads
-from mechsheet.description.rewrite import number_text, with_number, with_value, without_key
-from mechsheet.description.source import Source
+from mechsheet.description.text.rewrite import number_text, with_number, with_value, without_key
+from mechsheet.description.text.source import Source
 from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 

@@ -44,7 +44,7 @@ class Result:
         found: dict[str, dict[str, object]] = {}
         for sheet in self.book.sheets:
             cells = sorted(self.values.items(sheet.title))
-            found[sheet.title] = {cell_name(row, col): plain(value) for row, col, value in cells}
+            found[sheet.title] = {cell_name(row, col): json_value(value) for row, col, value in cells}
         return found
 
     def area(self, text: str) -> Area:
@@ -71,7 +71,7 @@ class Result:
     def named(self) -> dict[str, object]:
         """The value of every defined name that is one cell."""
         return {
-            name.name: plain(self.get(name.formula.sheet, name.formula.row, name.formula.col))
+            name.name: json_value(self.get(name.formula.sheet, name.formula.row, name.formula.col))
             for name in self.book.names
             if isinstance(name.formula, CellRef) and name.formula.sheet is not None
         }
@@ -90,8 +90,8 @@ class Result:
         update_values(self.path, output, self.book, values, self.changes)
 
 
-def plain(value: Scalar) -> object:
-    """A value as JSON data: errors as their text."""
+def json_value(value: Scalar) -> object:
+    """A cell's value as JSON: errors as "#N/A" text."""
     return str(value) if isinstance(value, ErrorValue) else value
 
 

@@ -6,8 +6,8 @@ from contextlib import suppress
 from dataclasses import replace
 
 from mechsheet import description
-from mechsheet.description.rewrite import with_value
-from mechsheet.description.source import parse
+from mechsheet.description.text.rewrite import with_value
+from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.model import Mechanism
 

@@ -11,21 +11,22 @@ from dataclasses import replace
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.compiled.motion import motion_of
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import ErrorValue, Node, Scalar, Symbol
+from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_name
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.places import number
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
+from mechsheet.library.recalculation import json_value
 from mechsheet.library.verdicts import verdict
 from mechsheet.model import TIME, Mechanism, Output, Rack, Relation, Summary, energy_unit, inertia_unit
 from mechsheet.sheet.first.blocks import unit_of_column
 from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
-from mechsheet.sheet.workbook import Rich, Workbook
+from mechsheet.sheet.workbook import Workbook
 from mechsheet.synthesis.writing import says
 from mechsheet.units import NUMBER, behind_number, unit_of
 from mechsheet.words.workbook import words
@@ -215,8 +216,7 @@ def cells_of_workbook(workbook: Workbook) -> str:
         lines.append(f"sheet {sheet.title}{' (hidden)' if sheet.hidden else ''}")
         for cell in sorted(sheet.cells, key=lambda cell: (cell.row, cell.col)):
             if cell.content is not None:
-                content = cell.content.plain if isinstance(cell.content, Rich) else cell.content
-                lines.append(f"  {cell_name(cell.row, cell.col)}: {content!r}")
+                lines.append(f"  {cell_name(cell.row, cell.col)}: {cell.value!r}")
         for fill in sorted(sheet.fills, key=lambda fill: (fill.row, fill.col)):
             area = cell_name(fill.row, fill.col)
             if fill.rows * fill.cols > 1:
@@ -233,20 +233,13 @@ def cells_json(mechanism: Mechanism) -> str:
         cells: dict[str, object] = {}
         for cell in sheet.cells:
             if cell.content is not None:
-                cells[cell_name(cell.row, cell.col)] = (
-                    cell.content.plain if isinstance(cell.content, Rich) else cell.content
-                )
+                cells[cell_name(cell.row, cell.col)] = cell.value
         for fill in sheet.fills:
             for row in range(fill.row, fill.row + fill.rows):
                 for col in range(fill.col, fill.col + fill.cols):
                     cells[cell_name(row, col)] = json_value(fill.value(row, col))
         sheets[sheet.title] = cells
     return json.dumps(sheets, ensure_ascii=False)
-
-
-def json_value(value: Scalar) -> object:
-    """A cell's value as JSON: errors as "#N/A" text."""
-    return str(value) if isinstance(value, ErrorValue) else value
 
 
 def variables_of(mechanism: Mechanism) -> dict[str, list[float | None]]:

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from mechsheet.compiled import Compiled
 from mechsheet.formula.nodes import Scalar
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import Search
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.library.building import told
 from mechsheet.model import Mechanism
 from mechsheet.said import say
@@ -70,7 +70,7 @@ def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]
     that there is none of. Values are searched in Python wherever a search can be sure (`kinematics.search`), the others
     and the words are the sheet's: those of several sheets, which say more than one page has room for.
     """
-    from mechsheet.checking.searched_verdicts import SearchedVerdicts
+    from mechsheet.checking.searched.verdicts import SearchedVerdicts
 
     mechanism = replace(mechanism, layout="sheets")
     compiled = told(mechanism)

@@ -15,10 +15,10 @@ from mechsheet.arguments.numbers import number_given
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.formula.nodes import Symbol
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_at, place_of, rates_at
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sketched import tell
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
 from mechsheet.sheet.drawing.frames import CHART_X
 from mechsheet.sheet.drawing.points import moving_points

@@ -7,9 +7,11 @@ from .continuity import leaps
 from .forces import forces
 from .geometry import dimension_values, driver_values
 from .nearby import nearby
-from .poses import Solution, assemblies, outputs, reached, solve, variables
+from .outputs import outputs, variables
+from .poses import assemblies, solve
 from .rates import by_time, rates
 from .residual import residuals, worst
+from .solution import Solution, reached
 from .wholes import further
 
 __all__ = [

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .geometry import Array
-from .poses import Solution
+from .solution import Solution
 
 LEAP = 4.0
 """A step so many times as large as those before and after it is a leap."""

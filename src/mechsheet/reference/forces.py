@@ -20,8 +20,8 @@ from ..formula.nodes import Node
 from ..model import Dynamics, Link, Mechanism, Place, Spring, pair_symbol
 from .expressions import column as over_rows
 from .geometry import ROUNDING, Array, link_places
-from .poses import Solution, reached
 from .rates import by_time, gradients, of_poses, solved
+from .solution import Solution, reached
 from .system import Equation, System, residual
 from .teeth import along_poses, tooth_forces
 

@@ -8,7 +8,8 @@ import numpy as np
 
 from . import geometry
 from .newton import polish
-from .poses import Solution, solution_of, unsolved
+from .poses import unsolved
+from .solution import Solution, solution_of
 from .system import system
 
 CLOSED = 1e-11

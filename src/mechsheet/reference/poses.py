@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..formula.nodes import symbols
 from ..model import Mechanism
 from . import assembly, branches, further, geometry
 from .branches import Mask, Rows
-from .expressions import column
 from .geometry import Array
-from .sketch import Pose, Sketched, displacement, point_places
+from .sketch import Pose, Sketched
+from .solution import Solution, poses_of, solution_of
 from .system import System, residual, system
 
 Progress = Callable[[int, int], None]
@@ -22,91 +20,6 @@ Progress = Callable[[int, int], None]
 
 _INSERTED_TURN = np.radians(1.0)
 _INSERTED_SLIDE = 0.01
-
-
-@dataclass(frozen=True, slots=True)
-class Solution:
-    """Positions of a mechanism over n driver values. Lengths in the file's unit, angles in radians.
-
-    driver         (n,) the driver's values
-    exists         (n,) whether the links can be joined there on the chosen branches, in one determined position
-    undetermined   (n,) whether the row has no numbers because some link can move with the driver held
-    poses          link → (n, 3): x, y of its frame's origin and its angle, continuous over the rows that exist; NaN else
-    displacements  symbol of each sliding joint → (n,)
-    points         point → (n, 2) in the ground frame
-    residual       (n,) worst residual of all constraints, as a length (angles times `size`)
-    size           characteristic length, to measure errors by
-    system, state  the constraints, and the poses (n, columns) in their own lengths: what further analyses start from
-    reached        the same poses, and in rows that do not exist those that come before the loop that cannot be closed;
-                   angles there may be whole turns away
-    """
-
-    mechanism: Mechanism
-    dimensions: Mapping[str, float]
-    driver: Array
-    exists: Mask
-    undetermined: Mask
-    poses: Mapping[str, Array]
-    displacements: Mapping[str, Array]
-    points: Mapping[str, Array]
-    residual: Array
-    size: float
-    system: System
-    state: Array
-    reached: Array
-
-
-def variables(solution: Solution) -> dict[str, Array]:
-    """Every variable and output over the sweep by its symbol: theta1N, displacements, the driver, `P.x`, `P.y`, outputs.
-
-    NaN in rows that do not exist, except for the driver.
-    """
-    found = _variables(solution, solution.poses, solution.displacements, solution.points)
-    for symbol, result in outputs(solution, found).items():
-        result[~solution.exists] = np.nan
-        found[symbol] = result
-    return found
-
-
-def reached(solution: Solution) -> dict[str, Array]:
-    """The variables without the outputs, and in rows that do not exist those that are decided before it comes to that."""
-    return _variables(solution, *_places(solution.system, solution.reached))
-
-
-def _variables(
-    solution: Solution, poses: Mapping[str, Array], displacements: Mapping[str, Array], points: Mapping[str, Array]
-) -> dict[str, Array]:
-    found: dict[str, Array] = {}
-    for link in solution.mechanism.links[1:]:
-        found[link.angle_symbol] = poses[link.name][:, 2]
-    found.update(displacements)
-    driver = solution.mechanism.driver
-    for place, other in zip(solution.system.prescribed, solution.mechanism.drivers, strict=True):
-        scale = solution.system.scale if other.joint else 1.0
-        found.setdefault(other.symbol, solution.state[:, place] * scale)
-    found[driver.symbol] = solution.driver
-    for point, places in points.items():
-        found[f"{point}.x"], found[f"{point}.y"] = places[:, 0], places[:, 1]
-    return found
-
-
-def outputs(solution: Solution, found: Mapping[str, Array]) -> dict[str, Array]:
-    """The outputs, for any values of the variables (`found`, as `variables` names them)."""
-    values: dict[str, Array] = {name: np.array(value) for name, value in solution.dimensions.items()} | dict(found)
-    own = {output.symbol for output in solution.mechanism.outputs}
-    if not {name for output in solution.mechanism.outputs for name in symbols(output.formula)} <= values.keys() | own:
-        values = _further(solution) | values
-    results: dict[str, Array] = {}
-    for output in solution.mechanism.outputs:
-        results[output.symbol] = values[output.symbol] = column(output.formula, values, len(solution.driver))
-    return results
-
-
-def _further(solution: Solution) -> dict[str, Array]:
-    """What outputs may read besides: velocities, accelerations, derivatives by the driver, forces."""
-    from .wholes import further  # which needs this module
-
-    return further(solution)
 
 
 def solve(
@@ -241,19 +154,8 @@ def assemblies(
         return []
     return [
         {name: (float(x), float(y), float(theta)) for name, (x, y, theta) in zip(built.bodies, poses, strict=True)}
-        for poses in np.stack([_poses(built, states)[name] for name in built.bodies], axis=1)
+        for poses in np.stack([poses_of(built, states)[name] for name in built.bodies], axis=1)
     ]
-
-
-def _poses(built: System, state: Array) -> dict[str, Array]:
-    found = {}
-    for name in built.bodies:
-        first = built.column(name)
-        pose = state[:, first : first + 3] * [built.scale, built.scale, 1.0]
-        if first:
-            pose[:, :2] += built.origin
-        found[name] = pose
-    return found
 
 
 def _continuous(built: System, sketched: Sketched, state: Array, value: Array, alive: Mask) -> None:
@@ -283,44 +185,3 @@ def _continuous(built: System, sketched: Sketched, state: Array, value: Array, a
                 side = 1.0 if theta == 3 * equation.body + 2 else -1.0
                 miss, _ = residual(equation, state[rows], value[rows])
                 state[rows, theta] -= side * turn * np.round(miss / turn)
-
-
-def _places(built: System, state: Array) -> tuple[dict[str, Array], dict[str, Array], dict[str, Array]]:
-    """Poses by link, displacements by symbol, places by point, in the file's unit."""
-    mechanism = built.mechanism
-    owners = {point: link.name for link in reversed(mechanism.links) for point in link.points}
-    points = {
-        point: point_places(built, owners[point], point, state) * built.scale + built.origin
-        for point in dict.fromkeys(p for link in mechanism.links for p in link.points)
-    }
-    slides = {joint.symbol: displacement(built, joint, state) * built.scale for joint in mechanism.joints}
-    return _poses(built, state), slides, points
-
-
-def solution_of(
-    built: System, driver: Array, value: Array, state: Array, reached: Array, alive: Mask, undetermined: Mask
-) -> Solution:
-    """What states of a system say; NaN in rows that are not alive."""
-    worst = np.zeros(len(driver))
-    for block in built.blocks:
-        for equation in block.equations:
-            worst = np.maximum(worst, np.abs(residual(equation, state, value)[0]))
-    worst[~alive] = np.nan
-    poses, slides, points = _places(built, state)
-    for each in (*poses.values(), *points.values()):
-        each[~alive] = np.nan
-    return Solution(
-        mechanism=built.mechanism,
-        dimensions=built.dimensions,
-        driver=driver,
-        exists=alive,
-        undetermined=undetermined,
-        poses=poses,
-        displacements=slides,
-        points=points,
-        residual=worst * built.scale,
-        size=geometry.size(built.mechanism, built.dimensions),
-        system=built,
-        state=state,
-        reached=reached,
-    )

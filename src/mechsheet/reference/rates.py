@@ -21,7 +21,7 @@ from . import further, geometry
 from .driving import driver_rates
 from .expressions import number
 from .geometry import Array
-from .poses import Solution
+from .solution import Solution
 from .system import Equation, System, residual
 
 _STEP = 1e-30

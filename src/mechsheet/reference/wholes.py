@@ -16,8 +16,8 @@ from ..model import ENERGY, SHAKING, center_symbol, pair_symbol
 from .driving import driver_rates
 from .forces import Applied, forces
 from .geometry import Array
-from .poses import Solution
 from .rates import by_time
+from .solution import Solution
 
 WHOLE = 1e-9
 """So many turns from a whole number is rounding."""

@@ -16,12 +16,13 @@ import numpy as np
 from mechsheet import portable
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import BANDS, FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
 from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.rates.sensitivity import NO_BANDS, Sensitivities, toleranced
-from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
+from mechsheet.kinematics.solve import largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot

@@ -13,7 +13,6 @@ GOOD_FILL, WARN_FILL, BAD_FILL, NONE_FILL = "DDF1DD", "FFE9B8", "F9D4D0", "E3E5E
 SERIES = ("1F4E79", "C8501E", "2E8B57", "7B3FA0", "B8860B", "00838F", "AD1457", "5D4037")
 """Colours of curves, in order."""
 
-BASE = Style(color=INK)
 TITLE = Style("mechsheet title", bold=True, size=16, color=HEAD_FILL)
 SUBTITLE = Style("mechsheet subtitle", italic=True, color=QUIET)
 SECTION = Style("mechsheet section", bold=True, size=11, color="FFFFFF", fill=HEAD_FILL)

@@ -51,6 +51,11 @@ class Rich:
 Content: TypeAlias = float | str | bool | Rich | None
 
 
+def plain_text(content: Rich | str) -> str:
+    """A text, rich or not, without its formatting."""
+    return content.plain if isinstance(content, Rich) else content
+
+
 @dataclass(frozen=True, slots=True)
 class Cell:
     """One cell holding a constant. `style` alone (content None) makes an empty styled cell."""
@@ -59,6 +64,11 @@ class Cell:
     col: int
     content: Content
     style: Style = PLAIN
+
+    @property
+    def value(self) -> float | str | bool | None:
+        """The content as programs compute with it: of a rich text its text."""
+        return self.content.plain if isinstance(self.content, Rich) else self.content
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 
-from mechsheet.sheet.workbook import Content, Rich
+from mechsheet.sheet.workbook import Content, plain_text
 
 
 def wrapped_lines(content: Content, width: float) -> int:
     """How many lines a text takes in a column of `width` characters, generously: words break early, capitals are wide."""
     if content is None or isinstance(content, bool | float):
         return 1
-    text = content.plain if isinstance(content, Rich) else content
-    return max(1, sum(math.ceil(len(line) / (width * 1.05)) for line in text.split("\n")))
+    return max(1, sum(math.ceil(len(line) / (width * 1.05)) for line in plain_text(content).split("\n")))

@@ -16,10 +16,11 @@ from numpy.typing import NDArray
 from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.formula.nodes import symbols
+from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_between, given_values, step_of
 from mechsheet.kinematics.equations import RATES
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import dimension_order, dimension_values, largest_length
+from mechsheet.kinematics.solve import largest_length
 from mechsheet.model import Condition, Mechanism, Study
 from mechsheet.sheet.checks.turning import derivatives, differentiated
 from mechsheet.studies.lowering import Lowered, Lowering

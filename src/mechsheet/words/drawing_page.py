@@ -10,7 +10,7 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "file.unsaved": ("changed", "değişti"),
     "template": ("Open a template …", "Hazır bir mekanizma aç …"),
     "template.replace": (
-        "The template takes the place of what is drawn. It can be undone.",
+        "The template replaces what is drawn. You can undo this.",
         "Hazır mekanizma çizilenin yerini alır. Geri alınabilir.",
     ),
     "template.take": ("Open it", "Aç"),
@@ -23,7 +23,7 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     ),
     "save.name": ("Name of the file", "Dosyanın adı"),
     "save.changed": (
-        "{file} is not any more as it was read: somebody has changed it, or made it. Saving replaces what is there.",
+        "{file} is no longer as it was when this page read it: somebody has changed it, or created it. Saving replaces it.",
         "{file} okunduğu gibi değil: biri onu değiştirmiş ya da oluşturmuş. Kaydetmek oradakinin yerine geçer.",
     ),
     "save.replace": ("Replace it", "Yerine yaz"),
@@ -46,27 +46,27 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     ),
     "tool.turn": ("Move", "Hareket"),
     "tool.turn.hint": (
-        "Drag a link: the mechanism moves as it can.",
+        "Drag a link: the mechanism moves as far as it can.",
         "Bir uzvu sürükleyin: mekanizma izin verdiği gibi hareket eder.",
     ),
     "tool.ground": ("Ground pin", "Sabit mafsal"),
     "tool.ground.hint": ("A revolute joint to the ground", "Sabit uzva döner mafsal"),
     "tool.ground.step1": (
-        "Click a place, or a point that shall be fixed.",
+        "Click a place, or a point that is to be fixed.",
         "Bir yere ya da sabitlenecek bir noktaya tıklayın.",
     ),
     "tool.link": ("Link", "Uzuv"),
     "tool.link.hint": ("A link between two points", "İki nokta arasında uzuv"),
     "tool.link.step1": (
-        "Click where the link begins: a point joins it there.",
+        "Click where the link begins. On a point, it is pinned there.",
         "Uzvun başladığı yere tıklayın: bir nokta onu orada mafsallar.",
     ),
     "tool.link.step2": ("Click where it ends.", "Bittiği yere tıklayın."),
     "tool.plate": ("Plate", "Levha"),
-    "tool.plate.hint": ("A further point of a link", "Bir uzva bir nokta daha"),
+    "tool.plate.hint": ("Another point on a link", "Bir uzva bir nokta daha"),
     "tool.plate.step1": ("Click the link.", "Uzva tıklayın."),
     "tool.plate.step2": (
-        "Click its further point: a place, or a point to be joined.",
+        "Click its new point: a free place, or a point to be joined.",
         "Yeni noktasına tıklayın: bir yer ya da mafsallanacak bir nokta.",
     ),
     "tool.slider": ("Slider", "Kızak"),
@@ -77,7 +77,7 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
         "Üzerinde kaydığı uzva ya da sabit kılavuzun doğrultusunda bir yere tıklayın.",
     ),
     "tool.slot": ("Pin in slot", "Yarıkta pim"),
-    "tool.slot.hint": ("A pin that glides along a slot", "Bir yarık boyunca kayan pim"),
+    "tool.slot.hint": ("A pin that slides along a slot", "Bir yarık boyunca kayan pim"),
     "tool.slot.step1": ("Click the pin.", "Pime tıklayın."),
     "tool.slot.step2": (
         "Click the link that has the slot, or a place in the direction of a fixed slot.",
@@ -90,8 +90,8 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
         "Döndürülen uzva ya da itilen kızağa tıklayın.",
     ),
     "tool.delete": ("Delete", "Sil"),
-    "tool.delete.hint": ("Take a point, a link or a slider away", "Bir noktayı, uzvu ya da kızağı kaldır"),
-    "tool.delete.step1": ("Click what shall go.", "Kaldırılacak olana tıklayın."),
+    "tool.delete.hint": ("Remove a point, a link or a slider", "Bir noktayı, uzvu ya da kızağı kaldır"),
+    "tool.delete.step1": ("Click what you want to delete.", "Kaldırılacak olana tıklayın."),
     "tool.scale.step1": (
         "Click one end of a known length in the picture.",
         "Resimde bilinen bir uzunluğun bir ucuna tıklayın.",
@@ -101,9 +101,9 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
         "Begin with a ground pin (G), then draw links (L). Or open a template.",
         "Sabit bir mafsalla başlayın (G), sonra uzuv çizin (L). Ya da hazır bir mekanizma açın.",
     ),
-    # what cannot be drawn so
+    # what cannot be drawn that way
     "impossible.unreadable": (
-        "The text cannot be read: mend it first, or undo.",
+        "The text cannot be read: correct it first, or undo.",
         "Metin okunamıyor: önce düzeltin ya da geri alın.",
     ),
     "impossible.no_ground": (
@@ -118,7 +118,7 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     ),
     "impossible.on_link_already": ("{point} is a point of this link already.", "{point} zaten bu uzvun noktası."),
     "impossible.slides_on_it": ("{point} slides on this link.", "{point} bu uzuv üzerinde kayıyor."),
-    "impossible.pin_first": ("First draw the link whose pin shall glide.", "Önce pimi kayacak olan uzvu çizin."),
+    "impossible.pin_first": ("First draw the link whose pin is to slide.", "Önce pimi kayacak olan uzvu çizin."),
     "impossible.moving_link": (
         "Click a moving link, or a place for a fixed guide.",
         "Hareketli bir uzva ya da sabit kılavuz için bir yere tıklayın.",
@@ -137,7 +137,7 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     ),
     "impossible.drive_moving": ("Click a moving link.", "Hareketli bir uzva tıklayın."),
     "impossible.join_first": (
-        "Join the link to another one first: it turns about a pin.",
+        "Pin the link to another one first: it can only turn about a pin.",
         "Önce uzvu başka bir uzva mafsallayın: bir mafsal çevresinde döner.",
     ),
     "impossible.ground_stays": (
@@ -145,7 +145,7 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
         "Sabit uzuv kalır; noktaları tek tek silinebilir.",
     ),
     "impossible.nothing_follows": (
-        "No number of the text leads {point} there: what it depends on follows from other numbers.",
+        "No number in the text can move {point} there: its place follows from other numbers.",
         "Metindeki hiçbir sayı {point} noktasını oraya götürmez: bağlı olduğu değerler başka sayılardan çıkıyor.",
     ),
     # the sheet
@@ -154,20 +154,20 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "fit": ("Show all", "Tümünü göster"),
     "nearer": ("Zoom in", "Yakınlaştır"),
     "farther": ("Zoom out", "Uzaklaştır"),
-    "grid": ("Grid, and rounding to it", "Izgara ve ona yuvarlama"),
+    "grid": ("Grid, and snapping to it", "Izgara ve ona yuvarlama"),
     "paths": ("Paths of the points", "Noktaların yörüngeleri"),
     "picture": ("Picture behind the drawing", "Çizimin arkasındaki resim"),
     "picture.choose": ("Choose a picture …", "Resim seç …"),
     "picture.scale": ("Scale it", "Ölçekle"),
-    "picture.length": ("How long is this in truth?", "Bunun gerçek uzunluğu nedir?"),
+    "picture.length": ("How long is this in reality?", "Bunun gerçek uzunluğu nedir?"),
     "picture.strength": ("strength", "belirginlik"),
     "picture.away": ("Remove", "Kaldır"),
     "picture.there": (
-        "The picture is there. Scale it by two clicks on a known length.",
+        "The picture is in place. Scale it by clicking both ends of a known length.",
         "Resim yerinde. Bilinen bir uzunluğa iki kez tıklayarak ölçekleyin.",
     ),
     "picture.unreadable": (
-        "This is no picture that the browser can read.",
+        "The browser cannot read this as a picture.",
         "Bu, tarayıcının okuyabildiği bir resim değil.",
     ),
     # motion and state
@@ -180,7 +180,7 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "sweep.step": ("step", "adım"),
     "freedom": ("degrees of freedom: {count}", "serbestlik derecesi: {count}"),
     "state.all": ("It can be joined in every position.", "Her konumda kapanıyor."),
-    "state.some": ("It can be joined only from", "Yalnız şu aralıkta kapanıyor:"),
+    "state.some": ("It can be joined only at", "Yalnız şu aralıkta kapanıyor:"),
     "state.here": ("Not here:", "Burada değil:"),
     "state.unfinished": ("It cannot move yet:", "Henüz hareket edemez:"),
     "state.undriven": (
@@ -188,7 +188,7 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
         "Henüz tahrik edilen bir şey yok: Tahrik (D) seçin.",
     ),
     "state.broken": (
-        "The text cannot be read; the drawing is as it was before.",
+        "The text cannot be read; the drawing stays as it was.",
         "Metin okunamıyor; çizim önceki gibi duruyor.",
     ),
     "faults": ("What is missing or wrong", "Eksik ya da yanlış olanlar"),
@@ -196,16 +196,16 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     # beside it
     "dimensions": ("Dimensions", "Boyutlar"),
     "dimensions.none": (
-        "No dimension yet: every link that is drawn brings its own.",
+        "No dimensions yet: each link you draw adds its own.",
         "Henüz boyut yok: çizilen her uzuv kendininkini getirir.",
     ),
     "curves": ("Curves", "Eğriler"),
     "curves.none": (
-        "Curves are there as soon as the mechanism can move.",
+        "Curves appear as soon as the mechanism can move.",
         "Mekanizma hareket edebilince eğriler de görünür.",
     ),
     "text": ("Description", "Tanım"),
-    "undrawn": ("Also in the text, and changed there:", "Metinde olan ve orada değiştirilen:"),
+    "undrawn": ("Also in the text, to be edited there:", "Metinde olan ve orada değiştirilen:"),
     "undrawn.loads": ("loads", "yükler"),
     "undrawn.masses": ("masses", "kütleler"),
     "undrawn.flywheel": ("the flywheel", "volan"),
@@ -214,15 +214,15 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "undrawn.exercise": ("the exercise", "alıştırma"),
     "undrawn.tables": ("two-way tables", "iki yönlü tablolar"),
     "undrawn.gears": ("gears, belts and racks", "dişliler, kayışlar, kremayerler"),
-    "undrawn.motion": ("the law of motion", "hareket kanunu"),
+    "undrawn.motion": ("the motion law", "hareket kanunu"),
     "undrawn.values": ("the driver's list of values", "tahrikin değer listesi"),
     "workbook": ("Workbook", "Çalışma kitabı"),
     "workbook.layout": ("Layout", "Yerleşim"),
-    "workbook.layout.own": ("layout as described", "yerleşim tanımdaki gibi"),
+    "workbook.layout.own": ("layout as in the text", "yerleşim metindeki gibi"),
     "workbook.layout.sheets": ("several sheets", "birkaç sayfa"),
     "workbook.layout.page": ("one sheet", "tek sayfa"),
     "workbook.language": ("Language", "Dil"),
-    "workbook.language.own": ("language as described", "dil tanımdaki gibi"),
+    "workbook.language.own": ("language as in the text", "dil metindeki gibi"),
     "workbook.language.en": ("English", "İngilizce"),
     "workbook.language.tr": ("Turkish", "Türkçe"),
     "get.xlsx": ("The workbook for Excel", "Excel için çalışma kitabı"),
@@ -238,21 +238,21 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "help.first": ("A four-bar from nothing", "Sıfırdan bir dört-çubuk"),
     "help.first.1": ("Ground pin: click two places.", "Sabit mafsal: iki yere tıklayın."),
     "help.first.2": (
-        "Link: from the first ground pin to a free place, from there to another, from there to the second ground pin. A "
-        "link that begins or ends at a point is pinned there to the links that have it.",
+        "Link: from the first ground pin to a free place, from there to another, and from there to the second ground "
+        "pin. A link that begins or ends at a point is pinned there.",
         "Uzuv: ilk sabit mafsaldan boş bir yere, oradan başka bir yere, oradan ikinci sabit mafsala. Bir noktada başlayan "
         "ya da biten uzuv, o noktası olan uzuvlara orada mafsallanır.",
     ),
     "help.first.3": (
-        "Driver: click the first link. The play button works now.",
+        "Driver: click the first link. Now the play button works.",
         "Tahrik: ilk uzva tıklayın. Oynatma düğmesi artık çalışır.",
     ),
     "help.first.4": (
-        "Workbook: the .xlsx has every length as a yellow cell, and a row for each position.",
+        "Workbook: in the .xlsx every length is a yellow cell, and every position a row.",
         "Çalışma kitabı: .xlsx dosyasında her uzunluk sarı bir hücre, her konum bir satırdır.",
     ),
     "help.assembly": (
-        "The same links can be put together in two ways, mirrored. Taken is the way in which they are drawn.",
+        "The same links can be put together in two ways, mirror images of each other. The page takes the one you draw.",
         "Aynı uzuvlar, aynadaki gibi, iki biçimde birleştirilebilir. Çizilmiş olan biçim alınır.",
     ),
     "help.keys": ("Keys", "Tuşlar"),
@@ -260,11 +260,11 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "help.tools": ("the tools, from top to bottom", "araçlar, yukarıdan aşağıya"),
     "help.arrows.keys": ("← ↑ → ↓", "← ↑ → ↓"),
     "help.arrows": (
-        "move the point in focus, the cursor of a drawing tool, or the mechanism (Move); Shift: ten steps, Alt: a tenth",
+        "move the focused point, the drawing cursor, or the mechanism (Move); Shift: ten steps, Alt: a tenth of one",
         "odaktaki noktayı, çizim aracının imlecini ya da mekanizmayı (Hareket) ilerletir; Shift: on adım, Alt: onda bir",
     ),
     "help.enter.keys": ("Tab, Enter, Esc", "Tab, Enter, Esc"),
-    "help.enter": ("from point to point; click; begin anew", "noktadan noktaya; tıklama; baştan başlama"),
+    "help.enter": ("next point; click; start over", "noktadan noktaya; tıklama; baştan başlama"),
     "help.delete.keys": ("Delete", "Delete"),
     "help.delete": ("delete what is chosen", "seçileni siler"),
     "help.space.keys": ("Space", "Boşluk"),
@@ -276,5 +276,5 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "help.zoom.keys": ("wheel, +, −, two fingers", "tekerlek, +, −, iki parmak"),
     "help.zoom": ("zoom", "yakınlaştırır, uzaklaştırır"),
     "help.alt.keys": ("Alt while dragging", "sürüklerken Alt"),
-    "help.alt": ("without rounding to the grid", "ızgaraya yuvarlamadan"),
+    "help.alt": ("do not snap to the grid", "ızgaraya yuvarlamadan"),
 }

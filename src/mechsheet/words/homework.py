@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Literal
-
-Language = Literal["en", "tr"]
-
 HOMEWORK: dict[str, tuple[str, str]] = {
     # verdicts
     "right": ("right", "doğru"),
@@ -39,7 +35,7 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "typed number": ("a typed number", "elle yazılmış bir sayı"),
     "breaks its column": ("not the formula of its column", "sütununun formülü değil"),
     "two changes": ("two faults in one formula", "bir formülde iki hata"),
-    "no single change mends it": ("no single change mends it", "tek bir değişiklik düzeltmiyor"),
+    "no single change mends it": ("no single change corrects it", "tek bir değişiklik düzeltmiyor"),
     "other dimension": ("not the student's own dimension", "öğrencinin kendi boyutu değil"),
     # the terminal
     "fault": ("{cells}  {formula}: {kind}", "{cells}  {formula}: {kind}"),
@@ -134,9 +130,9 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "marks.student": ("student", "öğrenci"),
     "marks.cells": ("cells", "hücreler"),
     "marks.formula": ("formula", "formül"),
-    "marks.mend": ("mend", "düzeltme"),
+    "marks.mend": ("correction", "düzeltme"),
     "marks.hint": (
-        "A number in the yellow column stands in place of the total. Amber: not right as it stands. Red: no marks.",
+        "A number in the yellow column replaces the total. Amber: not right as it stands. Red: no marks.",
         "Sarı sütuna yazılan sayı toplamın yerine geçer. Turuncu: bu haliyle doğru değil. Kırmızı: puan yok.",
     ),
     "marks.nothing": ("no workbook was handed in", "dosya verilmedi"),

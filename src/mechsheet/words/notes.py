@@ -51,6 +51,12 @@ NOTES: dict[str, tuple[str, str]] = {
         "{checks} sayfası her satırı geometrik olarak yeniden ölçer ve tabloda artık formül olmayan hücreleri sayar. "
         "Bir sorun varsa {mechanism} sayfasında başlığın altındaki satır kırmızıdır ve yerini söyler.",
     ),
+    "notes.use.grashof": (
+        "Grashof: shortest + longest link − the other two of a four-bar. Below 0 the shortest can turn fully, at 0 all four "
+        "can lie in one line (change point), above 0 none can turn fully.",
+        "Grashof: dört çubuğun en kısa + en uzun uzvu − öteki ikisi. 0'dan küçükse en kısa uzuv tam dönebilir, 0 ise dört "
+        "uzuv bir doğru üzerine gelebilir, 0'dan büyükse hiçbiri tam dönemez.",
+    ),
     "notes.use.extremes": (
         "The sheet {extremes} computes further positions between the rows: there lie the limits and the "
         "smallest and largest values that the first sheet names.",

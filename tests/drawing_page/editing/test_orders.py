@@ -185,22 +185,22 @@ def test_what_cannot_be_drawn_so_is_told_in_both_languages(order):
 
 
 @pytest.mark.parametrize(
-    "order",
+    ("order", "said"),
     [
-        {"do": "link"},
-        {"do": "link", "ends": [1, 2]},
-        {"do": "link", "ends": [pin("X"), pin("A")]},
-        {"do": "plate", "link": "nothing", "end": spot(0, 0)},
-        {"do": "slide", "kind": "glide", "end": pin("A"), "on": spot(0, 0)},
-        {"do": "slide", "kind": "pin-slot", "end": pin("A"), "on": 3},
-        {"do": "driver", "joint": "nothing"},
-        {"do": "delete"},
-        {"do": "delete", "point": "nothing"},
-        {"do": "delete", "joint": "nothing"},
+        ({"do": "link"}, "a link begins and ends"),
+        ({"do": "link", "ends": [1, 2]}, "an end is a table"),
+        ({"do": "link", "ends": [pin("X"), pin("A")]}, 'there is no point "X"'),
+        ({"do": "plate", "link": "nothing", "end": spot(0, 0)}, 'there is no link "nothing"'),
+        ({"do": "slide", "kind": "glide", "end": pin("A"), "on": spot(0, 0)}, 'no sliding joint is called "glide"'),
+        ({"do": "slide", "kind": "pin-slot", "end": pin("A"), "on": 3}, '"on" is a table'),
+        ({"do": "driver", "joint": "nothing"}, 'there is no sliding joint "nothing"'),
+        ({"do": "delete"}, '"" must be a text'),
+        ({"do": "delete", "point": "nothing"}, 'there is no point "nothing"'),
+        ({"do": "delete", "joint": "nothing"}, 'there is no sliding joint "nothing"'),
     ],
 )
-def test_orders_that_make_no_sense_are_refused(order):
-    with pytest.raises(Refusal):
+def test_orders_that_make_no_sense_are_refused(order, said):
+    with pytest.raises(Refusal, match=said):
         four_bar().do(**order)
 
 
@@ -219,8 +219,14 @@ def test_numbers_that_are_typed(name, value, there):
 
 
 @pytest.mark.parametrize(
-    ("name", "value"), [("a2", "x"), ("a9", "1"), ("driver.step", "fast"), ("driver.start", "3 mm")]
+    ("name", "value", "said"),
+    [
+        ("a2", "x", '"x" is not a dimension'),
+        ("a9", "1", 'no dimension is called "a9"'),
+        ("driver.step", "fast", 'driver.step: "fast" is no number'),
+        ("driver.start", "3 mm", 'driver.start: "3 mm" is no number'),
+    ],
 )
-def test_numbers_that_are_none_are_refused(name, value):
-    with pytest.raises(mechsheet.MechsheetError):
+def test_numbers_that_are_none_are_refused(name, value, said):
+    with pytest.raises(mechsheet.MechsheetError, match=said):
         four_bar().do("driver", link="link2").do("dimension", name=name, value=value)

@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 import pytest
+from drawn_trees import numeric, plain, values
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_fast import numeric, plain, values
 
 from mechsheet.engine import FAST, PORTABLE, compile_book
 from mechsheet.engine.fast import scalars

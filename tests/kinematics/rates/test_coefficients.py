@@ -12,10 +12,11 @@ from in_line import IN_LINE
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import Solution, rate_symbols
 from random_mechanisms import Grower
@@ -95,8 +96,7 @@ def expected(symbol, mechanism, rates):
 def worst_of(described):
     """The largest difference from the reference, times sin^2 of the transmission angle; how many were compared."""
     mechanism, equations, _, values = solved(described)
-    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
-    solution = reference.solve(mechanism, start=rough_poses(mechanism, modes, equations))
+    solution = reference.solve(mechanism, start=rough_poses(mechanism, equations))
     rates = reference.rates(solution)
     sine = sines(equations, values)
     rows = solution.exists & (sine > DEAD)

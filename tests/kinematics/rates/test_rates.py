@@ -14,9 +14,10 @@ from chosen import ALL, ITERATED, LISTED, but, some
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.solve import dimension_values, solve
+from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower, compared
 
@@ -36,8 +37,7 @@ def worst_against_reference(mechanism):
     equations = solve(mechanism)
     driver = driver_values(mechanism, dimension_values(mechanism))
     rates = rates_over(equations, sweep(mechanism, equations, driver), {mechanism.driver.symbol: (1.0, 0.0)})
-    modes = {group.mode: group.mode_value for group in equations.groups if group.mode}
-    solution = reference.solve(mechanism, start=rough_poses(mechanism, modes))
+    solution = reference.solve(mechanism, start=rough_poses(mechanism, equations))
     stroke = 1.0 if mechanism.driver.unit.kind == "angle" else float(np.max(np.abs(driver)))
     lengths = {equation.symbol for equation in equations.all if equation.unit.kind == "length"}
     expected = reference.rates(solution)

@@ -17,11 +17,11 @@ from mechsheet.checking.bands import derivatives
 from mechsheet.description import load
 from mechsheet.dynamics.solve import solve
 from mechsheet.formula.nodes import symbols
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.rates.sensitivity import determinant_symbol, sensitivities, toleranced
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import compared
 
@@ -83,9 +83,8 @@ class Found:
 def worst_against_reference(mechanism):
     """The largest difference as a part of size and derivative, less what differences cannot tell; how many were compared."""
     found = Found(mechanism)
-    modes = {group.mode: group.mode_value for group in found.equations.groups if group.mode}
     own = None if mechanism.driver.law else found.driver
-    solution = reference.solve(found.mechanism, start=rough_poses(found.mechanism, modes), values=own)
+    solution = reference.solve(found.mechanism, start=rough_poses(found.mechanism, found.equations), values=own)
     units = {name: found.equations.of(name).unit.kind for name in found.quantities}
     worst, count = 0.0, 0
     for dim in toleranced(found.mechanism):

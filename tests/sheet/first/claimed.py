@@ -16,9 +16,9 @@ from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.solve import solve
 from mechsheet.engine import compile_book
 from mechsheet.formats import write
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import TURN, Search
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.sheet import styles
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import MEANING, VALUE

@@ -61,18 +61,29 @@ def test_one_line_for_every_symbol(name):
         assert any(line.get(MEANING) == label and str(line[EQUATION]).startswith("=") for line in found.values()), label
 
 
-@pytest.mark.parametrize("name", ["four-bar", "jansen"])
+@pytest.mark.parametrize("name", ["adjustable-pump", "jansen"])
 def test_rows_are_high_enough(name):
     """At 1.05 characters to a unit of width, every text has the lines that it needs."""
     laid = Laid(template_text(name))
     sheet, found = lines(laid)
     heights = dict(sheet.row_heights)
+    high = 0
     for row, line in found.items():
         needed = max(
             (len(str(text)) / (WIDTHS[col] * 1.05) for col, text in line.items() if col != SYMBOL and text), default=0
         )
         if needed > 1 and EQUATION in line:
+            high += 1
             assert heights[row] >= 13 * needed
+    assert high
+
+
+@pytest.mark.parametrize(("name", "said"), [("four-bar", True), ("slider-crank", False)])
+def test_what_the_number_of_grashof_is(name, said):
+    """A student who wants to turn a crank further learns which number must change its sign."""
+    _, found = lines(Laid(template_text(name)))
+    texts = [str(line.get(SYMBOL)) for line in found.values()]
+    assert any("Below 0 the shortest can turn fully" in text for text in texts) == said
 
 
 EMPTY = ("verdict.line.positions", "page.verdict.positions")

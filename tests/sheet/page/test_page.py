@@ -278,7 +278,10 @@ def test_an_input_that_is_none_shows_no_position(typed, named):
 
 
 def test_verdict_says_rows_only():
-    said = Page(text_of("four-bar")).cell("#verdict")
+    page = Page(text_of("four-bar"))
+    (note,) = [comment for comment in page.sheet.comments if comment.text.startswith("Grashof: shortest + longest")]
+    assert next(cell for cell in page.sheet.cells if (cell.row, cell.col) == (note.row, note.col)).content == "A0ABB0"
+    said = page.cell("#verdict")
     assert said.startswith("closes in all 25 positions; crank-rocker, crank can turn fully; ")
     assert said.endswith("transmission angle at least 33.9° in these rows")
     assert Page(text_of("four-bar"), "tr").cell("#verdict").startswith("bütün konumlarda kapanıyor: 25; krank-sarkaç")

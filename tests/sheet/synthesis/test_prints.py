@@ -50,6 +50,7 @@ def test_charts_stand_in_the_print_and_not_on_each_other(laid_out):
     _, sheet = laid_out
     area = sheet.print_setup.area
     below = 0
+    assert sheet.charts
     for chart in sheet.charts:
         at = chart.anchor
         assert pixels(sheet, range(at.col)) + at.dx + at.width <= pixels(sheet, range(area.last_col + 1))

@@ -9,7 +9,7 @@ from laid import Laid
 from in_line import IN_LINE
 from mechsheet import loads, reference
 from mechsheet.diagnostics import DescriptionError
-from mechsheet.kinematics.solve import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.library.show import overview_text
 from mechsheet.reference.wholes import further
 

@@ -9,10 +9,10 @@ from laid import Laid, template_text
 import mechsheet
 from chosen import ALL, IN_CI, ITERATED, first, part
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.newton.leading import leading
 from mechsheet.kinematics.newton.system import CLOSED, refined
 from mechsheet.kinematics.numeric import evaluate_equation
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.sheet.table.lowering import in_pass
 from random_mechanisms import Grower
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from mechsheet.checking.verdicts import against_search
+from mechsheet.checking.searched.against_search import against_search
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads

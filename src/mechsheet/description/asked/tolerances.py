@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from typing import Any
 
 from mechsheet.description.driving.rates import is_rate
-from mechsheet.description.index import Path
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.results import check_column
 from mechsheet.description.scope import Scope
+from mechsheet.description.text.index import Path
 from mechsheet.model import Dimension, Driver, FurtherDriver, Tolerances
 from mechsheet.said import say
 

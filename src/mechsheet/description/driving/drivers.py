@@ -8,11 +8,11 @@ from typing import Any
 
 from mechsheet.description.cells import own_cell
 from mechsheet.description.driving import driver as first_driver
-from mechsheet.description.index import Path
 from mechsheet.description.joints import Ends
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, circle_message, cycles
+from mechsheet.description.text.index import Path
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, symbols
 from mechsheet.model import Dimension, Driver, FurtherDriver, Joint, Link, TableRequest

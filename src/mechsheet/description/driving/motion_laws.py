@@ -16,10 +16,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANGLE, ANY, LENGTH
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import Scope
+from mechsheet.description.text.index import Path
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.formula.parser import parse_description

@@ -7,11 +7,11 @@ from typing import Any, Literal
 
 from mechsheet.description.driving import motion_laws
 from mechsheet.description.forces.force_names import OF_MOTION
-from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANY
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
+from mechsheet.description.text.index import Path
 from mechsheet.formula import algebra as al
 from mechsheet.formula.derivatives import derivative
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, walk

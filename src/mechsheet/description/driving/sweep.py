@@ -9,13 +9,13 @@ from typing import Any
 
 from mechsheet.description.driving.driver import LANDS, check_sweep, kind_and_unit
 from mechsheet.description.grammar import MOST_ROWS, Quantity
-from mechsheet.description.numbers import typed_number
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD
-from mechsheet.description.rewrite import number_text, with_value
 from mechsheet.description.scope import Scope
 from mechsheet.description.shape import fit
-from mechsheet.description.source import Source
+from mechsheet.description.text.numbers import typed_number
+from mechsheet.description.text.rewrite import number_text, with_value
+from mechsheet.description.text.source import Source
 from mechsheet.description.typed_value import DIGITS, scope_for, table_of, typed_value
 from mechsheet.diagnostics import Fault
 from mechsheet.said import say

@@ -12,11 +12,11 @@ from typing import Any
 
 from mechsheet.description.driving.rates import check_speed, is_rate
 from mechsheet.description.forces.force_names import CENTER, first_key, keys_of
-from mechsheet.description.index import Path
 from mechsheet.description.links import place as read_place
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, symbol_fault
+from mechsheet.description.text.index import Path
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.model import (

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from mechsheet.description.index import Path
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import Scope
+from mechsheet.description.text.index import Path
 from mechsheet.formula.nodes import Symbol
 from mechsheet.formula.scalar import evaluate
 from mechsheet.model import ENERGY, Dimension, Driver, Dynamics, Link, Quantity

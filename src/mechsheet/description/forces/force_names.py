@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import Any
 
-from mechsheet.description.index import Path
 from mechsheet.description.kinds import ANY, LENGTH
 from mechsheet.description.quoting import quoted
 from mechsheet.description.scope import Scope
+from mechsheet.description.text.index import Path
 from mechsheet.model import (
     POINT_RATES,
     SHAKING,

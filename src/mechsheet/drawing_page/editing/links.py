@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from mechsheet.description.index import key_text
-from mechsheet.description.rewrite import without_key
-from mechsheet.description.rewrite_tables import with_last_key, with_table
-from mechsheet.description.source import Source
+from mechsheet.description.text.index import key_text
+from mechsheet.description.text.rewrite import without_key
+from mechsheet.description.text.rewrite_tables import with_last_key, with_table
+from mechsheet.description.text.source import Source
 from mechsheet.drawing_page.editing.naming import free_link, free_point, free_symbol
 from mechsheet.drawing_page.editing.sheet import Sheet, end_of, in_frame, rounded, sketched, with_length
 from mechsheet.drawing_page.positions import Pose

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 
 from mechsheet.description.parts import Parts, parts_of
-from mechsheet.description.rewrite import without_key
-from mechsheet.description.rewrite_tables import without_table
-from mechsheet.description.source import Source
+from mechsheet.description.text.rewrite import without_key
+from mechsheet.description.text.rewrite_tables import without_table
+from mechsheet.description.text.source import Source
 from mechsheet.drawing_page.questions import Impossible, Refusal
 from mechsheet.drawing_page.reading import read_by_guide, reads_of
 from mechsheet.model import Joint

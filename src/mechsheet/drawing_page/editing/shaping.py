@@ -9,13 +9,13 @@ from typing import TypeAlias
 
 import numpy as np
 
-from mechsheet.description.numbers import typed_number
 from mechsheet.description.overrides import with_values
 from mechsheet.description.parts import Parts
 from mechsheet.description.quoting import quoted
-from mechsheet.description.rewrite import number_text, with_number, with_value, without_key
-from mechsheet.description.rewrite_tables import with_last_key
-from mechsheet.description.source import Source
+from mechsheet.description.text.numbers import typed_number
+from mechsheet.description.text.rewrite import number_text, with_number, with_value, without_key
+from mechsheet.description.text.rewrite_tables import with_last_key
+from mechsheet.description.text.source import Source
 from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError
 from mechsheet.drawing_page.fitting import Fit, fitted
 from mechsheet.drawing_page.looking import shown_value, values_at

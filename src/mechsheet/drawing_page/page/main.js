@@ -13,6 +13,7 @@ import { fit, zoom } from "./view.js";
 import { confirmed, lookAgain, redo, save, setText, undo } from "./work.js";
 
 const get = (id) => document.getElementById(id);
+let templates = {}; // name -> title in both languages
 
 async function begin() {
   const given = await ask("begin");
@@ -24,7 +25,7 @@ async function begin() {
     state.language = given.language || (navigator.language.startsWith("tr") ? "tr" : "en");
     state.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
   }
-  for (const [name, title] of Object.entries(given.templates)) get("templates").append(new Option(title, name));
+  templates = given.templates;
   changed("theme", "language", "file", "grid", "paths", "picture", "tool");
   changed("text");
   if (state.view) changed("view");
@@ -84,10 +85,8 @@ get("templates").addEventListener("change", async (event) => {
 
 on("theme", () => (document.documentElement.dataset.theme = state.theme));
 on("language", () => {
-  const first = get("templates").options[0];
-  if (first?.value === "") first.textContent = word("template");
-  else get("templates").prepend(new Option(word("template"), ""));
-  get("templates").value = "";
+  const options = Object.entries(templates).map(([name, title]) => new Option(title[state.language], name));
+  get("templates").replaceChildren(new Option(word("template"), ""), ...options);
   label();
 });
 

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ...formula.nodes import Scalar
-from ..values.calling import Problem, to_number
+from ..values.calling import Problem, to_strict_number
 from ..values.coerce import to_text
 from .units import PREFIXES, TEMPERATURES, power_of_ten, unit
 
@@ -72,16 +72,10 @@ def write_base(number: int, base: int, places: Scalar) -> str:
     text = text or "0"
     if places == _NO_PLACES:
         return text
-    least = math.trunc(_plain_number(places))
+    least = math.trunc(to_strict_number(places))
     if not 0 < least <= _DIGITS or (number >= 0 and len(text) > least):
         raise Problem("#NUM!")
     return text.rjust(least, "0")
-
-
-def _plain_number(value: Scalar) -> float:
-    if isinstance(value, bool):
-        raise Problem("#VALUE!")
-    return to_number(value)
 
 
 def _to_decimal(base: int) -> Callable[[Scalar], float]:
@@ -89,7 +83,7 @@ def _to_decimal(base: int) -> Callable[[Scalar], float]:
 
 
 def _from_decimal(base: int) -> Callable[..., str]:
-    return lambda value, places=_NO_PLACES: write_base(math.trunc(_plain_number(value)), base, places)
+    return lambda value, places=_NO_PLACES: write_base(math.trunc(to_strict_number(value)), base, places)
 
 
 def _between(source: int, target: int) -> Callable[..., str]:
@@ -118,12 +112,12 @@ def shifted(number: float, by: float) -> float:
 
 def delta(first: Scalar, second: Scalar = 0.0) -> float:
     """DELTA: 1 when two numbers are equal."""
-    return float(_plain_number(first) == _plain_number(second))
+    return float(to_strict_number(first) == to_strict_number(second))
 
 
 def step(number: Scalar, bound: Scalar = 0.0) -> float:
     """GESTEP: 1 from a bound on."""
-    return float(_plain_number(number) >= _plain_number(bound))
+    return float(to_strict_number(number) >= to_strict_number(bound))
 
 
 def erf(low: float, high: float | None = None) -> float:

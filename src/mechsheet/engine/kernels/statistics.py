@@ -13,7 +13,7 @@ from ..values.calling import Problem, is_reference, need, raise_first
 from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, TEXT, Cells, Numbers, codes_of
 from ..values.coerce import numbers_of
 from ..values.frames import Frame
-from .fold import count, fold, folded, total, united
+from .fold import count, fold, folded, mean, total, united
 from .logic import _first_of, _flat
 
 if TYPE_CHECKING:
@@ -42,11 +42,6 @@ def _spread(sample: bool, root: bool) -> Callable[[Any, Any], Any]:
 def _devsq(numbers: Any, counts: Any) -> Any:
     squares, many = _deviations(numbers, counts)
     return squares, np.where(many == 0, np.uint8(NUM), np.uint8(0))
-
-
-def _mean(numbers: Any, counts: Any) -> Any:
-    many = count(numbers, counts)
-    return total(numbers, counts) / np.where(many == 0, 1.0, many), np.where(many == 0, np.uint8(DIV0), np.uint8(0))
 
 
 def _extreme(largest: bool) -> Callable[[Any, Any], Any]:
@@ -102,7 +97,7 @@ KERNELS: dict[str, Any] = {
     "STDEV": fold(_STDEV), "STDEV.S": fold(_STDEV), "STDEVP": fold(_STDEV_P), "STDEV.P": fold(_STDEV_P),
     "VAR": fold(_VAR), "VAR.S": fold(_VAR), "VARP": fold(_VAR_P), "VAR.P": fold(_VAR_P), "DEVSQ": fold(_devsq),
     "STDEVA": _counting_all(_STDEV), "STDEVPA": _counting_all(_STDEV_P), "VARA": _counting_all(_VAR),
-    "VARPA": _counting_all(_VAR_P), "AVERAGEA": _counting_all(_mean), "MAXA": _counting_all(_extreme(True)),
+    "VARPA": _counting_all(_VAR_P), "AVERAGEA": _counting_all(mean), "MAXA": _counting_all(_extreme(True)),
     "MINA": _counting_all(_extreme(False)),
 }  # fmt: skip
 

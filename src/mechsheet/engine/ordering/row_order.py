@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from graphlib import CycleError, TopologicalSorter
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -141,21 +142,11 @@ def _settled(lines: list[Line], edges: list[_Edge]) -> bool:
 
 def _ordered(lines: list[Line], edges: list[_Edge]) -> list[Line] | None:
     """The lines in an order in which each stands after those that it reads at its own time; None for a circle."""
-    after: list[set[int]] = [set() for _ in lines]
+    after: dict[int, list[int]] = {number: [] for number in range(len(lines))}
     for reader, read, further in edges:
         if lines[reader].start == lines[read].start + further:
-            after[reader].add(read)
-    readers: list[list[int]] = [[] for _ in lines]
-    for reader, reads in enumerate(after):
-        for read in reads:
-            readers[read].append(reader)
-    ready = [number for number, reads in enumerate(after) if not reads]
-    found = []
-    while ready:
-        number = ready.pop()
-        found.append(lines[number])
-        for reader in readers[number]:
-            after[reader].discard(number)
-            if not after[reader]:
-                ready.append(reader)
-    return found if len(found) == len(lines) else None
+            after[reader].append(read)
+    try:
+        return [lines[number] for number in TopologicalSorter(after).static_order()]
+    except CycleError:
+        return None

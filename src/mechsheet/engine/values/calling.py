@@ -74,7 +74,8 @@ def _to_day(value: Scalar) -> float:
     return to_number(value)
 
 
-def _strict(value: Scalar) -> float:
+def to_strict_number(value: Scalar) -> float:
+    """A number, or a text that is one; a truth value is none."""
     if isinstance(value, bool):
         raise Problem("#VALUE!")
     return to_number(value)
@@ -82,8 +83,8 @@ def _strict(value: Scalar) -> float:
 
 _CONVERSIONS: dict[str, Callable[[Scalar], Any]] = {
     "n": to_number,
-    "p": _strict,
-    "y": _strict,
+    "p": to_strict_number,
+    "y": to_strict_number,
     "t": to_text,
     "b": to_truth,
     "d": _to_day,

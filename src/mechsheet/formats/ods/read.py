@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from xml.parsers import expat
 
 from mechsheet.diagnostics import Fault, FormulaError, WorkbookError
 from mechsheet.formula.book import Book, DefinedName
-from mechsheet.formula.nodes import CellRef, Node, shifted, transform
+from mechsheet.formula.nodes import CellRef, anchored, shifted, transform
 from mechsheet.formula.parser import parse_formula
 
 from ..reading.numbers import NULL_DATE, NULL_DATE_1904
@@ -95,10 +94,6 @@ def _name(text: NameText) -> DefinedName | None:
     if not isinstance(base, CellRef):
         return None
     if text.fixed:
-        formula = transform(formula, _absolute)
+        formula = transform(formula, anchored)
     # Relative references are as seen from the base cell; a book has them as seen from A1.
     return DefinedName(text.name, shifted(formula, -base.row, -base.col, wrap=True), text.sheet)
-
-
-def _absolute(node: Node) -> Node:
-    return replace(node, row_abs=True, col_abs=True) if isinstance(node, CellRef) else node

@@ -65,6 +65,10 @@ class Package:
     def __contains__(self, part: str) -> bool:
         return part_key(part) in self._parts
 
+    def close(self) -> None:
+        """Let go of the file, before the block of `open_package` ends: nothing more is read from it."""
+        self._zip.close()
+
     def fault(self, message: str, part: str = "") -> WorkbookError:
         """The error that refuses the file."""
         return WorkbookError(Fault(message, file=self.name, key=part))

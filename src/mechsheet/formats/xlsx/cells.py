@@ -26,7 +26,7 @@ from mechsheet.formula.nodes import (
 )
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name, cell_address, column_letters
-from mechsheet.sheet.workbook import Area, Cell, Content, Fill, Rich, Sheet, Style
+from mechsheet.sheet.workbook import Area, Cell, Fill, Rich, Sheet, Style
 
 from ..bands import Band, bands, column_values
 from ..fill_down_text import ColumnTexts, Piece, row_numbers, rowwise
@@ -230,9 +230,9 @@ class Copies:
     """What the cells of a sheet hold, for the copies that charts keep; looked up by columns, of which charts read many."""
 
     def __init__(self, sheet: Sheet) -> None:
-        self._cells: dict[int, dict[int, Content]] = {}
+        self._cells: dict[int, dict[int, Scalar]] = {}
         for cell in sheet.cells:
-            self._cells.setdefault(cell.col, {})[cell.row] = cell.content
+            self._cells.setdefault(cell.col, {})[cell.row] = cell.value
         self._fills: dict[int, list[Fill]] = {}
         for fill in sheet.fills:
             for col in range(fill.col, fill.col + fill.cols):
@@ -251,16 +251,12 @@ class Copies:
 
     def _column(self, col: int, first: int, end: int) -> dict[int, Scalar]:
         cells = self._cells.get(col, {})
-        found = {row: _plain(cells[row]) for row in range(first, end) if row in cells}
+        found: dict[int, Scalar] = {row: cells[row] for row in range(first, end) if row in cells}
         for fill in self._fills.get(col, ()):
             top, bottom = max(first, fill.row), min(end, fill.row + fill.rows)
             if top < bottom:
                 found |= zip(range(top, bottom), column_values(fill, col, top, bottom), strict=True)
         return found
-
-
-def _plain(content: Content) -> Scalar:
-    return content.plain if isinstance(content, Rich) else content
 
 
 def _cached(value: Scalar) -> float | str | None:

@@ -12,11 +12,14 @@ from itertools import groupby, pairwise
 
 from mechsheet.formula.nodes import RangeRef, walk
 from mechsheet.formula.references import area_name
-from mechsheet.sheet.workbook import Fill, Rich, Sheet
+from mechsheet.sheet.workbook import Fill, Sheet
 
 Place = tuple[int, int]
 Run = tuple[int, int, int]
 """Column, first row, last row."""
+
+FEW = 4
+"""Rows of a fill of working cells: a person's slip there would be none of a filled column's."""
 
 _NUMBER = re.compile(r"\s*[-+]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][-+]?[0-9]+)?%?\s*")
 
@@ -30,15 +33,27 @@ def ignored_errors(sheet: Sheet) -> list[tuple[str, tuple[str, ...]]]:
     unlockedFormula     inputs that the description gives as expressions
     numberStoredAsText  a link called 2, a line of the description
     """
+    texts = _runs(_numeric_texts(sheet))
+    if not texts and all(fill.rows <= FEW and fill.style.locked for fill in sheet.fills):
+        return _whole(sheet.fills)
     alone = [fill for fill in sheet.fills if fill.rows * fill.cols == 1]
     kinds = {
         "evalError": _columns(sheet.fills),
         "formula": _runs(place for fill in sheet.fills for place in _edges(fill)),
         "formulaRange": _runs((fill.row, fill.col) for fill in alone if _reads_range(fill)),
         "unlockedFormula": _columns(fill for fill in sheet.fills if not fill.style.locked),
-        "numberStoredAsText": _runs(_numeric_texts(sheet)),
+        "numberStoredAsText": texts,
     }
     return [(_ranges(runs), together) for together, runs in sorted(_apart(kinds).items())]
+
+
+def _whole(fills: tuple[Fill, ...]) -> list[tuple[str, tuple[str, ...]]]:
+    """One range for a sheet of working cells, where no filled column has a middle."""
+    if not fills:
+        return []
+    top, left = min(fill.row for fill in fills), min(fill.col for fill in fills)
+    end, right = max(fill.row + fill.rows for fill in fills), max(fill.col + fill.cols for fill in fills)
+    return [(area_name(top, left, end - top, right - left), ("evalError", "formula", "formulaRange"))]
 
 
 def _apart(kinds: dict[str, list[Run]]) -> dict[tuple[str, ...], list[Run]]:
@@ -72,7 +87,7 @@ def _reads_range(fill: Fill) -> bool:
 
 def _numeric_texts(sheet: Sheet) -> Iterator[Place]:
     for cell in sheet.cells:
-        text = cell.content.plain if isinstance(cell.content, Rich) else cell.content
+        text = cell.value
         if isinstance(text, str) and _NUMBER.fullmatch(text):
             yield cell.row, cell.col
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import listed_values
 from mechsheet.kinematics.equations import PASSES, Equations, System
 from mechsheet.kinematics.newton.system import MOST_PASSES
@@ -43,8 +44,6 @@ class Steps:
     """A mechanism's rows, and the same motion in the smallest steps that are tried."""
 
     def __init__(self, mechanism: Mechanism, equations: Equations, driver: Array, sweep: Sweep) -> None:
-        from mechsheet.kinematics.solve import dimension_values  # which needs this module
-
         self.besides = listed_values(mechanism, dimension_values(mechanism), driver)
         self.mechanism, self.equations, self.driver, self.sweep = mechanism, equations, driver, sweep
         self.unknowns = [name for group in equations.groups if group.system for name in group.system.unknowns]

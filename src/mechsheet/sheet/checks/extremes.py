@@ -1,14 +1,9 @@
 """The sheet of extremes: the smallest and the largest value of a quantity over the motion, not only over the rows.
 
-From the best row on: a probe at the vertex of the parabola through that row and its neighbours, one a tenth of a row
-beside it (or as far on the row's other side, where the first is worse than the row), and one at the vertex of the parabola
-through the row and these two. Where the best row is the last before a limit, all parabolas are over the root of the distance
-from it. What is given has been attained: the best of the row, the
+From the best row on probes look for it: by parabolas (`parabolas`), or, where the table has a quantity's derivatives by
+the driver, where the first of them changes sign (`turning`). What is given has been attained: the best of the row, the
 probes and both ends of the stretch, where a quantity may change steeply beyond its last row. Over a whole turn the rows
 at its ends are neighbours, which is decided by formulas: start and step may change.
-
-Where the table has a quantity's derivatives by the driver, two probes do: an extreme is where the first derivative changes
-sign (`turning`).
 """
 
 from __future__ import annotations
@@ -21,10 +16,11 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks import turning
+from mechsheet.sheet.checks import parabolas, turning
 from mechsheet.sheet.checks.boundless import at_pole, beyond_rows, may_grow
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
+from mechsheet.sheet.checks.parabolas import Parabolas, vertex_of
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.driving import driver_at
@@ -40,32 +36,11 @@ from mechsheet.units import turn as whole_turn
 BOUNDLESS = SIDE + 7
 """The working cell that says whether a quantity grows without bound."""
 
-PROBES = 4
-"""With three, an extreme that is steep on one side only was found, but not where it is: time ratios were 2 % off."""
-
-BESIDE = 0.1
-"""How far beside the first probe the second is made, in rows."""
-
-FROM_LIMIT = 0.125
-"""How far from a limit the second probe is made, at least: as a part of the root of the row's distance."""
-
-AT_LIMIT = 1e-3
-"""The same where the quantity has no number at the limit, where the row's then stands: it may grow without bound there."""
-
-BEFORE = -9.0
-"""A place before all others: of no limit."""
-
-FROM_END = 0.25
-"""How far from the motion's first or last row the first probe is made, where the parabola's vertex lies beyond it."""
-
 SETTLED, IMPROVED = 1e-4, 1e-3
 """The last probe may be worse than the best by the first part of the range, and better than all others by the second; more,
 and the value is said to be about right."""
 
 TITLE_ROW, ABOUT_ROW, HEAD_ROW, FIRST = 0, 1, 3, 4
-
-ROOT = SIDE + 8
-"""Working cells: the root of a probe's distance from a limit, or the distance."""
 
 Way = Literal["min", "max"]
 
@@ -93,7 +68,7 @@ class Extremes:
         self.blocks: dict[tuple[str, Way], Block] = {}
         for symbol in self.quantities:
             for way in ("min", "max"):
-                probes = turning.PROBES if turning.known(plan, symbol) else PROBES
+                probes = turning.PROBES if turning.known(plan, symbol) else parabolas.PROBES
                 self.blocks[symbol, way] = Block(row, probes)
                 row += probes + len(self.ends) + 2
         self.bands: dict[tuple[str, Way], Block] = {}
@@ -279,8 +254,10 @@ class Extremes:
             turning.write(probes, block, symbol, way, wraps, self._rows_of_stretch(), self._ends_of_stretch())
         else:
             probes.lay(block, [symbol])
-            self._first_probes(column, way, block, wraps)
-            self._further_probes(block, wraps)
+            Parabolas(
+                probes, block, way, column, self._around(wraps), self._rows_of_stretch(), self._ends_of_stretch(),
+                bool(self.ends),
+            ).write()  # fmt: skip
         for index in range(1, block.probes + 1):
             cell = CellRef(row + index, probes.at.spots[symbol].col, False, True)
             probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
@@ -333,106 +310,6 @@ class Extremes:
             first=first, last=last, rows=plan.rows, **holes,
         )  # fmt: skip
 
-    def _first_probes(self, column: Node, way: Way, block: Block, wraps: CellRef) -> None:
-        """At the vertex of the parabola through three rows of the stretch; then beside it, or on the row's other side."""
-        plan, probes, row = self.plan, self.probes, block.row
-        here = probes.cell(row, AT)
-        # of several stretches the rows are all, so the probes know the first one only
-        first, last = self._rows_of_stretch()
-        low, high = self._ends_of_stretch()
-        around = self._around(wraps)
-        middle = probes.work(
-            row + 1, SIDE + 3, "IF(wraps>0,here,MAX(first+1,MIN(last-1,here)))",
-            wraps=around, here=here, first=first, last=last,
-        )  # fmt: skip
-        turned = formula("IF(wraps=1,rows-1,rows)", wraps=around, rows=plan.rows)
-        before, after = (
-            probes.work(row + 1, SIDE + work, f"INDEX(column,1+MOD(middle{sign}1-1,IF(wraps>0,turned,2*rows)))",
-                        column=column, middle=middle, wraps=around, turned=turned, rows=plan.rows)
-            for work, sign in ((4, "-"), (6, "+"))
-        )  # fmt: skip
-        value = probes.work(row + 1, SIDE + 5, "INDEX(column,middle)", column=column, middle=middle)
-        vertex = formula(
-            "middle+IFERROR((before-after)/(2*(before-2*value+after)),0)",
-            middle=middle, before=before, value=value, after=after,
-        )  # fmt: skip
-        # beyond the motion's first or last row there is nothing: a dip may lie between it and the next
-        least, most = (
-            formula("IF(AND(here=edge,end=edge),here+far,end)", here=here, edge=edge, end=end, far=far)
-            for edge, end, far in ((first, low, FROM_END), (last, high, -FROM_END))
-        )
-        place = formula(
-            "IF(wraps>0,MAX(here-1,MIN(here+1,vertex)),MAX(least,here-1,MIN(most,here+1,vertex)))",
-            wraps=around, here=here, vertex=vertex, least=least, most=most,
-        )  # fmt: skip
-        if self.ends:
-            place = formula("IF(limit>0,root,place)", limit=self._limit(block, around), root=self._first_root(block),
-                            place=place)  # fmt: skip
-        one = probes.work(row + 1, AT, "place", place=place)
-        worse = formula("there>best" if way == "min" else "there<best", there=probes.cell(row + 1, VALUE),
-                        best=probes.cell(row, VALUE))  # fmt: skip
-        aside = formula("IF(worse,2*here-one,one+IF(one-here>1E-6,-beside,beside))", worse=worse, here=here, one=one,
-                        beside=BESIDE)  # fmt: skip
-        if self.ends:
-            aside = formula(
-                "IF(limit>0,root,aside)", limit=self._limit_of(block), root=self._second_root(block), aside=aside
-            )
-        probes.work(
-            row + 2, AT, "MAX(IF(wraps>0,0,low),MIN(IF(wraps>0,2*rows,high),aside))",
-            wraps=around, low=low, high=high, rows=plan.rows, aside=aside,
-        )  # fmt: skip
-
-    def _limit_of(self, block: Block) -> CellRef:
-        return self.probes.cell(block.row + 3, SIDE)
-
-    def _limit(self, block: Block, wraps: Node) -> CellRef:
-        """The limit beside the best row, where there is one, else a place before all: a quantity goes to a limit as a
-        root does."""
-        probes = self.probes
-        first, last = self._rows_of_stretch()
-        low, high = self._ends_of_stretch()
-        return probes.work(
-            block.row + 3, SIDE,
-            "IF(wraps>0,before,IF(AND(here=first,low<first),low,IF(AND(here=last,high>last),high,before)))",
-            wraps=wraps, here=probes.cell(block.row, AT), first=first, last=last, low=low, high=high, before=BEFORE,
-        )  # fmt: skip
-
-    def _first_root(self, block: Block) -> CellRef:
-        """The place of the vertex of the parabola
-
-        y(w) = y0 + b w + c w^2, with w^2 = |u - limit|, through the limit, the row beside it and the next: no nearer to the
-        limit than halfway (in w), no farther than the next row.
-        """
-        probes, row = self.probes, block.row
-        here, limit = probes.cell(row, AT), self._limit_of(block)
-        low, _ = self._ends_of_stretch()
-        at_low, at_high = (probes.cell(row + PROBES + index, VALUE) for index in (1, 2))
-        there = probes.work(row + 3, SIDE + 1, "IF(limit=low,at_low,at_high)", limit=limit, low=low, at_low=at_low,
-                            at_high=at_high)  # fmt: skip
-        far = formula("ABS(here-limit)", here=here, limit=limit)
-        root = formula(
-            "IFERROR(((far+1)*rise-far*next)/(2*(SQRT(far+1)*rise-SQRT(far)*next)),0)", far=far,
-            rise=formula("best-there", best=probes.cell(row, VALUE), there=there),
-            next=formula("next-there", next=probes.cell(row + 1, SIDE + 5), there=there),
-        )  # fmt: skip
-        return probes.work(row + 3, SIDE + 2, "limit+SIGN(here-limit)*MAX(far/4,MIN(far+1,MAX(0,root)^2))", limit=limit,
-                           here=here, far=far, root=root)  # fmt: skip
-
-    def _second_root(self, block: Block) -> Node:
-        """The same through the limit, the first probe and the row; some way off the limit in any case, so that something is
-        learnt."""
-        probes, row = self.probes, block.row
-        here, limit, there = probes.cell(row, AT), self._limit_of(block), probes.cell(row + 3, SIDE + 1)
-        root = formula(
-            "((one-there)-w^2*(best-there))/(2*((one-there)-w*(best-there)))", w=probes.cell(row + 1, ROOT), there=there,
-            one=probes.cell(row + 1, VALUE), best=probes.cell(row, VALUE),
-        )  # fmt: skip
-        return formula(
-            "limit+SIGN(here-limit)*MIN(far+1,far*IF(there=best,close,MAX(least,IFERROR(root,0)))^2)", limit=limit,
-            here=here, root=root, far=formula("ABS(here-limit)", here=here, limit=limit), least=FROM_LIMIT, there=there,
-            best=probes.cell(row, VALUE), close=AT_LIMIT,
-        )  # fmt: skip
-
     def _rows_of_stretch(self) -> tuple[CellRef, CellRef]:
         """The first and the last row of the first stretch."""
         return self.limits.of_stretch(1, FIRST_ROW), self.limits.of_stretch(1, LAST_ROW)
@@ -451,42 +328,6 @@ class Extremes:
         if unit.kind != "angle" or unit.per:
             return 0.0
         return whole_turn(self.plan.at.spots[symbol].degrees) / 2.0
-
-    def _root(self, block: Block, index: int) -> None:
-        """The root of a probe's distance from the limit beside the best row, as a part of the row's; without limit the
-        distance from a place before all."""
-        probes, row = self.probes, block.row
-        probes.work(
-            row + index, ROOT, "((place-limit)/(here-limit))^IF(limit>0,0.5,1)", limit=self._limit_of(block),
-            here=probes.cell(row, AT), place=probes.cell(row + index, AT),
-        )  # fmt: skip
-
-    def _further_probes(self, block: Block, wraps: CellRef) -> None:
-        """At the vertex of the parabola through the row and the two probes; then through the three probes."""
-        probes, row = self.probes, block.row
-        low, high, around = *self._ends_of_stretch(), self._around(wraps)
-        middle = probes.cell(row + 1, AT)
-        here, limit = probes.cell(row, AT), self._limit_of(block)
-        if self.ends:
-            self._root(block, 1)
-        vertex: Node
-        for probe in range(3, PROBES + 1):
-            points: list[tuple[Node, Node]] = [
-                (probes.cell(row + index, AT), probes.cell(row + index, VALUE)) for index in range(probe - 3, probe)
-            ]
-            if self.ends:  # over the root of the distance from a limit, as a part of the row's
-                self._root(block, probe - 1)
-                roots: list[Node] = [probes.cell(row + index, ROOT) for index in range(1, probe)]
-                points = list(zip([al.ONE, *roots][-3:], (value for _, value in points), strict=True))
-                vertex = formula("limit+(here-limit)*MAX(0,vertex)^IF(limit>0,2,1)", limit=limit, here=here,
-                                 vertex=vertex_of(points))  # fmt: skip
-            else:
-                vertex = vertex_of(points)
-            place = formula(
-                "MAX(IF(wraps>0,middle-1,MAX(low,middle-1)),MIN(IF(wraps>0,middle+1,MIN(high,middle+1)),vertex))",
-                wraps=around, middle=middle, vertex=vertex, low=low, high=high,
-            )  # fmt: skip
-            probes.work(row + probe, AT, "IFERROR(place,middle)", place=place, middle=middle)
 
     def _result(self, symbol: str, way: Way, block: Block) -> None:
         """The best of the row and the probes, where it is, and whether the probes have settled."""
@@ -604,16 +445,6 @@ def where_bounded(plan: Plan, symbol: str, value: Node, ways: Sequence[Way] = ("
     """A value that follows from extremes; #N/A where there are none."""
     without = boundless(plan, symbol, ways)
     return value if without is None else formula("IF(without,NA(),value)", without=without, value=value)
-
-
-def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:
-    """Where the parabola through three points (u, y) has its vertex."""
-    (one, y_one), (two, y_two), (three, y_three) = points
-    return formula(
-        "two-((two-one)^2*(y_two-y_three)-(two-three)^2*(y_two-y_one))"
-        "/(2*((two-one)*(y_two-y_three)-(two-three)*(y_two-y_one)))",
-        one=one, two=two, three=three, y_one=y_one, y_two=y_two, y_three=y_three,
-    )  # fmt: skip
 
 
 def banded_extremes(plan: Plan) -> list[tuple[str, Way]]:

@@ -14,7 +14,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Symbol, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.spellings import longest_spelling
-from mechsheet.kinematics.places import angle_of, length_node
+from mechsheet.kinematics.places import angle_of
 from mechsheet.model import Joint, Link
 from mechsheet.sheet.checks.geometry import base_point, distance, measured_pairs, place
 from mechsheet.sheet.plan import Plan
@@ -118,7 +118,7 @@ def _through(plan: Plan, joint: Joint, carrier: Link, angle: Node) -> tuple[Node
     """(x, y) of the point that the line passes, over columns."""
     if isinstance(joint.through, str):
         return Symbol(f"{joint.through}.x"), Symbol(f"{joint.through}.y")
-    u, v = (length_node(quantity) for quantity in joint.through)
+    u, v = (al.as_node(quantity) for quantity in joint.through)
     if carrier is plan.mechanism.ground:
         return u, v
     base = base_point(carrier)

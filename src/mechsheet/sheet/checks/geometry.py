@@ -13,7 +13,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.ledger import CLOSING
-from mechsheet.kinematics.places import angle_of, length_node
+from mechsheet.kinematics.places import angle_of
 from mechsheet.model import Cartesian, Distances, Link, Polar
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.lowering import Assignments
@@ -39,9 +39,9 @@ def place(link: Link, point: str, known: Known = NOTHING_KNOWN) -> UV:
     given = link.points[point]
     match given:
         case Cartesian(x, y):
-            return length_node(x), length_node(y)
+            return al.as_node(x), al.as_node(y)
         case Polar(r, angle):
-            length, direction = length_node(r), angle_of(angle)
+            length, direction = al.as_node(r), angle_of(angle)
             return al.mul(length, al.cos(direction)), al.mul(length, al.sin(direction))
         case Distances():
             return _by_distances(given, *(_known_place(link, name, known) for name in (given.first, given.second)))
@@ -58,7 +58,7 @@ def _by_distances(given: Distances, first: UV, second: UV) -> UV:
     """
     u, v = first
     way_u, way_v = al.sub(second[0], u), al.sub(second[1], v)
-    b, c = length_node(given.first_distance), length_node(given.second_distance)
+    b, c = al.as_node(given.first_distance), al.as_node(given.second_distance)
     d = al.sqrt(al.add(al.square(way_u), al.square(way_v)))
     along = al.div(al.add(al.sub(al.square(b), al.square(c)), al.square(d)), al.mul(al.TWO, d))
     product = al.mul(
@@ -80,13 +80,13 @@ def distance(link: Link, start: str, end: str, known: Known = NOTHING_KNOWN) -> 
         given = link.points[point]
         if isinstance(given, Distances):
             if given.first == other:
-                return length_node(given.first_distance)
+                return al.as_node(given.first_distance)
             if given.second == other:
-                return length_node(given.second_distance)
+                return al.as_node(given.second_distance)
     for point, other in ((start, end), (end, start)):
         given = link.points[point]
         if isinstance(given, Polar) and _known_place(link, other, known) == (al.ZERO, al.ZERO):
-            return formula("ABS(length)", length=length_node(given.r))
+            return formula("ABS(length)", length=al.as_node(given.r))
     (u0, v0), (u1, v1) = (_known_place(link, point, known) for point in (start, end))
     return al.sqrt(al.add(al.square(al.sub(u1, u0)), al.square(al.sub(v1, v0))))
 

@@ -14,7 +14,7 @@ from mechsheet import portable
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, Symbol, symbols, transform
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics.solve import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.model import ChartRequest, Joint
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot

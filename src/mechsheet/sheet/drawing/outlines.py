@@ -9,7 +9,7 @@ from mechsheet import portable
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.places import angle_of, cartesian, length_node, number
+from mechsheet.kinematics.places import angle_of, cartesian, number
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
 
 Point = tuple[float, float]
@@ -70,7 +70,7 @@ def through_of(mechanism: Mechanism, joint: Joint) -> tuple[Node, Node]:
     """The point of `on` that the joint's line passes, in the ground's frame."""
     if isinstance(joint.through, str):
         return Symbol(f"{joint.through}.x"), Symbol(f"{joint.through}.y")
-    place = cartesian(length_node(joint.through[0]), length_node(joint.through[1]))
+    place = cartesian(al.as_node(joint.through[0]), al.as_node(joint.through[1]))
     if joint.on == mechanism.ground.name:
         return place.u, place.v
     # back along the line from the point that is on it: the link need not have a point of its own

@@ -9,8 +9,8 @@ import math
 from dataclasses import dataclass
 from itertools import combinations
 
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Group
-from mechsheet.kinematics.solve import dimension_values
 from mechsheet.model import Joint, Link, Mechanism
 from mechsheet.sheet.table.lowering import Assignments
 

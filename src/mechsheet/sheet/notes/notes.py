@@ -40,6 +40,7 @@ PARAGRAPHS = (
     "tables",
     "summaries",
     "checks",
+    "grashof",
     "extremes",
     "missing",
     "delete",
@@ -172,6 +173,8 @@ class _Page:
             left_out.add("tolerance")
         if not plan.arrows:
             left_out.add("arrows")
+        if not plan.found.four_bars:
+            left_out.add("grashof")
         self.list_of("use", tuple(entry for entry in PARAGRAPHS if entry not in left_out))
 
     def colours(self) -> None:

@@ -14,7 +14,7 @@ from dataclasses import replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text, Unary, symbols, transform
-from mechsheet.kinematics.solve import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.model import ChartRequest, Joint, Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.geometry import length_in_cells

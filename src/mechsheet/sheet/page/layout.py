@@ -88,7 +88,7 @@ def _page(plan: PagePlan) -> Sheet:
         controls=_controls(plan, widths),
         validations=tuple(top.validations),
         conditionals=(*top.conditionals, *table.conditionals()),
-        comments=tuple(table.comments),
+        comments=(*top.comments, *table.comments),
         selected=(FIRST_ROW, VALUE),
         gridlines=False,
         tab_color="1F4E79",

@@ -9,10 +9,10 @@ from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations
 from mechsheet.kinematics.newton.refusing import need_closed_form
-from mechsheet.kinematics.solve import dimension_order, dimension_values
 from mechsheet.model import Mechanism
 from mechsheet.said import say
 from mechsheet.sheet.addresses import Addresses, Spot

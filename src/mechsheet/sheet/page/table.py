@@ -24,7 +24,7 @@ from mechsheet.sheet.table.positions import (
     places,
     places_of,
 )
-from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style
+from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style, plain_text
 from mechsheet.units import SECONDS
 
 MOST_STEPPED = 400
@@ -94,14 +94,14 @@ class Table:
     def _width(self, column: TableColumn) -> float:
         if column.kind == "status":
             return STATUS_WIDTH
-        length = len(_text(self.mathematics[column.col]))
+        length = len(plain_text(self.mathematics[column.col]))
         return max(NARROWEST, min(WIDEST, length / (CHARACTERS * (MOST_LINES - 1))))
 
     @property
     def formula_height(self) -> float:
         """Height of the row of formulas [pixels]."""
         lines = [
-            math.ceil(0.3 + len(_text(self.mathematics[col])) / (CHARACTERS * width))
+            math.ceil(0.3 + len(plain_text(self.mathematics[col])) / (CHARACTERS * width))
             for col, width in enumerate(self.widths)
         ]
         return LINE * max(2, *lines)
@@ -238,7 +238,3 @@ def status(plan: PagePlan) -> Node:
         'IF(counted=count,"",words&first)',
         counted=Call("COUNT", tuple(values)), count=float(len(values)), words=plan.text("page.open.group"), first=first,
     )  # fmt: skip
-
-
-def _text(content: Rich | str) -> str:
-    return content.plain if isinstance(content, Rich) else content

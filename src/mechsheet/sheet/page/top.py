@@ -21,7 +21,7 @@ from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
-from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Merge, Style, Validation
+from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.units import Unit
 from mechsheet.words.equations import body_words, link_words
 
@@ -40,6 +40,7 @@ class Top:
         self.fills: list[Fill] = []
         self.merges: list[Merge] = []
         self.validations: list[Validation] = []
+        self.comments: list[Comment] = []
         self.conditionals: list[Conditional] = []
         self._title()
         self._dimensions()
@@ -248,6 +249,7 @@ class Top:
             open=said("open"), change=said("change"), none=said("none"),
         )  # fmt: skip
         self.line(row, loop.name, plan.mechanism.length_unit, words)
+        self.comments.append(Comment(row, SYMBOL, plan.text("notes.use.grashof")))
         value = formula(
             "IF(_inputs>0,NA(),2*(shortest+longest)-total)", shortest=shortest, longest=longest, total=total
         )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mechsheet.formula.nodes import Call, CellRef, Node, with_symbols
-from mechsheet.kinematics.solve import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.model import Dimension, Synthesis
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import Plan

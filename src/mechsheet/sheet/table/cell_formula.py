@@ -119,11 +119,11 @@ class CellFormula:
     # --- rules ------------------------------------------------------------------------------------------------
 
     def _continued(self, rules: Mapping[str, Node]) -> dict[str, Node]:
-        """The rules with those of the angles as their columns have them, which outputs read."""
-        outputs = {output.symbol for output in self.plan.mechanism.outputs}
+        """The rules with those of the angles as their columns have them, which outputs, gears and racks read."""
+        reading = {output.symbol for output in self.plan.mechanism.outputs} | {*self.plan.equations.equations.tied}
         found: dict[str, Node] = {}
         for symbol, rule in rules.items():
-            found[symbol] = reading_taken(rule, self.windows) if symbol in outputs else rule
+            found[symbol] = reading_taken(rule, self.windows) if symbol in reading else rule
             if symbol in self.windows:
                 found[WINDOWED.format(symbol=symbol)] = taken_near(Symbol(symbol), self._near(symbol))
         return found

@@ -16,7 +16,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, children, symbols, transform, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.spellings import extra_characters, longest_spelling
-from mechsheet.kinematics.solve import dimension_order
+from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.model import Mechanism
 from mechsheet.sheet.table.lowering import Assignments
 

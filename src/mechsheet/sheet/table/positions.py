@@ -40,6 +40,7 @@ from mechsheet.sheet.workbook import (
     Rich,
     Sheet,
     Style,
+    plain_text,
 )
 from mechsheet.units import NUMBER as NUMBER_UNIT
 from mechsheet.units import Unit
@@ -235,17 +236,15 @@ def mathematics(plan: Plan, column: TableColumn) -> Rich | str:
 
 def width_for(said: Rich | str) -> float:
     """Of a column wide enough for the formula over it in the lines that there are."""
-    return max(11.0, 11.0 * _length(said) / (CHARACTERS_OF_A_LINE * (MOST_LINES - 1)))
+    return max(11.0, 11.0 * len(plain_text(said)) / (CHARACTERS_OF_A_LINE * (MOST_LINES - 1)))
 
 
 def formula_height(said: Mapping[int, Rich | str], widths: Mapping[int, float]) -> float:
     """Of the row of formulas over columns of these widths."""
-    lines = (1 + math.ceil(_length(text) / (CHARACTERS_OF_A_LINE * widths[col] / 11.0)) for col, text in said.items())
+    lines = (
+        1 + math.ceil(len(plain_text(text)) / (CHARACTERS_OF_A_LINE * widths[col] / 11.0)) for col, text in said.items()
+    )
     return LINE * max(FEWEST_LINES, min(MOST_LINES, max(lines)))
-
-
-def _length(said: Rich | str) -> int:
-    return len(said.plain if isinstance(said, Rich) else said)
 
 
 def style_of(plan: Plan, column: TableColumn) -> Style:

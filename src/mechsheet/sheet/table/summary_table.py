@@ -14,7 +14,8 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, transform
 from mechsheet.model import Dimension, Quantity, Summary, TableRequest
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.extremes import BESIDE, PROBES, SETTLED, Way, vertex_of
+from mechsheet.sheet.checks.extremes import SETTLED, Way
+from mechsheet.sheet.checks.parabolas import BESIDE, PROBES, vertex_of
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.blocks import input_validation, shown_unit
 from mechsheet.sheet.over_rows import ENDS, NUMBERS

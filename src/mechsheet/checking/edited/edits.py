@@ -1,0 +1,279 @@
+"""What somebody changed in a workbook that mechsheet built: every formula against the one the description would build."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+from mechsheet.checking.edited.expected import Expected, Inputs
+from mechsheet.checking.edited.formula_diff import Formulas, alike, formula_of, neutral, stretches
+from mechsheet.checking.edited.inserted_rows import Moves, moves_between, undone
+from mechsheet.checking.report import Edit, text_of
+from mechsheet.formula.book import Book, BookSheet
+from mechsheet.formula.functions import FUNCTIONS
+from mechsheet.formula.names import folded
+from mechsheet.formula.nodes import Call, Local, NameRef, Node, Number, Scalar, Unary, shifted, transform
+from mechsheet.formula.printer import print_formula
+
+SAME = 1e-13
+"""Numbers this near (relatively) are one: programs write 15 to 17 digits."""
+
+MANY = 0.5
+"""From this part of its formulas on, a workbook was not edited but built by another version of the program."""
+
+
+@dataclass(frozen=True, slots=True)
+class Edits:
+    """What was found in a book.
+
+    edits    faults, told at the places that the cells have now
+    remarks  what a person should know: inputs that were changed, cells that were added, rows that were inserted
+    moves    where cells, rows and sheets went;  book  the same book with all of them back in their places
+    """
+
+    edits: tuple[Edit, ...]
+    remarks: tuple[str, ...]
+    moves: Moves
+    book: Book
+
+
+def edits_of(book: Book, expected: Expected) -> Edits:
+    """Compare a book with the one that its description would build."""
+    moves = moves_between(expected.book, book)
+    book = undone(book, moves)
+    edits = [*moves.edits(expected.book), *_sheets(book, expected), *_names(book, expected)]
+    remarks = list(moves.remarks())
+    inputs = expected.inputs()
+    formulas = differing = 0
+    for sheet in expected.book.sheets:
+        other = book.sheet(sheet.title)
+        if other is None or sheet.title == expected.description_sheet:
+            continue
+        found = list(_merged(_changes(sheet, other)))
+        edits += [_edit(change, sheet, other, moves) for change in found]
+        edits += _numbers(sheet, other, inputs, moves)
+        remarks += _constants(sheet, other, inputs, expected, moves)
+        remarks += _added(sheet, other, inputs, moves)
+        formulas += sum(block.rows * block.cols for block in sheet.blocks)
+        differing += sum(change.rows * change.cols for change in found)
+    known = {sheet.title.casefold() for sheet in expected.book.sheets}
+    remarks += [
+        f'the sheet "{sheet.title}" is your own' for sheet in book.sheets if sheet.title.casefold() not in known
+    ]
+    if formulas and differing > MANY * formulas:
+        remarks.append(f"{differing} of {formulas} formulas differ: was it built by another version of mechsheet?")
+    return Edits(tuple(edits), tuple(remarks), moves, book)
+
+
+# --- sheets and names ----------------------------------------------------------------------------------------------
+
+
+def _sheets(book: Book, expected: Expected) -> Iterator[Edit]:
+    for sheet in expected.book.sheets:
+        if sheet.blocks and book.sheet(sheet.title) is None:
+            yield Edit("sheet", sheet.title, "a sheet of formulas", "missing")
+
+
+def _names(book: Book, expected: Expected) -> Iterator[Edit]:
+    theirs = {folded(name.name): name for name in book.names if name.sheet is None}
+    for name in expected.book.names:
+        other = theirs.get(folded(name.name))
+        if other is None:
+            yield Edit("name", name.name, _printed(name.formula), "missing")
+        elif not alike(comparable(name.formula, ""), comparable(other.formula, "")):
+            yield Edit("name", name.name, _printed(name.formula), _printed(other.formula))
+
+
+# --- formulas ------------------------------------------------------------------------------------------------------
+
+
+def comparable(node: Node, title: str) -> Node:
+    """A formula in the form in which two are compared: spelling aside."""
+
+    def change(part: Node) -> Node:
+        match part:
+            case Unary("-", Number(value)):
+                return Number(-value)
+            case NameRef(name, sheet):
+                return NameRef(folded(name), sheet)
+            case Local(name, optional):
+                return Local(folded(name), optional)
+            case Call(name, args) if name not in FUNCTIONS:
+                return Call(folded(name), args)
+        return part
+
+    return transform(neutral(node, title), change)
+
+
+@dataclass(frozen=True, slots=True)
+class _Change:
+    """Cells whose formula is another one now, or none (`now` None, then `value` is what stands there)."""
+
+    row: int
+    col: int
+    rows: int
+    cols: int
+    was: Node
+    now: Node | None
+    value: Scalar = None
+
+
+def _changes(sheet: BookSheet, other: BookSheet) -> Iterator[_Change]:
+    """Column by column."""
+    ours, theirs = Formulas(sheet), Formulas(other)
+    for col, start, stop in stretches(ours, theirs):
+        one, two = ours.block(start, col), theirs.block(start, col)
+        if one is None:
+            continue
+        if two is not None and (one.row, one.col) == (two.row, two.col) and one.formula == two.formula:
+            continue  # nearly always: the rest is the slow way
+        was, now = formula_of(one, start, col), None if two is None else formula_of(two, start, col)
+        if now is None:
+            for row in range(start, stop):
+                moved = shifted(was, row - start)
+                yield _Change(row, col, 1, 1, moved, None, other.constants.get(row, col))
+        elif not alike(comparable(was, sheet.title), comparable(now, sheet.title)):
+            yield _Change(start, col, stop - start, 1, was, now)
+
+
+def _merged(changes: Iterable[_Change]) -> Iterator[_Change]:
+    """Neighbours with the same change as one: first below each other, then side by side."""
+    columns = list(_joined(changes, down=True))
+    columns.sort(key=lambda change: (change.row, change.rows, change.col))
+    yield from sorted(_joined(columns, down=False), key=lambda change: (change.row, change.col))
+
+
+def _joined(changes: Iterable[_Change], down: bool) -> Iterator[_Change]:
+    last: _Change | None = None
+    for change in changes:
+        if last is not None and _goes_on(last, change, down):
+            last = replace(last, rows=last.rows + change.rows) if down else replace(last, cols=last.cols + change.cols)
+            continue
+        if last is not None:
+            yield last
+        last = change
+    if last is not None:
+        yield last
+
+
+def _goes_on(last: _Change, change: _Change, down: bool) -> bool:
+    if down:
+        step, touches = (last.rows, 0), (change.row, change.col) == (last.row + last.rows, last.col)
+    else:
+        step = (0, last.cols)
+        touches = (change.row, change.col, change.rows) == (last.row, last.col + last.cols, last.rows)
+    if not touches or (change.now is None) is not (last.now is None):
+        return False
+    if change.now is None or last.now is None:
+        return (change.value is None) is (last.value is None)
+    return shifted(last.now, *step) == change.now
+
+
+def _edit(change: _Change, sheet: BookSheet, other: BookSheet, moves: Moves) -> Edit:
+    where = moves.area(sheet.title, change.row, change.col, change.rows, change.cols)
+    was = _printed(change.was)
+    if change.now is None:
+        if change.value is None:
+            return Edit("emptied", where, was, "")
+        values = [
+            other.constants.get(row, col)
+            for col in range(change.col, change.col + change.cols)
+            for row in range(change.row, change.row + change.rows)
+        ]
+        shown = ", ".join(text_of(value) for value in values[:3]) + (", …" if len(values) > 3 else "")
+        return Edit("overwritten", where, was, shown)
+    run = sheet.formula_at(change.row, change.col)
+    if run is not None and (run.rows > change.rows or run.cols > change.cols):
+        around = f" (filled over {moves.area(sheet.title, run.row, run.col, run.rows, run.cols)})"
+        return Edit("out of its run", where, was, _printed(change.now), around)
+    return Edit("changed", where, was, _printed(change.now))
+
+
+def _printed(node: Node) -> str:
+    return "=" + print_formula(node)
+
+
+# --- constants -----------------------------------------------------------------------------------------------------
+
+
+def _numbers(sheet: BookSheet, other: BookSheet, inputs: Inputs, moves: Moves) -> Iterator[Edit]:
+    """Numbers that are no inputs, and inputs in whose place something else stands."""
+    theirs = Formulas(other)
+    for row, col, value in sheet.constants.items():
+        is_input = (sheet.title, row, col) in inputs
+        formula = theirs.at(row, col)
+        if formula is not None and (is_input or not isinstance(value, str)):
+            yield Edit("formula", moves.area(sheet.title, row, col), text_of(value), _printed(formula))
+        elif not is_input and isinstance(value, float | int) and formula is None:
+            now = other.constants.get(row, col)
+            if not same(value, now):
+                yield Edit("value", moves.area(sheet.title, row, col), text_of(value), text_of(now))
+
+
+def same(one: Scalar, other: Scalar) -> bool:
+    """Whether two constants are equal but for what programs lose: the last digits, spaces beside spaces."""
+    if isinstance(one, float | int) and isinstance(other, float | int):
+        return math.isclose(one, other, rel_tol=SAME, abs_tol=1e-300)
+    if isinstance(one, str) or isinstance(other, str):
+        return str(one or "").split() == str(other or "").split()
+    return one == other
+
+
+def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Expected, moves: Moves) -> Iterator[str]:
+    """Inputs that were changed, and texts. Not the position and the arrows shown, which say nothing, nor modes: others tell
+    of them.
+    """
+    spots = expected.plan.at.spots
+    shown = [key for key in spots if key.startswith("#show_")]
+    silent = {
+        spots[key]
+        for key in ("#position", *shown, *(group.mode for group in expected.plan.equations.groups if group.mode))
+    }
+    places = {(spot.sheet, spot.row, spot.col) for spot in silent}
+    texts: list[tuple[int, int]] = []
+    theirs = Formulas(other)
+    for row, col, value in sheet.constants.items():
+        now = other.constants.get(row, col)
+        place = (sheet.title, row, col)
+        if same(value, now) or theirs.at(row, col) is not None or place in places:
+            continue
+        if place in inputs:
+            symbol = inputs[place] or moves.area(*place)
+            yield f"{symbol} is {_number(now)}, was {_number(value)}"
+        elif isinstance(value, str):
+            texts.append((row, col))
+    for place, symbol in inputs.items():  # tolerances that were not given
+        if place[0] == sheet.title and sheet.constants.get(*place[1:]) is None:
+            now = other.constants.get(*place[1:])
+            if now is not None and theirs.at(*place[1:]) is None:
+                yield f"{symbol} is {_number(now)}, was not given"
+    if texts:
+        yield f"{moves.now(sheet.title)}: texts changed in {_listed(sheet.title, texts, moves)}"
+
+
+def _added(sheet: BookSheet, other: BookSheet, inputs: Inputs, moves: Moves) -> Iterator[str]:
+    """Cells of the user's own on free places."""
+    ours, theirs = Formulas(sheet), Formulas(other)
+
+    def is_free(row: int, col: int) -> bool:
+        taken = ours.block(row, col) is not None or sheet.constants.get(row, col) is not None
+        return not taken and (sheet.title, row, col) not in inputs
+
+    cells = {(row, col) for row, col, value in other.constants.items() if value not in (None, "") and is_free(row, col)}
+    for col, start, stop in stretches(ours, theirs):
+        if theirs.block(start, col) is not None and ours.block(start, col) is None:
+            cells |= {(row, col) for row in range(start, stop) if is_free(row, col)}
+    if cells:
+        yield f"{moves.now(sheet.title)}: cells of your own in {_listed(sheet.title, sorted(cells), moves)}"
+
+
+def _listed(title: str, cells: list[tuple[int, int]], moves: Moves) -> str:
+    shown = ", ".join(moves.area(title, *cell).rpartition("!")[2] for cell in cells[:8])
+    return shown + (f" and {len(cells) - 8} more" if len(cells) > 8 else "")
+
+
+def _number(value: Scalar) -> str:
+    if isinstance(value, float) and value == int(value) and abs(value) < 1e15:
+        return str(int(value))
+    return text_of(value) or "empty"

@@ -1,0 +1,1 @@
+"""Where the first fault is and what would mend it: changes of formulas, tried by the thousand."""

@@ -1,0 +1,317 @@
+"""Many formulas tried in one place at once: what would the columns that depend on it be with each of them?
+
+The cells that depend on the changed formula are laid out side by side, once for each candidate, on sheets of one small
+book, which the engine computes in one go; everything else stands in it as numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TypeAlias, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from mechsheet.engine import evaluate
+from mechsheet.engine.layout import Area
+from mechsheet.engine.values.cells import NUMBER
+from mechsheet.formula.book import Book, BookSheet
+from mechsheet.formula.nodes import (
+    Call,
+    CellRef,
+    ErrorValue,
+    Foreign,
+    NameRef,
+    Node,
+    RangeRef,
+    SheetsRef,
+    TableRef,
+    children,
+    rebuilt,
+)
+from mechsheet.homework.mends.own_values import PLACED, TURNED, is_simple, own_values
+from mechsheet.homework.mends.window import ROWS, Window, window_of
+from mechsheet.homework.routines import routine_names
+from mechsheet.homework.series import Graph, Series
+from mechsheet.homework.truth import Array
+from mechsheet.homework.upright import Place
+
+MOST_AT_ONCE = 1500
+OF_ONE = 150
+"""What a candidate costs besides its cells, in cells."""
+_MOST_LINES = 16
+
+
+class UntriableError(Exception):
+    """A formula that cannot be computed outside of its workbook."""
+
+
+@dataclass
+class Effort:
+    """What may still be spent on one workbook, in cells computed: time would give other marks on another machine."""
+
+    left: float = 8e6
+
+    def spend(self, cells: float) -> None:
+        """Take from what is left."""
+        self.left -= cells
+
+    @property
+    def spent(self) -> bool:
+        """Whether nothing is left."""
+        return self.left <= 0
+
+
+Keeps: TypeAlias = Callable[[Series, Array, slice], NDArray[np.bool_]]
+"""Which of the columns, shape (columns, rows), may be what a goal should be, seen in some rows of it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Trial:
+    """Tries formulas for strips of one workbook. `table`: its series; `exists`: the rows in which something is wanted."""
+
+    graph: Graph
+    effort: Effort
+    table: Sequence[Series]
+    exists: NDArray[np.bool_]
+
+    def columns(
+        self, number: int, candidates: Sequence[Node], goals: Sequence[Series], keeps: Keeps | None = None
+    ) -> list[Array]:
+        """For each goal an array (candidates, rows): its numbers with each candidate in place of a strip's bound formula.
+
+        keeps  candidates that it turns down in a few rows, for every goal, are not computed in the others: NaN
+
+        Raises UntriableError.
+        """
+        found = [
+            self._columns(number, candidates[first : first + MOST_AT_ONCE], goals, keeps)
+            for first in range(0, len(candidates), MOST_AT_ONCE)
+        ]
+        return [np.concatenate([part[index] for part in found]) for index in range(len(goals))]
+
+    def _columns(
+        self, number: int, candidates: Sequence[Node], goals: Sequence[Series], keeps: Keeps | None
+    ) -> list[Array]:
+        work = self.graph.work
+        last = {strip for goal in goals for strip in goal.strips(work)}
+        affected = self.graph.below({number}) & (self.graph.above(last) | {number})
+        cells = sum(work.strips[index].length for index in affected)
+        alone = not self.graph.reads[number] & self.graph.below({number})
+        if not alone or not is_simple(self.graph.formulas[number]) or work.plan.settles:
+            self.effort.spend(len(candidates) * (4 * OF_ONE + cells))
+            book = _Book(self.graph, affected, len(candidates))
+            book.candidates(number, candidates)
+            book.follow(affected - {number})
+            return book.computed(goals)
+        self.effort.spend(len(candidates) * (OF_ONE + work.strips[number].length))
+        values = own_values(work, work.strips[number], self.graph.formulas[number], candidates)
+        different, which = np.unique(values, axis=0, return_inverse=True, equal_nan=True)
+        kept = self._kept(number, affected, different, goals, keeps)
+        self.effort.spend(len(kept) * (OF_ONE + cells))
+        found = []
+        for columns in self._with_values(number, affected, different[kept], goals):
+            whole = np.full((len(different), columns.shape[1]), np.nan)
+            whole[kept] = columns
+            found.append(whole[np.ravel(which)])
+        return found
+
+    def _kept(
+        self, number: int, affected: set[int], different: Array, goals: Sequence[Series], keeps: Keeps | None
+    ) -> NDArray[np.intp]:
+        """The numbers of those values that may be right, seen in a few rows."""
+        window = window_of(self.graph, number, affected, goals, self.table, self.exists) if keeps is not None else None
+        if window is None or keeps is None:
+            return np.arange(len(different))
+        self.effort.spend(len(different) * (OF_ONE + ROWS * len(affected)))
+        good = np.zeros(len(different), bool)
+        for goal, columns in zip(goals, self._with_values(number, affected, different, goals, window), strict=True):
+            good |= keeps(goal, columns[:, window.part], window.part)
+        return np.flatnonzero(good)
+
+    def _with_values(
+        self, number: int, affected: set[int], values: Array, goals: Sequence[Series], window: Window | None = None
+    ) -> list[Array]:
+        """The goals with values in place of a strip's own, (values, cells of the strip)."""
+        if not len(values):
+            return [np.empty((0, goal.rows)) for goal in goals]
+        book = _Book(self.graph, affected, len(values), window)
+        book.numbers(number, values)
+        book.follow(affected - {number})
+        return book.computed(goals)
+
+
+@dataclass
+class _Book:
+    """The small book: a sheet for each line with affected cells, and sheets of numbers as they are.
+
+    pieces  strip -> (start, length, formula) of what is laid out of it: of a window its rows alone
+    """
+
+    graph: Graph
+    affected: set[int]
+    count: int
+    window: Window | None = None
+    pieces: dict[int, tuple[int, int, Node]] = field(default_factory=dict)
+    cells: dict[tuple[str, int], set[int]] = field(default_factory=dict)
+    sheets: dict[tuple[str, int], BookSheet] = field(default_factory=dict)
+    given: dict[str, BookSheet] = field(default_factory=dict)
+    known: set[Place] = field(default_factory=set)
+    kept: set[Place] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        for index in sorted(self.affected):
+            strip, formula = self.graph.work.strips[index], self.graph.formulas[index]
+            piece = (strip.start, strip.length, formula)
+            cut = piece if self.window is None else self.window.cut(strip, formula)
+            if cut is not None:
+                self.pieces[index] = cut
+                line = strip.sheet, strip.line
+                self.cells.setdefault(line, set()).update(range(cut[0], cut[0] + cut[1]))
+                self.sheets.setdefault(line, BookSheet(f"t{len(self.sheets)}"))
+
+    def follow(self, indices: Iterable[int]) -> None:
+        """Strips that depend on the candidates: the same formula beside each."""
+        for index in sorted(self.pieces.keys() & set(indices)):
+            strip = self.graph.work.strips[index]
+            start, length, formula = self.pieces[index]
+            placed = self._placed(formula, length, 0)
+            self.sheets[strip.sheet, strip.line].block(start, 0, length, self.count, placed)
+
+    def numbers(self, number: int, values: Array) -> None:
+        """The candidates' values, one beside the other."""
+        strip = self.graph.work.strips[number]
+        start, length, _ = self.pieces[number]
+        sheet = self.sheets[strip.sheet, strip.line]
+        wrong = ErrorValue("#NUM!")
+        for column, numbers in enumerate(values[:, start - strip.start :][:, :length].tolist()):
+            sheet.column_constants(start, column, [wrong if value != value else value for value in numbers])
+
+    def candidates(self, number: int, candidates: Sequence[Node]) -> None:
+        """The candidates themselves, one beside the other."""
+        work = self.graph.work
+        strip = work.strips[number]
+        sheet = self.sheets[strip.sheet, strip.line]
+        for column, candidate in enumerate(candidates):
+            formula = self._placed(candidate, strip.length, column)
+            sheet.block(strip.start, column, strip.length, 1, formula)
+
+    def _placed(self, formula: Node, length: int, column: int) -> Node:
+        """A bound formula with references into the small book; `column`: where it stands there."""
+
+        def area(start: CellRef, end: CellRef) -> list[Node]:
+            sheet = self.graph.titles.get((start.sheet or "").casefold())
+            if sheet is None or not start.col <= end.col < start.col + _MOST_LINES:
+                raise UntriableError
+            low = min(start.row, end.row)
+            high = max(one.row if one.row_abs else one.row + length - 1 for one in (start, end))
+            last = max(low, self.graph.work.ends[sheet] - 1)
+            if high > last:  # of a whole column what is there
+                high = last
+                end = replace(end, row=min(end.row, last)) if start is not end else end
+            lines = [self._line(sheet, line, low, high) for line in range(start.col, end.col + 1)]
+            if not any(moves for moves, _ in lines):
+                return [
+                    _joined(
+                        replace(start, sheet=lines[0][1], col_abs=True), replace(end, sheet=lines[0][1], col_abs=True)
+                    )
+                ]
+            return [
+                _joined(*(self._cell(one, start.col + offset, moves, title, column) for one in (start, end)))
+                for offset, (moves, title) in enumerate(lines)
+            ]
+
+        def change(part: Node) -> Node:
+            if isinstance(part, Call):
+                if part.name in PLACED or (part.name in TURNED and self.graph.work.across):
+                    raise UntriableError
+                return Call(part.name, tuple(one for arg in part.args for one in _spread(arg)))
+            if isinstance(part, NameRef | Foreign | SheetsRef | TableRef):
+                raise UntriableError
+            return part
+
+        def _spread(arg: Node) -> list[Node]:
+            return list(arg.items) if isinstance(arg, _Spread) else [arg]
+
+        return _rewritten(formula, area, change)
+
+    def _line(self, sheet: str, line: int, low: int, high: int) -> tuple[bool, str]:
+        """(whether candidates differ there, the sheet to read) for positions low to high of a line."""
+        work = self.graph.work
+        moving = self.cells.get((sheet, line), set())
+        if moving.isdisjoint(range(low, high + 1)):
+            held = self.given.setdefault(sheet, BookSheet(f"g{len(self.given)}"))
+            for pos in range(low, high + 1):
+                if (sheet, pos, line) not in self.known:
+                    self.known.add((sheet, pos, line))
+                    held.constant(pos, line, work.value((sheet, pos, line)))
+            return False, held.title
+        for pos in range(low, high + 1):
+            if pos not in moving:
+                self.keep((sheet, pos, line))
+        return True, self.sheets[sheet, line].title
+
+    def keep(self, place: Place) -> None:
+        """A cell of an affected line that no candidate changes."""
+        if place in self.kept:
+            return
+        self.kept.add(place)
+        value = self.graph.work.value(place)
+        if value is not None:
+            sheet = self.sheets[place[0], place[2]]
+            for column in range(self.count):
+                sheet.constant(place[1], column, value)
+
+    @staticmethod
+    def _cell(cell: CellRef, line: int, moves: bool, title: str, column: int) -> CellRef:
+        if moves:
+            return CellRef(cell.row, column, cell.row_abs, False, title)
+        return CellRef(cell.row, line, cell.row_abs, True, title)
+
+    def computed(self, goals: Sequence[Series]) -> list[Array]:
+        """The goals' numbers."""
+        work = self.graph.work
+        found: list[Array] = []
+        lines = list(self.sheets)
+        values = evaluate(Book([*self.sheets.values(), *self.given.values()], routine_names(work.book)))
+        for goal in goals:
+            line = goal.sheet, goal.line
+            column = goal.column(work)
+            columns = np.broadcast_to(column, (self.count, goal.rows)).copy()
+            moving = self.cells.get(line, set())
+            if moving:
+                cells = values.read(Area(lines.index(line), goal.origin, 0, goal.rows, self.count))
+                numbers = np.array(np.broadcast_to(cells.numbers, (self.count, goal.rows)))
+                if cells.codes is not None:
+                    numbers[np.broadcast_to(cells.codes, numbers.shape) != NUMBER] = np.nan
+                own = [row for row in range(goal.rows) if goal.origin + row in moving]
+                columns[:, own] = numbers[:, own]
+            found.append(columns)
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Spread:
+    """Several areas in place of one argument."""
+
+    items: tuple[Node, ...]
+
+
+def _joined(start: CellRef, end: CellRef) -> Node:
+    return start if start == end else RangeRef(start, end)
+
+
+def _rewritten(formula: Node, area: Callable[[CellRef, CellRef], list[Node]], change: Callable[[Node], Node]) -> Node:
+    """A tree with its areas and its other nodes rewritten; ranges are taken whole, before their corners."""
+    if isinstance(formula, CellRef):
+        return area(formula, formula)[0]
+    if isinstance(formula, RangeRef):
+        if not isinstance(formula.start, CellRef) or not isinstance(formula.end, CellRef):
+            raise UntriableError
+        items = area(formula.start, formula.end)
+        return items[0] if len(items) == 1 else cast("Node", _Spread(tuple(items)))
+    below = tuple(_rewritten(part, area, change) for part in children(formula))
+    if not isinstance(formula, Call) and any(isinstance(part, _Spread) for part in below):
+        raise UntriableError
+    return change(rebuilt(formula, below) if below else formula)
