@@ -26,7 +26,7 @@ from typed_files import with_inputs
 
 ROWS, STEP = 12, 1.5
 CHANGES = 60
-"""Changes that are tried until one ends the described assembly while rows still close; in a third of the linkages one does."""
+"""Changes that are tried until one ends the described assembly while rows close; in a third of the linkages one does."""
 
 
 def descriptions(count: int, rows: int = ROWS) -> Iterator[tuple[int, str]]:

@@ -5,13 +5,16 @@ from pathlib import Path
 
 import pytest
 from laid import Laid, template_text
+from test_summary_table import built, evaluated
 
 from mechsheet.checking.searched.probed_cells import UNMOVED, Astray, Searched, compare_program
 from mechsheet.checking.searched.summaries import Expected
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import load
+from mechsheet.sheet.table.requested import tables_of
 from mechsheet.sheet.table.tolerance import lines_of
+from mechsheet.sheet.table.two_way import FIRST
 
 HOEKEN = Path(__file__).parents[3] / "templates/hoeken.toml"
 
@@ -54,6 +57,25 @@ def test_passes_of_a_row_that_does_not_close_are_nobodys():
     assert agrees(open_row, last - 1)
     assert not agrees(open_row, last)
     assert not agrees(plan.at.first, last - 1)
+
+
+def test_a_tables_angle_is_known_up_to_a_turn_until_it_goes_on_from_the_cell_above():
+    """At 180 degrees of the crank a rounding error decides whether the rocker stands at half a turn or at minus that."""
+    compiled, _ = built()
+    plan, values = evaluated()
+    (table,) = (table for table in tables_of(plan) if table.title == "Table swing")
+    raw, row = table.helpers.columns_of_raw_angles[0], FIRST + 9
+
+    def agrees(col, apart):
+        def theirs(sheet, *place):
+            own = values.get(sheet, *place)
+            return own + apart if (sheet, *place) == (table.title, row, col) else own
+
+        return compare_program("other", book_of(compiled.layout), values, theirs, plan, "x").agrees
+
+    assert agrees(raw, -math.tau)
+    assert not agrees(raw, 0.1)
+    assert not agrees(table.at, -math.tau)
 
 
 def test_no_number_where_an_angle_is_expected():

@@ -116,6 +116,13 @@ class Helpers:
             request.column: CellRef(HEAD_ROW, self.table.at, row_abs=True),
         }
 
+    @property
+    def columns_of_raw_angles(self) -> list[int]:
+        """Columns of angles [rad] as they are found, before each is taken within half a turn of the cell above."""
+        blocks = [self.found.blocks.col(index) for index, (symbol, _) in enumerate(self.found.helpers)
+                  if symbol in self.found.angles]  # fmt: skip
+        return [first + col for first in blocks for col in range(self.table.pairs)]
+
     # --- all --------------------------------------------------------------------------------------------------
 
     def body(self) -> Body:
