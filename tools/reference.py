@@ -201,8 +201,8 @@ def gallery() -> str:
     parts = [
         NOTE,
         "# Gallery\n",
-        "Every mechanism below comes with mechsheet: `mechsheet new NAME` writes its description, `mechsheet build` the "
-        "workbook of it. The workbooks are ready, too: download one and open it, nothing needs to be installed. "
+        "Every mechanism below comes with mechsheet: `mechsheet new NAME` writes its description, `mechsheet build` makes "
+        "its workbook. The workbooks are also ready-made: download one and open it; you need not install anything. "
         "*Page* is the same on [one sheet](workbook.md#one-sheet).\n",
         "|" + " |" * ACROSS,
         "|" + "---|" * ACROSS,

@@ -12,6 +12,8 @@ from mechsheet.cli.helping import TASKS, example_lines, paragraphs
 COMMANDS = sorted(main.commands)
 SCREEN = 50
 """Lines of a terminal window of ordinary height."""
+ACROSS = 80
+"""Its width: longer examples would be broken anywhere."""
 
 
 def help_of(*command: str) -> str:
@@ -22,6 +24,7 @@ def help_of(*command: str) -> str:
 def test_help_fits_a_screen_and_ends_with_examples(name):
     lines = help_of(name).rstrip().splitlines()
     assert len(lines) <= SCREEN
+    assert max(map(len, lines)) <= ACROSS
     start = lines.index("Examples:")
     assert all(line.startswith("  ") for line in lines[start + 1 :])
     assert lines[start + 1].startswith(f"  mechsheet {name}")

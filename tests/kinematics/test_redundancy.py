@@ -50,6 +50,10 @@ WRITTEN = {
 }
 
 
+def misfit(sheet, link):
+    return sheet.plan.text("verdict.gap.redundant", link=link, sheet=sheet.plan.at.titles["checks"])
+
+
 @pytest.mark.parametrize("text", WRITTEN.values(), ids=WRITTEN.keys())
 def test_it_follows_and_its_length_is_checked_in_every_row(text):
     sheet = Laid(text)
@@ -64,7 +68,7 @@ def test_it_follows_and_its_length_is_checked_in_every_row(text):
     sheet.change(a4=151)
     assert all(sheet.exists)
     assert sheet.spot("#largest_gap") == pytest.approx(1.0, abs=1e-12)
-    assert sheet.words("largest_gap") == sheet.plan.text("verdict.gap.open", sheet=sheet.plan.at.titles["checks"])
+    assert sheet.words("largest_gap") == misfit(sheet, "third")
     assert sheet.verdict == sheet.words("largest_gap")
 
 
@@ -116,6 +120,31 @@ def test_it_is_checked_in_every_row_as_a_marked_one():
     assert all(sheet.exists)
     sheet.change(a4=151)
     assert sheet.spot("#largest_gap") == pytest.approx(1.0, abs=1e-12)
+
+
+TWO = (
+    UNMARKED.replace('C0 = ["2*a1", 0] }', 'C0 = ["2*a1", 0], D0 = ["3*a1", 0] }')
+    .replace('C = ["2*a1", 0] }\n[driver]', 'C = ["2*a1", 0], D = ["3*a1", 0] }\n[driver]')
+    .replace("a4 = 150\n", "a4 = 150\na5 = 150\n")
+    .replace("[links.coupler]", '[links.fourth]\npoints = { D0 = [0, 0], D = ["a5", 0] }\n[links.coupler]')
+)
+"""Four cranks: two of them are redundant."""
+
+
+def test_two_that_are_not_marked_are_found_and_each_is_checked():
+    mechanism = changed.loads(TWO)
+    assert [each.link.name for each in mechanism.redundant] == ["third", "fourth"]
+    compiled = Compiled(mechanism)
+    told = [fault for fault in doubts(mechanism, compiled.equations) if fault.key.startswith("links")]
+    assert [fault.key for fault in told] == ["links.third", "links.fourth"]
+    assert all(fault.hint.startswith('"follower" would do as well') for fault in told)
+    sheet = Laid(mechanism.text)
+    assert all(sheet.exists)
+    for symbol, link in (("a4", "third"), ("a5", "fourth")):
+        sheet.change(**{symbol: 151})
+        assert all(sheet.exists)
+        assert sheet.spot("#largest_gap") == pytest.approx(1.0, abs=1e-12)
+        assert sheet.verdict == sheet.words("largest_gap") == misfit(sheet, link)
 
 
 @pytest.mark.parametrize(

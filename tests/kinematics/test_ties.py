@@ -182,3 +182,83 @@ def test_random_gears_inside_groups_against_the_reference(seed):
         assert "cannot be joined" in str(error) or "lies between" in str(error) or "too large" in str(error)
         pytest.skip("no such sun-and-planet")
     assert comparison.agrees and comparison.worst < 1e-9, comparison
+
+
+ROLLING = """
+format = 1
+mechanism = {{ name = "rolling-wheel" }}
+links.ground.points = {{ A0 = [0, 0] }}
+links.crank.points = {{ A0 = [0, 0], A = [{a!r}, 0] }}
+links.rod.points = {{ A = [0, 0], E = [{b!r}, 0] }}
+links.wheel.points = {{ C = [0, 0], E = [{e!r}, 0] }}
+links.carriage.points = {{ C = [0, 0] }}
+joints = [
+    {{ type = "prismatic", name = "way", link = "carriage", on = "ground", point = "C", through = [0, 12], symbol = "s" }},
+    {{ type = "rack", joint = "way", link = "wheel", arm = "carriage", radius = {r!r}, phase = {phase!r} }},
+]
+driver = {{ {driven}, {rows} }}
+[assembly]
+A = [{ax!r}, {ay!r}]
+"""
+"""A wheel that rolls on a rack, pushed at an eccentric pin. Driven at the crank it must be found all at once."""
+
+WHEEL = {"a": 30.0, "b": 130.0, "e": 20.0, "r": -40.0, "phase": 140.0, "ax": 20.0, "ay": 20.0}
+
+RACK_ROD = """
+format = 1
+mechanism = {{ name = "rack-and-rod" }}
+links.ground.points = {{ A0 = [0, 0], B0 = [{x!r}, 0] }}
+links.crank.points = {{ A0 = [0, 0], A = [{a!r}, 0] }}
+links.rod.points = {{ A = [0, 0] }}
+links.block.points = {{ B0 = [0, 0] }}
+links.pinion.points = {{ B0 = [0, 0], C = [0, 20] }}
+joints = [
+    {{ type = "prismatic", name = "rack", link = "block", on = "rod", point = "B0", through = "A", symbol = "s" }},
+    {{ type = "rack", joint = "rack", link = "pinion", arm = "block", radius = {r!r}, phase = {phase!r} }},
+]
+driver = {{ {driven}, {rows} }}
+[assembly]
+A = [{ax!r}, {ay!r}]
+"""
+"""A rod with teeth slides in a block on the axis of a pinion. Driven at the pinion it must be found all at once."""
+
+LONG = {"x": 100.0, "a": 120.0, "r": 15.0, "phase": 90.0, "ax": 90.0, "ay": 80.0}
+RODS = {"x": 100.0, "a": 30.0, "r": 15.0, "phase": 90.0, "ax": 21.0, "ay": 21.0}
+
+
+@pytest.mark.parametrize(
+    ("text", "own", "driven", "rows", "back", "names"),
+    [
+        (ROLLING, WHEEL, 'joint = "way"', "start = 120, stop = 138, step = 1", "crank", ("theta13", "theta14", "s")),
+        (RACK_ROD, RODS, 'link = "crank"', "start = 30, stop = 170, step = 5", "pinion", ("theta12", "theta13", "s")),
+        (RACK_ROD, LONG, 'link = "crank"', "start = 30, stop = 180, step = 10", "pinion", ("theta12", "s")),
+    ],
+)
+def test_a_rack_inside_a_group_against_the_closed_form(text, own, driven, rows, back, names):
+    """Driven at one end it has a closed form, driven at the other it reads that motion backwards."""
+    forth = text.format(**own, driven=driven, rows=rows)
+    closed = positions(forth)
+    symbol = next(link.angle_symbol for link in loads(forth).links if link.name == back)
+    there = text.format(**own, driven=f'link = "{back}"', rows=f"values = {np.degrees(closed[symbol]).tolist()}")
+    (group,) = solve(loads(there)).groups
+    assert group.system is not None
+    found = positions(there)
+    for name in names:
+        gap = found[name] - closed[name]
+        gap = gap if name == "s" else np.remainder(gap + np.pi, math.tau) - np.pi
+        assert gap == pytest.approx(0, abs=1e-9 if name == "s" else 1e-11), name
+
+
+@pytest.mark.parametrize("seed", part(range(40), 6))
+def test_random_racks_inside_groups_against_the_reference(seed):
+    random = np.random.default_rng(seed)
+    text, own, driven = ((ROLLING, WHEEL, "crank"), (RACK_ROD, RODS, "pinion"), (RACK_ROD, LONG, "pinion"))[seed % 3]
+    own = own | {name: float(own[name] * random.uniform(0.9, 1.1)) for name in ("a", "r", "phase")}
+    start = float(random.uniform(20, 90))
+    rows = f"start = {start!r}, stop = {start + 7 * 5!r}, step = 5"
+    try:
+        comparison = judged(loads(text.format(**own, driven=f'link = "{driven}"', rows=rows)))
+    except MechanismError as error:
+        assert "cannot be joined" in str(error) or "lies between" in str(error) or "too large" in str(error)
+        pytest.skip("no such rack")
+    assert comparison.agrees and comparison.worst < 1e-9, comparison

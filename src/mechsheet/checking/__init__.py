@@ -59,7 +59,7 @@ def check(
     rules: Rules | None = None,
     baseline: Baseline | None = None,
 ) -> Report:
-    """Judge a description (.toml) or a workbook: engine against stored values, reference, and the named programs.
+    """Check a description (.toml) or a workbook: engine against stored values, reference, and the programs named.
 
     programs  names, or one text with commas: "libreoffice,ironcalc"
     rules     tolerances, and cells that are left out;  baseline  differences of stored values that are accepted

@@ -23,11 +23,11 @@ from mechsheet.formula.nodes import symbols
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.newton.leaving import LEAP
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import ENERGY, Mechanism
-from mechsheet.sheet.checks.assemblies import LEAP
 from mechsheet.sheet.plan import Plan
 
 DEAD_CENTRE = 1e-6

@@ -44,7 +44,7 @@ def audit(
     \b
     mechsheet audit student.xlsx --against four-bar.toml
     mechsheet audit student.xlsx --against four-bar.toml --json
-    mechsheet audit old.xls --describe old.toml               what does it seem to be?
+    mechsheet audit old.xls --describe old.toml               what is it?
 
     The sheet's own dimensions and driver are used. Each quantity asked for is right, right but for an earlier fault,
     wrong, of the other assembly, not live (it does not follow the dimensions) or missing.

@@ -73,7 +73,7 @@ def build(
     mechsheet build mine.toml                                  mine.xlsx
     mechsheet build mine.toml -o out.ods --rows 73 --set "a2=40*1.1"
     mechsheet build *.toml -o workbooks/ --format xlsx,ods
-    mechsheet build adjustable-pump.toml --functions lambda    adjustable-pump-lambda.xlsx too
+    mechsheet build adjustable-pump.toml --functions lambda    an extra file
 
     A workbook in which somebody has saved changes is left as it is, unless you say --force.
     """

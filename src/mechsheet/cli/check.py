@@ -57,10 +57,10 @@ def check(
     mechsheet check four-bar.xlsx
     mechsheet check edited.xlsx                     what did somebody change?
     mechsheet check four-bar.toml --with libreoffice,ironcalc
-    mechsheet check four-bar.xlsx four-bar.ods      also: are they the same, cell by cell?
+    mechsheet check four-bar.xlsx four-bar.ods      also compared cell by cell
     mechsheet check four-bar.xlsx --perturb 100 --with libreoffice
     mechsheet check four-bar.xlsx --mutate 200
-    mechsheet check workbooks --junit report.xml    every workbook in a folder and below
+    mechsheet check workbooks --junit report.xml    a folder and all below it
     mechsheet check workbooks --baseline accepted.txt --update-baseline
 
     Exit code 0: all agree; 1: something differs, or was edited, or a damage escapes; 2:

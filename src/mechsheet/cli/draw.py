@@ -22,7 +22,7 @@ def draw(description: Path | None, language: str | None, no_browser: bool) -> No
 
     \b
     mechsheet draw                      start with an empty sheet
-    mechsheet draw four-bar.toml        draw, move and change an existing mechanism
+    mechsheet draw four-bar.toml        draw, move and change a mechanism
 
     The page is served to this machine only and needs no network. To end, close the page or press
     Ctrl-C.

@@ -68,8 +68,8 @@ def export(
     \b
     mechsheet export four-bar.toml --to csv              four-bar.csv
     mechsheet export four-bar.toml --to octave           four_bar.m
-    mechsheet export four-bar.toml --to latex --at 60    the solution, with numbers for one position
-    mechsheet export four-bar.toml --to dxf --frames 12  twelve drawings in the folder four-bar
+    mechsheet export four-bar.toml --to latex --at 60    the solution
+    mechsheet export four-bar.toml --to dxf --frames 12  twelve drawings
     """
     from mechsheet.exporting import default_name, exported, kind_of
     from mechsheet.exporting import export as write

@@ -35,7 +35,7 @@ def mark(
     """Audit the workbooks of a class and write the marks.
 
     \b
-    mechsheet mark handed-in --against week3/key.json -o marks.xlsx --csv marks.csv --html pages
+    mechsheet mark handed-in --against week3/key.json -o marks.xlsx --html pages
     mechsheet mark a.xlsx b.ods --against four-bar.toml
 
     In marks.xlsx a number in the yellow column replaces a total. Nothing leaves this machine; a student's page

@@ -29,8 +29,8 @@ def plot(
     mechsheet plot four-bar.toml --at 60               four-bar.svg
     mechsheet plot four-bar.toml --at 60 -o fb.png     a picture
     mechsheet plot four-bar.toml -o fb.gif             an animation of the sweep
-    mechsheet plot four-bar.toml -o fb.html            one page: slider, play button, curves
-    mechsheet plot engine.toml --at 60 --vectors       velocities and forces as arrows
+    mechsheet plot four-bar.toml -o fb.html            a page with a slider
+    mechsheet plot engine.toml --at 60 --vectors       with velocities and forces
 
     Pictures and animations need matplotlib: pip install "mechsheet[plot]"
     """

@@ -50,9 +50,9 @@ def recalc(
 
     \b
     mechsheet recalc book.xlsx --set rate=0.07 --print 'Plan!A1:C9'
-    mechsheet recalc book.xlsx --set 'Plan!B2=3' -o new.xlsx      everything else stays as it was
-    mechsheet recalc book.xlsx --check                            do stored values match the formulas?
-    mechsheet recalc --check workbooks --junit report.xml         every workbook in a folder and below
+    mechsheet recalc book.xlsx --set 'Plan!B2=3' -o new.xlsx      the rest stays
+    mechsheet recalc book.xlsx --check                            compare values
+    mechsheet recalc --check workbooks --junit report.xml         a whole folder
 
     Whatever cannot be computed as intended (an unknown function, another workbook, a circular reference ...) is named on
     standard error. Cells with an unknown function keep their stored values, and what depends on them is computed from these.

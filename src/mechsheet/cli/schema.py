@@ -17,8 +17,9 @@ def schema(output: str | None) -> None:
     """Print the JSON Schema of descriptions: editors complete and check keys with it.
 
     \b
-    mechsheet schema -o mechsheet.schema.json     beside the descriptions, whose first line is to name it:
-                                                  #:schema mechsheet.schema.json
+    mechsheet schema -o mechsheet.schema.json
+
+    Put the file beside the descriptions. The first line of each is to name it: #:schema mechsheet.schema.json
     """
     from mechsheet.description.json_schema import FILE, json_schema_text
 

@@ -49,8 +49,8 @@ def study(
     """Try the designs that [study] of the description asks for: grids or samples of any size.
 
     \b
-    mechsheet study wiper.toml -o wiper                        all cores of this machine
-    mechsheet study wiper.toml -o wiper --resume               continues after any interruption
+    mechsheet study wiper.toml -o wiper                        on all cores
+    mechsheet study wiper.toml -o wiper --resume               continues
     mechsheet study wiper.toml -o wiper --on tcp://10.0.0.5:8786
 
     It writes FOLDER/parts/*.parquet (a row for each design that meets all conditions), study.json, result.json, the

@@ -12,11 +12,13 @@ from importlib.resources import files
 from mechsheet import portable
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.program import ColumnLine, Line, Program, commented, heading, one_line, program_of
+from mechsheet.exporting.program import ColumnLine, Line, Loop, Program, commented, heading, one_line, program_of
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import System
+from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
+from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import TIME, ChartRequest, Joint
 from mechsheet.sheet.drawing.charts import chart_requests, traced_points
 from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, line_end, through_of
@@ -27,23 +29,35 @@ from mechsheet.sheet.plan import plan_of
 _TAKEN = """
     break case catch continue do else elseif end endfunction endif endwhile for function global if methods otherwise
     persistent properties return switch try until unwind_protect while
-    ans result varargin nargout rows n exists start stop step xs ys h middle shapes paths pins
+    ans result varargin nargout rows n exists start stop step xs ys h middle shapes paths pins home share_ there_ x_ row_
     NaN abs acos and any asin atan cos cumsum error exp find floor isfinite max min not numel or ones pi repmat sign sin
     struct tan true
 """
 """Keywords, and what the function itself calls."""
 
 
+_NUMBERS = {"CLOSED": CLOSED, "FIRST": FIRST_PASSES, "LED": LED, "STEADY": STEADY, "SETTLED": SETTLED,
+            "TREND": TREND, "LEAP": LEAP}  # fmt: skip
+"""Of Newton's method, in the helpers."""
+
+
 def write(job: Job) -> list[bytes]:
     """The file in UTF-8."""
     helpers = files("mechsheet.exporting").joinpath("octave_helpers.m").read_text(encoding="utf-8")
+    for mark, number in _NUMBERS.items():
+        helpers = helpers.replace(f"@@{mark}@@", repr(number))
     if job.name in {*_called(helpers), *_TAKEN.split()}:
         fault = f'"{job.name}" is called by the file itself: a function of that name would stand in its way'
         raise MechsheetError(Fault(fault, key="output", hint=f"for example {job.name}_mechanism.m"))
     reserved = {*re.findall(r"^function (?:\w+ = )?(\w+)", helpers, re.MULTILINE), *_TAKEN.split(), job.name}
     program = program_of(job.compiled, reserved)
     lines = [*_opening(program, job.name), *_given(program), *_driver(program), *_columns(program), *_result(program)]
-    loops = [line for column in program.columns if column.loop for line in _pass(program, column, column.loop)]
+    loops = [
+        line
+        for column in program.columns
+        if column.loop
+        for line in (*_pass(program, column, column.loop.system), *_way(program, column, column.loop))
+    ]
     lines += [
         "",
         "  if nargout == 0",
@@ -165,19 +179,39 @@ def _column(program: Program, column: ColumnLine) -> list[str]:
     return commented(f"  {program.names[column.symbol]} = {text};", column.words, "%")
 
 
-def _loop(program: Program, column: ColumnLine, system: System) -> list[str]:
+def _loop(program: Program, column: ColumnLine, loop: Loop) -> list[str]:
     """The unknowns of a system, row by row."""
-    names = program.names
-    given = ", ".join(f"{names[name]} .* ones(rows, 1)" for name in system.given)
+    names, system, number = program.names, loop.system, column.group
+    given, there = (
+        ", ".join(f"{names[name]} .* ones(rows, 1)" for name in part) for part in (system.given, loop.there)
+    )
     starts = "; ".join(" ".join(repr(x) for x in start) for start in system.starts)
-    found = f"found_{column.group}"
+    scales = "; ".join(repr(x) for x in loop.scales)
     return [
-        f"  starts_{column.group} = [{starts}];",
-        f"  [~, home] = min(abs({names[system.driver]} - ({system.home!r})));",
-        f"  {found} = followed(@newton_pass_{column.group}, starts_{column.group}({names[system.mode]}, :)', ...",
-        f"    [{given}], home, {system.passes});",
-        *(f"  {names[name]} = {found}(:, {index});" for index, name in enumerate(system.unknowns, 1)),
+        f"  starts_{number} = [{starts}];",
+        f"  home = min({system.row + 1}, rows);",
+        f"  if is_given(varargin, '{names[program.asked_by_row[0]]}')",
+        f"    [~, home] = min(abs({names[system.driver]} - ({system.home!r})));",
+        "  end",
+        f"  there_ = [{there}];",
+        f"  found_{number} = followed(@newton_pass_{number}, @newton_way_{number}, ...",
+        f"    starts_{number}({names[system.mode]}, :)', there_(home, :), [{given}], {system.passes}, [{scales}]);",
+        *(f"  {names[name]} = found_{number}(:, {index});" for index, name in enumerate(system.unknowns, 1)),
     ]
+
+
+def _way(program: Program, column: ColumnLine, loop: Loop) -> list[str]:
+    """A function for what a pass is given, on the way from the described values to those that are there."""
+    names = program.names
+    lines = ["", f"function given_ = newton_way_{column.group}(share_, there_)"]
+    lines += ["% What a pass is given, at these shares of the way from the described values."]
+    for index, (symbol, value) in enumerate(loop.described, 1):
+        lines.append(f"  {names[symbol]} = {value!r} + share_ .* (there_({index}) - ({value!r}));")
+    lines += [f"  {names[name]} = there_({at});" for at, name in enumerate(loop.besides, len(loop.described) + 1)]
+    for line in loop.way:
+        lines += commented(f"  {names[line.symbol]} = {_text(program, line.node)};", line.words, "%")
+    given = ", ".join(f"{names[name]} .* ones(numel(share_), 1)" for name in loop.system.given)
+    return [*lines, f"  given_ = [{given}];", "end"]
 
 
 def _pass(program: Program, column: ColumnLine, system: System) -> list[str]:

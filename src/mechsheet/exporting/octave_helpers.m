@@ -69,29 +69,72 @@ function y = triangle(c, a, b)
   y = atan2(sqrt(max(0, product)), a .^ 2 + b .^ 2 - c .^ 2);
 end
 
-function found = followed(step, start, given, home, passes)
+function found = followed(step, way, start, there, given, passes, scales)
 % Newton's method row by row, each from the row before that has a position: the unknowns side by side, NaN where none is
-% found. The determinant's other sign is another assembly. The start fits the row `home`.
+% found. The determinant's other sign is another assembly. The start fits the described dimensions: from these it goes in
+% equal steps, a pass each, to those that are there; a warning says where the assembly ends on the way, and which rows may
+% be of another: an unknown, as a part of its scale, leaves its trend.
   found = NaN(size(given, 1), numel(start));
-  [last, sign_, arrived] = newton(step, start, given(home, :), 20);
-  if ~arrived
+  lead = way(min((0:@@FIRST@@)' / @@LED@@, 1), there);
+  x = start;
+  xs = zeros(numel(start), size(lead, 1));
+  residuals = zeros(1, size(lead, 1));
+  signs = zeros(1, size(lead, 1));
+  for place = 1:size(lead, 1)
+    [correction, residuals(place), determinant] = step(x, lead(place, :));
+    xs(:, place) = x;
+    signs(place) = sign(determinant);
+    if all(isfinite(correction))
+      x = x - correction;
+    end
+  end
+  last = xs(:, end);
+  begun = residuals(end) <= @@CLOSED@@;
+  leaps = abs(diff(xs, 2, 2)) < @@TREND@@ * repmat(scales, 1, size(xs, 2) - 2);
+  steady = residuals(3:end) < max(@@STEADY@@ * residuals(2), @@SETTLED@@);
+  if ~(all(signs .* signs(1) > 0) && all(leaps(:)) && all(steady))
+    what = word_if(begun, 'perhaps these positions are of another', 'no position was found');
+    warning('newton:assembly', 'on the way from the described values to these the assembly described ends: %s', what);
+  end
+  if ~begun
     return
   end
   for row = 1:size(given, 1)
-    [x, determinant, arrived] = newton(step, last, given(row, :), passes);
-    if arrived && determinant * sign_ > 0
+    x = last;
+    for pass = 1:passes
+      x = x - step(x, given(row, :));
+    end
+    [~, residual, determinant] = step(x, given(row, :));
+    if residual <= @@CLOSED@@ && determinant * signs(end) > 0
       last = x;
       found(row, :) = x';
     end
   end
+  warn_of_leaps(found, scales);
 end
 
-function [x, determinant, arrived] = newton(step, x, row, passes)
-  for pass = 1:passes
-    x = x - step(x, row);
+function warn_of_leaps(found, scales)
+% Rows behind others without a position, or in which an unknown leaves its trend, may be of another assembly.
+  begun = false;
+  count = 0;
+  for row = 1:size(found, 1)
+    there = isfinite(found(row, 1));
+    if there && row > 1
+      if ~isfinite(found(row - 1, 1))
+        count = count + begun;
+      else
+        bent = found(row, :) - found(row - 1, :);
+        if row > 2 && isfinite(found(row - 2, 1))
+          bent = bent - found(row - 1, :) + found(row - 2, :);
+        end
+        count = count + any(abs(bent) > pi / 180 * @@LEAP@@ * scales');
+      end
+    end
+    begun = begun || there;
   end
-  [~, residual, determinant] = step(x, row);
-  arrived = residual <= 1e-11;
+  if count > 0
+    warning('newton:assembly', '%d rows may be of another assembly: behind others without a position, or a leap', count);
+  end
 end
 
 function y = kept(x, exists)
@@ -109,6 +152,10 @@ function value = given(arguments, name, value)
       value = arguments{k + 1};
     end
   end
+end
+
+function answer = is_given(arguments, name)
+  answer = any(strcmp(arguments(1:2:end), name));
 end
 
 function check_names(arguments, allowed)

@@ -14,10 +14,11 @@ from mechsheet.compiled import Compiled
 from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.routines import missing_where
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, transform
+from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, symbols, transform
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.equations import FORCES, RATES, Condition, Equation, Equations, Group, System
+from mechsheet.kinematics.newton.leaving import scales
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Dimension, Law, Mechanism, Quantity
 from mechsheet.units import NUMBER, Unit
@@ -40,11 +41,33 @@ class Line:
 
 
 @dataclass(frozen=True, slots=True)
+class Loop:
+    """A group that Newton's method solves row by row, and where it begins.
+
+    described  symbols that change from the values for which the start values were found to those asked for, and these
+    way        what follows from them, in order, over a share of the way
+    besides    what else the way and the group read: it stays as it is
+    scales     in what each unknown is measured: 1 for an angle, else the largest length
+    """
+
+    system: System
+    described: tuple[tuple[str, float], ...]
+    way: tuple[Line, ...]
+    besides: tuple[str, ...]
+    scales: tuple[float, ...]
+
+    @property
+    def there(self) -> tuple[str, ...]:
+        """What a function for the way is given."""
+        return (*(symbol for symbol, _ in self.described), *self.besides)
+
+
+@dataclass(frozen=True, slots=True)
 class ColumnLine:
     """A quantity that has one value per row: `node` over whole columns.
 
     still  the expression has one value for all rows;  group  number of the group, 0 on the driver's side, -1 for outputs
-    loop   Newton's method finds it, with the other unknowns of this system, row by row (`node` says nothing then)
+    loop   Newton's method finds it, with the other unknowns of a system, row by row (`node` says nothing then)
     """
 
     symbol: str
@@ -53,7 +76,7 @@ class ColumnLine:
     unit: str
     words: str
     group: int
-    loop: System | None = None
+    loop: Loop | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -226,7 +249,7 @@ def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ..
     found = []
     for equation in equations.columns:
         if equation.symbol in systems:
-            found += _loop(equation, systems[equation.symbol], mechanism)
+            found += _loop(equation, systems[equation.symbol], equations, mechanism)
             moving.add(equation.symbol)
             continue
         if any(equation.symbol in system.variables for system in systems.values()):
@@ -259,12 +282,18 @@ def _read_afterwards(equations: Equations, passes: Collection[str]) -> set[str]:
     return found
 
 
-def _loop(equation: Equation, system: System, mechanism: Mechanism) -> list[ColumnLine]:
+def _loop(equation: Equation, system: System, equations: Equations, mechanism: Mechanism) -> list[ColumnLine]:
     """The unknowns of a system, all in one line: that of the first."""
     if equation.symbol != system.unknowns[0]:
         return []
-    words = one_line(equation.label.of(mechanism.language))
-    return [ColumnLine(equation.symbol, al.ZERO, False, "", words, equation.group, system)]
+    language = mechanism.language
+    way = tuple(Line(each.symbol, _constant(each), "", one_line(each.label.of(language))) for each in system.way)
+    moving = {*(line.symbol for line in way), *(symbol for symbol, _ in system.described)}
+    read = [name for line in way for name in symbols(line.node)]
+    besides = tuple(name for name in dict.fromkeys((*read, *system.given)) if name not in moving)
+    loop = Loop(system, system.described, way, besides, scales(mechanism, equations, system))
+    words = one_line(equation.label.of(language))
+    return [ColumnLine(equation.symbol, al.ZERO, False, "", words, equation.group, loop)]
 
 
 def _closed(equation: Equation, number: int, still: bool) -> ColumnLine:

@@ -6,19 +6,21 @@ import builtins
 import json
 import keyword
 import sys
+from collections.abc import Iterable
 from textwrap import dedent, wrap
 
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.program import WIDTH, ColumnLine, Line, Program, commented, heading, one_line, program_of
+from mechsheet.exporting.program import WIDTH, ColumnLine, Line, Loop, Program, commented, heading, one_line, program_of
 from mechsheet.formula.nodes import Node
-from mechsheet.kinematics.equations import System
-from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES
+from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
+from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import TIME
 
 RESERVED = (
     *keyword.kwlist, *keyword.softkwlist, *dir(builtins), "np", "csv", "sys", "solve", "main", "n", "rows", "exists",
-    "start", "stop", "step", "annotations", "ArrayLike", "NDArray", "Array", "UNITS",
+    "start", "stop", "step", "warnings", "home", "own_", "share_", "x_", "annotations", "ArrayLike", "NDArray",
+    "Array", "UNITS",
 )  # fmt: skip
 
 _HELPERS = '''
@@ -74,34 +76,63 @@ if __name__ == "__main__":
 
 
 _FOLLOWED = '''def _followed(
-    step: Callable[..., tuple[Array, float, float]], start: ArrayLike, given: tuple[ArrayLike, ...], home: int, passes: int,
-    rows: int,
+    step: Callable[..., tuple[Array, float, float]], way: Callable[..., tuple[ArrayLike, ...]], start: ArrayLike,
+    there: tuple[ArrayLike, ...], given: tuple[ArrayLike, ...], home: int, passes: int, rows: int, scales: ArrayLike,
 ) -> Array:
     """Newton's method row by row, each from the row before that has a position: the unknowns, NaN where none is found.
 
-    `step` gives J^-1 F, the residual and det J; the determinant's other sign is another assembly. `start` fits row `home`.
+    `step` gives J^-1 F, the residual and det J; the determinant's other sign is another assembly. `start` fits row `home` of
+    the described dimensions: from these it goes in equal steps, a pass each, to those that are there; `way` says what the
+    step is given then. A warning says where the assembly ends on that way (the determinant changes its sign, an unknown, as
+    a part of its scale, leaves its trend, the residual leaps), and which rows may be of another.
     """
+    shares = np.minimum(np.arange(@@FIRST@@ + 1) / @@LED@@, 1.0)
+    ends = [np.broadcast_to(np.asarray(part, float), (rows,))[home] for part in there]
+    lead = [np.broadcast_to(np.asarray(part, float), shares.shape) for part in way(shares, *ends)]
+    x, path, residuals, determinants = np.array(start, float), [], [], []
+    for place in range(len(shares)):
+        correction, residual, determinant = step(x, *(column[place] for column in lead))
+        path.append(x)
+        residuals.append(residual)
+        determinants.append(determinant)
+        x = np.where(np.all(np.isfinite(correction)), x - correction, x)
+    found = np.full((np.size(start), rows), np.nan)
+    last, begun = path[-1], bool(residuals[-1] <= @@CLOSED@@)
+    leaps = np.abs(np.diff(path, 2, axis=0)) < @@TREND@@ * np.asarray(scales)
+    steady = np.array(residuals[2:]) < max(@@STEADY@@ * residuals[1], @@SETTLED@@)
+    if not (np.all(np.array(determinants) * determinants[0] > 0) and np.all(leaps) and np.all(steady)):
+        what = "perhaps these positions are of another" if begun else "no position was found"
+        text = f"on the way from the described values to these the assembly described ends: {what}"
+        warnings.warn(text, stacklevel=3)
+    if not begun:
+        return found
+    sign = determinants[-1]
     columns = [np.broadcast_to(np.asarray(part, float), (rows,)) for part in given]
-
-    def arrived(x: Array, row: int, count: int) -> tuple[Array, float] | None:
+    for row in range(rows):
         here = [column[row] for column in columns]
-        for _ in range(count):
+        x = last
+        for _ in range(passes):
             x = x - step(x, *here)[0]
         _, residual, determinant = step(x, *here)
-        return (x, determinant) if residual <= @@CLOSED@@ else None
-
-    found = np.full((np.size(start), rows), np.nan)
-    first = arrived(np.array(start, float), home, @@FIRST@@)
-    if first is not None:
-        last, sign = first
-        for row in range(rows):
-            here = arrived(last, row, passes)
-            if here is not None and here[1] * sign > 0:
-                found[:, row] = last = here[0]
+        if residual <= @@CLOSED@@ and determinant * sign > 0:
+            found[:, row] = last = x
+    here, before, earlier = found[:, 1:], found[:, :-1], np.hstack([found[:, :1] * np.nan, found[:, :-2]])
+    there, told = np.isfinite(here[0]), np.isfinite(before[0])
+    bent = np.abs(np.where(np.isfinite(earlier), here - 2 * before + earlier, here - before))
+    leapt = told & np.any(bent > np.radians(@@LEAP@@) * np.reshape(scales, (-1, 1)), axis=0)
+    behind = ~told & np.logical_or.accumulate(told)
+    count = int(np.sum(there & (leapt | behind)))
+    if count:
+        warnings.warn(f"{count} rows may be of another assembly: behind others without a position, or a leap", stacklevel=3)
     return found
 
 
-'''.replace("@@CLOSED@@", repr(CLOSED)).replace("@@FIRST@@", str(FIRST_PASSES))
+'''
+for _name, _number in (
+    ("CLOSED", CLOSED), ("FIRST", FIRST_PASSES), ("LED", LED), ("STEADY", STEADY), ("SETTLED", SETTLED),
+    ("TREND", TREND), ("LEAP", LEAP),
+):  # fmt: skip
+    _FOLLOWED = _FOLLOWED.replace(f"@@{_name}@@", repr(_number))
 
 
 def write(job: Job) -> list[bytes]:
@@ -157,6 +188,7 @@ def _opening(program: Program, name: str) -> list[str]:
 
         import csv
         import sys
+        @@WARNINGS@@
         @@CALLABLE@@
         import numpy as np
         from numpy.typing import ArrayLike, NDArray
@@ -164,8 +196,9 @@ def _opening(program: Program, name: str) -> list[str]:
         Array = NDArray[np.float64]
         """
     loops = any(column.loop for column in program.columns)
-    callables = "from collections.abc import Callable\n" if loops else ""
-    return [*body, *dedent(imports).replace("@@CALLABLE@@\n", f"{callables}\n").splitlines(), ""]
+    for mark, line in (("WARNINGS", "import warnings\n"), ("CALLABLE", "from collections.abc import Callable\n\n")):
+        imports = dedent(imports).replace(f"@@{mark}@@\n", line if loops else "\n" * (mark == "CALLABLE"))
+    return [*body, *imports.splitlines(), ""]
 
 
 def _tables(program: Program) -> list[str]:
@@ -196,17 +229,16 @@ def _solve(program: Program) -> list[str]:
     return [*_signature(program), *body, "        }", ""]
 
 
-def _loop(program: Program, column: ColumnLine, system: System) -> list[str]:
+def _loop(program: Program, column: ColumnLine, loop: Loop) -> list[str]:
     """The unknowns of a system, by a function of its own for one pass."""
-    names = program.names
+    names, system = program.names, loop.system
     unknowns, given = (", ".join(names[name] for name in part) for part in (system.unknowns, system.given))
-    step = f"step_{column.group}"
+    step, way = f"step_{column.group}", f"way_{column.group}"
     tail = "," if len(system.unknowns) == 1 else ""
-    typed = ", ".join(f"{names[name]}: float" for name in system.given)
     lines = [
         "",
         f"        def {step}(",
-        *_paragraph(f"x_: Array, {typed},", " " * 12),
+        *_typed("x_: Array", (f"{names[name]}: float" for name in system.given)),
         "        ) -> tuple[Array, float, float]:",
     ]
     lines += [f"            {unknowns}{tail} = x_"]
@@ -214,21 +246,49 @@ def _loop(program: Program, column: ColumnLine, system: System) -> list[str]:
         words = one_line(part.label.of(program.mechanism.language))
         lines += commented(f"            {names[part.symbol]} = {_text(program, part.expression)}", words, "#")
     corrections = [_text(program, part) for part in system.corrections]
+    there = _paragraph(", ".join(names[name] for name in loop.there) + ",", " " * 16)
+    first = f"np.argmin(np.abs({names[system.driver]} - {system.home!r}))"
     lines += [
         "            return (",
         f"                np.array([{', '.join(corrections)}]),",
         f"                {names[system.residual]}, {names[system.determinant]},",
         "            )",
         "",
+        *_way(program, way, loop),
+        "",
         f"        starts_{column.group} = (",
         *(f"            ({', '.join(repr(x) for x in start)}{tail})," for start in system.starts),
         "        )",
-        f"        home = int(np.argmin(np.abs({names[system.driver]} - {system.home!r})))",
+        f"        home = min({system.row}, rows - 1) if own_ else int({first})",
         f"        {unknowns}{tail} = _followed(",
-        f"            {step}, starts_{column.group}[int({names[system.mode]}) - 1], ({given},), home, {system.passes}, rows",
+        f"            {step}, {way}, starts_{column.group}[int({names[system.mode]}) - 1],",
+        *([f"            ({there[0].strip()}),"] if len(there) == 1 else ["            (", *there, "            ),"]),
+        f"            ({given},), home, {system.passes}, rows,",
+        f"            ({', '.join(repr(x) for x in loop.scales)}{tail}),",
         "        )",
     ]
     return lines
+
+
+def _typed(first: str, others: Iterable[str]) -> list[str]:
+    """Parameters with their types, which are not parted from them."""
+    text = "".join(f"{part.replace(' ', '~')}, " for part in (first, *others)).rstrip()
+    return [line.replace("~", " ") for line in _paragraph(text, " " * 12)]
+
+
+def _way(program: Program, name: str, loop: Loop) -> list[str]:
+    """What a pass is given, on the way from the described values to those that are there."""
+    names = program.names
+    lines = [
+        f"        def {name}(",
+        *_typed("share_: Array", (f"{names[symbol]}: ArrayLike" for symbol in loop.there)),
+        "        ) -> tuple[ArrayLike, ...]:",
+    ]
+    for symbol, value in loop.described:
+        lines.append(f"            {names[symbol]} = {value!r} + share_ * ({names[symbol]} - {value!r})")
+    for line in loop.way:
+        lines += commented(f"            {names[line.symbol]} = {_text(program, line.node)}", line.words, "#")
+    return [*lines, f"            return ({', '.join(names[symbol] for symbol in loop.system.given)},)"]
 
 
 def _signature(program: Program) -> list[str]:
@@ -264,12 +324,13 @@ def _driver(program: Program, driver: str) -> list[str]:
     if program.law is not None:
         time, duration, last = program.names[TIME], program.names[program.law.duration], program.law.rows - 1
         return [
+            *_own(program, time),
             f"        if {time} is None:",
             f"            {time} = np.arange({last + 1}) * {duration} / {last}",
             f"        {time} = np.atleast_1d(np.asarray({time}, float))",
             f"        {driver} = {_text(program, program.law.value)}",
         ]
-    lines = [f"        if {driver} is None:"]
+    lines = [*_own(program, driver), f"        if {driver} is None:"]
     if program.sweep:
         start, stop, step = (_text(program, part) for part in program.sweep)
         lines += [
@@ -285,6 +346,11 @@ def _driver(program: Program, driver: str) -> list[str]:
         lines.append(f"            {name} = ({', '.join(_text(program, value) for value in values)},)")
         lines.append(f"        {name} = np.asarray({name}, float) + 0 * {driver}")
     return lines
+
+
+def _own(program: Program, name: str) -> list[str]:
+    """Whether the rows are the description's: asked where a loop begins in one of them."""
+    return [f"        own_ = {name} is None"] if any(column.loop for column in program.columns) else []
 
 
 def _column(program: Program, column: ColumnLine) -> list[str]:

@@ -88,6 +88,7 @@ class Poses:
         self.xy: dict[str, tuple[Node, Node]] = {}
         self.turned: list[tuple[str, Angle]] = []
         self.directions: dict[str, Angle] = {}
+        self.to_close: frozenset[str] = frozenset()  # pins that equations bring together: each body keeps its own place
         numbers = {link.name: link.angle_symbol for link in mechanism.links}
         self.tied_angles = {numbers[name] for relation in mechanism.relations for name in relation.turning}
         self._ground(mechanism.ground)
@@ -313,9 +314,10 @@ class Poses:
     def _points(self, body: str) -> None:
         """Write down the points of a body that are not known yet, its origin first: from there the others read best."""
         for point in sorted(self.graph.points[body], key=lambda point: not self.own_place(body, point).is_zero):
+            met = point in self.xy and point in self.to_close
             if point not in self.xy:
                 self._point(body, point)
-            if self.own_place(body, point).is_zero:
+            if self.own_place(body, point).is_zero and not met:
                 self.known[body] = Pose(self.known[body].angle, ORIGIN, *self.xy[point])
 
     def _point(self, body: str, point: str) -> None:

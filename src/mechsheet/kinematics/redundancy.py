@@ -42,6 +42,12 @@ AROUND = np.arange(-3, 4)
 NEAR = math.radians(1.0), 0.01
 """Where that is asked: so many small steps of the driver, of an angle or in parts of its sweep."""
 
+MOST_LEFT_OUT = 2
+"""So many links are looked for together at most: a fourth crank, two side rods."""
+
+MOST_SETS = 60
+"""So many sets of them are tried."""
+
 LEAST_AROUND = 5
 LEAST_ROWS = 3
 MOST_ROWS = 60
@@ -72,26 +78,28 @@ def redundancy_faults(mechanism: Mechanism, missing: int) -> list[Fault]:
     return list(parts.values())
 
 
-def redundant_links(mechanism: Mechanism) -> tuple[str, ...]:
-    """The links of which any one may be left out where the count lacks one freedom, the one described last first.
+def redundant_links(mechanism: Mechanism) -> tuple[tuple[str, ...], ...]:
+    """The sets of links that may be left out together, as many as freedoms lack in the count; those described last first.
 
-    Without it the others stand as sketched and move, its length is met there and around, and whichever is left out, every
-    point goes the same way. None where no link does so, or where it depends on the link how the rest moves.
+    Without them the others stand as sketched and move, their lengths are met there and around, and whichever set is left
+    out, every point goes the same way. None where no links do so, or where it depends on them how the rest moves.
     """
-    if 1 + len(mechanism.drivers) - mobility(graph_of(mechanism)) != 1:
+    missing = 1 + len(mechanism.drivers) - mobility(graph_of(mechanism))
+    if not 1 <= missing <= MOST_LEFT_OUT:
         return ()
-    found: list[tuple[str, _Around]] = []
-    for part, _ in _candidates(mechanism):
-        around = _around(mechanism, part) if isinstance(part, Link) else None
+    found: list[tuple[tuple[str, ...], _Around]] = []
+    links = [part for part, _ in _candidates(mechanism) if isinstance(part, Link)]
+    for parts in islice(combinations(links, missing), MOST_SETS):
+        around = _around(mechanism, parts)
         if around is not None:
-            found.append((part.name, around))
+            found.append((tuple(part.name for part in parts), around))
     for _, other in found[1:]:
         first = found[0][1]
         places = [name for name in other.values if name.endswith((".x", ".y")) and name in first.values]
         apart = max(float(np.nanmax(np.abs(other.values[name] - first.values[name]))) for name in places)
         if apart > ALIKE * first.size:
             return ()
-    return tuple(name for name, _ in found)
+    return tuple(names for names, _ in found)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,14 +110,15 @@ class _Around:
     size: float
 
 
-def _around(mechanism: Mechanism, link: Link) -> _Around | None:
-    """What the others do around the position that is sketched; None where the link does not fit."""
-    rest = _without(mechanism, [link])
+def _around(mechanism: Mechanism, links: tuple[Link, ...]) -> _Around | None:
+    """What the others do around the position that is sketched; None where one of the links does not fit."""
+    rest = _without(mechanism, [*links])
     points = {point for other in rest.links for point in other.points}
+    own = {link.angle_symbol for link in links}
     sketch = replace(
         mechanism.sketch,
         points={point: place for point, place in mechanism.sketch.points.items() if point in points},
-        symbols={name: value for name, value in mechanism.sketch.symbols.items() if name != link.angle_symbol},
+        symbols={name: value for name, value in mechanism.sketch.symbols.items() if name not in own},
     )
     dimensions = dimension_values(mechanism)
     driver = driver_values(mechanism, dimensions)
@@ -124,7 +133,7 @@ def _around(mechanism: Mechanism, link: Link) -> _Around | None:
     step = NEAR[1] * float(np.ptp(driver)) if mechanism.driver.joint else NEAR[0]
     values = sweep(rest, equations, np.asarray(here + step * AROUND, dtype=np.float64))
     size = _size(rest, values)
-    gap = _gap(mechanism, link, values) / size
+    gap = np.max([_gap(mechanism, link, values) for link in links], axis=0) / size
     there = np.isfinite(gap)
     if there.sum() < LEAST_AROUND or not there[AROUND == 0].all() or np.any(gap[there] > ALIKE):
         return None

@@ -21,6 +21,7 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.mobility import listed_names
+from mechsheet.kinematics.newton.elsewhere import assembly_doubts
 from mechsheet.kinematics.newton.steps import step_doubts
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
@@ -85,8 +86,10 @@ def tell(mechanism: Mechanism, equations: Equations, stacklevel: int = 3) -> Non
 
 def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
     """What a person should hear of the sketch although it picks an assembly in every group; empty for a good one."""
-    if not mechanism.sketch.doubted:
-        return ()
+    if not mechanism.sketch.doubted:  # other dimensions than those it was drawn for
+        if mechanism.before is None or not any(group.system for group in equations.groups):
+            return ()
+        return tuple(assembly_doubts(mechanism.before, mechanism, equations))
     return (*_left_out(mechanism), *_sketched(mechanism, equations))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import reduce
 from typing import TypeAlias
 
 from mechsheet.formula import algebra as al
@@ -72,8 +73,6 @@ def size(a: Vector) -> Node:
     return al.sqrt(al.add(al.square(a[0]), al.square(a[1])))
 
 
-def together(vectors: Iterable[Vector], start: Vector = NOWHERE) -> Vector:
-    """start and all vectors, one added to the other."""
-    for vector in vectors:
-        start = plus(start, vector)
-    return start
+def together(vectors: Iterable[Vector]) -> Vector:
+    """All vectors, one added to the other."""
+    return reduce(plus, vectors, NOWHERE)

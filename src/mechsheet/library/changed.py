@@ -63,7 +63,8 @@ def loads(
     pairs = in_order(overrides or ())
     modes = _modes_in(pairs, text, file)
     if not modes:
-        return with_redundant(description.loads(text, file, pairs, language, rows=rows, step=step), file)
+        found = with_redundant(description.loads(text, file, pairs, language, rows=rows, step=step), file)
+        return replace(found, before=_unchanged(text, file)) if pairs else found
     faults = [fault for name, value in modes if (fault := _value_fault(name, value, file)) is not None]
     rest = [pair for pair in pairs if pair not in modes]
     try:
@@ -76,6 +77,13 @@ def loads(
     if faults:
         raise DescriptionError(faults)
     return _with_modes(mechanism, {name_of(name): round(float(value)) for name, value in modes}, file)
+
+
+def _unchanged(text: str, file: str) -> Mechanism | None:
+    """The mechanism without changes; None where only these make it one."""
+    with suppress(MechsheetError):
+        return description.loads(text, file)
+    return None
 
 
 def _modes_in(pairs: Sequence[tuple[str, str]], text: str, file: str) -> list[tuple[str, str]]:

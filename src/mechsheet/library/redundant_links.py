@@ -1,7 +1,8 @@
-"""A link that nobody has marked as redundant: where one is, and it does not matter which, it is marked in the text."""
+"""Links that nobody has marked as redundant: where there are any, and it does not matter which, the text marks them."""
 
 from __future__ import annotations
 
+from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -13,24 +14,35 @@ from mechsheet.model import Mechanism
 
 
 def with_redundant(mechanism: Mechanism, file: str = "<text>") -> Mechanism:
-    """The mechanism with a redundant link left out of what has to be solved; as it is where none is found.
+    """The mechanism with redundant links left out of what has to be solved; as it is where none are found.
 
     The mark (`redundant = true`) stands in its text, and so travels in the workbook. `file` is what messages call the text.
     """
     from mechsheet.kinematics.graph import graph_of
     from mechsheet.kinematics.mobility import mobility
 
-    if mobility(graph_of(mechanism)) != len(mechanism.drivers):
+    if mobility(graph_of(mechanism)) > len(mechanism.drivers):
         return mechanism
     from mechsheet.kinematics.redundancy import redundant_links
 
-    names = redundant_links(mechanism)
-    for name in names:
+    sets = redundant_links(mechanism)
+    for names in sets:
         with suppress(MechsheetError):  # one whose points are given by distances cannot be marked
-            source = with_value(parse(mechanism.text, file), ("links", name, "redundant"), "true")
+            source = parse(mechanism.text, file)
+            for name in names:
+                source = with_value(source, ("links", name, "redundant"), "true")
             found = description.loads(source.text, file)
-            also = tuple(other for other in names if other != name)
-            marked = tuple(replace(each, also=also) if each.link.name == name else each for each in found.redundant)
+            marked = tuple(
+                replace(each, also=_instead(each.link.name, names, sets)) if each.link.name in names else each
+                for each in found.redundant
+            )
             sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
             return replace(found, redundant=marked, sketch=sketch, file=mechanism.file)
     return mechanism
+
+
+def _instead(name: str, left_out: Collection[str], sets: Sequence[Collection[str]]) -> tuple[str, ...]:
+    """The links that would do as well in the place of one of those that are left out."""
+    rest = {*left_out} - {name}
+    others = [other for each in sets for other in each if {*each} == rest | {other} and other != name]
+    return tuple(dict.fromkeys(others))

@@ -108,7 +108,7 @@ class Session:
             self._live.set(cell, scalar)
 
     def reset(self, *where: str) -> None:
-        """Give cells the values back that the file has; without an argument all of them."""
+        """Restore the file's values in some cells; without an argument, in all of them."""
         for cell in [self._cell(place) for place in where] if where else list(self._live.inputs):
             self._live.reset(cell)
 

@@ -471,6 +471,7 @@ class Mechanism:
     synthesis    the task from which dimensions are found; None where all of them are given
     redundant    links that are left out of what has to be solved
     file         the stem of the file that it was read from, "" when it was read from none
+    before       the same without the changes that a caller asked for; None when there are none
     """
 
     name: str
@@ -504,6 +505,7 @@ class Mechanism:
     redundant: tuple[Redundant, ...] = ()
     text: str = ""
     file: str = field(default="", compare=False)
+    before: Mechanism | None = field(default=None, compare=False)
 
     @property
     def whole_links(self) -> tuple[Link, ...]:

@@ -30,8 +30,8 @@ def directions(jacobian: Array, right: Array) -> Array:
 
 def miss(block: Block, state: Array, residuals: Array) -> Array:
     """Worst residual (m,), as a part of the farthest coordinate where that is beyond 1: its rounding grows with it."""
-    farthest = np.max(np.abs(state[:, list(block.coordinates)]), axis=1)
-    return np.asarray(np.max(np.abs(residuals), axis=1) / np.maximum(farthest, 1.0))
+    farthest = np.max(np.abs(state[:, list(block.coordinates)]), axis=1, initial=1.0)
+    return np.asarray(np.max(np.abs(residuals), axis=1) / farthest)
 
 
 def polish(block: Block, state: Array, value: Array) -> tuple[Array, Array]:

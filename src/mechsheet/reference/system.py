@@ -301,9 +301,14 @@ class _Builder:
         return found
 
 
-def _columns(equation: Equation) -> list[int]:
+def _own_columns(equation: Equation) -> list[int]:
+    """Of its two bodies; a place that it does not read may be found later."""
     starts = (3 * equation.body, 3 * equation.on)
-    return [starts[slot // 3] + slot % 3 for slot in _SLOTS[equation.kind]] + [column for column, _ in equation.terms]
+    return [starts[slot // 3] + slot % 3 for slot in _SLOTS[equation.kind]]
+
+
+def _columns(equation: Equation) -> list[int]:
+    return _own_columns(equation) + [column for column, _ in equation.terms]
 
 
 def _slots(equation: Equation) -> tuple[int, ...]:
@@ -313,7 +318,7 @@ def _slots(equation: Equation) -> tuple[int, ...]:
 
 def _is_linear(equation: Equation, columns: Sequence[int]) -> bool:
     """Whether the unknown `columns` stand in it linearly: no unknown angle turns a place."""
-    own = _columns(equation)[: len(_SLOTS[equation.kind])]
+    own = _own_columns(equation)
     return equation.kind == "angle" or not any(column % 3 == 2 and column in columns for column in own)
 
 
@@ -334,7 +339,7 @@ def _block(equations: Sequence[Equation], columns: Sequence[int]) -> Block:
     return Block(
         equations=tuple(equations),
         columns=tuple(columns),
-        coordinates=tuple(sorted({3 * b + i for e in equations for b in (e.body, e.on) for i in (0, 1)})),
+        coordinates=tuple(sorted({c for e in equations for c in _own_columns(e) if c % 3 != 2})),
         slots=slots,
         reach=tuple(_reach(equations, column) for column in columns),
         linear=all(_is_linear(equation, columns) for equation in equations),

@@ -76,6 +76,9 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.passes.not": ("may not close near {place}: smaller step", "{place} yakınında kopabilir: adımı küçültün"),
     "verdict.gap": ("joints", "mafsallar"),
     "verdict.gap.closed": ("largest gap of a joint: rounding only", "en büyük mafsal açıklığı: yalnız yuvarlama"),
+    "verdict.gap.redundant": (
+        "the link {link} does not fit: see the sheet {sheet}", "{link} uzvu uymuyor: {sheet} sayfasına bakın",
+    ),
     "verdict.gap.open": ("a joint is open: see the sheet {sheet}", "bir mafsal açık: {sheet} sayfasına bakın"),
     "verdict.gap.typed": (
         "a formula was typed over: see the sheet {sheet}", "bir formülün üstüne yazılmış: {sheet} sayfasına bakın"

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from judging import judged
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
@@ -250,3 +251,39 @@ def test_what_needs_a_closed_form_says_so():
     for kind in ("vba", "latex", "markdown"):
         with pytest.raises(MechanismError, match="no closed form"):
             KINDS[kind].write(Job(mechanism, "x"))
+
+
+TWO_SLIDES = """
+format = 1
+mechanism = { name = "two-slides" }
+links.ground.points = { O = [0, 0], C0 = [100, 0] }
+links.crank.points = { O = [0, 0], A = [20, 0] }
+links.left.points = { A = [0, 0], D = [40, 0] }
+links.slide.points = { M = [0, 0] }
+links.right.points = { C0 = [0, 0], E = [0, 50] }
+links.rod.points = { D = [0, 0], E = [70, 0] }
+joints = [
+    { type = "prismatic", link = "slide", on = "left", point = "M", through = [0, 10], angle = 20, symbol = "s1" },
+    { type = "prismatic", link = "slide", on = "right", point = "M", through = [0, -10], angle = 110, orientation = -90 },
+]
+driver = { link = "crank", start = 0, stop = 360, step = 60 }
+[assembly]
+D = [50, 30]
+"""
+"""A class IV group closed by a link with two slides, as the disc of an Oldham coupling."""  # fmt: skip
+
+
+@pytest.mark.parametrize("origin", ["C0 = [0, 0], E = [0, 50]", "C0 = [3, 1], E = [3, 51]"])
+def test_a_link_with_two_slides_closes_a_group(origin):
+    """Left and right are parallel then: |A - C0 + R(theta) (40, -50)| = 70, wherever the frame of `right` begins."""
+    mechanism = loads(TWO_SLIDES.replace("C0 = [0, 0], E = [0, 50]", origin))
+    equations, values = swept(mechanism)
+    (group,) = equations.groups
+    assert (group.kind, len(group.system.unknowns)) == ("IV", 3)
+    theta = values["theta13"]
+    assert np.remainder(values["theta15"] - theta + 1, math.tau) == pytest.approx(1, abs=1e-12)
+    x, y = values["A.x"] - 100, values["A.y"]
+    across = np.hypot(x + 40 * np.cos(theta) + 50 * np.sin(theta), y + 40 * np.sin(theta) - 50 * np.cos(theta))
+    assert across == pytest.approx(70, abs=1e-9)
+    comparison = judged(mechanism)
+    assert comparison.agrees and comparison.worst < 1e-9, comparison

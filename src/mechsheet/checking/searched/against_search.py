@@ -30,6 +30,7 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.search import Search
 from mechsheet.sheet.drawing.outlines import number_places
 from mechsheet.sheet.plan import MEANING, Plan
+from mechsheet.words.equations import link_words
 
 EXACT = 1e-4
 """So much of a step a limit may be off, of its range an extreme."""
@@ -107,18 +108,22 @@ class _Judge:
         self._line()  # last: it repeats the others
         return self.tally.result()
 
-    def _misfit(self) -> float:
-        """By how much the length of a redundant link is off in the worst row: the only gap that there can be."""
+    def _misfit(self) -> tuple[float, str]:
+        """By how much the length of a redundant link is off in the worst row, which is the only gap that there can be; and
+        the last of those that do not fit, "" where all do."""
         search, mechanism = self.search, self.plan.mechanism
-        worst = 0.0
+        worst, found = 0.0, ""
         for each in mechanism.redundant:
             slot = next(joint for joint in mechanism.joints if joint.symbol == each.symbol)
             places = number_places(each.link, search.dimensions)
             (x, y), (x_end, y_end) = places[str(slot.through)], places[slot.point]
             length = portable.hypot(x_end - x, y_end - y)
             column = search.in_rows(each.symbol)[search.row_there]
-            worst = max(worst, float(np.max(np.abs(column - length))))
-        return worst
+            off = float(np.max(np.abs(column - length)))
+            worst = max(worst, off)
+            if off > GAP * search.size:
+                found = link_words(each.link).of(mechanism.language)
+        return worst, found
 
     def _motion(self) -> None:
         """What only the layout of several sheets says."""
@@ -129,7 +134,7 @@ class _Judge:
             if not search.doubtful:
                 self._warns("passes", bool(search.holes))
         if search.count:
-            gap, misfit = self._found("largest_gap"), self._misfit()
+            gap, (misfit, _) = self._found("largest_gap"), self._misfit()
             small = isinstance(gap, float) and abs(gap - misfit) <= GAP * search.size
             self._note("largest_gap", 0.0 if small else math.inf, misfit)
         leaps = self.searched.leaps
@@ -204,8 +209,8 @@ class _Judge:
         if search.count == 0:
             expected = plan.text("page.verdict.nowhere" if self.page else "verdict.line.nowhere")
             right = line == expected or (plan.newton and line == plan.text("verdict.line.ended"))
-        elif not self.page and self._misfit() > GAP * search.size:
-            expected = plan.text("verdict.gap.open", sheet=plan.at.titles["checks"])
+        elif not self.page and (misfit := self._misfit()[1]):
+            expected = plan.text("verdict.gap.redundant", link=misfit, sheet=plan.at.titles["checks"])
             right = line == expected
         elif search.count == search.rows:
             begin, end = plan.text("page.verdict.all"), plan.text("page.verdict.positions")

@@ -31,9 +31,9 @@ def free_link(parts: Parts, stem: str) -> tuple[str, int]:
     return next(name for n in count(number) if folded(name := f"{stem}{n}") not in used), number
 
 
-def free_symbol(parts: Parts, wanted: str, further: Iterable[str] = ()) -> str:
+def free_symbol(parts: Parts, wanted: str) -> str:
     """A symbol that no dimension, angle, displacement or point has: the one that is wanted, or with a number behind it."""
-    used = {folded(dim.symbol) for dim in parts.dimensions} | {folded(name) for name in further}
+    used = {folded(dim.symbol) for dim in parts.dimensions}
     used |= {folded(link.angle_symbol) for link in parts.links} | {folded(joint.symbol) for joint in parts.joints}
     names = (wanted if n == 1 else f"{wanted}_{n}" for n in count(1))
     return next(name for name in names if folded(name) not in used and not symbol_fault(name))

@@ -69,9 +69,9 @@ def exercise(
 ) -> Exercises:
     """Write `student/ID.xlsx`, `solution/ID.xlsx` for everybody in a CSV file (id, name, ...), and `key.json`.
 
-    Dimensions are drawn as [exercise] of the description says, from the seed and the id alone; `progress` is told how many
-    students are done. Raises MechsheetError with
-    all that is wrong with the list, or when nothing drawn fulfils `need`; nothing is written then.
+    Dimensions are drawn as the description's [exercise] says, from the seed and the id alone; `progress` is told how many
+    students are done. Raises MechsheetError with everything that is wrong with the list, or if nothing drawn fulfils
+    `need`; nothing is written then.
     """
     people, faults = _read(Path(class_list))
     folder = Path(output)

@@ -58,7 +58,7 @@ class Marks:
 
     @property
     def of(self) -> float:
-        """The most that there is."""
+        """The highest possible mark."""
         return sum(self.asked.values())
 
 

@@ -82,11 +82,13 @@ class ChainWriter:
         ledger = self.ledger
         start = len(ledger.columns)
         mode = ledger.mode()
+        self.poses.to_close = frozenset(point for point, _, _ in self.chain.shut)
         for carrier in self.chain.carriers:
             self._reach(carrier)
         demands = [self._asked(each) for each in self.chain.binaries]
         demands += [demand for shut in self.chain.shut for demand in self._closed(*shut)]
         demands += [self._tied(relation) for relation in self.chain.relations]
+        self.poses.to_close = frozenset()
         system = self._system(start, demands, mode.name)
         for binary in self.chain.binaries:
             self._pose(binary)

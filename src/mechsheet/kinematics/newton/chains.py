@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, islice
 
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.ties import terms_of
@@ -29,6 +29,10 @@ LEAST_TIED = 2
 """Links of which one has its angle from a gear alone are solved before; of two and more none may."""
 
 MOST_TRIED = 20_000
+
+MOST_WAYS = 500
+"""So many ways of reaching its carriers are tried: two slides of one link must both be on it."""
+
 CLASSES = {3: "III", 4: "IV", 5: "V", 6: "VI"}
 
 
@@ -191,16 +195,20 @@ class _Work:
 
     def _reached(self, carriers: list[Assembly], others: Sequence[Assembly]) -> Chain | None:
         """The carriers in the order in which they are reached, and what the others ask; None where that cannot be."""
-        placed: list[Carrier] = []
-        there: set[Assembly] = set()
-        used: set[Meeting] = set()
-        while len(placed) < len(carriers):
-            step = next(self._steps(carriers, there), None)
-            if step is None:
-                return None
-            placed.append(step)
-            there.add(step.assembly)
-            used.add(step.reached)
+        ways = islice(self._ways(carriers, ()), MOST_WAYS)
+        return next((found for placed in ways if (found := self._held(placed, others)) is not None), None)
+
+    def _ways(self, carriers: list[Assembly], placed: tuple[Carrier, ...]) -> Iterator[tuple[Carrier, ...]]:
+        """Every order in which the carriers can be reached, over which joints: over pins first."""
+        if len(placed) == len(carriers):
+            yield placed
+        for step in self._steps(carriers, {each.assembly for each in placed}):
+            yield from self._ways(carriers, (*placed, step))
+
+    def _held(self, placed: tuple[Carrier, ...], others: Sequence[Assembly]) -> Chain | None:
+        """The group where carriers are reached so; None where a sliding joint is left that nothing asks about."""
+        there = {each.assembly for each in placed}
+        used = {each.reached for each in placed}
         known = self.fixed | {point for each in there for point in self.points[each]}
         binaries = []
         for assembly in sorted(others, key=self.members.index):
@@ -212,7 +220,7 @@ class _Work:
         left = [slide for slide in self.slides if Meeting(slide) not in used and self._between(slide, there)]
         if left or len(placed) != len(binaries) + 2 * len(shut) + len(self.relations) or not self._slid(used):
             return None
-        return Chain(self._class(), tuple(placed), tuple(binaries), shut, frozenset(self.solved), tuple(self.relations))
+        return Chain(self._class(), placed, tuple(binaries), shut, frozenset(self.solved), tuple(self.relations))
 
     def _slid(self, used: set[Meeting]) -> bool:
         """Whether the displacements that racks tie are unknowns, or of joints between what is known."""
@@ -238,7 +246,7 @@ class _Work:
     def _between(self, slide: Slide, there: set[Assembly]) -> bool:
         return all(body in self.solved or self.of.get(body) in there for body in (slide.body, slide.on))
 
-    def _shut(self, placed: list[Carrier]) -> tuple[tuple[str, Assembly, Assembly], ...]:
+    def _shut(self, placed: Sequence[Carrier]) -> tuple[tuple[str, Assembly, Assembly], ...]:
         """Pins at which carriers meet that were reached over other joints."""
         found: list[tuple[str, Assembly, Assembly]] = []
         holder: dict[str, Assembly] = {}

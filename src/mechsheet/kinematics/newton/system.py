@@ -70,7 +70,7 @@ def followed(system: System, known: Mapping[str, Any], rows: int) -> dict[str, A
     start = start_of(system, known, rows)
     if start is None:
         return {name: found[:, index] for index, name in enumerate(system.unknowns)}
-    step, last = _scalar(system), start.unknowns
+    step, last = scalar_step(system), start.unknowns
     for row in range(rows):
         here = _arrived(step, last, [column[row] for column in given], system.passes)
         if here is not None and here.determinant * start.determinant > 0:
@@ -87,32 +87,37 @@ def start_of(system: System, known: Mapping[str, Any], rows: int) -> Pass | None
     row = min(system.row, rows - 1)
     there = {name: float(np.broadcast_to(column, (rows,))[row]) for name, column in known.items()}
     given = [there[name] for name in system.given]
-    step = _scalar(system)
+    step = scalar_step(system)
     if all(there[name] == value for name, value in system.described):
         return _arrived(step, start, given, FIRST_PASSES)
     return _arrived(step, _led(system, step, start, there), given, FIRST_PASSES - LED)
 
 
 def _led(system: System, step: Step, start: Sequence[float], there: Mapping[str, float]) -> Sequence[float]:
-    """The unknowns after going with the dimensions from the described ones to those that are there, a step each.
+    """The unknowns after going with the dimensions from the described ones to those that are there, a step each."""
+    unknowns = start
+    for given in way_to(system, there, np.arange(LED) / LED):
+        unknowns = moved(step, unknowns, given)
+    return unknowns
 
-    Where there is no step to make (a group before does not close on the way), they stay.
-    """
-    shares = np.arange(LED) / LED
+
+def way_to(system: System, there: Mapping[str, float], shares: Array) -> list[tuple[float, ...]]:
+    """What the system reads at each share of the way from the described values to those that are there."""
+    count = len(shares)
     known: dict[str, Any] = dict(there)
     known |= {name: value + shares * (there[name] - value) for name, value in system.described}
     for equation in system.way:
-        known[equation.symbol] = evaluate_equation(equation, known, LED)
-    columns = [np.broadcast_to(known[name], (LED,)).tolist() for name in system.given]
-    unknowns = start
-    for index in range(LED):
-        try:
-            following = step(unknowns, [column[index] for column in columns]).unknowns
-        except (ArithmeticError, ValueError):
-            continue
-        if all(map(math.isfinite, following)):
-            unknowns = following
-    return unknowns
+        known[equation.symbol] = evaluate_equation(equation, known, count)
+    return [*zip(*(np.broadcast_to(known[name], (count,)).tolist() for name in system.given), strict=True)]
+
+
+def moved(step: Step, unknowns: Sequence[float], given: Sequence[float]) -> Sequence[float]:
+    """The unknowns after a pass; where no step can be made (a group before does not close there) they stay."""
+    try:
+        following = step(unknowns, given).unknowns
+    except (ArithmeticError, ValueError):
+        return unknowns
+    return following if all(map(math.isfinite, following)) else unknowns
 
 
 def refined(
@@ -151,7 +156,8 @@ def _arrived(step: Step, start: Sequence[float], given: Sequence[float], passes:
 # --- one pass as generated code: a row is too little for numpy, and a walk over the trees is too slow -----------------
 
 
-def _scalar(system: System) -> Step:
+def scalar_step(system: System) -> Step:
+    """One pass from one start."""
     return _generated(system.unknowns, system.given, system.body, system.corrections, system.residual,
                       system.determinant, True)  # fmt: skip
 

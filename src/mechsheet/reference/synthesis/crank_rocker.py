@@ -97,19 +97,19 @@ def least_transmission(a1: float, a2: float, a3: float, a4: float) -> float:
     return min(*angles, *(math.pi - angle for angle in angles))
 
 
-def meets(value: Callable[[float], float], wanted: float, low: float = 1.0, high: float = 1e9) -> float:
-    """The lam between low and high at which a monotone value is `wanted`, by bisection of ln(lam - 1); else NaN."""
-    left, right = math.log(1e-13), math.log(high - low)
-    ends = [value(low + math.exp(at)) - wanted for at in (left, right)]
+def meets(value: Callable[[float], float], wanted: float) -> float:
+    """The lam from 1 to 1e9 at which a monotone value is `wanted`, by bisection of ln(lam - 1); else NaN."""
+    left, right = math.log(1e-13), math.log(1e9)
+    ends = [value(1.0 + math.exp(at)) - wanted for at in (left, right)]
     if not ends[0] * ends[1] < 0:
         return math.nan
     for _ in range(200):
         middle = (left + right) / 2
-        if (value(low + math.exp(middle)) - wanted) * ends[0] > 0:
+        if (value(1.0 + math.exp(middle)) - wanted) * ends[0] > 0:
             left = middle
         else:
             right = middle
-    return low + math.exp((left + right) / 2)
+    return 1.0 + math.exp((left + right) / 2)
 
 
 def highest(value: Callable[[float], float]) -> float:

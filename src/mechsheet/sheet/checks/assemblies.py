@@ -10,12 +10,9 @@ import math
 from typing import Literal
 
 from mechsheet.formula.nodes import Call, CellRef, Node
+from mechsheet.kinematics.newton.leaving import LEAP
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
-
-LEAP = 45.0
-"""An unknown that leaves its trend by more [deg] from one row to the next may have leapt to another assembly."""
-
 
 ArrivedKind = Literal["assembly", "residual", "needed", "det"]
 

@@ -100,12 +100,13 @@ class Checks:
             if check.kind == "margin":
                 spots[f"#least_{check.group}"] = Spot(self.title, self.first, DATA + index, column=True)
 
-    def worst(self, kind: Kind) -> Node:
-        """The largest value of all columns of a kind (of leaps: their number), as another sheet reads it."""
+    def worst(self, kind: Kind, group: int | None = None) -> Node:
+        """The largest value of all columns of a kind (of leaps: their number), or those of a group, as another sheet reads
+        it."""
         cells = tuple(
             CellRef(self.most_row, DATA + index, True, True, self.title)
             for index, check in enumerate(self.checks)
-            if check.kind == kind
+            if check.kind == kind and group in (None, check.group)
         )
         return al.ZERO if not cells else Call("SUM" if kind in COUNTED else "MIN" if kind == "det" else "MAX", cells)
 

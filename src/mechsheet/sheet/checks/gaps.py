@@ -19,6 +19,7 @@ from mechsheet.model import Joint, Link
 from mechsheet.sheet.checks.geometry import base_point, distance, measured_pairs, place
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
+from mechsheet.words.equations import link_words
 
 LONGEST = 380
 """Characters of one formula; what does not fit takes a further column."""
@@ -36,7 +37,7 @@ def gap_columns(plan: Plan, sheet: str, row: int) -> list[tuple[int, Node]]:
     return found
 
 
-def chunks_of(parts: Sequence[Node], longest: int = LONGEST) -> list[list[Node]]:
+def chunks_of(parts: Sequence[Node]) -> list[list[Node]]:
     """The parts in runs whose spellings stay below a length together."""
     runs: list[list[Node]] = []
     room = 0
@@ -44,7 +45,7 @@ def chunks_of(parts: Sequence[Node], longest: int = LONGEST) -> list[list[Node]]
         length = longest_spelling(part) + 1
         if not runs or length > room:
             runs.append([])
-            room = longest - 20
+            room = LONGEST - 20
         runs[-1].append(part)
         room -= length
     return runs
@@ -131,3 +132,11 @@ def _through(plan: Plan, joint: Joint, carrier: Link, angle: Node) -> tuple[Node
         formula("x_base+u*COS(angle)-v*SIN(angle)", **turned),
         formula("y_base+u*SIN(angle)+v*COS(angle)", **turned),
     )
+
+
+def misfits_of(plan: Plan) -> list[tuple[str, int]]:
+    """What redundant links are called, and the group of which each is the first link."""
+    groups = {name: group.number for group in plan.equations.groups for name in group.links}
+    return [
+        (link_words(each.link).of(plan.mechanism.language), groups[each.link.name]) for each in plan.mechanism.redundant
+    ]

@@ -17,6 +17,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import ROUNDING, Checks
 from mechsheet.sheet.checks.efforts import AGREES
 from mechsheet.sheet.checks.extremes import Extremes, about, where_bounded
+from mechsheet.sheet.checks.gaps import misfits_of
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs
@@ -247,18 +248,24 @@ class _Block:
         plan = self.plan
         key, cell = "largest_gap", self.value("largest_gap")
         rounding = plan.at.cell("#rounding", plan.main, None)
+        wrong = {"open": self.text("gap.open", sheet=self.checks.title)}
+        left_open: Node = Text(wrong["open"])
+        for number, (link, group) in enumerate(misfits_of(plan), 1):
+            wrong[f"misfit_{number}"] = misfit = self.text("gap.redundant", link=link, sheet=self.checks.title)
+            left_open = formula("IF(own>rounding,misfit,other)", own=self.checks.worst("gap", group), rounding=rounding,
+                                misfit=misfit, other=left_open)  # fmt: skip
         words = formula('IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed)))',
                         typed=plan.at.cell("#typed", plan.main, None), count=self.value("rows_closed"), gap=cell,
                         rounding=rounding, over=self.text("gap.typed", sheet=self.checks.title),
-                        closed=self.text("gap.closed"), open=self.text("gap.open", sheet=self.checks.title))  # fmt: skip
+                        closed=self.text("gap.closed"), open=left_open)  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
         self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style, words)
         # where rounding is largest says nothing, and another program rounds otherwise
         place = self.checks.worst_at("gap")
         self.at(key, formula('IFERROR(IF(gap>rounding,place,""),"")', gap=cell, rounding=rounding, place=place))
-        wrong = {"open": self.text("gap.open", sheet=self.checks.title)}
         wrong["over"] = self.text("gap.typed", sheet=self.checks.title)
-        self.colour(key, "OR(said=open,said=over)", styles.BAD, said=self.words(key), **wrong)
+        said = ",".join(f"said={name}" for name in wrong)
+        self.colour(key, f"OR({said})", styles.BAD, said=self.words(key), **wrong)
         self.colour(key, "said=closed", styles.GOOD, said=self.words(key), closed=self.text("gap.closed"))
         cell = self.value("leaps")
         words = formula('IF(closed=0,"",IF(count=0,none,some))', closed=self.value("rows_closed"), count=cell,

@@ -11,6 +11,7 @@ from __future__ import annotations
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
 from mechsheet.kinematics.equations import Group, System
+from mechsheet.kinematics.newton.leaving import STEADY, trends
 from mechsheet.kinematics.newton.system import FIRST_PASSES, LED, SETTLED
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses, Spot
@@ -21,13 +22,6 @@ from mechsheet.sheet.table.positions import FORMULA_ROW, GROUP_ROW, SYMBOL_ROW
 from mechsheet.sheet.table.start_columns import begun, start_columns
 from mechsheet.sheet.workbook import Area, Cell, Content, Fill, Merge, Style
 from mechsheet.units import DEG
-
-TREND = 0.4
-"""Radians, or parts of the size, by which an unknown may leave its trend from one step to the next."""
-
-STEADY = 6
-"""The steps are equal: what a step leaves for its pass to mend is about what the first one leaves, unless an assembly ends
-and Newton's method is thrown far."""
 
 
 class StartTable:
@@ -134,8 +128,9 @@ class StartTable:
         keeps = formula("IFERROR(IF(det*begin>0,0,1),1)", det=Symbol(system.determinant), begin=begin)
         self._fill(self.first, spot.col, keeps, 2, 0)
         leaps = []
-        for unknown, variable in zip(system.unknowns, system.variables, strict=True):
-            most = TREND * (1.0 if plan.equations.of(variable).unit.kind == "angle" else plan.size)
+        for unknown, most in zip(
+            system.unknowns, trends(plan.mechanism, plan.equations.equations, system), strict=True
+        ):
             here, above, before = (CellRef(self.first + row, self.place[unknown], False, False) for row in (2, 1, 0))
             leaps.append(formula("ABS(here-2*above+before)/most", here=here, above=above, before=before, most=most))
         step = CellRef(self.first + 1, self.place[system.residual], True, True)

@@ -323,4 +323,16 @@ MECHANISM: dict[str, str] = {
     '"{name}" is not known here': '"{name}" burada bilinmiyor',
     "the task has no solution": "görevin çözümü yok",
     "give it another one": "başka bir görev verin",
+    "on the way from the described dimensions to these the assembly of {links} ends: the sketch means another now": (
+        "tarif edilen boyutlardan bunlara giderken montaj sona eriyor, eskizin şimdi gösterdiği başka bir montaj: {links}"
+    ),
+    "with these dimensions the sketch means another assembly of {links} than the described one, with which a workbook "
+    "goes on when they are typed": (
+        "bu boyutlarla eskiz başka bir montajı gösteriyor; boyutlar çalışma kitabına yazılınca tarif edilen montaj sürer: "
+        "{links}"
+    ),
+    "--set {mode}={number} takes that one": "--set {mode}={number} onu alır",
+    "sketch the position that is meant, or choose with --set {mode}=1 ... {count}": (
+        "istenen konumu eskizde gösterin ya da --set {mode}=1 ... {count} ile seçin"
+    ),
 }

@@ -1,0 +1,33 @@
+"""Other dimensions given before anything is built: a sketch that has come to mean another assembly is told."""
+
+import pytest
+
+from mechsheet.description.templates import template_text
+from mechsheet.kinematics.sketched import doubts
+from mechsheet.kinematics.solve import solve
+from mechsheet.library import changed
+
+
+def told(name, **overrides):
+    mechanism = changed.loads(template_text(name), overrides={key: str(value) for key, value in overrides.items()})
+    return doubts(mechanism, solve(mechanism))
+
+
+@pytest.mark.parametrize(
+    ("name", "overrides", "words", "hint"),
+    [
+        ("planar-3rpr", {"p1": 6}, "", ""),
+        (
+            "planar-3rpr",
+            {"p1": 8},
+            "the assembly of leg 1, platform, ",
+            "mode_1=1 ... 2",
+        ),  # the sheet finds no position
+        ("planar-3rpr", {"y2": 2.4}, "means another assembly of leg 1", "--set mode_1=2 takes that one"),
+        ("planar-3rpr", {"y2": 2.4, "mode_1": 2}, "", ""),
+        ("four-bar", {"a2": 36}, "", ""),
+    ],
+)
+def test_an_assembly_that_the_sketch_leaves(name, overrides, words, hint):
+    found = told(name, **overrides)
+    assert [words in fault.message and hint in fault.hint for fault in found] == [True] * bool(words)
