@@ -5,7 +5,7 @@ PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
 
-.PHONY: demo test full quick quick-tests lint types reference pictures bench clean
+.PHONY: demo test all-tests full quick quick-tests lint types reference pictures bench clean
 
 $(VENV)/.ready: pyproject.toml requirements.lock
 	$(PYTHON) -m venv $(VENV)
@@ -17,12 +17,13 @@ demo: $(VENV)/.ready
 	$(BIN)/python tools/demo.py templates generated
 
 test: $(VENV)/.ready
-	$(MAKE) lint types
+	$(MAKE) -j3 lint types all-tests
+
+all-tests: $(VENV)/.ready
 	$(BIN)/python -m pytest -n auto --dist worksteal
 
 full: $(VENV)/.ready
-	$(MAKE) lint types
-	MECHSHEET_ALL=1 $(BIN)/python -m pytest -n auto --dist worksteal
+	MECHSHEET_ALL=1 $(MAKE) test
 
 quick: $(VENV)/.ready
 	$(MAKE) -j3 lint types quick-tests

@@ -67,4 +67,4 @@ def first(cases: Sequence, count: int) -> Sequence:
 
 def examples(count: int) -> int:
     """How many examples hypothesis draws, of `count` that it draws in a full run."""
-    return count if ALL else -(-count // (2 if IN_CI else 4))
+    return count if ALL else -(-count // (3 if IN_CI else 6))

@@ -11,8 +11,9 @@ from pathlib import Path
 
 from mechsheet.checking import Report, check
 from mechsheet.description import load
+from mechsheet.description.reader import with_layout
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.library.building import FORMATS, build
+from mechsheet.library.building import FORMATS, Target, build, told, write_all
 
 SMALLEST = ("cardan-gear", "five-bar-robot", "slider-crank")
 """The templates of the fewest formulas are also judged by the library `formulas`, which needs 10 ms a cell and more."""
@@ -52,8 +53,8 @@ def _built(description: Path, generated: Path) -> tuple[str, bool]:
     # not pages: there `formulas` counts empty texts as texts, and so rows that close wrongly
     asked = {path for path in files if path.suffix == ".xlsx" and description.stem in SMALLEST}
     if description.stem in PAGES:
-        for ending in FORMATS:
-            files += build(mechanism, generated / f"{description.stem}-page.{ending}", force=True, layout="page")
+        pages = [Target(generated / f"{description.stem}-page.{ending}", ending) for ending in FORMATS]
+        files += write_all(told(with_layout(mechanism, "page")), pages)
     for path in files:
         report = check(path, ["formulas"] if path in asked else [])
         fine = fine and report.agrees

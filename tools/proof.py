@@ -29,6 +29,7 @@ from pathlib import Path
 
 from mechsheet.checking import Mutation, Perturbation, mutate, perturb
 from mechsheet.checking.mutate import by_kind, by_sheet
+from mechsheet.compiled import Compiled
 from mechsheet.description import load
 
 HERE = Path(__file__).parent.parent
@@ -41,7 +42,8 @@ WITH_FORCES = ("engine", "four-bar-forces", "scissor-lift-between-arms", "six-li
 EVERY = ("engine", "four-bar-forces", "six-link-dwell")
 """Templates of which `mutate-every` is."""
 
-PLACES = ("positions", "mechanism", "checks", "extremes", "drawing", "tables")
+PLACES = ("positions", "mechanism", "checks", "extremes", "drawing", "tables", "others")
+"""Sheets that a damage may be on; the others are those of velocities, forces, tolerances, Newton's method and tasks."""
 
 
 def perturbed(count: int, seed: int, programs: tuple[str, ...], name: str) -> Perturbation:
@@ -125,7 +127,8 @@ def perturb_table(found: dict[str, Perturbation]) -> Iterator[str]:
 
 def place_of(title: str, titles: dict[str, str]) -> str:
     """What a sheet is; a sheet that is not known is a two-way table."""
-    return titles.get(title, "tables")
+    place = titles.get(title, "tables")
+    return place if place in PLACES else "others"
 
 
 def mutate_table(found: dict[str, Mutation]) -> Iterator[str]:
@@ -161,11 +164,8 @@ def mutate_table(found: dict[str, Mutation]) -> Iterator[str]:
 
 def sheet_titles(name: str) -> dict[str, str]:
     """Title of a sheet -> what it is."""
-    from mechsheet.kinematics.solve import solve
-    from mechsheet.sheet.plan import plan_of
-
-    mechanism = load(TEMPLATES / f"{name}.toml")
-    return {title: key for key, title in plan_of(mechanism, solve(mechanism)).at.titles.items()}
+    plan = Compiled(load(TEMPLATES / f"{name}.toml")).plan
+    return {title: key for key, title in plan.at.titles.items()}
 
 
 def put(mark: str, lines: list[str]) -> None:

@@ -116,7 +116,7 @@ def test_check_finds_what_differs_and_where_it_begins(stale):
     assert "25 formulas" in result.stdout
     assert "2 number by 2.0e-01  SQRT\n          S!B5 =SQRT(A5)\n          computed 2, stored 2.5" in result.stdout
     assert "SUM" not in result.stdout  # follows from the other two
-    assert "1 read cells that differ themselves" in result.stdout
+    assert "1 reads cells that differ themselves" in result.stdout
     [report] = json.loads(run("recalc", stale, "--check", "--json").stdout)
     assert [(item["cell"], item["kind"], item["follows"]) for item in report["differences"]] == [
         ("S!B5", "number", False),
@@ -145,7 +145,7 @@ def test_files_without_stored_values(tmp_path):
     result = run("recalc", tmp_path / "a.xlsx", "--check")
     assert (result.exit_code, result.stdout) == (
         0,
-        "1 formulas: 0 as stored, 0 differ\n  no value is stored: nothing was compared\n",
+        "1 formula: 0 as stored, 0 differ\n  no value is stored: nothing was compared\n",
     )
 
 
@@ -167,4 +167,4 @@ def test_what_cannot_be_computed_is_noted_and_strictly_refused(broken):
     assert run("recalc", broken, "--strict").exit_code == 1
     checked = run("recalc", broken, "--check")
     assert checked.exit_code == 0
-    assert "1 more were not computed: their stored values were taken" in checked.stdout
+    assert "1 more was not computed: its stored value was taken" in checked.stdout

@@ -7,6 +7,7 @@ from typing import Any
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from chosen import examples
 from mechsheet.description import grammar as s
 from mechsheet.description import loads
 from mechsheet.description.schema import DESCRIPTION
@@ -51,7 +52,7 @@ def test_any_text(text: str) -> None:
     try_loading(text)
 
 
-@settings(max_examples=200, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=examples(200), deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.sampled_from(TEXTS), st.data())
 def test_lines_replaced(text: str, data: st.DataObject) -> None:
     """Some values of a good description replaced by any others, some lines dropped or doubled."""
@@ -73,7 +74,7 @@ def test_lines_replaced(text: str, data: st.DataObject) -> None:
     try_loading("\n".join(lines))
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=examples(200), deadline=None)
 @given(st.sampled_from(TEXTS), st.integers(0, 2000), st.sampled_from([*"\"'[]{}=#.,\n\\ğ\0", ""]))
 def test_one_character_changed(text: str, place: int, sign: str) -> None:
     place %= len(text)
@@ -140,7 +141,7 @@ WHOLE = st.fixed_dictionaries(
 )
 
 
-@settings(max_examples=300, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=examples(300), deadline=None, suppress_health_check=list(HealthCheck))
 @given(WHOLE)
 def test_from_the_schema(parts: dict[str, str]) -> None:
     try_loading("format = 1\n" + "\n".join(f"{key} = {value}" for key, value in parts.items()))

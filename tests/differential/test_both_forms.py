@@ -66,7 +66,7 @@ def test_twins_are_one_workbook():
 
 
 def test_the_ods_agrees_with_the_reference():
-    for name in SOME:
+    for name in first(SOME[::-1], 2):
         report = check(GENERATED / f"{name}.ods")
         assert report.agrees, report
 
@@ -96,7 +96,7 @@ def test_gnumeric_computes_the_ods(tmp_path):
 @pytest.mark.libreoffice
 def test_conversions_by_libreoffice_lose_nothing(tmp_path):
     for old, new in (FORMATS, FORMATS[::-1]):
-        sources = [GENERATED / f"{name}.{old}" for name in first(SOME, 1)]
+        sources = [GENERATED / f"{name}.{old}" for name in first(SOME[::-1], 1)]
         for source, result in zip(sources, convert_with_libreoffice(sources, new, tmp_path), strict=True):
             ours, theirs = read(source), read(result)
             assert [sheet.title for sheet in theirs.sheets] == [sheet.title for sheet in ours.sheets]

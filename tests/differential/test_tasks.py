@@ -12,7 +12,7 @@ import subprocess
 import openpyxl
 import pytest
 
-from chosen import first
+from chosen import IN_CI, first
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.checking.searched.probed_cells import compare_program
@@ -95,10 +95,16 @@ TYPED = {
 @pytest.mark.libreoffice
 @pytest.mark.parametrize("suffix", ["xlsx", "ods"])
 def test_what_is_typed_moves_everything_as_if_it_were_built_anew(tmp_path, suffix):
-    """Drawing, curves, table, verdicts: every formula of the workbook in which the number was typed."""
+    """Drawing, curves, table, verdicts: every formula of the workbook in which the number was typed.
+
+    Outside CI one half of the tasks as .xlsx, the other half as .ods.
+    """
+    tasks = list(TYPED.items())
+    if not IN_CI:
+        tasks = tasks[suffix == "ods" :: 2]
     (tmp_path / "answers").mkdir()
     typed, anew = [], []
-    for name, (symbol, key, value) in TYPED.items():
+    for name, (symbol, key, value) in tasks:
         built, fresh = tmp_path / f"{name}.{suffix}", tmp_path / f"{name}-anew.{suffix}"
         spots = compiled_into(built, name)
         compiled_into(fresh, name, {key: str(value)})
@@ -108,12 +114,12 @@ def test_what_is_typed_moves_everything_as_if_it_were_built_anew(tmp_path, suffi
     for fresh, answer in zip(anew, convert_with_libreoffice(typed, "xlsx", tmp_path / "answers"), strict=True):
         found = compared("libreoffice", fresh, answer)
         assert found.agrees, (fresh.name, found)
-        assert found.cells > 1000
+        assert found.cells > 500
 
 
 def compiled_into(path, name, overrides=None):
-    """The workbook of a packaged description, with other values in its task; where its cells are."""
-    workbook, plan = compile_workbook(changed.loads(template_text(name), name, overrides))
+    """The workbook of a packaged description, with fewer rows and other values in its task; where its cells are."""
+    workbook, plan = compile_workbook(changed.loads(template_text(name), name, overrides, rows="9"))
     write(workbook, path)
     return plan.at.spots
 

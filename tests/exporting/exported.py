@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from chosen import first, some
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.dynamics.solve import solve
@@ -18,10 +19,10 @@ DEAD_CENTRE, CLOSED = 1e-6, 1e-11
 """At a dead centre a position is as uncertain as the square root of rounding, if it closes the loops to rounding."""
 
 
-def mechanisms():
-    """Every template, and random linkages of all dyads, by a name that is an identifier."""
-    found = {path.stem.replace("-", "_"): load(path) for path in TEMPLATES}
-    return found | {f"random_{seed}": loads(Grower(seed, 1 + seed % 6).text(13)) for seed in SEEDS}
+def mechanisms(turn):
+    """Templates, all of them in a full run, and random linkages of all dyads, by a name that is an identifier."""
+    found = {path.stem.replace("-", "_"): load(path) for path in some(TEMPLATES, turn)}
+    return found | {f"random_{seed}": loads(Grower(seed, 1 + seed % 6).text(13)) for seed in first(SEEDS, 4)}
 
 
 def worst_against_reference(mechanism, found, dimensions=None, modes=None):

@@ -53,7 +53,7 @@ def arrays(mechanism, path):
 @pytest.mark.slow
 @pytest.mark.octave
 def test_equal_to_the_reference(tmp_path):
-    given = mechanisms()
+    given = mechanisms(4)
     for name, mechanism in given.items():
         export(mechanism, "octave", tmp_path / f"{name}.m")
     octave(tmp_path, RUNNER + "disp('done')")

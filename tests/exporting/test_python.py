@@ -44,9 +44,9 @@ def loaded(folder, name):
 
 @pytest.fixture(scope="module")
 def ran(tmp_path_factory):
-    """Every mechanism's arrays: with its own dimensions, and once more with others."""
+    """Each mechanism's arrays: with its own dimensions, and once more with others."""
     folder = tmp_path_factory.mktemp("modules")
-    given = mechanisms()
+    given = mechanisms(1)
     changed = {}
     random = np.random.default_rng(8)
     for name, mechanism in given.items():
@@ -83,7 +83,7 @@ def test_other_dimensions(ran):
             continue  # nowhere assembled: no position to start the reference from
         judged += 1
         assert worst_against_reference(mechanism, found, dimensions_of(mechanism, changed[name])) < 1e-9, name
-    assert judged > 30
+    assert judged > 0.6 * len(given)
 
 
 def dimensions_of(mechanism, changes):

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chosen import ITERATED, LISTED, TASKS, but
+from chosen import ITERATED, LISTED, TASKS, but, part
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
@@ -199,7 +199,7 @@ def test_functions_in_libreoffice_give_what_the_workbook_has():
         Office(module=module_of(mechanism), formulas=formulas)
         for mechanism, (formulas, _, _) in zip(mechanisms, calls, strict=True)
     ]
-    others = [load(path) for path in but(TEMPLATES, *ITERATED, *LISTED, *TASKS) if path.stem not in VALUED]
+    others = [load(path) for path in part(but(TEMPLATES, *ITERATED, *LISTED, *TASKS, *VALUED), 6)]
     for mechanism in others:
         formulas, _ = formulas_of(mechanism, (1,))
         jobs.append(Office(module=module_of(mechanism), formulas=[formulas[0], formulas[-1]]))

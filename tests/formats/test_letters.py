@@ -67,10 +67,9 @@ def stored_values_of(book):
 
 @pytest.mark.libreoffice
 def test_libreoffice(twins, tmp_path):
-    for path in twins:
-        folder = tmp_path / path.suffix
-        folder.mkdir()
-        (answer,) = convert_with_libreoffice([path], "xlsx", folder)
+    sources = [shutil.copy(path, tmp_path / f"{path.stem}-{path.suffix[1:]}{path.suffix}") for path in twins]
+    (tmp_path / "answers").mkdir()
+    for path, answer in zip(twins, convert_with_libreoffice(sources, "xlsx", tmp_path / "answers"), strict=True):
         book = read(path)
         found = compare_cells("libreoffice", book, evaluate(book), stored_values(answer).get)
         assert found.agrees, found

@@ -155,14 +155,21 @@ def test_stored_values_agree(tmp_path):
     assert (stored.formulas, stored.equal) == (len(FORMULAS) + 2, len(FORMULAS) + 2)
 
 
+@pytest.fixture(scope="module")
+def saved_as_ods(tmp_path_factory):
+    """Both, as .xlsx and as LibreOffice saves them as .ods."""
+    folder = tmp_path_factory.mktemp("ods")
+    sources = [by_xlsxwriter(folder / "writer.xlsx"), by_openpyxl(folder / "openpyxl.xlsx")]
+    return sources, convert_with_libreoffice(sources, "ods", folder)
+
+
 @pytest.mark.slow
 @pytest.mark.libreoffice
-def test_what_libreoffice_makes_of_them(tmp_path):
+def test_what_libreoffice_makes_of_them(saved_as_ods, tmp_path):
     """Both formats, saved by LibreOffice: our values, and its own."""
-    sources = [by_xlsxwriter(tmp_path / "writer.xlsx"), by_openpyxl(tmp_path / "openpyxl.xlsx")]
-    for suffix in ("ods", "xlsx"):
-        (tmp_path / suffix).mkdir()
-        for path in convert_with_libreoffice(sources, suffix, tmp_path / suffix):
+    sources, as_ods = saved_as_ods
+    for saved in (as_ods, convert_with_libreoffice(sources, "xlsx", tmp_path)):
+        for path in saved:
             assert wrong(path) == {}, path
             stored = recalc(path).compare_with_stored()
             assert stored.differences == (), path
@@ -172,13 +179,11 @@ def test_what_libreoffice_makes_of_them(tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.libreoffice
-def test_written_back_libreoffice_opens_it(tmp_path):
+def test_written_back_libreoffice_opens_it(saved_as_ods, tmp_path):
     """Its own files and ours, with another input: LibreOffice computes what was written."""
-    (tmp_path / "ods").mkdir()
-    source = by_xlsxwriter(tmp_path / "book.xlsx")
-    (ods,) = convert_with_libreoffice([source], "ods", tmp_path / "ods")
+    sources, as_ods = saved_as_ods
     written = []
-    for path in (source, ods):
+    for path in (sources[0], as_ods[0]):
         result = recalc(path, {"Main!A1": 30, "Main!A4": "sir"})
         output = tmp_path / f"new-{path.suffix[1:]}{path.suffix}"
         result.write(output)

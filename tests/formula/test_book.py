@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from chosen import examples
 from mechsheet.formula.book import Book, BookSheet, CellStore, DefinedName
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, Number
 
@@ -33,7 +34,7 @@ def runs_are_in_order(store):
         assert all(above.end <= below.row for above, below in pairwise(runs))
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(ACTIONS)
 def test_a_store_holds_what_a_dictionary_holds(actions):
     store, cells = CellStore(), {}

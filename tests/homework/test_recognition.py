@@ -40,8 +40,8 @@ ORDERS = {
 @pytest.mark.parametrize("how", ORDERS)
 def test_a_four_bar_is_recognised_and_described(tmp_path, how):
     path = ORDERS[how].save(tmp_path / "book.xlsx")
-    found = json.loads(run("audit", path, "--json"))
-    run("audit", path, "--describe", tmp_path / "own.toml")
+    said = run("audit", path, "--json", "--describe", tmp_path / "own.toml")
+    found, _ = json.JSONDecoder().raw_decode(said)
     assert found["template"] == "four-bar"
     assert {symbol: one["value"] for symbol, one in found["dimensions"].items()} == {s: v for s, _, v in FOUR_BAR}
     assert {"theta13", "theta14", "mu"} <= set(found["quantities"])

@@ -315,7 +315,9 @@ def test_the_example_of_the_documentation(monkeypatch, tmp_path):
     text = (ROOT / "docs" / "what-if.md").read_text(encoding="utf-8")
     examples = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
     assert examples
+    assert "66.0, 74.0, 200" in examples[0]
     for example in examples:
+        example = example.replace("66.0, 74.0, 200", "66.0, 74.0, 5")  # fewer lengths: quicker
         exec(compile(example, "what-if.md", "exec"), {})
 
 

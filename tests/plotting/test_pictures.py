@@ -245,6 +245,7 @@ def test_without_matplotlib(tmp_path, monkeypatch):
     assert [path.name for path in tmp_path.iterdir()] == ["x.html"]
 
 
+@pytest.mark.ci  # sixty frames; a few of them: test_every_kind
 def test_animation_is_small():
     """What the README shows: below 300 kB."""
     stage = Stage(sample(template("four-bar"), None, None))

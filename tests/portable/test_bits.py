@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechsheet import portable
@@ -23,6 +23,7 @@ def bits(values):
 
 
 @pytest.mark.parametrize("name", ONE)
+@settings(deadline=None)
 @given(st.lists(floats, min_size=1, max_size=20))
 def test_an_array_has_the_bits_of_its_numbers(name, numbers):
     function = getattr(portable, name)
@@ -30,6 +31,7 @@ def test_an_array_has_the_bits_of_its_numbers(name, numbers):
         assert bits(function(np.array(numbers))) == bits([function(number) for number in numbers])
 
 
+@settings(deadline=None)
 @given(st.lists(floats, min_size=1, max_size=20))
 def test_sine_and_cosine_together_have_the_bits_of_each(numbers):
     with np.errstate(all="ignore"):
@@ -37,6 +39,7 @@ def test_sine_and_cosine_together_have_the_bits_of_each(numbers):
             assert [bits(part) for part in portable.sin_and_cos(x)] == [bits(portable.sin(x)), bits(portable.cos(x))]
 
 
+@settings(deadline=None)
 @given(st.lists(st.tuples(floats, floats), min_size=1, max_size=20))
 def test_arrays_of_two_have_the_bits_of_their_numbers(pairs):
     first, second = np.array(pairs).T

@@ -41,6 +41,7 @@ def test_four_bar(layout, references):
     assert size.columns <= FOUR_BAR_COLUMNS[layout]
 
 
+@pytest.mark.ci  # builds them all; a single one's budget is held everywhere
 def test_all_templates():
     assert sum(size_of(compiled(name)).cells for name in TEMPLATES) <= ALL
     assert len(PLAIN) == 29

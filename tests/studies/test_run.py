@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from chosen import IN_CI
 from mechsheet.diagnostics import MechsheetError, MissingProgramError, OutputError
 from mechsheet.studies import folder as folders
 from mechsheet.studies import packages, parts, running
@@ -83,7 +84,7 @@ def test_what_is_missing_is_computed_again_and_nothing_else(whole, tmp_path):
 
 @pytest.mark.slow
 def test_several_processes_write_the_same_bytes(whole, tmp_path):
-    studied(small(), tmp_path / "study", workers=4)
+    studied(small(), tmp_path / "study", workers=4 if IN_CI else 2)
     assert contents(tmp_path / "study") == whole[1]
 
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from mechsheet import reference
 from mechsheet.checking.bands import compare_bands
 from mechsheet.checking.conditioning import excused
-from mechsheet.checking.inputs import Array, Inputs, inputs_in
+from mechsheet.checking.inputs import Array, Inputs, OfTheLast, inputs_in
 from mechsheet.checking.report import TOLERANCE, Comparison, Tally
 from mechsheet.checking.steepness import EDGE, Steepness
 from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
@@ -62,11 +62,7 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
             if symbol in plan.at.spots and plan.equations.of(symbol).role in RESULTS:
                 _expect_nothing(plan, tally, symbol, _column(plan, values, symbol), mask)
         return tally.result(), [*inputs.remarks, NOWHERE]
-    by_law = mechanism.driver.law is not None  # the reference has laws of its own
-    solution = reference.solve(
-        _typed(_with_listed_rates(mechanism, inputs), inputs), inputs.dimensions, start=start,
-        values=None if by_law else inputs.given[mechanism.driver.symbol],
-    )  # fmt: skip
+    solution = _SOLUTIONS.of(plan, inputs, lambda: _solved(mechanism, inputs, start))
     beyond = np.zeros(plan.rows, dtype=bool)
     if equations is not None:
         solution, beyond = _reached(solution, changed, equations, inputs.given[mechanism.driver.symbol])
@@ -89,6 +85,18 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     if plan.bands and book.sheet(plan.at.titles["tolerance"]) is not None:  # that it is missing is told as an edit
         _compare_bands(plan, tally, values, changed, inputs, start)
     return tally.result(), list(inputs.remarks)
+
+
+_SOLUTIONS: OfTheLast[reference.Solution] = OfTheLast()
+
+
+def _solved(mechanism: Mechanism, inputs: Inputs, start: Any) -> reference.Solution:
+    """What the reference finds, from the sketch `start` on, for the inputs in the cells; it reads no other cell."""
+    by_law = mechanism.driver.law is not None  # the reference has laws of its own
+    return reference.solve(
+        _typed(_with_listed_rates(mechanism, inputs), inputs), inputs.dimensions, start=start,
+        values=None if by_law else inputs.given[mechanism.driver.symbol],
+    )  # fmt: skip
 
 
 def _compare_bands(plan: Plan, tally: Tally, values: Any, mechanism: Mechanism, inputs: Inputs, start: Any) -> None:

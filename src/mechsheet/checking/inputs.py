@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,6 +53,36 @@ class Inputs:
     modes: Mapping[str, int]
     given: Mapping[str, Array]
     remarks: tuple[str, ...] = field(default=())
+
+    def same_as(self, other: Inputs) -> bool:
+        """Whether the other has the same numbers in its cells."""
+        return (
+            self.dimensions == other.dimensions
+            and self.modes == other.modes
+            and self.given.keys() == other.given.keys()
+            and all(np.array_equal(column, other.given[name], equal_nan=True) for name, column in self.given.items())
+        )
+
+
+Found = TypeVar("Found")
+
+
+class OfTheLast(Generic[Found]):
+    """What was found for the plan and the inputs that were asked of last.
+
+    For what reads nothing else of a workbook: the .xlsx and the .ods of one description are judged one after the other, with
+    the same plan (`expected_for` keeps the last).
+    """
+
+    def __init__(self) -> None:
+        self._last: tuple[Plan, Inputs, Found] | None = None
+
+    def of(self, plan: Plan, inputs: Inputs, find: Callable[[], Found]) -> Found:
+        """What `find` gives; asked again only for another plan or other inputs."""
+        last = self._last
+        if last is None or last[0] is not plan or not last[1].same_as(inputs):
+            last = self._last = (plan, inputs, find())
+        return last[2]
 
 
 def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:

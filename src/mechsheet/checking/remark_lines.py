@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
+from mechsheet.counted import counted
 from mechsheet.diagnostics import Fault
 
 if TYPE_CHECKING:
@@ -62,23 +63,29 @@ def stored_lines(stored: Stored) -> list[str]:
     """What a comparison with the stored values found."""
     from mechsheet.checking.stored import COMPUTE_ANEW
 
-    lines = [f"{stored.formulas} formulas: {stored.equal} as stored, {len(stored.differences)} differ"]
+    differ = counted(len(stored.differences), "differs", "differ")
+    lines = [f"{counted(stored.formulas, 'formula')}: {stored.equal} as stored, {differ}"]
     if stored.nothing_stored:
         lines.append("  no value is stored: nothing was compared")
     elif stored.unstored:
-        lines.append(f"  {stored.unstored} have no stored value")
+        lines.append(f"  {counted(stored.unstored, 'has', 'have')} no stored value")
     if stored.kept:
-        lines.append(f"  {stored.kept} more were not computed: their stored values were taken")
-    if stored.volatile:
-        lines.append(
-            f"  {stored.volatile} more change by themselves (NOW, RAND ...): left out, their stored values were taken"
+        words = (
+            "more was not computed: its stored value was taken",
+            "more were not computed: their stored values were taken",
         )
+        lines.append(f"  {counted(stored.kept, *words)}")
+    if stored.volatile:
+        own = "more changes by itself (NOW, RAND ...): left out, its stored value was taken"
+        all_ = "more change by themselves (NOW, RAND ...): left out, their stored values were taken"
+        lines.append(f"  {counted(stored.volatile, own, all_)}")
     if stored.ignored:
-        lines.append(f"  {stored.ignored} more are ignored")
+        lines.append(f"  {counted(stored.ignored, 'more is ignored', 'more are ignored')}")
     if stored.accepted:
-        lines.append(f"  {stored.accepted} more differences are accepted by the baseline")
+        words = "more difference is accepted by the baseline", "more differences are accepted by the baseline"
+        lines.append(f"  {counted(stored.accepted, *words)}")
     if stored.uncomputed:
-        lines.append(f"  {len(stored.uncomputed)} more were {COMPUTE_ANEW}")
+        lines.append(f"  {counted(len(stored.uncomputed), 'more was', 'more were')} {COMPUTE_ANEW}")
         lines.append(f"    {_first(stored.uncomputed)}")
     return lines + _difference_lines(stored)
 
@@ -87,7 +94,8 @@ def _difference_lines(stored: Stored) -> list[str]:
     lines = []
     follow = sum(item.follows for item in stored.differences)
     if follow:
-        lines.append(f"  {follow} read cells that differ themselves; the others, by their functions:")
+        words = counted(follow, "reads cells that differ themselves", "read cells that differ themselves")
+        lines.append(f"  {words}; the others, by their functions:")
     groups = stored.groups()
     for group in groups[:MOST_LINES]:
         size = f" by {group.first.size:.1e}" if math.isfinite(group.first.size) else ""
@@ -97,5 +105,5 @@ def _difference_lines(stored: Stored) -> list[str]:
         ours, theirs = cell_text(group.first.ours), cell_text(group.first.theirs)
         lines.append(f"{'':>10}computed {ours or 'nothing'}, stored {theirs or 'nothing'}")
     if len(groups) > MOST_LINES:
-        lines.append(f"  and {len(groups) - MOST_LINES} groups more")
+        lines.append(f"  and {counted(len(groups) - MOST_LINES, 'group')} more")
     return lines

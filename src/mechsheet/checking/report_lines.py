@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from mechsheet.checking.remark_lines import remark_lines, stored_lines
+from mechsheet.counted import counted
 from mechsheet.said import say
 
 LONG = 100
@@ -22,10 +23,12 @@ def report_lines(report: Any) -> list[str]:
     lines: list[str] = []
     lines.append(_verdict(report))
     for item in report.comparisons:
-        pattern = "  {judge:<14} DIFFERS {worst:6.0e} in {cells:>6} values  {where}"
+        pattern = "  {judge:<14} DIFFERS {worst:6.0e} in {cells:>6} {values:<6}  {where}"
         if item.agrees:
-            pattern = "  {judge:<14} agrees  {worst:6.0e} in {cells:>6} values  {where}"
-        lines.append(say(pattern, judge=item.judge, worst=item.worst, cells=item.cells, where=item.where))
+            pattern = "  {judge:<14} agrees  {worst:6.0e} in {cells:>6} {values:<6}  {where}"
+        values = say("value") if item.cells == 1 else say("values")
+        parts = {"judge": item.judge, "worst": item.worst, "cells": item.cells, "values": values, "where": item.where}
+        lines.append(say(pattern, **parts))
         if not item.agrees:
             lines.append(f"  {'':<14} {item.subject} {item.ours}, {item.judge} {item.theirs or 'nothing'}")
         if report.stored is not None and item is report.comparisons[0]:
@@ -39,7 +42,8 @@ def report_lines(report: Any) -> list[str]:
         lines.append(f"          was {was or 'empty'}")
         lines.append(f"          is  {now or 'empty'}")
     if len(report.edits) > EDITS:
-        lines.append(f"  edited: {len(report.edits) - EDITS} more places (all with --json)")
+        places = counted(len(report.edits) - EDITS, "more place", "more places")
+        lines.append(f"  edited: {places} (all with --json)")
     for remark in [*report.remarks, *(remark_lines(report.stored.remarks) if report.stored is not None else ())]:
         lines.append(say("  note: {remark}", remark=remark))
     for fault in report.missing:

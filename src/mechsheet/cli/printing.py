@@ -9,6 +9,7 @@ import click
 from mechsheet.checking.mutate import by_kind, by_sheet
 from mechsheet.checking.remark_lines import grouped
 from mechsheet.checking.report_lines import focused, report_lines
+from mechsheet.counted import counted
 
 WIDTH = 80
 """Signs of a line on a terminal."""
@@ -39,15 +40,17 @@ def print_perturbation(found: Any) -> None:
     """Random sets of inputs: how many assemble, and the worst of each judge with the set that caused it."""
     click.echo(f"{found.file}: {'all agree' if found.agrees else 'SOMETHING DIFFERS'}")
     click.echo(
-        f"  {found.sets} sets (seed {found.seed}): {found.whole} assemble in all {found.rows} rows, "
-        f"{found.partly} in some, {found.nowhere} in none"
+        f"  {counted(found.sets, 'set')} (seed {found.seed}): {counted(found.whole, 'assembles', 'assemble')} in all "
+        f"{counted(found.rows, 'row')}, {found.partly} in some, {found.nowhere} in none"
     )
     for item in found.judged:
         worst = item.worst
         verdict = "agrees " if not item.differing else "DIFFERS"
         click.echo(f"  {worst.judge:<14} {verdict} {item.cells:>8} values, worst {worst.worst:9.2e}  {worst.where}")
         if item.differing:
-            click.echo(f"  {'':<14} in {item.differing} of {found.sets} sets; here {worst.subject} {worst.ours}, ")
+            click.echo(
+                f"  {'':<14} in {item.differing} of {counted(found.sets, 'set')}; here {worst.subject} {worst.ours}, "
+            )
             click.echo(f"  {'':<14} {worst.judge} {worst.theirs or 'nothing'}")
         click.echo(f"  {'':<14} set {item.setting.number + 1}: {item.setting.text()}")
 
@@ -57,8 +60,8 @@ def print_mutation(found: Any) -> None:
     count = len(found.damages)
     click.echo(f"{found.file}: {'check catches all damages' if found.agrees else 'A DAMAGE ESCAPES'}")
     click.echo(
-        f"  {count} damages that change a value (seed {found.seed}); "
-        f"{found.harmless} more change none, {found.circular} cannot be computed"
+        f"  {counted(count, 'damage that changes', 'damages that change')} a value (seed {found.seed}); "
+        f"{counted(found.harmless, 'more changes', 'more change')} none, {found.circular} cannot be computed"
     )
     if not found.clear:
         click.echo("  note: the sheet's checks are not clear without any damage: what they catch means nothing")

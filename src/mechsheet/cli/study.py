@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from mechsheet.counted import counted
 from mechsheet.diagnostics import Fault, MechanismError
 
 from .common import FORMATS_COMPLETED, Changes, at_lines_of, bar_of, change_options, described
@@ -80,10 +81,15 @@ def _tell(found: Studied) -> None:
     if not result.kept and result.failed:
         hint = "each design is counted once, by the first condition that it fails:\n" + "\n".join(lines)
         raise MechanismError(
-            Fault(f"none of {result.designs:,} designs meets all conditions", key="study.keep", hint=hint)
+            Fault(
+                f"none of {counted(result.designs, 'design', spec=',')} meets all conditions",
+                key="study.keep",
+                hint=hint,
+            )
         )
     share = 100 * result.kept / result.designs
-    click.echo("\n".join([*lines, f"{result.kept:>16,} kept of {result.designs:,} designs ({share:.3g} %)"]), err=True)
+    kept = f"{result.kept:>16,} kept of {counted(result.designs, 'design', spec=',')} ({share:.3g} %)"
+    click.echo("\n".join([*lines, kept]), err=True)
 
 
 def _table(found: Studied) -> str:
@@ -115,7 +121,9 @@ def _bar() -> Iterator[Callable[[Progress], None]]:
     def say(progress: Progress) -> None:
         passed = max(time.monotonic() - begun, 1e-9)
         rate = (progress.done - progress.earlier) / passed
-        words = f"{bar_of(progress.done, progress.all)} {progress.done:,} of {progress.all:,} designs"
+        words = (
+            f"{bar_of(progress.done, progress.all)} {progress.done:,} of {counted(progress.all, 'design', spec=',')}"
+        )
         if progress.done:
             words += f", {100 * progress.kept / progress.done:.3g} % kept"
         if rate:

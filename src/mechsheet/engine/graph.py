@@ -16,7 +16,7 @@ _UNREAD = frozenset(
     ("ROW", "COLUMN", "ROWS", "COLUMNS", "AREAS", "ISREF", "ISFORMULA", "FORMULATEXT", "SHEET", "SHEETS", "OFFSET")
 )
 """Functions that take a reference in their first argument without looking at its values."""
-_ANYWHERE = frozenset(("OFFSET", "INDIRECT"))
+ANYWHERE = frozenset(("OFFSET", "INDIRECT"))
 """Functions whose reference is known only when they are computed."""
 
 
@@ -51,7 +51,7 @@ def reads_anywhere(node: Node, functions: Functions = _NONE) -> bool:
     waiting, seen = [node], set[FunctionRef]()
     while waiting:
         for part in walk(waiting.pop()):
-            if isinstance(part, Call) and part.name in _ANYWHERE:
+            if isinstance(part, Call) and part.name in ANYWHERE:
                 return True
             if isinstance(part, Binary) and part.op == ":" and not _part_of_a_range(part):
                 return True

@@ -171,7 +171,8 @@ class Layout:
             end = place + area.rows * area.cols
             found, kinds = numbers[place:end], codes[place:end]
             return Cells(
-                found.reshape(area.cols, area.rows), kinds.reshape(area.cols, area.rows) if kinds.any() else None
+                found.reshape(area.cols, area.rows),
+                kinds.reshape(area.cols, area.rows) if np.count_nonzero(kinds) else None,
             )
         found = np.zeros((area.cols, area.rows))
         kinds = np.ones((area.cols, area.rows), np.uint8)  # BLANK
@@ -183,7 +184,7 @@ class Layout:
         for col, target, source in pieces:
             found[col, target] = numbers[source]
             kinds[col, target] = codes[source]
-        return Cells(found, kinds if kinds.any() else None)
+        return Cells(found, kinds if np.count_nonzero(kinds) else None)
 
     def _scattered(self, area: Area) -> Iterator[tuple[int, slice, slice]]:
         """The pieces of an area that lie side by side: (column of the area, its rows there, where they lie)."""

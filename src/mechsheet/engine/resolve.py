@@ -44,7 +44,7 @@ from ..formula.parser import parse_formula
 from ..formula.printer import quote_sheet
 from ..formula.references import area_name, parse_r1c1
 from ..formula.tables import cells_of_table
-from .graph import reads_anywhere
+from .graph import ANYWHERE, reads_anywhere
 from .interpreter.deep import deeply
 from .interpreter.intersections import intersected
 from .interpreter.local_names import is_function, with_locals
@@ -209,8 +209,9 @@ class Resolver:
             self._note_strangers(number, node, block, sheet)
         said = dict.fromkeys(self.found.remarks[before:])
         self.found.remarks[before:] = [_with_kept(fault) if number in self.found.kept else fault for fault in said]
-        moves = number not in self.found.kept and (Binary in kinds or names or FunctionRef in kinds)
-        if moves and reads_anywhere(node, self.found.functions):
+        may_move = FunctionRef in kinds or not ANYWHERE.isdisjoint(names)
+        may_move = may_move or any(isinstance(part, Binary) and part.op == ":" for part in parts)
+        if may_move and number not in self.found.kept and reads_anywhere(node, self.found.functions):
             self.found.moving.add(number)
         return intersected(node) if block.kind == "fill" and names and RangeRef in kinds else node
 
@@ -247,7 +248,7 @@ class Resolver:
         title = self.titles.get((part.sheet or sheet).casefold())
         if title is None:
             return ErrorValue("#REF!")
-        return CellRef(part.row, part.col, part.row_abs, part.col_abs, title)
+        return part if part.sheet == title else CellRef(part.row, part.col, part.row_abs, part.col_abs, title)
 
     # names
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet.counted import counted
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.plotting.figures import BESIDE, PIXELS, SIDES
@@ -80,7 +81,7 @@ def drawings(job: Job) -> Iterator[Drawn]:
     if job.frames:
         there = [row for row in range(found.sweep) if found.exists[row]]
         if job.frames > len(there):
-            fault = f"{job.frames} frames: the sweep has {len(there)} positions to draw"
+            fault = f"{job.frames} frames: the sweep has {counted(len(there), 'position')} to draw"
             raise MechsheetError(Fault(fault, key="frames"))
         rows = [there[round(place)] for place in np.linspace(0, len(there) - 1, job.frames).tolist()]
     stage = Stage(found)

@@ -32,7 +32,10 @@ def remarks_of(judged: Judged, language: str) -> Iterator[str]:
         yield said(language, "remark.law.driver" if usual else "remark.zero.driver")
     for text in found.work.remarks:
         key, _, rest = text.partition(" ")
-        yield said(language, "remark.comma", count=rest) if key == "comma" else text
+        if key == "comma":
+            yield said(language, "remark.comma.one") if rest == "1" else said(language, "remark.comma", count=rest)
+        else:
+            yield text
     if found.work.large:
         yield said(language, "remark.large")
     yield from _of_dimensions(found, language)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from mechsheet.homework.audit import Audit, FaultFound
-from mechsheet.words.homework import HOMEWORK, said
+from mechsheet.words.homework import HOMEWORK, marks_of, said
 
 
 def lines(audit: Audit) -> list[str]:
@@ -15,7 +15,7 @@ def lines(audit: Audit) -> list[str]:
         for symbol, one in audit.asked.items()
     ]
     found += [fault_line(fault, audit.language) for fault in audit.faults]
-    marks = said(audit.language, "marks", marks=f"{audit.follow_through:g}", of=f"{audit.of:g}")
+    marks = marks_of(audit.language, audit.follow_through, audit.of)
     if audit.plain != audit.follow_through:
         marks += f" ({said(audit.language, 'marks.plain', plain=f'{audit.plain:g}')})"
     found.append(marks)

@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import Direction, Node
+from mechsheet.formula.nodes import Call, Direction, Node
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_between
 from mechsheet.kinematics.equations import Condition, Equations
@@ -66,7 +66,8 @@ class Search:
     stepped  False where the values are listed: there is nothing between the rows
     u, at    the places looked at, and every symbol's values there;  there  where it closes
     last     the last place: the last row, or one more where that would be the first row again and all rows close
-    dips     places off the grid where it does not close, between some where it does;  peeps  the other way round
+    dips     places off the grid where it does not close, between some where it does, to a part of the grid's distance where
+             lines turn parallel;  peeps  the other way round
     doubt    places where it nearly comes apart, or where lines turn parallel or pins coincide between two places
     """
 
@@ -200,6 +201,8 @@ class Search:
     def _crossings(self) -> None:
         """Lines that turn parallel, pins that coincide, between two places of the grid."""
         for condition in self._conditions(reach=False):
+            if isinstance(condition.margin, Call) and condition.margin.name == "ABS":
+                self._parallel(condition.margin.args[0])
             c = self._values(condition.margin, self.at, len(self.u))
             inner = np.flatnonzero((c[1:-1] <= c[:-2]) & (c[1:-1] <= c[2:])) + 1
             if not len(inner) or np.ptp(c[np.isfinite(c)]) == 0:
@@ -211,6 +214,13 @@ class Search:
             order = np.argsort(c[inner])[: 4 * BASINS]
             places, least = self._narrow(near, self.u[inner[order]])
             self.doubt += list(places[least < 1e-4 * np.nanmax(c)])
+
+    def _parallel(self, sine: Node) -> None:
+        """Where the sine of the angle between two lines changes its sign they meet nowhere."""
+        s = self._values(sine, self.at, len(self.u))
+        changes = np.flatnonzero(self.there[1:] & self.there[:-1] & (s[1:] * s[:-1] < 0))
+        share = s[changes] / (s[changes] - s[changes + 1])
+        self.dips += list(self.u[changes] + share * (self.u[changes + 1] - self.u[changes]))
 
     # --- where it closes -------------------------------------------------------------------------------------------------
 

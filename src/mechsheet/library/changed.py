@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from mechsheet import description
+from mechsheet.counted import counted
 from mechsheet.description.locate import located
 from mechsheet.description.overrides import Overrides, in_order, name_of, option_of
 from mechsheet.description.quoting import quoted
@@ -109,7 +110,8 @@ def _no_mode(name: str, value: str, file: str, hint: str = "") -> Fault:
 
 def _no_number(group: Group, name: str, value: str, file: str) -> Fault:
     hint = "; ".join(f"{number}: {words.en}" for number, words in enumerate(group.assemblies, 1))
-    message = f"{name} is the number of one of {len(group.assemblies)} assemblies, not {quoted(value)}"
+    several = counted(len(group.assemblies), "assembly", "assemblies")
+    message = f"{name} is the number of one of {several}, not {quoted(value)}"
     return Fault(message, file, key=option_of(f"{name}={value}"), hint=hint)
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.arguments.numbers import number_text, whole_number_given
+from mechsheet.counted import counted
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.extras import missing_package
 from mechsheet.model import Mechanism
@@ -68,7 +69,7 @@ class Motion(Mapping[str, NDArray[np.float64]]):
 
     def __repr__(self) -> str:
         rows = len(next(iter(self._columns.values())))
-        return f"<Motion: {rows} rows of {', '.join(self._columns)}>"
+        return f"<Motion: {counted(rows, 'row')} of {', '.join(self._columns)}>"
 
 
 @dataclass(frozen=True)

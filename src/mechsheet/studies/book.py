@@ -71,8 +71,10 @@ def _table(table: Any, row: int, col: int) -> list[Cell]:
 
 def _best(found: Studied) -> Sheet:
     mechanism, table = found.designs.mechanism, found.best
-    title = _said(found, "title", title=mechanism.title.of(mechanism.language), count=0 if table is None else table.num_rows,
-                  kept=f"{found.result.kept:,}")  # fmt: skip
+    count = 0 if table is None else table.num_rows
+    key = "title.one" if found.result.kept == 1 else "title"
+    name = mechanism.title.of(mechanism.language)
+    title = _said(found, key, title=name, count=count, kept=f"{found.result.kept:,}")
     cells = [Cell(0, 0, title, styles.TITLE), Cell(1, 0, _said(found, "about"), styles.SUBTITLE)]
     for row, (key, text) in enumerate(
         (("description", f"{mechanism.stem}.toml"), ("folder", found.folder.path.name)), 2

@@ -1,10 +1,11 @@
 """The smallest and the largest value of quantities over a motion, of many designs at once: as the workbook finds them.
 
-As the sheet of extremes does (`sheet/checks/extremes.py`): the best row, a probe at the vertex of the parabola through it
-and its neighbours, one beside it or on the row's other side, then two at the vertices of parabolas through what is known;
-beside a limit all parabolas are over the root of the distance from it; where the workbook has the quantity's derivatives,
-two probes where the first changes its sign. What is given has been attained: the best of the row, the probes and both ends
-of the stretch. Of several stretches, and of one of one row, the rows are all. Places count rows from 1.
+As the sheet of extremes does (`sheet/checks/extremes.py`): the best row (or the best away from an end of the motion), a
+probe at the vertex of the parabola through it and its neighbours, one beside it or on the row's other side, then two at the
+vertices of parabolas through what is known; beside a limit all parabolas are over the root of the distance from it; where
+the workbook has the quantity's derivatives, two probes where the first changes its sign. What is given has been attained:
+the best of the row, the probes and both ends of the stretch. Of several stretches, and of one of one row, the rows are all.
+Places count rows from 1.
 """
 
 from __future__ import annotations
@@ -36,6 +37,9 @@ FROM_END = 0.25
 
 STRETCHES = 3
 """Stretches of rows that are looked at: of more there are no extremes."""
+
+LEAST_INNER = 7
+"""Rows, at least, where an extreme is also looked for between those that are no neighbours of the best."""
 
 INWARDS = 1e-9
 """How far inside the limit its value is given, in rows: there the mechanism still closes."""
@@ -93,12 +97,14 @@ def best_rows(way: Way, column: Array, shown: Mask | None) -> tuple[NDArray[np.i
 class Anchors:
     """What is known of one extreme from the rows, for each design: columns (n,).
 
-    here, best           the best row (from 1) and its value
+    most                 the best value of all rows
+    here, best           the row (from 1) from which the probes go on, and its value
     middle               the row whose neighbours the first parabola goes through; before, value, after: values there
     wraps                1, 2 where the ends of the motion are neighbours (their row twice, or not), else 0
     turns                values, in the best row, of the angles without jumps that probes need
     """
 
+    most: Array
     here: Array
     best: Array
     middle: Array
@@ -110,12 +116,14 @@ class Anchors:
 
 
 def anchors_of(
+    way: Way,
     column: Array,
     best: tuple[NDArray[np.intp], Array],
     stretches: Stretches,
     whole: Array,
     half_turn: float,
     ends: bool,
+    limits: bool,
     angles: list[Array],
 ) -> Anchors:
     """What the rows say of an extreme.
@@ -124,15 +132,19 @@ def anchors_of(
     whole      1, 2 or 0 for each design: whether rows cover whole turns
     half_turn  pi where the quantity is an angle whose whole turns count, else infinite
     ends       whether the ends of a whole turn are neighbours for probes: never by a motion law
+    limits     whether the sheet looks for limits, and has a probe at both ends of the motion
     angles     angles without jumps, designs by rows
     """
     designs, rows = column.shape
     each = np.arange(designs)
-    place, value = best
+    place, most = best
     first, last = stretches.first, stretches.last
     around = (whole > 0) & (first == 1) & (last == rows) & (np.abs(column[:, 0] - column[:, -1]) < half_turn)
     wraps = np.where(around, whole, 0.0)
     beyond = wraps if ends else np.zeros(designs)
+    if limits and rows >= LEAST_INNER:
+        place = _begun_from(way, column, place, (beyond == 0) & (first == 1) & (last == rows))
+    value = column[each, place]
     middle = np.where(beyond > 0, place, np.maximum(first, np.minimum(last - 2, place)))
     turned = np.where(beyond > 0, np.where(beyond == 1, rows - 1, rows), 2 * rows).astype(np.int64)
     before, here, after = (
@@ -142,7 +154,25 @@ def anchors_of(
     for at, angle in enumerate(angles):
         turns[:, at] = angle[each, place]
     at_row, at_middle = (np.asarray(index + 1.0, float) for index in (place, middle))
-    return Anchors(at_row, value, at_middle, before, here, after, wraps, turns)
+    return Anchors(most, at_row, value, at_middle, before, here, after, wraps, turns)
+
+
+def _begun_from(way: Way, column: Array, place: NDArray[np.intp], looked_at: Mask) -> NDArray[np.intp]:
+    """The rows (from 0) from which probes go on: where the best is the first or the last and no vertex lies inside, the best
+    of all but the two there, if it is better than the neighbour of that end."""
+    sign, last = (1.0 if way == "max" else -1.0), column.shape[1] - 1
+    for end, inward in ((0, 1), (last, -1)):
+        designs = np.flatnonzero(looked_at & (place == end))
+        if not len(designs):
+            continue
+        y = sign * column[designs]
+        other = np.argmax(y[:, 2:], axis=1) + 2 if end == 0 else np.argmax(y[:, :-2], axis=1)
+        near = y[:, end + inward]
+        outside = 3.4 * near <= 2.7 * y[:, end] + 0.7 * y[:, end + 2 * inward]
+        taken = outside & (y[np.arange(len(y)), other] > near)
+        place = place.copy()
+        place[designs[taken]] = other[taken]
+    return place
 
 
 OfDesigns = TypeVar("OfDesigns", Stretches, Anchors)
@@ -215,10 +245,10 @@ def refined(
             probed = _by_parabolas(way, anchors, around, at_ends, found)
         else:
             probed = found(*_where_it_turns(way, anchors, around, slopes))
-        stacked = np.array([best, *probed, *at_ends])
+        stacked = np.array([anchors.most, best, *probed, *at_ends])
         extreme = stacked.min(axis=0) if way == "min" else stacked.max(axis=0)
     of_rows = (stretches.number > 1) | (first == last) | ~np.isfinite(best)
-    return np.where(of_rows, best, extreme)
+    return np.where(of_rows, anchors.most, extreme)
 
 
 Point = tuple[Array, Array]
@@ -289,9 +319,9 @@ def _by_parabolas(
     aside = np.where(worse, 2.0 * here - one, one + np.where(one - here > 1e-6, -BESIDE, BESIDE))
     two = around.within(np.where(limited, roots.second(there, best, (one, y_one)), aside))
     (y_two,) = found(two)
-    three = _further(one, around, roots, (here, best), (one, y_one), (two, y_two))
+    three = _further(one, (here + one) / 2.0, around, roots, (here, best), (one, y_one), (two, y_two))
     (y_three,) = found(three)
-    four = _further(one, around, roots, (one, y_one), (two, y_two), (three, y_three))
+    four = _further(one, one, around, roots, (one, y_one), (two, y_two), (three, y_three))
     return [y_one, y_two, y_three, *found(four)]
 
 
@@ -326,11 +356,12 @@ def vertex_of(one: Point, two: Point, three: Point) -> Array:
     )
 
 
-def _further(middle: Array, around: Around, roots: Roots, *points: Point) -> Array:
+def _further(middle: Array, known: Array, around: Around, roots: Roots, *points: Point) -> Array:
+    """The vertex through three points, no farther than a row from the middle; where there is none the place known."""
     one, two, three = ((roots.of(place), value) for place, value in points)
     vertex = roots.place(np.maximum(0.0, vertex_of(one, two, three)))
     place = around.within(np.maximum(middle - 1.0, np.minimum(middle + 1.0, vertex)))
-    return np.where(np.isfinite(place), place, middle)
+    return np.where(np.isfinite(place), place, known)
 
 
 def edges_of(first: Array, last: Array, rows: int, inside: Callable[[Array], Mask]) -> tuple[Array, Array]:

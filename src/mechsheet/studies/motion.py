@@ -240,12 +240,14 @@ class _Rows:
         designs = self.designs
         names = [ANCHOR.format(symbol=symbol) for symbol in self.program.anchors]
         return anchors_of(
+            extreme[1],
             self.column(extreme[0]),
             self.best(extreme),
             self.stretches,
             self._covered,
             math.pi if designs.is_angle(extreme[0]) else math.inf,
             designs.mechanism.driver.law is None,
+            designs.limits,
             [self._whole(self._out[name]) for name in names],
         )
 

@@ -42,6 +42,7 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "mend.wanted": ("{mend} is wanted", "olması gereken {mend}"),
     "mend": ("{mend} makes {rights} right", "{mend} ile {rights} doğru olur"),
     "marks": ("{marks} of {of} marks", "{of} üzerinden {marks} puan"),
+    "marks.of_one": ("{marks} of {of} mark", "{of} üzerinden {marks} puan"),
     "marks.plain": ("{plain} without follow-through", "hata takibi olmadan {plain}"),
     "remark": ("remark: {text}", "not: {text}"),
     # what a workbook seems to be
@@ -62,6 +63,10 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "remark.comma": (
         "{count} numbers were typed as texts with a decimal comma; they are read as numbers",
         "{count} sayı ondalık virgüllü metin olarak yazılmış; sayı olarak okundu",
+    ),
+    "remark.comma.one": (
+        "1 number was typed as a text with a decimal comma; it is read as a number",
+        "1 sayı ondalık virgüllü metin olarak yazılmış; sayı olarak okundu",
     ),
     "remark.large": (
         "a large workbook: only its first 200,000 formulas were looked at",
@@ -154,6 +159,11 @@ HOMEWORK: dict[str, tuple[str, str]] = {
         "bu sayfadaki sayılarla mekanizmanın hiçbir konumu yok",
     ),
 }  # fmt: skip
+
+
+def marks_of(language: str, marks: float, of: float) -> str:
+    """How many marks of how many: of one, or of several."""
+    return said(language, "marks.of_one" if of == 1 else "marks", marks=f"{marks:g}", of=f"{of:g}")
 
 
 def said(language: str, key: str, **parts: object) -> str:

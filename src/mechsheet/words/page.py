@@ -45,6 +45,7 @@ PAGE: dict[str, tuple[str, str]] = {
     "page.inputs": ("the first that cannot be; 0: none", "olamayacak ilk hücre; 0: yok"),
     "page.verdict.of": (" of ", " / "),
     "page.verdict.positions": (" positions", ""),
+    "page.verdict.position": (" position", ""),
     "page.transmission": ("least transmission angle in these rows", "bu satırlarda en küçük bağlama açısı"),
     "page.verdict.transmission": ("; transmission angle at least ", "; bağlama açısı en az "),
     "page.verdict.rows": (" in these rows", " (bu satırlarda)"),

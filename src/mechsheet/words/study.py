@@ -6,6 +6,7 @@ STUDY: dict[str, tuple[str, str]] = {
     "best": ("Best designs", "En iyi tasarımlar"),
     "front": ("Front", "Cephe"),
     "settings": ("Study", "Çalışma"),
+    "title.one": ("{title}: {count} of {kept} design", "{title}: {kept} tasarımdan {count}"),
     "title": ("{title}: {count} of {kept} designs", "{title}: {kept} tasarımdan {count}"),
     "about": (
         "Designs that meet all conditions, the best first. The command in the last column builds its workbook.",

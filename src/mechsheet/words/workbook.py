@@ -51,6 +51,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "head.status": ("Closes", "Kapanıyor mu"),
     "column.here": ("→ the row that the drawing shows", "→ çizimin gösterdiği satır"),
     "verdict.line.all": ("closes in all {rows} positions", "{rows} konumun hepsinde kapanıyor"),
+    "verdict.line.one": ("closes in its one position", "tek konumunda kapanıyor"),
     "verdict.line.closes": ("closes in", "kapandığı konum sayısı:"),
     "verdict.line.positions": ("positions", ""),
     "verdict.line.nowhere": (
@@ -188,6 +189,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.at": ("at driver", "tahrik değeri"),
     "checks.gap": ("gap, group {number}", "açıklık, {number}. grup"),
     "checks.margin": ("margin, group {number}", "pay, {number}. grup"),
+    "checks.crossing": ("lines, group {number}: sine × sine before", "doğrular, {number}. grup: sinüs × önceki sinüs"),
     "checks.leap": ("leap", "sıçrama"),
     **NOTES,
     **RATES,

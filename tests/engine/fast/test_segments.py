@@ -6,6 +6,7 @@ from drawn_trees import FIRST, ROWS, columns, data_refs, numbers, numeric, plain
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from chosen import examples
 from mechsheet.engine import FAST, PORTABLE, compile_book
 from mechsheet.engine.fast import emitting as emitting_module
 from mechsheet.engine.fast import segments as segments_module
@@ -29,7 +30,7 @@ def never(*_):
     raise AssertionError("the interpreter was used")
 
 
-@settings(max_examples=300, deadline=None, report_multiple_bugs=False)
+@settings(max_examples=examples(300), deadline=None, report_multiple_bugs=False)
 @given(
     st.lists(columns, min_size=3, max_size=3),
     st.tuples(plain, values),

@@ -8,6 +8,7 @@ from drawn_trees import numeric, plain, values
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from chosen import examples
 from mechsheet.engine import FAST, PORTABLE, compile_book
 from mechsheet.engine.fast import scalars
 from mechsheet.engine.fast.lowered_functions import UFUNCS
@@ -100,7 +101,7 @@ def same(found, expected):
     assert texts[0] == texts[1]
 
 
-@settings(max_examples=250, deadline=None)
+@settings(max_examples=examples(250), deadline=None)
 @given(formulas, columns, columns, starts, st.tuples(plain, values), st.sampled_from([0, 0, 0, 1, 4]), st.booleans(),
        st.sampled_from([FAST, PORTABLE]))  # fmt: skip
 def test_row_by_row_equals_the_interpreter(four, column, other, start, single, short, slow, arithmetic):
@@ -223,7 +224,7 @@ def test_a_circle_is_still_a_circle():
 bits = st.floats(allow_nan=False, allow_infinity=False, width=64) | st.floats(-10, 10)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=examples(60), deadline=None)
 @given(bits, bits, st.integers(1, 307), st.booleans(), st.sampled_from([3.0, 0.5, -1.0, 1 / 3, -2.5]))
 def test_single_numbers_have_the_bits_of_arrays(x, y, digits, before, exponent):
     places = -digits if before else digits

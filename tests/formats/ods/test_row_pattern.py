@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from ods_files import content, table, write_ods
 from row_by_row import alone, everything, rows_taken
 
+from chosen import examples
 from mechsheet.formats.reading import package as package_module
 
 ROOT = Path(__file__).parents[3]
@@ -90,7 +91,7 @@ def place(tmp_path_factory):
     return tmp_path_factory.mktemp("rows") / "book.ods"
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(
     st.lists(st.sampled_from(COLUMNS) | st.sampled_from([*COLUMNS, *ODD]), min_size=1, max_size=5),
     st.integers(9, 40),

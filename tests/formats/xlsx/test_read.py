@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from xlsx_files import MAIN, packed, parts_of
 
+from chosen import examples
 from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import evaluate
@@ -352,7 +353,7 @@ def test_sheets_without_a_part_of_their_own(read):
     assert [sheet.title for sheet in read(parts).sheets] == ["S"]
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(st.data())
 def test_damaged_bytes_are_refused_or_read(tmp_path_factory, data):
     """No traceback, whatever a byte becomes."""
@@ -367,7 +368,7 @@ def test_damaged_bytes_are_refused_or_read(tmp_path_factory, data):
         assert problem.faults
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(st.text("<>/cfvrt=\"A1 &;'s0", max_size=60))
 def test_any_xml_is_refused_or_read(tmp_path_factory, text):
     path = tmp_path_factory.getbasetemp() / "strange.xlsx"

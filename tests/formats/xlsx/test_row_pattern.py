@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from row_by_row import alone, everything, rows_taken
 from xlsx_files import packed, parts_of
 
+from chosen import examples
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.formats.reading import package as package_module
 from mechsheet.formats.xlsx.read import read_xlsx
@@ -109,7 +110,7 @@ def place(tmp_path_factory):
     return tmp_path_factory.mktemp("rows") / "book.xlsx"
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=examples(150), deadline=None)
 @given(
     st.lists(st.sampled_from([*COLUMNS, "shared"]) | st.sampled_from([*COLUMNS, *ODD]), min_size=1, max_size=5),
     st.integers(9, 40),

@@ -63,3 +63,12 @@ def test_a_summary_of_a_point_asked_for():
     assert turning.known(laid.plan, "C.y")
     assert laid.spot("#max_C.y") >= fine - 1e-9
     assert laid.spot("#max_C.y") == pytest.approx(fine, rel=1e-4)
+
+
+def test_an_extreme_between_rows_that_are_no_neighbours_of_the_best():
+    """The first row stands 1.931 degrees behind the outer dead centre, the nearest ones to the next, at 360, farther off."""
+    for speed in (True, False):
+        laid = Laid(slider_crank(1.931, 10.973754793, 37, speed), overrides={"a1": "0"})
+        assert laid.spot("#max_s14") == pytest.approx(ROD + R, rel=1e-6)
+        assert laid.spot("#max_at_s14") == pytest.approx(360, abs=0.05)
+        assert laid.spot("#stroke_s14") == pytest.approx(2 * R, rel=1e-5)

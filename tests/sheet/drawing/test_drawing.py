@@ -206,7 +206,7 @@ def test_long_tables_are_thinned(step, rows, drawn):
 
 
 def test_thinned_paths_end_with_the_last_row():
-    text = FOUR_BAR.replace("step = 15", "step = 0.07")
+    text = FOUR_BAR.replace("step = 15", "step = 0.4")
     laid = Laid(text)
     values = laid.at(0)
     path = next(s for s in laid.drawing.chart.series if s.x.area.last_row - s.x.area.first_row > 300)

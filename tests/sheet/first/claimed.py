@@ -19,6 +19,7 @@ from mechsheet.formats import write
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import TURN, Search
+from mechsheet.reference.geometry import link_places
 from mechsheet.sheet import styles
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import MEANING, VALUE
@@ -160,6 +161,30 @@ class Truth(Search):
     def is_constant(self, name):
         """Whether a symbol is the same in every row."""
         return any(equation.symbol == name for equation in self.equations.constants)
+
+    def misfit(self):
+        """By how much the length of a redundant link is off in the worst row that closes: the way between the joints that it
+        has with the others, against the places of these in the link, as the reference reads them."""
+        worst, there = 0.0, self.row_there
+        for each in self.mechanism.redundant:
+            own = link_places(each.link, self.dimensions)
+            pins = {
+                point: np.stack(self._pin(point), axis=-1)
+                for point in own
+                if any(point in link.points for link in self.mechanism.whole_links if link.name != each.link.name)
+            }
+            start, end = pins
+            way = np.linalg.norm(pins[end] - pins[start], axis=-1)
+            length = np.linalg.norm(own[end] - own[start])
+            worst = max(worst, float(np.max(np.abs(way - length)[there], initial=0.0)))
+        return worst
+
+    def _pin(self, point):
+        """(x, y) in all rows of a point that another link has too."""
+        if point in self.mechanism.ground.points:
+            x, y = link_places(self.mechanism.ground, self.dimensions)[point]
+            return np.full(self.rows, x), np.full(self.rows, y)
+        return self.in_rows(f"{point}.x"), self.in_rows(f"{point}.y")
 
     def place(self, driver_shown):
         """Where the driver has a value as shown, counted in rows."""

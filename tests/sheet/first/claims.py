@@ -20,6 +20,7 @@ from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.search import TURN
 from mechsheet.sheet.checks.geometry import distance
 from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.first.verdicts import closes_in_all
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.symbols import plain
 from mechsheet.words.equations import link_words
@@ -273,15 +274,20 @@ class _Judge:
             place = numbers_in(words)
             near = [float(truth.driver(hole)) * truth.scale for hole in holes]
             step = abs(truth.step) * truth.scale
-            self.say("passes words", any(abs(place[0] - hole) <= step for hole in near), words, near)
+            ways = [abs(place[0] - hole) for hole in near]
+            if truth.whole:  # the last row, left out, is the first
+                ways += [abs(way - TURN * truth.scale) for way in ways]
+            self.say("passes words", any(way <= step for way in ways), words, near)
 
     def gap_and_leaps(self):
         truth, sheets = self.truth, self.sheets
         gap = sheets.of("largest_gap")
         words = sheets.words("largest_gap")
         if truth.count:
-            self.say("largest_gap", isinstance(gap, float) and gap <= 1e-9 * truth.size, gap)
-            self.say("largest_gap words", words == self.verdict("gap.closed"), words)
+            misfit = truth.misfit()
+            self.say("largest_gap", close(gap, misfit, 1e-9 * truth.size), gap, misfit)
+            said = self.verdict("gap.closed") if self.fits() else self.open_joint()
+            self.say("largest_gap words", words == said, words, misfit)
         turned = truth.turns_between_rows()
         most = math.radians(90.0)
         far = np.zeros(truth.rows - 1, dtype=bool)
@@ -293,6 +299,13 @@ class _Judge:
         far &= truth.row_there[1:] & truth.row_there[:-1]
         if not doubt and not truth.holes and not truth.doubtful:
             self.say("leaps", (shown > 0) == bool(far.any()), shown, int(far.sum()))
+
+    def fits(self):
+        """Whether the lengths of redundant links are what the others ask of them."""
+        return self.truth.misfit() <= 1e-9 * self.truth.size
+
+    def open_joint(self):
+        return self.verdict("gap.open", sheet=self.plan.at.titles["checks"])
 
     # --- lines -----------------------------------------------------------------------------------------------------------
 
@@ -308,8 +321,11 @@ class _Judge:
         if self.plan.newton and (lost := self.rows_off_their_trend()):
             self.say("verdict", line == self.verdict("same_assembly.lost"), line, lost)
             self.say("verdict colour", colour == "red", colour)
+        elif not self.fits():
+            self.say("verdict", line == self.open_joint(), line, truth.misfit())
+            self.say("verdict colour", colour == "red", colour)
         elif truth.count == truth.rows:
-            self.say("verdict", line.startswith(self.verdict("line.all", rows=truth.rows)), line)
+            self.say("verdict", line.startswith(closes_in_all(self.plan)), line)
             if not truth.doubtful:
                 self.say("verdict colour", colour == ("amber" if truth.holes else "green"), colour, truth.holes)
         else:

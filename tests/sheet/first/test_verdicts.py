@@ -107,3 +107,11 @@ def test_what_stands_still_beside_a_driver_set_by_hand_is_not_judged():
     assert {"transmission_2", "transmission_3"} <= set(lines)
     assert not {"transmission_1", "swing_theta12", "swing_theta14"} & set(lines)
     assert "poor below 40°" in laid.verdict
+
+
+@pytest.mark.parametrize(
+    ("language", "words"), [("en", "closes in its one position"), ("tr", "tek konumunda kapanıyor")]
+)
+def test_of_one_position_nothing_is_said_in_the_plural(language, words):
+    driver = re.sub(r"start = 0\nstop = 360\nstep = 15", "values = [60]", FOUR_BAR)
+    assert Laid(driver, language).verdict.startswith(words)

@@ -86,7 +86,7 @@ def test_what_the_number_of_grashof_is(name, said):
     assert any("Below 0 the shortest can turn fully" in text for text in texts) == said
 
 
-EMPTY = ("verdict.line.positions", "page.verdict.positions")
+EMPTY = ("verdict.line.positions", "page.verdict.positions", "page.verdict.position")
 """Words that one of the languages has elsewhere in the sentence."""
 
 

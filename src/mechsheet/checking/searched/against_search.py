@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from mechsheet import portable
-from mechsheet.checking.inputs import inputs_in
+from mechsheet.checking.inputs import OfTheLast, inputs_in
 from mechsheet.checking.report import Comparison, Tally
 from mechsheet.checking.searched.summaries import judge_summaries
 from mechsheet.checking.searched.tables import judge_tables
@@ -29,6 +29,7 @@ from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.search import Search
 from mechsheet.sheet.drawing.outlines import number_places
+from mechsheet.sheet.first.verdicts import closes_in_all
 from mechsheet.sheet.plan import MEANING, Plan
 from mechsheet.words.equations import link_words
 
@@ -47,6 +48,10 @@ ROUNDED = 2e-6
 _NUMBER = re.compile(r"\d+")
 
 
+_SEARCHES: OfTheLast[dict[tuple[tuple[str, float], ...], Search | None]] = OfTheLast()
+"""By other values of some inputs: a search reads no cell but inputs."""
+
+
 def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Comparison | None:
     """Hold every verdict cell against what is found with the inputs in the cells; arguments as of `against_plan`.
 
@@ -60,7 +65,15 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
         for group in equations.groups
     )
 
+    known = _SEARCHES.of(plan, inputs, dict)
+
     def search(other: Mapping[str, float]) -> Search | None:
+        asked = tuple(other.items())
+        if asked not in known:
+            known[asked] = searched(other)
+        return known[asked]
+
+    def searched(other: Mapping[str, float]) -> Search | None:
         given = {**inputs.dimensions, **other}
         if missing_dimensions(mechanism, given):
             return None
@@ -213,8 +226,11 @@ class _Judge:
             expected = plan.text("verdict.gap.redundant", link=misfit, sheet=plan.at.titles["checks"])
             right = line == expected
         elif search.count == search.rows:
-            begin, end = plan.text("page.verdict.all"), plan.text("page.verdict.positions")
-            expected = f"{begin}{search.rows}{end}" if self.page else plan.text("verdict.line.all", rows=search.rows)
+            begin, end = (
+                plan.text("page.verdict.all"),
+                plan.text(f"page.verdict.position{'s' if search.rows > 1 else ''}"),
+            )
+            expected = f"{begin}{search.rows}{end}" if self.page else closes_in_all(plan)
             right = line.startswith(expected)
         else:
             expected = some

@@ -89,6 +89,8 @@ def _with_values(
         message = say(
             "{count} values, where [driver] has {rows} rows: one is needed for each", count=len(values), rows=rows
         )
+        if len(values) == 1:
+            message = say("1 value, where [driver] has {rows} rows: one is needed for each", rows=rows)
         scope.report.at((*path, "values"), message)
     return replace(driver, values=values)
 

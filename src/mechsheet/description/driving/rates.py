@@ -125,6 +125,8 @@ def _listed(key: str, given: Any, data: dict[str, Any], scope: Scope) -> tuple[Q
         )
     elif values is not BAD and len(values) != len(given):
         message = say("has {count} numbers for {rows} values of the driver", count=len(given), rows=len(values))
+        if len(given) == 1:
+            message = say("has 1 number for {rows} values of the driver", rows=len(values))
         scope.report.at(path, message, say("give one {key} for each of `values`", key=key))
     return tuple(scope.quantity(each, ANY, (*path, place)) for place, each in enumerate(given))
 

@@ -294,7 +294,7 @@ def without_blanks(cells: Cells) -> Cells:
     if cells.codes is None:
         return cells
     blank = cells.codes == BLANK
-    return Cells(cells.numbers, np.where(blank, np.uint8(0), cells.codes)) if np.any(blank) else cells
+    return Cells(cells.numbers, np.where(blank, np.uint8(0), cells.codes)) if np.count_nonzero(blank) else cells
 
 
 def part_of(cells: Cells, down: int, right: int) -> Cells:

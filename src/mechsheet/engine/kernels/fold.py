@@ -21,6 +21,7 @@ from ..values.cells import (
     TEXT,
     VALUE,
     Cells,
+    broadcast,
     codes_of,
     error,
     finished,
@@ -68,7 +69,7 @@ def gather(ev: Evaluator, args: Args, frame: Frame) -> Gathered:
     tail = np.broadcast_shapes(*(np.shape(part.numbers)[1:] for part in parts))
 
     def joined(arrays: list[Any]) -> Any:
-        return np.concatenate([np.broadcast_to(_with_axes(array, len(tail)), (len(array), *tail)) for array in arrays])
+        return np.concatenate([broadcast(_with_axes(array, len(tail)), (len(array), *tail)) for array in arrays])
 
     errors = None
     if any(part.errors is not None for part in parts):
@@ -79,7 +80,9 @@ def gather(ev: Evaluator, args: Args, frame: Frame) -> Gathered:
 
 def _with_axes(array: Any, count: int) -> Any:
     """An array with `count` axes of the frame behind its first one."""
-    return np.reshape(array, (len(array), *(1,) * (count + 1 - np.ndim(array)), *np.shape(array)[1:]))
+    if array.ndim == count + 1:
+        return array
+    return np.reshape(array, (len(array), *(1,) * (count + 1 - array.ndim), *array.shape[1:]))
 
 
 def _part(ev: Evaluator, arg: Node, frame: Frame) -> Gathered:
@@ -88,11 +91,11 @@ def _part(ev: Evaluator, arg: Node, frame: Frame) -> Gathered:
         numbers = _flat(cells.numbers)
         if cells.codes is None:
             return Gathered(numbers, np.ones(numbers.shape, bool), None)
-        codes = _flat(np.broadcast_to(cells.codes, cells.shape))
+        codes = _flat(broadcast(cells.codes, cells.shape))
         errors = np.where(codes >= ERROR, codes, np.uint8(0))
-        return Gathered(numbers, codes == NUMBER, errors if errors.any() else None)
+        return Gathered(numbers, codes == NUMBER, errors if np.count_nonzero(errors) else None)
     single, faults = numbers_of(cells, ev.texts)
-    flat = None if faults is None else _flat(np.broadcast_to(faults, np.shape(single)))
+    flat = None if faults is None else _flat(broadcast(faults, np.shape(single)))
     return Gathered(_flat(single), np.ones(np.shape(_flat(single)), bool), flat)
 
 
@@ -233,7 +236,7 @@ def sumproduct(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         numbers = np.broadcast_to(cells.numbers, cells.shape)
         codes = np.broadcast_to(codes_of(cells), cells.shape)
         found = codes >= ERROR
-        if np.any(found):
+        if np.count_nonzero(found):
             errors = first_error(errors, _first_of(_flat(np.where(found, codes, np.uint8(0)))))
         numbers = _flat(np.where(codes == NUMBER, numbers, 0.0))
         product_of = numbers if product_of is None else product_of * numbers if len(sizes) == 1 else product_of

@@ -43,9 +43,9 @@ def if_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     mask, errors = truths_of(condition, ev.texts)
     if np.ndim(mask) > 2:
         return _if_of_array(ev, args, frame, spread, condition)
-    if errors is None and np.all(mask):
+    if errors is None and np.count_nonzero(mask) == np.size(mask):
         return _branch(ev, args, 1, frame, spread)
-    if errors is None and not np.any(mask):
+    if errors is None and not np.count_nonzero(mask):
         return _branch(ev, args, 2, frame, spread)
     result = choose(mask, _branch(ev, args, 1, frame, spread), _branch(ev, args, 2, frame, spread))
     return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)
@@ -54,7 +54,7 @@ def if_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
 def _if_of_array(ev: Evaluator, args: Args, frame: Frame, spread: bool, condition: Cells) -> Cells:
     """IF with an array for its condition: as large as the largest of condition and branches."""
     mask, errors = truths_of(condition, ev.texts)
-    then = _branch(ev, args, 1, frame, spread) if np.any(mask) else Cells(np.float64(0))
+    then = _branch(ev, args, 1, frame, spread) if np.count_nonzero(mask) else Cells(np.float64(0))
     otherwise = Cells(np.float64(0)) if np.all(mask) else _branch(ev, args, 2, frame, spread)
     condition, then, otherwise = fitted(condition, then, otherwise)
     mask, errors = truths_of(condition, ev.texts)
@@ -77,7 +77,7 @@ def _instead(caught: Callable[[Any], Any]) -> Any:
         if first.codes is None:
             return first
         mask = caught(first.codes)
-        if not np.any(mask):
+        if not np.count_nonzero(mask):
             return first
         second = Cells(np.float64(0)) if isinstance(args[1], Missing) else ev.value(args[1], frame, spread)
         first, second = fitted(first, second)
@@ -123,7 +123,7 @@ def _joined(name: str) -> Any:
             total = join(total, mask)
             any_counted = any_counted | counts
         nothing = np.where(any_counted, np.uint8(0), np.uint8(VALUE))
-        errors = first_error(*faults, nothing if np.any(nothing) else None)
+        errors = first_error(*faults, nothing if np.count_nonzero(nothing) else None)
         result = boolean(total)
         return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)
 
@@ -290,12 +290,12 @@ def _first_true(
             failed = open_ & (faults != 0)
             result = _merged(failed, Cells(np.nan, faults), result)
             open_, holds = open_ & ~failed, holds & ~failed
-        if np.any(holds):
+        if np.count_nonzero(holds):
             result = _merged(holds, value(), result)
         open_ = open_ & ~holds
-        if not np.any(open_):
+        if not np.count_nonzero(open_):
             break
-    if np.any(open_):
+    if np.count_nonzero(open_):
         result = _merged(open_, last(), result)
     return error(NA) if result is None else result
 

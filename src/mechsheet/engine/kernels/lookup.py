@@ -93,8 +93,8 @@ def _indexed(ev: Evaluator, args: Args, frame: Frame, row: float, col: float) ->
 
 
 def _or_error(found: Cells, errors: Any) -> Cells:
-    if errors is None or not np.any(errors):
-        return found if found.codes is None or np.any(found.codes) else Cells(found.numbers)
+    if errors is None or not np.count_nonzero(errors):
+        return found if found.codes is None or np.count_nonzero(found.codes) else Cells(found.numbers)
     return choose(errors != 0, Cells(np.nan, errors), found)
 
 
@@ -136,7 +136,7 @@ def positions(ev: Evaluator, wanted: Cells, line: Cells, kind: float) -> Cells:
             known[key] = _place(search, *key, kind)
     found = np.array([known[key] for key in flat], np.float64).reshape(numbers.shape)
     missing = np.where(found < 0, np.uint8(NA), np.uint8(0))
-    errors = first_error(errors_of(wanted), missing if np.any(missing) else None)
+    errors = first_error(errors_of(wanted), missing if np.count_nonzero(missing) else None)
     return Cells(np.where(found < 0, 0.0, found), errors)
 
 
@@ -153,7 +153,7 @@ def choose_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     result = error(VALUE)
     for place, arg in enumerate(args[1:], 1):
         here = np.equal(number, place)
-        if np.any(here):
+        if np.count_nonzero(here):
             value = Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread)
             result = value if np.all(here) else choose(here, value, result)
     return _or_error(result, errors)
@@ -186,7 +186,9 @@ def _table_lookup(by_rows: bool) -> Any:
         safe = np.where((own != 0) | np.isnan(across), 0, across - 1).astype(np.intp)
         along = found.numbers.astype(np.intp)
         at = (along, safe) if by_rows else (safe, along)
-        errors = first_error(errors_of(wanted), place_errors, near_errors, own if np.any(own) else None, found.codes)
+        errors = first_error(
+            errors_of(wanted), place_errors, near_errors, own if np.count_nonzero(own) else None, found.codes
+        )
         return _or_error(Cells(table.numbers[at], table.codes[at]), errors)
 
     return kernel
@@ -202,7 +204,7 @@ def lookup(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     results = table_of(ev, args[2], frame) if len(args) > 2 else table
     line = Cells(results.numbers.ravel(), results.codes.ravel()) if len(args) > 2 else _line(table, by_rows, -1)
     along = found.numbers.astype(np.intp)
-    if np.any(along >= len(line.numbers)):
+    if np.count_nonzero(along >= len(line.numbers)):
         return error(REF)
     return _or_error(Cells(line.numbers[along], line.codes[along]), found.codes)
 
@@ -215,7 +217,7 @@ def _mode(ev: Evaluator, args: Args, place: int, frame: Frame, allowed: tuple[in
     if place >= len(args) or isinstance(args[place], Missing):
         return allowed[0], 0
     numbers, errors = numbers_of(ev.value(args[place], frame), ev.texts)
-    if errors is not None and np.any(errors):
+    if errors is not None and np.count_nonzero(errors):
         return 0, int(np.ravel(errors)[0])
     mode = int(np.trunc(np.ravel(numbers)[0]))
     return mode, 0 if mode in allowed else VALUE
@@ -251,7 +253,7 @@ def xmatch(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         return found
     places, errors, _ = found
     missing = np.where(places < 0, np.uint8(NA), np.uint8(0))
-    codes = first_error(errors, missing if np.any(missing) else None)
+    codes = first_error(errors, missing if np.count_nonzero(missing) else None)
     return Cells(np.where(places < 0, np.nan, places + 1.0), codes)
 
 
@@ -268,7 +270,7 @@ def xlookup(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     lines = results if down else Cells(results.numbers.T, results.codes.T)
     picked = _picked(lines, places, down)
     missing = places < 0
-    if np.any(missing):
+    if np.count_nonzero(missing):
         given = len(args) > 3 and not isinstance(args[3], Missing)
         picked = choose(missing, ev.value(args[3], frame, spread) if given else error(NA), picked)
     return picked if errors is None else choose(errors != 0, Cells(np.nan, errors), picked)
@@ -280,12 +282,12 @@ def _picked(lines: Cells, places: Any, down: bool) -> Cells:
     width = lines.numbers.shape[1]
     if width == 1 or places.ndim > 2:
         numbers, codes = lines.numbers[safe, 0], lines.codes[safe, 0]
-        return Cells(numbers, codes if np.any(codes) else None)
+        return Cells(numbers, codes if np.count_nonzero(codes) else None)
     numbers, codes = (np.moveaxis(part[safe], -1, 0) for part in (lines.numbers, lines.codes))
     while numbers.ndim < 3:
         numbers, codes = numbers[:, None], codes[:, None]
     shaped = (slice(None), None) if not down else (None, slice(None))
-    return Cells(numbers[shaped], codes[shaped] if np.any(codes) else None)
+    return Cells(numbers[shaped], codes[shaped] if np.count_nonzero(codes) else None)
 
 
 KERNELS: dict[str, Any] = {

@@ -59,7 +59,7 @@ def single(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         numbers, codes = numbers[0], codes[0]
         if shape[3] == 1:
             numbers, codes = numbers[0], codes[0]
-    return Cells(numbers, codes if np.any(codes) else None)
+    return Cells(numbers, codes if np.count_nonzero(codes) else None)
 
 
 def areas(ev: Evaluator, args: Args, frame: Frame) -> Cells:

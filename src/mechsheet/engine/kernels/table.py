@@ -30,7 +30,7 @@ Kernel: TypeAlias = Callable[["Evaluator", tuple[Node, ...], "Frame", bool], Cel
 
 def _without_flags(cells: Cells) -> Cells:
     """Values in which truth values are #VALUE!."""
-    if cells.codes is None or not np.any(cells.codes == BOOLEAN):
+    if cells.codes is None or not np.count_nonzero(cells.codes == BOOLEAN):
         return cells
     return Cells(cells.numbers, np.where(cells.codes == BOOLEAN, np.uint8(VALUE), cells.codes))
 

@@ -1,7 +1,8 @@
 """What the engine computes with: float64 arrays, each with an array of codes beside it that says what a number stands for.
 
 A text is a number into a table of texts, a truth value is 0 or 1, a blank is 0, an error is NaN. So columns of any kind
-pass through the same array operations, and a column of plain numbers needs no codes at all (None).
+pass through the same array operations, and a column of plain numbers needs no codes at all (None). Columns are short and
+operations many, so whether anything holds is asked by np.count_nonzero: np.any takes longer than most operations.
 
 Arrays of a block have one of four shapes, which numpy broadcasts against each other: () the same in all its cells,
 (rows,) along its rows, (cols, 1) along its columns, (cols, rows) both. An array value (a range, a literal) has two axes
@@ -131,14 +132,12 @@ def boolean(mask: Any) -> Cells:
 
 def finished(numbers: Any, codes: Any = None) -> Cells:
     """A numeric result: `codes` holds errors (0 elsewhere) or is None; what is not finite beside them becomes #NUM!."""
-    bad = ~np.isfinite(numbers)
-    if codes is None:
-        if not (bad if np.ndim(bad) == 0 else bad.any()):
-            return Cells(numbers)
-        return Cells(np.where(bad, np.nan, numbers), np.where(bad, np.uint8(NUM), np.uint8(NUMBER)))
-    if not np.any(codes) and not bad.any():
+    fine = np.isfinite(numbers)
+    if np.count_nonzero(fine) == fine.size and (codes is None or not np.count_nonzero(codes)):
         return Cells(numbers)
-    codes = np.where(codes != 0, codes, np.where(bad, np.uint8(NUM), np.uint8(0)))
+    if codes is None:
+        return Cells(np.where(fine, numbers, np.nan), np.where(fine, np.uint8(NUMBER), np.uint8(NUM)))
+    codes = np.where(codes != 0, codes, np.where(fine, np.uint8(0), np.uint8(NUM)))
     return Cells(np.where(codes != 0, np.nan, numbers), codes)
 
 
@@ -147,7 +146,7 @@ def errors_of(cells: Cells) -> Any:
     if cells.codes is None:
         return None
     found = cells.codes >= ERROR
-    return np.where(found, cells.codes, np.uint8(0)) if np.any(found) else None
+    return np.where(found, cells.codes, np.uint8(0)) if np.count_nonzero(found) else None
 
 
 def first_error(*codes: Any) -> Any:
@@ -218,6 +217,11 @@ def _padded(cells: Cells, height: int, width: int) -> Cells:
     numbers = np.pad(np.broadcast_to(cells.numbers, shape), around, constant_values=np.nan)
     codes = np.pad(np.broadcast_to(codes_of(cells), shape), around, constant_values=NA)
     return Cells(numbers, codes)
+
+
+def broadcast(array: Any, shape: tuple[int, ...]) -> Any:
+    """np.broadcast_to, which takes longer than most operations, where there is anything to do."""
+    return array if np.shape(array) == shape else np.broadcast_to(array, shape)
 
 
 def codes_of(cells: Cells) -> Any:

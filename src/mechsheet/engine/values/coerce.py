@@ -77,7 +77,7 @@ def numbers_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
     if cells.codes is None:
         return cells.numbers, None
     is_text = cells.codes == TEXT
-    if not np.any(is_text):
+    if not np.count_nonzero(is_text):
         return cells.numbers, errors_of(cells)
     numbers, codes = np.broadcast_arrays(cells.numbers, cells.codes)
     numbers, errors = numbers.copy(), np.where(codes >= ERROR, codes, np.uint8(0))
@@ -90,7 +90,7 @@ def numbers_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
             errors = np.where(here, np.uint8(VALUE), errors)
         numbers = np.where(here, np.nan if value is None else value, numbers)
         is_text = is_text & ~here
-    return numbers, (errors if np.any(errors) else None)
+    return numbers, (errors if np.count_nonzero(errors) else None)
 
 
 def truths_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
@@ -98,7 +98,7 @@ def truths_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
     if cells.codes is None:
         return np.not_equal(cells.numbers, 0), None
     is_text = cells.codes == TEXT
-    if not np.any(is_text):
+    if not np.count_nonzero(is_text):
         return np.not_equal(cells.numbers, 0) & (cells.codes < ERROR), errors_of(cells)
     numbers, codes = np.broadcast_arrays(cells.numbers, cells.codes)
     is_text = codes == TEXT
@@ -111,7 +111,7 @@ def truths_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
             mask = mask | here
         elif word != "FALSE":
             errors = np.where(here, np.uint8(VALUE), errors)
-    return mask, (errors if np.any(errors) else None)
+    return mask, (errors if np.count_nonzero(errors) else None)
 
 
 def each(function: Callable[..., Scalar], args: tuple[Cells, ...], texts: Texts) -> Cells:

@@ -17,7 +17,7 @@ from mechsheet.homework.words_of import fault_line, kind_words
 from mechsheet.sheet.styles import BAD_FILL, DERIVED_FILL, HEAD, HEAD_LEFT, INPUT, SUBTITLE, SYMBOL, TITLE, WARN_FILL
 from mechsheet.sheet.workbook import Cell, Column, Fill, PrintSetup, Properties, Sheet, Style, Workbook
 from mechsheet.sheet.wrapping import wrapped_lines
-from mechsheet.words.homework import said
+from mechsheet.words.homework import marks_of, said
 
 CELL = replace(SYMBOL, name="", valign="top", wrap=True)
 MARK = replace(CELL, align="center")
@@ -191,7 +191,7 @@ def page(marks: Marks, one: Marked) -> str:
     own = [text for text in one.remarks if text != said(language, "marks.unknown")]
     lines += [one.why] if one.why else []
     remarks = [*own, *(one.audit.remarks if one.audit is not None else ())]
-    mark = said(language, "marks", marks=f"{one.mark:g}", of=f"{marks.of:g}")
+    mark = marks_of(language, one.mark, marks.of)
     table = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>\n" for row in rows)
     head = "<tr>" + "".join(f"<th>{html.escape(text)}</th>" for text in heads) + "</tr>\n"
     listed = "".join(f"<li>{html.escape(text)}</li>\n" for text in (*lines, *remarks))

@@ -37,7 +37,8 @@ LEAP = 90.0
 """A link that turns by more [deg] from one row to the next: the rows do not show what happens between."""
 
 Kind = Literal[
-    "gap", "margin", "leap", "assembly", "residual", "needed", "det", "velocity", "acceleration", "torque", "effort", "force"
+    "gap", "margin", "crossing", "leap", "assembly",
+    "residual", "needed", "det", "velocity", "acceleration", "torque", "effort", "force",
 ]  # fmt: skip
 
 MEASURED: tuple[Kind, ...] = ("gap", "velocity", "acceleration", "torque")
@@ -80,6 +81,10 @@ class Checks:
             Check("margin", number, plan.at.bind(_least_nearby(symbol, plan), self.title, first))
             for number, symbol in plan.equations.margins.items()
         ]
+        self.checks += [
+            Check("crossing", number, plan.at.bind(_crossed(symbol, plan), self.title, first))
+            for number, symbol in plan.equations.crossings.items()
+        ]
         self.checks += [Check("leap", 0, node) for node in _leaps(plan, self.title)]
         self.checks += [Check(*found) for found in assembly_columns(plan, self.title, CellRef(self.first, COUNT_COL))]
         self.checks += [Check(*found) for found in fit_columns(plan, self.title, first)]
@@ -99,6 +104,9 @@ class Checks:
         for index, check in enumerate(self.checks):
             if check.kind == "margin":
                 spots[f"#least_{check.group}"] = Spot(self.title, self.first, DATA + index, column=True)
+            if check.kind == "crossing":
+                spots[f"#crossed_{check.group}"] = Spot(self.title, self.most_row, DATA + index)
+                spots[f"#crossed_at_{check.group}"] = Spot(self.title, self.at_row, DATA + index)
 
     def worst(self, kind: Kind, group: int | None = None) -> Node:
         """The largest value of all columns of a kind (of leaps: their number), or those of a group, as another sheet reads
@@ -229,12 +237,15 @@ class _Writer:
         unit = self._unit(check.kind)
         words = plan.text(f"checks.{check.kind}", number=check.group)
         self._put(at.head_row, col, f"{words} [{unit}]" if unit else words, styles.HEAD)
-        style = styles.decimals(styles.COLUMN, 4 if check.kind in ("margin", "det", *SIZES) else 0)
+        style = styles.decimals(styles.COLUMN, 4 if check.kind in ("margin", "crossing", "det", *SIZES) else 0)
         style = styles.ERROR if check.kind in (*MEASURED, "residual") else style
         skip = 0 if check.kind in (*MEASURED, *SIZES, *ARRIVED) else 1
         rows = plan.rows - skip - (1 if check.kind == "margin" else 0)
         if rows > 0:
             self._formula(at.first + skip, col, shifted(check.formula, skip), style, rows)
+        if check.kind == "crossing":
+            around = plan.at.bind(_crossed_around(plan.equations.crossings[check.group], plan), at.title)
+            self._formula(at.first, col, around, style)
         column = RangeRef(CellRef(at.first, col, True), CellRef(at.last, col, True))
         most = formula('IF(COUNT(column)=0,"",worst)', column=column, worst=Call(_WORST[check.kind], (column,)))
         self._formula(at.most_row, col, most, styles.numbered(styles.RESULT, style.number_format))
@@ -248,7 +259,7 @@ class _Writer:
     def _unit(self, kind: Kind) -> str:
         """The unit of a column."""
         plan = self.plan
-        if kind in ("torque", *COUNTED, *ARRIVED):
+        if kind in ("crossing", "torque", *COUNTED, *ARRIVED):
             return ""
         if kind == "effort":
             return plan.equations.of(plan.efforts[0]).unit.text
@@ -264,7 +275,7 @@ class _Writer:
             self.conditionals.append(Conditional(area, missing, styles.MISSING))
 
 
-_WORST = {"gap": "MAX", "margin": "MIN", "leap": "SUM", "velocity": "MAX", "acceleration": "MAX"}
+_WORST = {"gap": "MAX", "margin": "MIN", "crossing": "MIN", "leap": "SUM", "velocity": "MAX", "acceleration": "MAX"}
 _WORST |= {"assembly": "SUM", "residual": "MAX", "needed": "MAX", "det": "MIN"}
 _WORST |= dict.fromkeys(("torque", "effort", "force"), "MAX")
 
@@ -305,6 +316,23 @@ def _least_nearby(margin: str, plan: Plan) -> Node:
         "here-(after-before)^2/(8*(before-2*here+after)),here)),\"\")",
         before=before, here=here, after=after, said=said, ok=plan.text("status.ok"),
     )  # fmt: skip
+
+
+def _crossed(sine: str, plan: Plan) -> Node:
+    """The sine of the angle between two lines, times that of the row before, where both rows exist: below 0 the lines turn
+    parallel in between, and meet nowhere."""
+    here, before = (plan.at.cell(sine, plan.at.titles["checks"], plan.at.first + step) for step in (0, -1))
+    said = RangeRef(*(CellRef(plan.at.first + step, STATUS, sheet=plan.table) for step in (-1, 0)))
+    return formula('IFERROR(IF(COUNTIF(said,ok)<2,"",before*here),"")', before=before, here=here, said=said,
+                   ok=plan.text("status.ok"))  # fmt: skip
+
+
+def _crossed_around(sine: str, plan: Plan) -> Node:
+    """The same of the first row, before which comes the last where a whole turn leaves its last row out."""
+    first, last = (
+        CellRef(row, plan.at.spots[sine].col, True, True, plan.table) for row in (plan.at.first, plan.at.last)
+    )
+    return formula('IFERROR(IF(_whole=2,last*first,""),"")', first=first, last=last)
 
 
 def _leaps(plan: Plan, sheet: str) -> list[Node]:

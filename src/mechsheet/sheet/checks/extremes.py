@@ -36,9 +36,12 @@ from mechsheet.units import turn as whole_turn
 BOUNDLESS = SIDE + 7
 """The working cell that says whether a quantity grows without bound."""
 
-SETTLED, IMPROVED = 1e-4, 1e-3
+SETTLED, IMPROVED = 1e-4, 5e-4
 """The last probe may be worse than the best by the first part of the range, and better than all others by the second; more,
 and the value is said to be about right."""
+
+LEAST_INNER = 7
+"""Rows, at least, where an extreme is also looked for between those that are no neighbours of the best."""
 
 TITLE_ROW, ABOUT_ROW, HEAD_ROW, FIRST = 0, 1, 3, 4
 
@@ -240,8 +243,9 @@ class Extremes:
         name = heading(plan, next(column for column in probes.columns if column.symbol == symbol))
         probes.put(row, STATUS, plan.text(f"extremes.{way}"), styles.LABEL)
         probes.put(row + 1, STATUS, name, styles.LABEL)
-        of_rows = self._best_row(column, way, block)
+        of_rows, at = self._best_row(column, way, block)
         if plan.rows_only:
+            probes.work(row, AT, "place", place=at)
             probes.work(row, VALUE, "value", value=of_rows)
             if way == "max":
                 probes.work(row + 1, SIDE + 2, "0")
@@ -250,6 +254,7 @@ class Extremes:
         wraps = self._wraps_of(symbol)
         if way == "max":
             self._wraps(symbol, wraps)
+        probes.work(row, AT, "place", place=self._begun_from(symbol, way, block, at))
         if turning.known(plan, symbol):
             turning.write(probes, block, symbol, way, wraps, self._rows_of_stretch(), self._ends_of_stretch())
         else:
@@ -258,18 +263,18 @@ class Extremes:
                 probes, block, way, column, self._around(wraps), self._rows_of_stretch(), self._ends_of_stretch(),
                 bool(self.ends),
             ).write()  # fmt: skip
+        here = probes.work(row, VALUE, "INDEX(column,here)", column=column, here=probes.cell(row, AT))
         for index in range(1, block.probes + 1):
             cell = CellRef(row + index, probes.at.spots[symbol].col, False, True)
-            probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
+            probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=here)
         for index, end in enumerate(self.ends.values(), block.probes + 1):
             probes.work(row + index, AT, "place", place=probes.cell(end.row + 1, AT))
             cell = CellRef(end.row + 1, probes.at.spots[symbol].col, True, True)
-            probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=of_rows)
-        probes.work(row, VALUE, "best", best=of_rows)
+            probes.work(row + index, VALUE, "IFERROR(cell,best)", cell=cell, best=here)
         self._result(symbol, way, block)
 
-    def _best_row(self, column: Node, way: Way, block: Block) -> CellRef:
-        """The best value of all rows that exist, of no more stretches than are looked at; its row goes to the anchor."""
+    def _best_row(self, column: Node, way: Way, block: Block) -> tuple[CellRef, Node]:
+        """The best value of all rows that exist, of no more stretches than are looked at, and its row."""
         probes, row, limits = self.probes, block.row, self.limits
         for number in range(1, STRETCHES + 1):
             first, last = limits.of_stretch(number, FIRST_ROW), limits.of_stretch(number, LAST_ROW)
@@ -285,11 +290,39 @@ class Extremes:
             "INDEX(firsts,MATCH(most,bests,0))", most=most, bests=bests,
             firsts=probes.cells_down(limits.stretch_rows[0], FIRST_ROW, STRETCHES),
         )  # fmt: skip
-        probes.work(
-            row, AT, "begin-1+MATCH(most,INDEX(column,begin):INDEX(column,rows),0)",
-            begin=begin, rows=self.plan.rows, most=most, column=column,
+        at = formula("begin-1+MATCH(most,INDEX(column,begin):INDEX(column,rows),0)", begin=begin, rows=self.plan.rows,
+                     most=most, column=column)  # fmt: skip
+        return most, at
+
+    def _begun_from(self, symbol: str, way: Way, block: Block, at: Node) -> Node:
+        """The row from which the probes go on: the best one.
+
+        Where that is the motion's first or last row, and the parabola through the three rows there has its vertex outside or
+        no farther inside than 0.15 rows, an extreme between other rows may be better: of all but the two rows there the
+        best one, if it is better than the end's neighbour. The row at the end has a probe of its own.
+        """
+        plan, probes, rows = self.plan, self.probes, self.plan.rows
+        if not self.ends or rows < LEAST_INNER:
+            return at
+        best = probes.work(block.row, SIDE + 4, "at", at=at)
+        first, col = plan.at.first, plan.at.spots[symbol].col
+        y = {index: CellRef(first + index - 1, col, True, True, plan.table) for index in range(1, rows + 1)}
+        later, earlier = RangeRef(y[3], y[rows]), RangeRef(y[1], y[rows - 2])
+        other = probes.work(
+            block.row, SIDE + 5, f"IF(best=1,{way.upper()}(later),IF(best=rows,{way.upper()}(earlier),NA()))",
+            best=best, rows=rows, later=later, earlier=earlier,
         )  # fmt: skip
-        return most
+        better, worse = ("<", ">=") if way == "min" else (">", "<=")
+        at_first, at_last = (
+            formula(f"AND(3.4*next{worse}2.7*end+0.7*third,other{better}next)", end=end, next=next_, third=third,
+                    other=other)
+            for end, next_, third in ((y[1], y[2], y[3]), (y[rows], y[rows - 1], y[rows - 2]))
+        )  # fmt: skip
+        return formula(
+            "IFERROR(IF(AND(wraps=0,IF(best=1,at_first,at_last)),MATCH(other,column,0),best),best)",
+            wraps=self._around(self._wraps_of(symbol)), best=best, at_first=at_first, at_last=at_last, other=other,
+            column=Symbol(ALL + symbol),
+        )  # fmt: skip
 
     def _wraps_of(self, symbol: str) -> CellRef:
         return self.probes.cell(self.blocks[symbol, "max"].row + 1, SIDE + 2)
@@ -337,7 +370,7 @@ class Extremes:
         # each stretch would need probes of its own, and where it ends must be known
         known = "best" if count == 1 else "IF(_rows_only,of_rows,best)"
         value = probes.work(
-            row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, VALUE)
+            row + 2, SIDE, known, styles.RESULT, best=Call(way.upper(), (values,)), of_rows=probes.cell(row, SIDE + 3)
         )
         place = self._place(row, count)
         if plan.mechanism.driver.law is not None:
@@ -367,8 +400,8 @@ class Extremes:
     def _boundless(self, symbol: str, way: Way, block: Block) -> None:
         """Whether the quantity has no largest or smallest value."""
         probes, row = self.probes, block.row
-        worst = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, VALUE)
-        found = beyond_rows(probes.cell(row + 2, SIDE), probes.cell(row, VALUE), worst, self._rows_of_stretch())
+        worst = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, SIDE + 3)
+        found = beyond_rows(probes.cell(row + 2, SIDE), probes.cell(row, SIDE + 3), worst, self._rows_of_stretch())
         if not turning.known(self.plan, symbol):
             before, here, after = (probes.cell(row + 1, SIDE + work) for work in (4, 5, 6))
             found = formula("OR(found,pole)", found=found, pole=at_pole(before, here, after))
@@ -411,8 +444,10 @@ class Extremes:
             cell = CellRef(row + index, plan.at.spots[symbol].col, False, True)
             probes.work(row + index, VALUE, "cell", cell=cell)
         first, there = probes.cell(row + 1, AT), probes.cell(row + 1, VALUE)
-        outer = formula("IF(first>here,here+1,here-1)", first=first, here=here)
-        beyond = formula("IF(first>here,after,before)", first=first, here=here, before=before, after=after)
+        # of a dip that is no parabola the first probe may be higher than the row: then it lies on the other side
+        right = formula("(first>here)=(there<=value)", first=first, here=here, there=there, value=value)
+        outer = formula("IF(right,here+1,here-1)", right=right, here=here)
+        beyond = formula("IF(right,after,before)", right=right, before=before, after=after)
         vertex = vertex_of([(here, value), (first, there), (outer, beyond)])
         probes.work(row + 2, AT, "IFERROR(MAX(here-1,MIN(here+1,vertex)),here)", here=here, vertex=vertex)
         probes.work(row, SIDE, "MIN(margins)", margins=probes.cells_down(row, VALUE, 3))

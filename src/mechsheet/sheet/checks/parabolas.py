@@ -157,7 +157,9 @@ class Parabolas:
                 "MAX(IF(wraps>0,middle-1,MAX(low,middle-1)),MIN(IF(wraps>0,middle+1,MIN(high,middle+1)),vertex))",
                 wraps=around, middle=middle, vertex=vertex, low=low, high=high,
             )  # fmt: skip
-            probes.work(row + probe, AT, "IFERROR(place,middle)", place=place, middle=middle)
+            # at the motion's first or last row the second probe is that row again: then between it and the first
+            known = formula("(here+middle)/2", here=self._at(0), middle=middle) if probe == 3 else middle
+            probes.work(row + probe, AT, "IFERROR(place,known)", place=place, known=known)
 
     # --- beside a limit ---------------------------------------------------------------------------------------
 

@@ -54,7 +54,7 @@ class Classification:
     strokes       sliding joints on the ground, without the driven one
     returning     symbols of those swings and strokes that move nothing further; they have a time ratio if the driver turns
     transmission  groups that have an angle of transmission, and that the sweep moves
-    limits        True where some group can come apart
+    limits        True where some group can come apart, or its lines turn parallel
     rates         True where there are velocities
     forces        True where there are masses or loads
     flywheel      True where the description asks for one
@@ -121,7 +121,7 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         strokes,
         _returning(mechanism, equations, swings, strokes),
         tuple(group for group in equations.groups if group.transmission in names - still),
-        bool(equations.margins),
+        bool(equations.margins or equations.crossings),
         mechanism.driver.speed is not None and bool(equations.groups),
         bool(equations.equations.efforts),
         mechanism.flywheel is not None,

@@ -23,7 +23,7 @@ from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
-from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
+from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
@@ -224,7 +224,7 @@ class _Block:
         self.line("input_to", "", unit, high, digits, Text(""))
 
     def passes(self) -> None:
-        """Whether a group comes apart between two rows that exist."""
+        """Whether a group comes apart between two rows that exist, or lines of it turn parallel."""
         tolerance = self.plan.at.bind(Symbol(self.plan.equations.tolerance), self.plan.main)
         found: Node = al.ZERO
         where: Node = Text("")
@@ -233,6 +233,10 @@ class _Block:
             found = al.add(formula("IF(dips,1,0)", dips=dips), found)
             place = driver_at(self.plan, Symbol(f"#gap_row_{number}"))
             where = formula("IF(dips,place,other)", dips=dips, place=place, other=where)
+        for number in () if self.driver.values else self.plan.equations.crossings:
+            turned = formula("IFERROR(least<0,FALSE)", least=Symbol(f"#crossed_{number}"))
+            found = al.add(formula("IF(turned,1,0)", turned=turned), found)
+            where = formula("IF(turned,place,other)", turned=turned, place=Symbol(f"#crossed_at_{number}"), other=where)
         cell = self.value("passes")
         before, after = self.text("passes.not", place="#").split("#")
         place = CellRef(self.rows["passes"], TOLERANCE, True, True)
@@ -534,7 +538,7 @@ class _Block:
         count, rows = self.value("rows_closed"), float(plan.rows)
         closed = joined(self.text("line.closes"), " ", count, f" / {plan.rows} ", self.text("line.positions"))
         parts: list[Node | str] = [formula("IF(count=rows,everywhere,some)", count=count, rows=rows,
-                                           everywhere=self.text("line.all", rows=plan.rows), some=closed)]  # fmt: skip
+                                           everywhere=closes_in_all(plan), some=closed)]  # fmt: skip
         if plan.found.limits:
             parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
@@ -588,6 +592,11 @@ class _Block:
             'IFERROR(what&INDEX(symbols,_worst_group)&" "&INDEX(said,_worst_group),"")', what=what, symbols=symbols,
             said=said,
         )  # fmt: skip
+
+
+def closes_in_all(plan: Plan) -> str:
+    """What the line says first of a mechanism that closes in all positions."""
+    return plan.text("verdict.line.one") if plan.rows == 1 else plan.text("verdict.line.all", rows=plan.rows)
 
 
 def _in(value: Node, degrees: bool) -> Node:

@@ -94,7 +94,7 @@ class _Lowering:
         constants, columns = (
             tuple(each for each in found if each.symbol in read) for found in (self.constants, self.columns)
         )
-        return PageAssignments(self.equations, constants, columns, self.equations.groups, {}, closes, self.plain)
+        return PageAssignments(self.equations, constants, columns, self.equations.groups, {}, {}, closes, self.plain)
 
     # --- one equation -----------------------------------------------------------------------------------------
 

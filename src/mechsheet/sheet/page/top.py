@@ -281,7 +281,10 @@ class Top:
         count, rows = self.cell("#rows_closed"), self._rows
         some = joined(text("page.verdict.some"), count, text("page.verdict.of"))
         counted = formula("IF(n=rows,every,some)", n=count, rows=rows, every=text("page.verdict.all"), some=some)
-        parts: list[Node | str] = [counted, rows, text("page.verdict.positions")]
+        positions: Node | str = text("page.verdict.positions")
+        if plan.rows == 1:  # the table can be filled down
+            positions = formula("IF(rows=1,one,many)", rows=rows, one=text("page.verdict.position"), many=positions)
+        parts: list[Node | str] = [counted, rows, positions]
         for loop in plan.found.four_bars[:1]:
             parts += ["; ", CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], MEANING, True, True)]
         if plan.found.transmission:

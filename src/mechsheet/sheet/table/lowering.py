@@ -79,7 +79,9 @@ class Assignment:
 class Assignments:
     """The equations of a mechanism for cells, constants first, then columns; `equations` are what they say.
 
-    margins  by number of a group: the column that says how far it is from coming apart, where it can
+    margins    by number of a group: the column that says how far it is from coming apart, where it can
+    crossings  by number of a group whose pin is where two lines meet: the column of the sine of the angle between them,
+               where they can turn parallel
     """
 
     equations: Equations
@@ -87,6 +89,7 @@ class Assignments:
     columns: tuple[Assignment, ...]
     groups: tuple[Group, ...]
     margins: Mapping[int, str]
+    crossings: Mapping[int, str]
 
     @property
     def listed(self) -> tuple[Assignment, ...]:
@@ -140,8 +143,15 @@ class _Lowering:
         for equation in self.equations.all:
             self._lower(equation)
         # where a group is found by Newton's method there are no rows between the rows, and limits are known to the step
-        margins = {} if self.systems else self.margins
-        return Assignments(self.equations, tuple(self.constants), tuple(self.columns), self.equations.groups, margins)
+        groups = self.equations.groups
+        margins, crossings = ({}, {}) if self.systems else (self.margins, self._crossings())
+        return Assignments(self.equations, tuple(self.constants), tuple(self.columns), groups, margins, crossings)
+
+    def _crossings(self) -> dict[int, str]:
+        """Of lines that turn against each other; where they do not, a slide's displacement says whether the group closes."""
+        sines = {each.symbol for each in self.columns if each.unit.kind == NUMBER.kind}
+        lines = (group for group in self.equations.groups if group.kind == "PRP")
+        return {group.number: group.closes for group in lines if group.closes in sines}
 
     def _lower(self, equation: Equation) -> None:
         match equation.expression:

@@ -7,11 +7,13 @@ CHECKS: dict[str, str] = {
     "{file}: EDITED, all values agree": "{file}: DEĞİŞTİRİLMİŞ, bütün değerler uyuşuyor",
     "{file}: EDITED, AND SOMETHING DIFFERS": "{file}: DEĞİŞTİRİLMİŞ VE BİR ŞEY FARKLI",
     "{file}: SOMETHING DIFFERS": "{file}: BİR ŞEY FARKLI",
-    "  {judge:<14} agrees  {worst:6.0e} in {cells:>6} values  {where}": (
-        "  {judge:<14} uyuşuyor  {worst:6.0e}, {cells:>6} değerde  {where}"
+    "value": "değerde",
+    "values": "değerde",
+    "  {judge:<14} agrees  {worst:6.0e} in {cells:>6} {values:<6}  {where}": (
+        "  {judge:<14} uyuşuyor  {worst:6.0e}, {cells:>6} {values:<6}  {where}"
     ),
-    "  {judge:<14} DIFFERS {worst:6.0e} in {cells:>6} values  {where}": (
-        "  {judge:<14} FARKLI    {worst:6.0e}, {cells:>6} değerde  {where}"
+    "  {judge:<14} DIFFERS {worst:6.0e} in {cells:>6} {values:<6}  {where}": (
+        "  {judge:<14} FARKLI    {worst:6.0e}, {cells:>6} {values:<6}  {where}"
     ),
     "  note: {remark}": "  not: {remark}",
     "  note: {message}: skipped": "  not: {message}: atlandı",

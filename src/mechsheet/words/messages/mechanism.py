@@ -105,6 +105,10 @@ MECHANISM: dict[str, str] = {
     "a driver at rest has speed = 0": "duran tahrikte speed = 0",
     "a list of them goes with `values`: one {key} for each": "liste `values` ile verilir: her birine bir {key}",
     "or give one for all rows": "ya da bütün satırlara tek bir değer verin",
+    "1 value, where [driver] has {rows} rows: one is needed for each": (
+        "1 değer var, [driver] {rows} satır: her satıra bir değer gerekir"
+    ),
+    "has 1 number for {rows} values of the driver": "tahrikin {rows} değerine 1 sayı var",
     "has {count} numbers for {rows} values of the driver": "tahrikin {rows} değerine {count} sayı var",
     "give one {key} for each of `values`": "`values` içindeki her değere bir {key} verin",
     "{unit} is no unit of this {key}: the driver is {what}": "{unit} bu {key} için birim değil: tahrik bir {what}",
