@@ -44,9 +44,10 @@ def test_passes_of_a_row_that_does_not_close_are_nobodys():
     plan, values, title = laid.plan, laid.values, laid.plan.at.titles["iterations"]
     open_row = laid.exists.index(False) + plan.at.first
     last = plan.iterations[-1].col  # whether it fits, beside the residual
-    assert {row for _, row, _ in Astray(plan, values, UNMOVED).cells} == {
-        row for row, there in enumerate(laid.exists, plan.at.first) if not there
-    }
+    astray = Astray(plan, values, UNMOVED).cells
+    assert {row for _, row, _ in astray} == {row for row, there in enumerate(laid.exists, plan.at.first) if not there}
+    spots = [plan.at.spots[symbol] for symbol in ("residual", "det")]  # where Positions shows what the last pass has
+    assert {(spot.sheet, open_row, spot.col) for spot in spots} <= astray
 
     def agrees(row, col):
         def theirs(sheet, *place):

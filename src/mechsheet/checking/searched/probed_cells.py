@@ -17,7 +17,7 @@ from mechsheet.checking.report import Comparison
 from mechsheet.checking.rules import Rules
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Scalar
+from mechsheet.formula.nodes import Scalar, Symbol
 from mechsheet.sheet.plan import BLOCKS, Plan
 from mechsheet.sheet.table.lowering import FITS
 from mechsheet.sheet.table.requested import tables_of
@@ -86,17 +86,23 @@ class Astray:
             if group.system is None:
                 continue
             closes, title = plan.at.spots[group.closes], plan.at.titles["iterations"]
-            move = moves.by_title.get(title, Move(title, title))
-            cols = [
-                move.cols.now(column.col)
+            passes = [
+                column.col
                 for column in found
                 if column.group // BLOCKS == group.number and not column.symbol.startswith(FITS)
             ]
+            last = (Symbol(group.system.residual), Symbol(group.system.determinant))
+            beside = [column.col for column in plan.columns if column.equation and column.equation.expression in last]
             shown = there.column(closes.sheet, closes.col, plan.at.first, plan.at.last)
-            rows = [
-                move.rows.now(row) for row, value in enumerate(shown, plan.at.first) if not isinstance(value, float)
-            ]
-            self.cells |= {(move.now, row, col) for row in rows for col in cols if row is not None and col is not None}
+            rows = [row for row, value in enumerate(shown, plan.at.first) if not isinstance(value, float)]
+            self._add(moves, title, rows, passes)
+            self._add(moves, plan.table, rows, beside)
+
+    def _add(self, moves: Moves, title: str, rows: list[int], cols: list[int]) -> None:
+        """Rows of some columns of a sheet, where they are now."""
+        move = moves.by_title.get(title, Move(title, title))
+        places = [(move.rows.now(row), move.cols.now(col)) for row in rows for col in cols]
+        self.cells |= {(move.now, row, col) for row, col in places if row is not None and col is not None}
 
 
 class _Answered:
