@@ -1,5 +1,6 @@
 """The pages of docs: what follows from the code is up to date, examples are right, links lead somewhere."""
 
+import dataclasses
 import json
 import math
 import re
@@ -22,6 +23,7 @@ from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.templates import template_names
 from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.kinematics.solve import solve
+from mechsheet.model import Sketch
 from mechsheet.sheet.first.verdicts import POOR
 
 ROOT = Path(__file__).parent.parent
@@ -302,3 +304,28 @@ def test_the_press_that_gets_a_motor_and_a_flywheel(page):
         found = Compiled(loads(other, overrides={name: value} if name in ("F", "die") else {})).flywheel
         assert fits(found.mean, mean), name
         assert fits(found.inertia, inertia), name
+
+
+@pytest.mark.parametrize("page", ["chains.md", "chains.tr.md"])
+def test_links_solved_all_at_once_as_the_page_says(page):
+    text = re.sub(r"(?<=\d),(?=\d)", "." if page.endswith("tr.md") else ",", (DOCS / page).read_text(encoding="utf-8"))
+    platform = loads((ROOT / "templates" / "planar-3rpr.toml").read_text(encoding="utf-8"))
+    (group,) = solve(platform).groups
+    angles = re.findall(r"^\| \d \| (-?[\d.]+)° \|$", text, re.MULTILINE)
+    found = sorted(math.degrees(start[group.system.variables.index("theta16")]) for start in group.system.starts)
+    assert len(angles) == len(found) == 4
+    assert all(fits(*pair) for pair in zip(found, angles, strict=True))
+    far = dataclasses.replace(platform, driver=dataclasses.replace(platform.driver, values=(7.0,), speed=None))
+    far = dataclasses.replace(far, sketch=Sketch(), dynamics=None)
+    assert f"{len(solve(far).groups[0].assemblies)}" == re.search(r"7 m(?: there would be |'de\n)(\d)", text)[1]
+    cardan = mechsheet.template("cardan-gear").solve()
+    assert fits(float(np.ptp(cardan["P.x"])), re.search(r"(\d+) mm(?:, four times|'lik bir doğru)", text)[1])
+    assert np.abs(cardan["P.y"]).max() < 1e-12
+    turn = np.radians(cardan["theta12"])
+    assert cardan["P.x"] == pytest.approx(100 * np.cos(turn), abs=1e-11)  # de la Hire's theorem
+    assert cardan["R.y"] == pytest.approx(50 * np.sin(turn) + 20 * np.cos(turn), abs=1e-11)
+    height = mechsheet.template("geared-five-bar").solve()["P.y"]
+    low, high = re.search(r"(0\.\d+) m\s(?:and|ile) (0\.\d+) m", text).groups()
+    assert fits(float(height.min()), low) and fits(float(height.max()), high)
+    (off,) = re.findall(r"(0\.\d+) mm", text)
+    assert 0.0005 < 1e3 * np.abs(mechsheet.template("five-bar-robot").solve()["off"]).max() < float(off)

@@ -1,91 +1,132 @@
-"""Random links of class III and IV in other programs: the figures of docs/proof.md.
+"""Links that must be solved all at once, held against what ought to be: the figures of docs/proof.md.
 
-python tools/chains.py [COUNT] [--with libreoffice,gnumeric]
+python tools/chains.py leaps [FIRST LAST]    dimensions changed at random in workbooks: does one leap to another assembly?
+python tools/chains.py rates [FIRST LAST]    velocities, accelerations and joint forces against the reference
+python tools/chains.py drawn [FIRST LAST]    positions of linkages that another generator draws, over a turn
+python tools/chains.py engine [FIRST LAST]   the same in built workbooks, recalculated by the engine
 
-Each of COUNT (20) mechanisms, with velocities and joint forces, is built as .xlsx and .ods; the engine and each program
-compute both, and every cell is compared with the engine, positions, rates and forces with the reference. Then one dimension
-is typed with which Newton's method lands elsewhere than in the described assembly, and the programs' first sheets are read.
-Prints a table in Markdown; with COUNT left out it is put into docs/proof.md.
+FIRST and LAST are seeds. Prints a line for each linkage, and the sums.
 """
 
 from __future__ import annotations
 
 import argparse
+import re
 import sys
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
+
 ROOT = Path(__file__).parent.parent
-NEEDED = ("tests", "tests/sheet", "tests/sheet/table", "tests/dynamics", "tests/differential", "src")
-sys.path[:0] = [str(ROOT / folder) for folder in NEEDED]
+sys.path[:0] = [str(ROOT / "src"), *(str(ROOT / "tests" / name) for name in (".", "sheet", "sheet/table", "dynamics"))]
 
-from chain_workbooks import Case, Elsewhere, compared, descriptions, elsewhere, written  # noqa: E402
-from proof import put  # noqa: E402
+from test_chains import mechanism_of, worst_of  # noqa: E402
+from test_start_table import judged, text_of  # noqa: E402
 
-from mechsheet.checking import Comparison  # noqa: E402
-from mechsheet.checking.programs import Answers, answers_to_all  # noqa: E402
+from chains_compared import Compared, compared  # noqa: E402
+from drawn_chains import Drawn  # noqa: E402
+from judging import judged as judged_by_engine  # noqa: E402
+from mechsheet.description import loads  # noqa: E402
+from mechsheet.diagnostics import MechsheetError  # noqa: E402
 
-COUNT, BATCH = 20, 10
-"""Linkages, and how many of them are computed at once."""
+CHANGES, STEP, MOST_ROWS, TRIES = 150, 5.0, 481, 4
 
-Compared = dict[tuple[str, str], list[Comparison]]
+
+def leaps(first: int, last: int) -> Iterator[str]:
+    """So many random changes of each of some workbooks."""
+    total, amiss = np.zeros(4, int), []
+    for seed in range(first, last):
+        counts, silent = judged(text_of(seed), seed, CHANGES)
+        total += counts
+        amiss += silent
+        yield f"{seed}: {counts.tolist()}, {len(silent)} silent"
+    fine, ended, nowhere, alarms = total
+    yield (
+        f"{fine + ended + nowhere} changes: {fine} begin in the assembly described ({alarms} of them told to be doubtful), "
+        f"{ended} in another and told, {nowhere} nowhere; silent leaps: {amiss or 0}"
+    )
+
+
+def rates(first: int, last: int) -> Iterator[str]:
+    """Rates and forces of some linkages of class III and IV."""
+    count = rows = 0
+    largest = np.zeros(2)
+    for seed in range(first, last):
+        try:
+            worst, compared_rows = worst_of(mechanism_of(seed))
+        except MechsheetError as error:
+            yield f"{seed}: {error.faults[0].message}"
+            continue
+        count, rows, largest = count + 1, rows + compared_rows, np.maximum(largest, worst)
+        yield f"{seed}: {worst}, {compared_rows} rows"
+    yield f"{count} linkages, {rows} rows: rates at most {largest[0]:.0e}, forces {largest[1]:.0e}"
+
+
+def drawn(first: int, last: int) -> Iterator[str]:
+    """Columns of positions of drawn linkages against the reference."""
+    count = rows = ends = told = refused = 0
+    worst = gap = 0.0
+    for seed in range(first, last):
+        linkage = Drawn(seed)
+        try:
+            found, step = over_a_turn(linkage)
+        except MechsheetError as error:
+            refused += 1
+            yield f"{seed}: {linkage.shape}: {error.faults[0].message}"
+            continue
+        count, rows, ends, told = count + 1, rows + found.rows, ends + found.ends, told + found.told
+        worst, gap = max(worst, found.worst), max(gap, found.gap)
+        amiss = "".join(f", {words}" for words in found.amiss)
+        yield f"{seed}: {linkage.shape}, step {step:g}, {found.rows} rows, {found.worst:.0e}, {found.ends} ends{amiss}"
+    yield (
+        f"{count} linkages, {rows} rows in both, at most {worst:.0e} apart; all that is shown closes to {gap:.0e}; "
+        f"{ends} limits, {told} losses told; {refused} refused in words"
+    )
+
+
+def over_a_turn(linkage: Drawn) -> tuple[Compared, float]:
+    """In steps of `STEP`, or in the step that is said to work. Raises MechsheetError for what is no mechanism."""
+    step = STEP
+    for _ in range(TRIES):
+        try:
+            return compared(linkage.text(min(round(360 / step) + 1, MOST_ROWS), step)), step
+        except MechsheetError as error:
+            works = re.search(r"a step of ([\d.e-]+) works", str(error))
+            if works is None:
+                raise
+            step = float(works[1])
+    raise ValueError("a step that was said to work does not")
+
+
+def engine(first: int, last: int) -> Iterator[str]:
+    """Built workbooks of drawn linkages, recalculated, against the reference."""
+    count = cells = 0
+    worst = 0.0
+    for seed in range(first, last):
+        try:
+            comparison = judged_by_engine(loads(Drawn(seed).text(25, STEP)))
+        except MechsheetError as error:
+            yield f"{seed}: {error.faults[0].message}"
+            continue
+        agrees = "agrees" if comparison.agrees else "DIFFERS"
+        count, cells, worst = count + comparison.agrees, cells + comparison.cells, max(worst, comparison.worst)
+        yield f"{seed}: {agrees}, {comparison.cells} values, {comparison.worst:.0e}"
+    yield f"{count} workbooks agree, {cells} values, at most {worst:.0e}"
 
 
 def main() -> None:
-    """Run, print, and put in its place."""
+    """Run it."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("count", type=int, nargs="?", default=0)
-    parser.add_argument("--with", dest="programs", default="libreoffice,gnumeric")
+    proofs = {"leaps": (leaps, 102, 136), "rates": (rates, 0, 120), "drawn": (drawn, 0, 300), "engine": (engine, 0, 24)}
+    parser.add_argument("what", choices=proofs)
+    parser.add_argument("seeds", nargs="*", type=int)
     given = parser.parse_args()
-    programs = [name for name in given.programs.split(",") if name]
-    found: Compared = {}
-    told: dict[str, list[bool]] = {name: [] for name in programs}
-    linkages = list(descriptions(given.count or COUNT))
-    for start in range(0, len(linkages), BATCH):
-        with tempfile.TemporaryDirectory() as folder:
-            _batch(linkages[start : start + BATCH], Path(folder), programs, found, told)
-        print(f"{min(start + BATCH, len(linkages))} of {len(linkages)}", file=sys.stderr, flush=True)
-    lines = [f"{len(linkages)} linkages.", "", *_table(found), "", _told(told)]
-    print("\n".join(lines))
-    if not given.count:
-        put("chains", lines)
-
-
-def _batch(
-    linkages: list[tuple[int, str]], folder: Path, programs: list[str], found: Compared, told: dict[str, list[bool]]
-) -> None:
-    """Some linkages, all files of which each program computes at once."""
-    cases = [
-        Case(text, written(text, folder / f"chain-{seed}.{suffix}"))
-        for seed, text in linkages
-        for suffix in ("xlsx", "ods")
-    ]
-    changes: list[Elsewhere] = [change for seed, _ in linkages if (change := elsewhere(seed)) is not None]
-    moved = [change.written(folder / f"moved-{number}.ods") for number, change in enumerate(changes)]
-    paths = [*(case.path for case in cases), *moved]
-    answers: dict[str, list[Answers]] = {name: list(answers_to_all(name, paths)) for name in programs}
-    for key, comparisons in compared(cases, answers).items():
-        found.setdefault(key, []).extend(comparisons)
-    for name, values in answers.items():
-        told[name] += [change.told(each) for change, each in zip(changes, values[len(cases) :], strict=True)]
-
-
-def _table(found: Compared) -> Iterator[str]:
-    yield "| file | compared | cells | files that differ | worst |"
-    yield "|---|---|---|---|---|"
-    for (suffix, what), comparisons in found.items():
-        cells, differ = (sum(values) for values in zip(*((c.cells, not c.agrees) for c in comparisons), strict=True))
-        worst = max(comparison.worst for comparison in comparisons)
-        yield f"| .{suffix} | {what} | {cells:,} | {differ} of {len(comparisons)} | {worst:.0e} |"
-        for comparison in comparisons:
-            if not comparison.agrees:
-                print(suffix, what, comparison, file=sys.stderr)
-
-
-def _told(told: dict[str, list[bool]]) -> str:
-    said = ", ".join(f"{name} {sum(each)} of {len(each)}" for name, each in told.items())
-    return f"Changes after which Newton's method lands elsewhere, and the first sheet says so: {said}."
+    proof, first, last = proofs[given.what]
+    if given.seeds:
+        first, last = given.seeds
+    for line in proof(first, last):
+        print(line, flush=True)
 
 
 if __name__ == "__main__":

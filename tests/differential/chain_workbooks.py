@@ -1,6 +1,6 @@
 """Workbooks of random links of class III and IV with velocities and forces, and what each program computes of them.
 
-`test_chains.py` judges some; `tools/proof.py chains` makes the table of docs/proof.md.
+`test_chains.py` judges some; `tools/chains_elsewhere.py` makes the table of docs/proof.md.
 """
 
 import itertools

@@ -62,11 +62,15 @@ def worst_of(text):
     return worst, int(rows.sum())
 
 
+def mechanism_of(seed):
+    """A random linkage of class III or IV with masses and loads; one in five stands still."""
+    return weighed(Grower(seed, 1, (("III", "IV")[seed % 2],)).text(rows=6, step=1.5), seed, seed % 5 == 0)
+
+
 @pytest.mark.parametrize("seed", range(RANDOM))
 def test_random_groups_against_the_reference(seed, record_property):
-    text = weighed(Grower(seed, 1, (("III", "IV")[seed % 2],)).text(rows=6, step=1.5), seed, seed % 5 == 0)
     try:
-        worst, rows = worst_of(text)
+        worst, rows = worst_of(mechanism_of(seed))
     except MechanismError as error:  # drawn so that its rounded sketch says nothing
         assert "the sketch lies between" in str(error)
         pytest.skip("between two assemblies")

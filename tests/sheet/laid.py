@@ -1,5 +1,6 @@
 """A mechanism's workbook laid out, and its values after any change of cells or formulas."""
 
+from copy import copy
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -8,6 +9,7 @@ from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
 from mechsheet.engine import compile_book, evaluate
+from mechsheet.engine.layout import Area
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import MEANING
 
@@ -33,6 +35,25 @@ def compiled(*key):
     return compile_book(book_of(once(*key)[1]))
 
 
+@lru_cache(maxsize=24)
+def narrowed(cells, *key):
+    """The same book with only those formulas that such cells need: a change takes an eighth of the time."""
+    plan = compiled(*key)
+    titles, blocks = plan.layout.titles, range(len(plan.layout.blocks))
+    areas = [Area(titles.index(title), row, col, 1, 1) for title, row, col in cells]
+    needed, found = set(), set().union(*map(plan.layout.producers, areas))
+    while found:
+        needed |= found
+        found = set().union(*(plan.reads[number] for number in found if number in blocks)) - needed
+    book, first = copy(plan.book), 0
+    book.sheets = []
+    for sheet in plan.book.sheets:
+        kept = [block for number, block in enumerate(sheet.blocks, first) if number in needed]
+        book.sheets.append(replace(sheet, blocks=kept))
+        first += len(sheet.blocks)
+    return compile_book(book)
+
+
 def _typed(value):
     return None if value is None else float(value)
 
@@ -43,12 +64,19 @@ class Laid:
     def __init__(self, text, language=None, overrides=None):
         self.key = (text, language, tuple((overrides or {}).items()))
         self.mechanism, self.workbook, self.plan, self.values = once(*self.key)
+        self.cells = None
+
+    def only(self, *cells):
+        """Compute nothing but (sheet's title, row, column) from now on, with all that they need."""
+        self.cells = cells
+        return self
 
     def change(self, **symbols):
         """Type numbers (as shown) into input cells, None empties one; `_start` is the place "#start"."""
         spots = self.spots(symbols)
         changes = {(spot.sheet, spot.row, spot.col): _typed(symbols[symbol]) for symbol, spot in spots.items()}
-        self.values = compiled(*self.key).evaluate(changes)
+        plan = narrowed(self.cells, *self.key) if self.cells else compiled(*self.key)
+        self.values = plan.evaluate(changes)
         return self
 
     def spots(self, symbols):

@@ -46,7 +46,7 @@ def test_a_worker_that_is_killed_in_the_middle_takes_nothing_with_it(two_workers
             killed.append(next(iter(workers.values())))
             os.kill(killed[0], getattr(signal, "SIGKILL", signal.SIGTERM))
 
-    found = studied(small(), tmp_path / "two" / "study", on=two_workers.scheduler_address, say=say)
+    found = studied(small(), tmp_path / "two" / "study", on=two_workers.scheduler_address, tell=say)
     assert killed
     assert found.result.designs == 30_000
     assert contents(tmp_path / "two" / "study") == contents(tmp_path / "one" / "study")

@@ -12,6 +12,7 @@ import numpy as np
 
 from mechsheet.diagnostics import Fault
 from mechsheet.formula.nodes import ErrorValue, Scalar
+from mechsheet.said import say
 
 _COMMA = re.compile(r"[+-]?[0-9]+,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _SHOWN = 40
@@ -28,20 +29,24 @@ def cell_value(where: str, value: Any, held: Scalar, force: bool = False) -> Sca
     is_truth = isinstance(value, bool | np.bool_)
     if not is_truth and isinstance(value, Real | Decimal):
         number = float(value)
-        return number if math.isfinite(number) else Fault(f"{number} is no number that a cell can hold", key=where)
+        if math.isfinite(number):
+            return number
+        return Fault(say("{number} is no number that a cell can hold", number=number), key=where)
     if not (value is None or is_truth or isinstance(value, str)):
         kind = type(value).__name__
         return Fault(
-            f"a {kind} is no value of one cell: {_shown(value)}", key=where, hint="one number, for example 66.5"
+            say("a {kind} is no value of one cell: {value}", kind=kind, value=_shown(value)),
+            key=where,
+            hint=say("one number, for example 66.5"),
         )
     scalar: Scalar = bool(value) if is_truth else value
     if force:
         return scalar
     if isinstance(scalar, str) and _COMMA.fullmatch(scalar.strip()) and not isinstance(held, str):
-        hint = f"write {scalar.strip().replace(',', '.')}"
-        return Fault(f"expected a number, found {_shown(scalar)}", key=where, hint=hint)
+        hint = say("write {number}", number=scalar.strip().replace(",", "."))
+        return Fault(say("expected a number, found {value}", value=_shown(scalar)), key=where, hint=hint)
     if isinstance(held, float):
-        return Fault(f"expected a number, found {_shown(scalar)}", key=where, hint=_hint(scalar, held))
+        return Fault(say("expected a number, found {value}", value=_shown(scalar)), key=where, hint=_hint(scalar, held))
     return scalar
 
 

@@ -8,6 +8,7 @@ from numbers import Integral, Real
 from typing import Any
 
 from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.said import say
 
 
 def number_given(value: Any, key: str) -> float:
@@ -18,13 +19,15 @@ def number_given(value: Any, key: str) -> float:
     if getattr(value, "shape", None) == () and hasattr(value, "item"):
         value = value.item()  # a numpy scalar, or an array of one number without axes
     if isinstance(value, bool) or not isinstance(value, Real | Decimal):
-        raise MechsheetError(Fault(f"expected a number, found {value!r:.60}", key=key, hint=_hint(value)))
+        raise MechsheetError(
+            Fault(say("expected a number, found {value!r:.60}", value=value), key=key, hint=_hint(value))
+        )
     try:
         found = float(value)
     except (OverflowError, ValueError):  # too many digits; a Decimal that signals
         found = math.nan
     if not math.isfinite(found):
-        raise MechsheetError(Fault(f"expected a finite number, found {value!s:.60}", key=key))
+        raise MechsheetError(Fault(say("expected a finite number, found {value!s:.60}", value=value), key=key))
     return found
 
 
@@ -32,7 +35,7 @@ def whole_number_given(value: Any, key: str) -> int:
     """The same for a count: a float is refused unless it is whole."""
     found = number_given(value, key)
     if not found.is_integer():
-        raise MechsheetError(Fault(f"expected a whole number, found {found:g}", key=key))
+        raise MechsheetError(Fault(say("expected a whole number, found {found:g}", found=found), key=key))
     return int(found)
 
 
@@ -46,6 +49,6 @@ def _hint(value: object) -> str:
     if not isinstance(value, str):
         return ""
     try:
-        return f"write {float(value.replace(',', '.')):g}, without quotes"
+        return say("write {number:g}, without quotes", number=float(value.replace(",", ".")))
     except ValueError:
         return ""

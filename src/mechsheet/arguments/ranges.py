@@ -8,6 +8,7 @@ from mechsheet.diagnostics import Fault
 from mechsheet.formula.book import Book, BookSheet
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, RangeRef
 from mechsheet.formula.references import column_index, parse_reference
+from mechsheet.said import say
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +27,7 @@ def area_of(book: Book, text: str) -> Area | Fault:
 
     Whole columns, rows and sheets end with the last cell in use. A Fault for what means no cells.
     """
-    titles = f"sheets: {', '.join(sheet.title for sheet in book.sheets)}"
+    titles = say("sheets: {titles}", titles=", ".join(sheet.title for sheet in book.sheets))
     before, mark, cells = text.rpartition("!")
     if not mark:
         sheet = book.sheet(text.strip("'").replace("''", "'"))
@@ -35,24 +36,26 @@ def area_of(book: Book, text: str) -> Area | Fault:
             return (
                 _used(sheet)
                 if sheet is not None
-                else Fault(f'"{text}" is no range, name or sheet', "", None, "", "", titles)
+                else Fault(say('"{text}" is no range, name or sheet', text=text), "", None, "", "", titles)
             )
         formula = defined.formula
         start, end = (formula.start, formula.end) if isinstance(formula, RangeRef) else (formula, formula)
         if not (isinstance(start, CellRef) and isinstance(end, CellRef) and start.sheet):
-            return Fault(f'the name "{text}" stands for no cells of one sheet')
+            return Fault(say('the name "{text}" stands for no cells of one sheet', text=text))
         sheet = book.sheet(start.sheet)
         return (
-            Fault(f'the name "{text}" leads to no sheet', hint=titles) if sheet is None else _between(sheet, start, end)
+            Fault(say('the name "{text}" leads to no sheet', text=text), hint=titles)
+            if sheet is None
+            else _between(sheet, start, end)
         )
     quoted = len(before) > 1 and before.startswith("'") and before.endswith("'")
     sheet = book.sheet(before[1:-1].replace("''", "'") if quoted else before)
     if sheet is None:
-        return Fault(f'no sheet is called "{before}"', hint=titles)
+        return Fault(say('no sheet is called "{name}"', name=before), hint=titles)
     first, colon, last = cells.replace("$", "").partition(":")
     one, other = _corner(first, False), _corner(last if colon else first, True)
     if one is None or other is None or (not colon and parse_reference(first) is None):
-        return Fault(f'"{cells}" is no range of cells', hint="for example Sheet1!A1:C9")
+        return Fault(say('"{cells}" is no range of cells', cells=cells), hint=say("for example Sheet1!A1:C9"))
     return _between(sheet, one, other)
 
 

@@ -72,8 +72,8 @@ def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Compa
     ours = {symbol: known[symbol] for symbol in _judged(plan)}
     theirs = _theirs(solution, ours, plan.efforts)
     placed = {symbol: known[symbol] for symbol in theirs if symbol in plan.at.spots or symbol in plan.plain}
-    closed = _closed_rows(mechanism, solution, ours | placed)
-    _judge_status(plan, tally, opened, solution.exists)
+    closed = _closed_rows(mechanism, solution, ours | placed, beyond)
+    _judge_status(plan, tally, opened, solution.exists | (beyond & closed & ~opened[EVERY]))
     elsewhere = beyond & closed & _elsewhere(plan, ours, theirs, solution.size)
     for symbol, column in ours.items():
         if symbol == ENERGY:
@@ -231,11 +231,18 @@ def _column(plan: Plan, values: Any, symbol: str) -> Array:
     return np.radians(found) if spot.degrees else found
 
 
-def _closed_rows(mechanism: Mechanism, solution: Any, ours: Mapping[str, Array]) -> NDArray[np.bool_]:
-    """Rows in which our positions close every loop to rounding: there a larger difference is a dead centre's uncertainty."""
+def _closed_rows(
+    mechanism: Mechanism, solution: Any, ours: Mapping[str, Array], beyond: NDArray[np.bool_]
+) -> NDArray[np.bool_]:
+    """Rows in which our positions close every loop to rounding: there a larger difference is a dead centre's uncertainty.
 
-    worst, _ = reference.worst(reference.residuals(mechanism, solution.dimensions, ours))
-    closed: NDArray[np.bool_] = np.nan_to_num(worst, nan=math.inf) < CLOSED * max(solution.size, 1e-300)
+    Of rows `beyond`, in which a group may stand in another assembly and those after it come apart, what is shown counts.
+    """
+    found = reference.residuals(mechanism, solution.dimensions, ours)
+    worst, _ = reference.worst(found)
+    shown = np.nan_to_num(np.abs(np.stack(np.broadcast_arrays(*found.values()))), nan=0.0).max(axis=0)
+    worst = np.where(beyond, shown, np.nan_to_num(worst, nan=math.inf))
+    closed: NDArray[np.bool_] = worst < CLOSED * max(solution.size, 1e-300)
     return closed
 
 

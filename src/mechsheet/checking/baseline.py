@@ -20,6 +20,7 @@ from mechsheet.checking.stored import Difference, Stored
 from mechsheet.diagnostics import Fault, WorkbookError, readable_name
 from mechsheet.formula.nodes import ErrorValue, Scalar
 from mechsheet.formula.references import parse_reference
+from mechsheet.said import say
 
 HEAD = "# Differences accepted by mechsheet --baseline; --update-baseline writes this file anew."
 _COMPUTED, _STORED = "computed ", "stored "
@@ -118,10 +119,10 @@ def read_baseline(path: Path, must_exist: bool = True) -> Baseline:
     except FileNotFoundError:
         if not must_exist:
             return Baseline(path)
-        hint = "write one with --update-baseline"
-        raise WorkbookError(Fault("there is no such baseline", readable_name(path), hint=hint)) from None
+        hint = say("write one with --update-baseline")
+        raise WorkbookError(Fault(say("there is no such baseline"), readable_name(path), hint=hint)) from None
     except (OSError, UnicodeDecodeError) as problem:
-        raise WorkbookError(Fault(f"cannot be read: {problem}", readable_name(path))) from problem
+        raise WorkbookError(Fault(say("cannot be read: {reason}", reason=problem), readable_name(path))) from problem
     entries, faults = [], []
     for number, line in enumerate(text.splitlines(), 1):
         if not line.strip() or line.startswith("#"):
@@ -130,7 +131,7 @@ def read_baseline(path: Path, must_exist: bool = True) -> Baseline:
         if len(parts) == 4 and parts[2].startswith(_COMPUTED) and parts[3].startswith(_STORED):
             entries.append(Entry(parts[0], parts[1], parts[2][len(_COMPUTED) :], parts[3][len(_STORED) :]))
         else:
-            message = "no entry of a baseline: file, cell, computed, stored, with tabs between them"
+            message = say("no entry of a baseline: file, cell, computed, stored, with tabs between them")
             faults.append(Fault(message, readable_name(path), number, source=line))
     if faults:
         raise WorkbookError(faults)

@@ -19,6 +19,7 @@ from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.places import number as place_number
+from mechsheet.said import say
 from mechsheet.sheet.layout import DESCRIPTION_MARK
 from mechsheet.sheet.plan import VALUE, Plan
 
@@ -94,7 +95,9 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
     titles = {sheet.title.casefold() for sheet in book.sheets}
     lost = [title for title in (plan.main, plan.table) if title.casefold() not in titles]
     if lost:
-        raise WorkbookError(Fault(f'the sheet "{lost[0]}" of the mechanism\'s workbook is missing', shown))
+        raise WorkbookError(
+            Fault(say('the sheet "{lost}" of the mechanism\'s workbook is missing', lost=lost[0]), shown)
+        )
     faults: list[Fault] = []
     remarks: list[str] = []
 
@@ -103,7 +106,17 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
         value = values.get(spot.sheet, spot.row, spot.col)
         if isinstance(value, bool) or not isinstance(value, float | int):
             cell = cell_address(spot.sheet, spot.row, spot.col)
-            faults.append(Fault(f"{symbol} must be a number, not {text_of(value) or 'an empty cell'}", shown, key=cell))
+            faults.append(
+                Fault(
+                    say(
+                        "{symbol} must be a number, not {what}",
+                        symbol=symbol,
+                        what=text_of(value) or say("an empty cell"),
+                    ),
+                    shown,
+                    key=cell,
+                )
+            )
             return math.nan
         return math.radians(value) if spot.degrees else float(value)
 
@@ -111,7 +124,7 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
         spot = plan.at.spots[symbol]
         cell = cell_address(spot.sheet, spot.row, spot.col)
         value = text_of(values.get(spot.sheet, spot.row, spot.col))
-        faults.append(Fault(f"{symbol} {message}, not {value}", shown, key=cell))
+        faults.append(Fault(say("{message}, not {value}", message=message, value=value), shown, key=cell))
 
     dimensions = {dim.symbol: number(dim.symbol) for dim in plan.mechanism.dimensions if not dim.derived}
     law = plan.mechanism.driver.law
@@ -119,10 +132,12 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
         if dimensions.get(symbol, 1.0) <= 0:
             task = plan.mechanism.synthesis
             if task is not None and symbol in task.positive:
-                wrong(symbol, "of the task must be greater than 0")
+                wrong(symbol, say("{symbol} of the task must be greater than 0", symbol=symbol))
                 continue
-            what = "is the time of the motion" if law and symbol == law.duration else "is the distance of two joints"
-            wrong(symbol, f"{what} and must be greater than 0")
+            message = say("{symbol} is the distance of two joints and must be greater than 0", symbol=symbol)
+            if law and symbol == law.duration:
+                message = say("{symbol} is the time of the motion and must be greater than 0", symbol=symbol)
+            wrong(symbol, message)
     modes: dict[str, int] = {}
     for group in plan.equations.groups:
         if group.follows is not None:  # a formula: where it is damaged, that is told of the cell
@@ -132,9 +147,10 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
         elif group.mode:
             typed = number(group.mode)
             if math.isfinite(typed) and typed not in group.mode_values:
-                wrong(
-                    group.mode, "must be 1 or -1" if group.system is None else f"must be 1 to {len(group.assemblies)}"
-                )
+                message = say("{symbol} must be 1 or -1", symbol=group.mode)
+                if group.system is not None:
+                    message = say("{symbol} must be 1 to {count}", symbol=group.mode, count=len(group.assemblies))
+                wrong(group.mode, message)
             modes[group.mode] = group.value_of(typed)
             if modes[group.mode] != group.mode_value:
                 remarks.append(
@@ -187,8 +203,10 @@ def _given(
     for symbol, column in found.items():
         # NaN where they follow from a task without a solution, as everything does that they decide
         if not np.isfinite(column).all() and (mechanism.synthesis is None or len(column) != plan.rows):
-            what = "the driver's values" if symbol == driver.symbol else f"the values of {symbol}"
-            faults.append(Fault(f"{what} are not all numbers", shown, key=plan.table))
+            message = say("the values of {symbol} are not all numbers", symbol=symbol)
+            if symbol == driver.symbol:
+                message = say("the driver's values are not all numbers")
+            faults.append(Fault(message, shown, key=plan.table))
     for each in plan.mechanism.all_drivers:
         if each.symbol in found:
             found[each.symbol] = each.unit.to_internal(found[each.symbol])

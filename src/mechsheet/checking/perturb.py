@@ -29,6 +29,7 @@ from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.library.building import build
 from mechsheet.library.changed import load
+from mechsheet.said import say
 from mechsheet.sheet.plan import Plan
 
 Place = tuple[str, int, int]
@@ -159,7 +160,9 @@ def description_or_fault(book: Book, shown: str) -> str:
     """The description that a book carries. Raises WorkbookError when there is none."""
     text = description_in(book)
     if text is None:
-        raise WorkbookError(Fault("carries no description: it was not built by mechsheet, or its sheet is gone", shown))
+        raise WorkbookError(
+            Fault(say("carries no description: it was not built by mechsheet, or its sheet is gone"), shown)
+        )
     return text
 
 

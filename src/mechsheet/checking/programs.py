@@ -15,6 +15,7 @@ from mechsheet.extras import command_for, missing_package, missing_program
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Binary, ErrorValue, Node, Scalar, walk
 from mechsheet.formula.references import cell_name
+from mechsheet.said import say
 
 TIMEOUT = 600
 """Seconds that a spreadsheet program may take."""
@@ -54,7 +55,7 @@ def names_of(programs: str | Iterable[str]) -> list[str]:
     """The programs asked for: several names, or one text with commas between them."""
     names = programs.split(",") if isinstance(programs, str) else list(programs)
     if not all(isinstance(name, str) for name in names):
-        raise MissingProgramError(Fault(f"programs are named by texts: {', '.join(PROGRAMS)}"))
+        raise MissingProgramError(Fault(say("programs are named by texts: {programs}", programs=", ".join(PROGRAMS))))
     return list(dict.fromkeys(name.strip() for name in names if name.strip()))
 
 
@@ -62,9 +63,9 @@ def refuse_unknown(programs: Iterable[str]) -> None:
     """Raise MissingProgramError with a near miss for every name that is no program's."""
     unknown = [program for program in programs if program not in PROGRAMS]
     if unknown:
-        every = f"programs: {', '.join(PROGRAMS)}"
+        every = say("programs: {programs}", programs=", ".join(PROGRAMS))
         raise MissingProgramError(
-            Fault(f'no program is called "{program}"', hint=near_miss(program, PROGRAMS) or every)
+            Fault(say('no program is called "{program}"', program=program), hint=near_miss(program, PROGRAMS) or every)
             for program in unknown
         )
 
@@ -106,7 +107,7 @@ def convert_with_libreoffice(paths: list[Path], suffix: str, folder: Path) -> li
     results = [folder / f"{path.stem}.{suffix.split(':')[0]}" for path in paths]
     missing = [path for path, result in zip(paths, results, strict=True) if not result.exists()]
     if missing:
-        raise WorkbookError(Fault("LibreOffice could not open it", readable_name(missing[0])))
+        raise WorkbookError(Fault(say("LibreOffice could not open it"), readable_name(missing[0])))
     return results
 
 
@@ -114,10 +115,14 @@ def _run(command: list[str]) -> None:
     try:
         subprocess.run(command, check=True, capture_output=True, timeout=TIMEOUT)
     except subprocess.TimeoutExpired:
-        raise WorkbookError(f"{Path(command[0]).name} did not answer within {TIMEOUT} s") from None
+        raise WorkbookError(
+            say("{name} did not answer within {timeout} s", name=Path(command[0]).name, timeout=TIMEOUT)
+        ) from None
     except subprocess.CalledProcessError as error:
         said = error.stderr.decode(errors="replace").strip().splitlines()
-        raise WorkbookError(f"{Path(command[0]).name} failed: {said[-1] if said else error.returncode}") from None
+        raise WorkbookError(
+            say("{name} failed: {reason}", name=Path(command[0]).name, reason=said[-1] if said else error.returncode)
+        ) from None
 
 
 def stored_values(path: Path) -> Answers:
@@ -154,8 +159,8 @@ def _gnumeric(path: Path) -> Answers:
 
 def _only_xlsx(path: Path, program: str) -> None:
     if path.suffix.lower() not in (".xlsx", ".xlsm"):
-        hint = "libreoffice and gnumeric read both formats"
-        raise WorkbookError(Fault(f"{program} reads .xlsx only", readable_name(path), hint=hint))
+        hint = say("libreoffice and gnumeric read both formats")
+        raise WorkbookError(Fault(say("{program} reads .xlsx only", program=program), readable_name(path), hint=hint))
 
 
 def _formulas(path: Path) -> Answers:
@@ -248,13 +253,13 @@ where formulas look a text up), so it is told how.
 def _onlyoffice(path: Path) -> Answers:
     _only_xlsx(path, "onlyoffice")
     if importlib.util.find_spec("docbuilder") is None:
-        hint = f"{command_for('onlyoffice')} (100 MB, AGPL, runs as a program of its own)"
-        raise MissingProgramError(Fault("ONLYOFFICE's document-builder is not installed", hint=hint))
+        hint = say("{command} (100 MB, AGPL, runs as a program of its own)", command=command_for("onlyoffice"))
+        raise MissingProgramError(Fault(say("ONLYOFFICE's document-builder is not installed"), hint=hint))
     with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
         result = Path(folder) / "answers.xlsx"
         _run([sys.executable, "-c", ONLYOFFICE, str(path.resolve()), str(result)])
         if not result.exists():
-            raise WorkbookError(Fault("ONLYOFFICE could not open it", readable_name(path)))
+            raise WorkbookError(Fault(say("ONLYOFFICE could not open it"), readable_name(path)))
         return stored_values(result)
 
 

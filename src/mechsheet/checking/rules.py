@@ -10,6 +10,7 @@ from mechsheet.arguments.ranges import Area, area_of
 from mechsheet.checking.report import TOLERANCE
 from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.formula.book import Book
+from mechsheet.said import say
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +30,10 @@ class Rules:
         for name, value in (("relative", self.relative), ("absolute", self.absolute)):
             if not (0 <= value < math.inf):
                 raise WorkbookError(
-                    Fault(f"{value} cannot be the largest difference: expected a number from 0 on", key=name)
+                    Fault(
+                        say("{value} cannot be the largest difference: expected a number from 0 on", value=value),
+                        key=name,
+                    )
                 )
 
 

@@ -65,9 +65,9 @@ def study(
     mechanism = described(description, Changes(**changes))
     memory = bytes_of(limit_memory)
     forms = known_formats(formats)
-    with at_lines_of(mechanism, description), _bar() as say:
+    with at_lines_of(mechanism, description), _bar() as tell:
         found = studied(
-            mechanism, output, workers=workers, on=on, resume=resume, limit_memory=memory, formats=forms, say=say
+            mechanism, output, workers=workers, on=on, resume=resume, limit_memory=memory, formats=forms, tell=tell
         )
     with at_lines_of(mechanism, description):
         _tell(found)
@@ -118,7 +118,7 @@ def _bar() -> Iterator[Callable[[Progress], None]]:
         return
     begun = time.monotonic()
 
-    def say(progress: Progress) -> None:
+    def tell(progress: Progress) -> None:
         passed = max(time.monotonic() - begun, 1e-9)
         rate = (progress.done - progress.earlier) / passed
         words = (
@@ -131,7 +131,7 @@ def _bar() -> Iterator[Callable[[Progress], None]]:
         click.echo(f"\r\033[K{words}", nl=False, err=True)
 
     try:
-        yield say
+        yield tell
     finally:
         click.echo("\r\033[K", nl=False, err=True)
 

@@ -17,6 +17,7 @@ from mechsheet.description.text.rewrite import with_value
 from mechsheet.description.text.source import Source
 from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
+from mechsheet.said import say
 
 Overrides: TypeAlias = Mapping[str, str] | Sequence[tuple[str, str]]
 """Name and value as typed, in their order; a name may come again."""
@@ -65,13 +66,15 @@ def _with_value(source: Source, name: str, value: str, option: str) -> tuple[Sou
         if "synthesis" in source.data:
             inputs += task_names(source)
         hint: str = suggestion(name, inputs, "inputs")
-        return source, [Fault(f"no dimension is called {quoted(name)}", source.file, key=option, hint=hint)]
+        return source, [
+            Fault(say("no dimension is called {name}", name=quoted(name)), source.file, key=option, hint=hint)
+        ]
     if name not in inputs:
-        message = f"the dimension {quoted(name)} is derived from others"
-        hint = f"change the dimensions in its formula instead; {suggestion(name, inputs, 'inputs')}"
+        message = say("the dimension {name} is derived from others", name=quoted(name))
+        hint = say("change the dimensions in its formula instead; {inputs}", inputs=suggestion(name, inputs, "inputs"))
         if "synthesis" in entries[name]:
-            message = f"the dimension {quoted(name)} is found by the synthesis"
-            hint = "change its task instead: " + ", ".join(task_names(source))
+            message = say("the dimension {name} is found by the synthesis", name=quoted(name))
+            hint = say("change its task instead: {names}", names=", ".join(task_names(source)))
         return source, [Fault(message, source.file, key=option, hint=hint)]
     scope = scope_for(source, option)
     text = typed_value(value, scope.units[name], "the dimension's", scope)

@@ -10,6 +10,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
 from mechsheet.diagnostics import DescriptionError, Fault
 from mechsheet.model import Words
+from mechsheet.said import say
 
 _SUFFIX = ".toml"
 
@@ -34,7 +35,7 @@ def template_text(name: str) -> str:
     stem, names = name.removesuffix(_SUFFIX), template_names()
     if stem not in names:
         raise DescriptionError(
-            Fault(f"no template is called {quoted(name)}", hint=suggestion(stem, names, "templates"))
+            Fault(say("no template is called {name}", name=quoted(name)), hint=suggestion(stem, names, "templates"))
         )
     return (_folder() / (stem + _SUFFIX)).read_text(encoding="utf-8")
 

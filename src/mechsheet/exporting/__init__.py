@@ -14,6 +14,7 @@ from mechsheet.exporting.job import Job, Kind
 from mechsheet.exporting.kinds import KINDS
 from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 __all__ = ["KINDS", "Job", "Kind", "export", "exported", "kind_of"]
 
@@ -23,8 +24,8 @@ MOST_FRAMES = 10_000
 def kind_of(name: str) -> Kind:
     """The kind of that name. Raises MechsheetError with the near miss when there is none."""
     if name not in KINDS:
-        hint = near_miss(str(name).casefold(), KINDS) or f"kinds: {', '.join(KINDS)}"
-        raise MechsheetError(Fault(f'no kind of export is called "{name}"', key="to", hint=hint))
+        hint = near_miss(str(name).casefold(), KINDS) or say("kinds: {kinds}", kinds=", ".join(KINDS))
+        raise MechsheetError(Fault(say('no kind of export is called "{name}"', name=name), key="to", hint=hint))
     return KINDS[name]
 
 
@@ -54,8 +55,8 @@ def export(
         path = file_in(path, default_name(mechanism, kind))
     name = path.name if frames else path.stem
     if kind.identifier and name != ascii_word(name):
-        hint = f"for example {ascii_word(name)}{kind.suffix}"
-        fault = f"the file's name is a name in its language too: letters, digits and _ ({kind.name})"
+        hint = say("for example {name}{suffix}", name=ascii_word(name), suffix=kind.suffix)
+        fault = say("the file's name is a name in its language too: letters, digits and _ ({kind})", kind=kind.name)
         raise MechsheetError(Fault(fault, readable_name(path), key="output", hint=hint))
     contents = kind.write(Job(mechanism, name, at, frames))
     return _write(path, name, kind, contents, bool(frames))
@@ -102,9 +103,20 @@ def _faults(kind: Kind, at: float | None, frames: int | None) -> list[Fault]:
     for key, given, taken in (("at", at, "positions"), ("frames", frames, "frames")):
         if given is not None and not getattr(kind, taken):
             others = ", ".join(other.name for other in KINDS.values() if getattr(other, taken))
-            faults.append(Fault(f"{kind.name} holds the whole sweep", key=key, hint=f"kinds that take it: {others}"))
+            faults.append(
+                Fault(
+                    say("{name} holds the whole sweep", name=kind.name),
+                    key=key,
+                    hint=say("kinds that take it: {others}", others=others),
+                )
+            )
     if at is not None and frames is not None:
-        faults.append(Fault("one position or several: at and frames exclude each other", key="frames"))
+        faults.append(Fault(say("one position or several: at and frames exclude each other"), key="frames"))
     if frames is not None and not 1 <= frames <= MOST_FRAMES:
-        faults.append(Fault(f"{frames} frames: from 1 to {MOST_FRAMES} can be written", key="frames"))
+        faults.append(
+            Fault(
+                say("{frames} frames: from 1 to {most} can be written", frames=frames, most=MOST_FRAMES),
+                key="frames",
+            )
+        )
     return faults

@@ -20,6 +20,7 @@ from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import TIME, ChartRequest, Joint
+from mechsheet.said import say
 from mechsheet.sheet.drawing.charts import chart_requests, traced_points
 from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, line_end, through_of
 from mechsheet.sheet.drawing.points import moving_points, pins_of
@@ -47,8 +48,10 @@ def write(job: Job) -> list[bytes]:
     for mark, number in _NUMBERS.items():
         helpers = helpers.replace(f"@@{mark}@@", repr(number))
     if job.name in {*_called(helpers), *_TAKEN.split()}:
-        fault = f'"{job.name}" is called by the file itself: a function of that name would stand in its way'
-        raise MechsheetError(Fault(fault, key="output", hint=f"for example {job.name}_mechanism.m"))
+        fault = say(
+            '"{name}" is called by the file itself: a function of that name would stand in its way', name=job.name
+        )
+        raise MechsheetError(Fault(fault, key="output", hint=say("for example {name}_mechanism.m", name=job.name)))
     reserved = {*re.findall(r"^function (?:\w+ = )?(\w+)", helpers, re.MULTILINE), *_TAKEN.split(), job.name}
     program = program_of(job.compiled, reserved)
     lines = [*_opening(program, job.name), *_given(program), *_driver(program), *_columns(program), *_result(program)]

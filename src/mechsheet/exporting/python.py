@@ -16,6 +16,7 @@ from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import TIME
+from mechsheet.said import say
 
 RESERVED = (
     *keyword.kwlist, *keyword.softkwlist, *dir(builtins), "np", "csv", "sys", "solve", "main", "n", "rows", "exists",
@@ -138,8 +139,8 @@ for _name, _number in (
 def write(job: Job) -> list[bytes]:
     """The module in UTF-8."""
     if job.name in {*sys.stdlib_module_names, *keyword.kwlist, "numpy"}:
-        fault = f'"{job.name}" is a module or a word of Python: nobody could import this one'
-        raise MechsheetError(Fault(fault, key="output", hint=f"for example {job.name}_mechanism.py"))
+        fault = say('"{name}" is a module or a word of Python: nobody could import this one', name=job.name)
+        raise MechsheetError(Fault(fault, key="output", hint=say("for example {name}_mechanism.py", name=job.name)))
     program = program_of(job.compiled, RESERVED)
     lines = [*_opening(program, job.name), *_tables(program), *_solve(program)]
     loops = any(column.loop for column in program.columns)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 
 def refuse_synthesis(mechanism: Mechanism, what: str) -> None:
     """Raise MechanismError where dimensions are found from a task: functions take lengths, not tasks."""
     if mechanism.synthesis is not None:
-        message = f"{what} take dimensions, and those of this mechanism are found by a synthesis"
-        hint = "give the dimensions as numbers (`show --dimensions` prints them); other exports have the synthesis"
+        message = say("{what} take dimensions, and those of this mechanism are found by a synthesis", what=what)
+        hint = say("give the dimensions as numbers (`show --dimensions` prints them); other exports have the synthesis")
         raise MechanismError(Fault(message, key="synthesis", hint=hint))

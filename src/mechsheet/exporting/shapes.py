@@ -12,12 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.counted import counted
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.plotting.figures import BESIDE, PIXELS, SIDES
 from mechsheet.plotting.sampling import LEAST, sample
 from mechsheet.plotting.scenes import Piece, Stage
+from mechsheet.said import say
 from mechsheet.sheet.drawing.drawing import SIZE
 from mechsheet.sheet.workbook import Series
 
@@ -76,12 +76,18 @@ def drawings(job: Job) -> Iterator[Drawn]:
     mechanism = job.mechanism
     found = sample(mechanism, job.at, None, max(LEAST, job.frames or 0))
     if not any(found.exists):
-        raise MechanismError(Fault("no position of the sweep exists", key="driver"))
+        raise MechanismError(Fault(say("no position of the sweep exists"), key="driver"))
     rows = [found.shown]
     if job.frames:
         there = [row for row in range(found.sweep) if found.exists[row]]
         if job.frames > len(there):
-            fault = f"{job.frames} frames: the sweep has {counted(len(there), 'position')} to draw"
+            fault = say(
+                "{frames} frames: the sweep has 1 position to draw"
+                if len(there) == 1
+                else "{frames} frames: the sweep has {count} positions to draw",
+                frames=job.frames,
+                count=len(there),
+            )
             raise MechsheetError(Fault(fault, key="frames"))
         rows = [there[round(place)] for place in np.linspace(0, len(there) - 1, job.frames).tolist()]
     stage = Stage(found)

@@ -9,6 +9,7 @@ from mechsheet.exporting.job import Job
 from mechsheet.exporting.refusing import refuse_synthesis
 from mechsheet.exporting.routines import Source
 from mechsheet.model import Words
+from mechsheet.said import say
 
 INTRODUCTION = Words(
     """{title}
@@ -35,13 +36,19 @@ def write(job: Job) -> list[bytes]:
     """The module: ASCII, lines ended as Windows does. Raises MechanismError for more dimensions than VBA takes arguments."""
     mechanism = job.mechanism
     language = mechanism.language
-    refuse_synthesis(mechanism, "functions in Basic")
+    refuse_synthesis(mechanism, say("functions in Basic"))
     source = Source(job.compiled)
     functions = functions_of(source, language)
     count = len(source.parameters())
     if count > MOST_ARGUMENTS:
-        fault = f"functions of {count} arguments (dimensions, driver, configurations): VBA takes {MOST_ARGUMENTS}"
-        raise MechanismError(Fault(fault, key="dimensions", hint="write dimensions that never change as plain numbers"))
+        fault = say(
+            "functions of {count} arguments (dimensions, driver, configurations): VBA takes {most}",
+            count=count,
+            most=MOST_ARGUMENTS,
+        )
+        raise MechanismError(
+            Fault(fault, key="dimensions", hint=say("write dimensions that never change as plain numbers"))
+        )
     names = function_names(functions)
     taken = {name.casefold() for name in names.values()}
     # Excel does not find a function that has the name of its module.

@@ -20,6 +20,7 @@ from mechsheet.exporting.vba import introduction
 from mechsheet.formula.names import folded
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Text
 from mechsheet.model import TableRequest, Words
+from mechsheet.said import say
 from mechsheet.sheet import styles
 from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.plan import Plan
@@ -92,7 +93,7 @@ def functions_workbook(compiled: Compiled, form: str) -> Workbook:
     Raises MechanismError when the mechanism cannot be solved.
     """
     compiled = in_sheets(compiled)
-    refuse_synthesis(compiled.mechanism, "workbooks with functions")
+    refuse_synthesis(compiled.mechanism, say("workbooks with functions"))
     source = Source(compiled)
     taken = {folded(name.name) for name in compiled.layout.names}
     functions = functions_of(source, compiled.mechanism.language, taken)

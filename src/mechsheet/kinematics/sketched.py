@@ -121,7 +121,10 @@ def _sketched(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
         return tuple(step_doubts(mechanism, equations, driver, sweep))
     fixed = [point for point in mechanism.sketch.points if point in mechanism.ground.points]
     found = [
-        Fault(f'"{point}" is a point of the ground: sketching it decides nothing', key=f"assembly.{point}")
+        Fault(
+            say('"{point}" is a point of the ground: sketching it decides nothing', point=point),
+            key=f"assembly.{point}",
+        )
         for point in fixed
     ]
     dimensions = dimension_values(mechanism)
@@ -165,10 +168,12 @@ def _phases(mechanism: Mechanism, entries: Sequence[Entry], values: Mapping[str,
             if abs(off) > OUT_OF_PHASE:
                 unit = mechanism.angle_unit
                 written = unit.to_shown(number(gear.phase, dimension_values(mechanism)) + off)
-                message = (
-                    f"{entry.name} is sketched {abs(math.degrees(off)):.3g} degrees away from where the phase puts it"
+                message = say(
+                    "{name} is sketched {angle:.3g} degrees away from where the phase puts it",
+                    name=entry.name,
+                    angle=abs(math.degrees(off)),
                 )
-                hint = f"write phase = {written:.4g}, or sketch {entry.name} elsewhere"
+                hint = say("write phase = {phase:.4g}, or sketch {name} elsewhere", phase=written, name=entry.name)
                 found.append(Fault(message, key=f"joints.{gear.order}", hint=hint))
     return found
 
@@ -214,10 +219,7 @@ def with_position(fault: Fault, mechanism: Mechanism) -> Fault:
     if not missed.min() < SUSPICIOUS:
         return fault
     written = _written(mechanism, _named(mechanism, values, missed))
-    places: str = f"{mechanism.driver.symbol} = {written[0]}"
-    for further in written[1:]:
-        places = say("{first} or {last}", first=places, last=further)
-    fits = say("the sketch fits {positions}", positions=places)
+    fits = say("the sketch fits {positions}", positions=_positions(mechanism, written))
     hint = say("{hint}; {fits}: if it was drawn there, write at = {at}", hint=fault.hint, fits=fits, at=written[0])
     return replace(fault, hint=hint)
 
@@ -348,17 +350,31 @@ def _written(mechanism: Mechanism, values: Sequence[float]) -> list[str]:
     return [shown_value(mechanism, value).partition(" = ")[2] for value in values]
 
 
+def _positions(mechanism: Mechanism, written: Sequence[str]) -> str:
+    """Values of the driver between which there is a choice."""
+    found: str = f"{mechanism.driver.symbol} = {written[0]}"
+    for further in written[1:]:
+        found = say("{first} or {last}", first=found, last=further)
+    return found
+
+
 def _fits(mechanism: Mechanism, values: Sequence[float], read: _Read) -> Fault:
     written = _written(mechanism, values)
-    fits = f"{mechanism.driver.symbol} = {' or '.join(written)}"
+    fits = _positions(mechanism, written)
     where = shown_value(mechanism, read.value)
     if mechanism.sketch.at is None:
-        message = f"the sketch is read at the first position, {where}, but it fits {fits}"
+        message = say("the sketch is read at the first position, {where}, but it fits {fits}", where=where, fits=fits)
         return Fault(
-            message, key="assembly", hint=f"write at = {written[0]} in [assembly], or sketch the first position"
+            message,
+            key="assembly",
+            hint=say("write at = {at} in [assembly], or sketch the first position", at=written[0]),
         )
-    message = f"the sketch is said to show {where}, but it fits {fits}"
-    return Fault(message, key="assembly.at", hint=f"write at = {written[0]}, or sketch the position at {where}")
+    message = say("the sketch is said to show {where}, but it fits {fits}", where=where, fits=fits)
+    return Fault(
+        message,
+        key="assembly.at",
+        hint=say("write at = {at}, or sketch the position at {where}", at=written[0], where=where),
+    )
 
 
 def _misfit(mechanism: Mechanism, entries: Sequence[Entry], read: _Read) -> Fault:
@@ -369,5 +385,10 @@ def _misfit(mechanism: Mechanism, entries: Sequence[Entry], read: _Read) -> Faul
         for value in [float(read.values[column][read.row])]
     )
     where = shown_value(mechanism, read.value)
-    message = f"the sketch of {worst.name} is far from every position; at {where} it is at {lies}"
-    return Fault(message, key=f"assembly.{worst.name}", hint="check the dimensions and the sketch")
+    message = say(
+        "the sketch of {name} is far from every position; at {where} it is at {lies}",
+        name=worst.name,
+        where=where,
+        lies=lies,
+    )
+    return Fault(message, key=f"assembly.{worst.name}", hint=say("check the dimensions and the sketch"))

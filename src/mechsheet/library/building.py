@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from mechsheet.description.reader import with_layout, with_tolerance
 from mechsheet.diagnostics import Fault, MechsheetError, OutputError, near_miss, readable_name
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.workbook import Workbook
 
@@ -90,7 +91,7 @@ def targets(
     """The files that `build` would write. Raises MechsheetError as it does; writes nothing."""
     from mechsheet.exporting.workbooks import FORMS
 
-    extra = _known(functions, FUNCTIONS, "functions", "kind of functions")
+    extra = _known(functions, FUNCTIONS, "functions", say("kind of functions"))
     given = None if formats is None else formats_given(formats, needed=not extra)
     path = Path(output)
     if is_folder(output):
@@ -123,10 +124,12 @@ def refuse_edited(wanted: Iterable[Target]) -> None:
         try:
             if is_stream(path) or not path.is_file() or path.stat().st_size == 0 or is_untouched(path):
                 continue
-            message = "is not as build wrote it (somebody has saved changes, or it is another file): left as it is"
+            message = say("is not as build wrote it (somebody has saved changes, or it is another file): left as it is")
         except (OSError, ValueError) as error:
-            message = f"cannot be replaced: {error.strerror if isinstance(error, OSError) else error}"
-        hint = "keep its changes with mechsheet pull, choose another name with -o, or overwrite it with --force"
+            message = say(
+                "cannot be replaced: {reason}", reason=error.strerror if isinstance(error, OSError) else error
+            )
+        hint = say("keep its changes with mechsheet pull, choose another name with -o, or overwrite it with --force")
         faults.append(Fault(message, readable_name(path), hint=hint))
     if faults:
         raise OutputError(faults)
@@ -151,9 +154,11 @@ def write_all(compiled: Compiled, wanted: Sequence[Target], output: str | Path =
 
 def formats_given(formats: str | Iterable[str], needed: bool = True) -> list[str]:
     """The formats of workbooks named, "xlsx,ods". Raises MechsheetError for others, and for none where one is `needed`."""
-    found = _known(formats, FORMATS, "formats", "format")
+    found = _known(formats, FORMATS, "formats", say("format"))
     if needed and not found:
-        raise MechsheetError(Fault("no format is named", key="formats", hint=f"formats: {', '.join(FORMATS)}"))
+        raise MechsheetError(
+            Fault(say("no format is named"), key="formats", hint=say("formats: {formats}", formats=", ".join(FORMATS)))
+        )
     return found
 
 
@@ -164,8 +169,10 @@ def _known(given: str | Iterable[str], known: Sequence[str], key: str, what: str
     wanted = [word for word in words if word]
     unknown = [word for word in wanted if word not in known]
     if unknown:
-        hint = near_miss(unknown[0].lower(), known) or f"known: {', '.join(known)}"
-        raise MechsheetError(Fault(f'no {what} is called "{", ".join(unknown)}"', key=key, hint=hint))
+        hint = near_miss(unknown[0].lower(), known) or say("known: {names}", names=", ".join(known))
+        raise MechsheetError(
+            Fault(say('no {what} is called "{unknown}"', what=what, unknown=", ".join(unknown)), key=key, hint=hint)
+        )
     return wanted
 
 
@@ -176,16 +183,20 @@ def _format_of(path: Path, given: Sequence[str] | None) -> str:
     ending = path.suffix.lower().removeprefix(".")
     if ending in FORMATS:
         if given is not None and list(given) != [ending]:
-            fault = f"one file, and its ending says .{ending}: it cannot be {' and '.join(given)}"
+            fault = say(
+                "one file, and its ending says .{ending}: it cannot be {given}",
+                ending=ending,
+                given=" and ".join(given),
+            )
             raise MechsheetError(Fault(fault, readable_name(path), key="formats", hint=_FOLDER_HINT))
         return ending
     if not is_stream(path):
-        fault = f'a workbook ends with .xlsx or .ods, not with "{path.suffix}"'
+        fault = say('a workbook ends with .xlsx or .ods, not with "{suffix}"', suffix=path.suffix)
         raise MechsheetError(
-            Fault(fault, readable_name(path), key="output", hint=f"a folder of that name: {path.name}/")
+            Fault(fault, readable_name(path), key="output", hint=say("a folder of that name: {name}/", name=path.name))
         )
     if given is not None and len(given) > 1:
-        raise MechsheetError(Fault("takes one workbook", readable_name(path), key="formats"))
+        raise MechsheetError(Fault(say("takes one workbook"), readable_name(path), key="formats"))
     return given[0] if given else FORMATS[0]
 
 

@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from mechsheet import description
-from mechsheet.counted import counted
 from mechsheet.description.locate import located
 from mechsheet.description.overrides import Overrides, in_order, name_of, option_of
 from mechsheet.description.quoting import quoted
@@ -23,6 +22,7 @@ from mechsheet.description.text.source import parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, MechsheetError, readable_name
 from mechsheet.library.redundant_links import with_redundant
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 if TYPE_CHECKING:
     from mechsheet.kinematics.equations import Group
@@ -105,13 +105,24 @@ def _value_fault(name: str, value: str, file: str) -> Fault | None:
 
 
 def _no_mode(name: str, value: str, file: str, hint: str = "") -> Fault:
-    return Fault(f"an assembly mode is 1 or -1, not {quoted(value)}", file, key=option_of(f"{name}={value}"), hint=hint)
+    return Fault(
+        say("an assembly mode is 1 or -1, not {value}", value=quoted(value)),
+        file,
+        key=option_of(f"{name}={value}"),
+        hint=hint,
+    )
 
 
 def _no_number(group: Group, name: str, value: str, file: str) -> Fault:
     hint = "; ".join(f"{number}: {words.en}" for number, words in enumerate(group.assemblies, 1))
-    several = counted(len(group.assemblies), "assembly", "assemblies")
-    message = f"{name} is the number of one of {several}, not {quoted(value)}"
+    message = say(
+        "{name} is the number of one of 1 assembly, not {value}"
+        if len(group.assemblies) == 1
+        else "{name} is the number of one of {count} assemblies, not {value}",
+        name=name,
+        count=len(group.assemblies),
+        value=quoted(value),
+    )
     return Fault(message, file, key=option_of(f"{name}={value}"), hint=hint)
 
 
@@ -128,11 +139,15 @@ def _name_faults(pairs: Sequence[tuple[str, str]], mechanism: Mechanism, file: s
     dyads = {group.mode for group in groups if group.system is None}
     task = mechanism.synthesis
     found = [
-        Fault(f"the assembly mode {quoted(name)} is found by the synthesis", file, key=option_of(f"{name}={value}"),
-              hint="change its task instead, or take it out of [assembly]")
+        Fault(
+            say("the assembly mode {name} is found by the synthesis", name=quoted(name)),
+            file,
+            key=option_of(f"{name}={value}"),
+            hint=say("change its task instead, or take it out of [assembly]"),
+        )
         for name, value in pairs
         if task is not None and name_of(name) in task.mode
-    ]  # fmt: skip
+    ]
     misfits = [
         _no_mode(name, value, file)
         for name, value in pairs
@@ -151,7 +166,7 @@ def _name_faults(pairs: Sequence[tuple[str, str]], mechanism: Mechanism, file: s
         + misfits
         + [
             Fault(
-                f"no group of links has the assembly mode {quoted(name)}",
+                say("no group of links has the assembly mode {name}", name=quoted(name)),
                 file,
                 key=option_of(f"{name}={value}"),
                 hint=suggestion(name_of(name), known, "modes"),

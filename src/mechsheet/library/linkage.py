@@ -17,6 +17,7 @@ from mechsheet.counted import counted
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.extras import missing_package
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 if TYPE_CHECKING:
     from mechsheet.compiled import Compiled
@@ -219,8 +220,8 @@ def _sweep(rows: int | None, step: Value | None) -> tuple[str | None, str | None
 def _texts(overrides: Overrides | None) -> dict[str, str]:
     """The values as texts. Raises MechsheetError with every value that is no number."""
     if not isinstance(overrides, Mapping | None):
-        hint = '{"a1": 65}: the dimension, and its value in its own unit'
-        raise MechsheetError(Fault("expected a mapping of values", key="overrides", hint=hint))
+        hint = say('{"a1": 65}: the dimension, and its value in its own unit')
+        raise MechsheetError(Fault(say("expected a mapping of values"), key="overrides", hint=hint))
     texts: dict[str, str] = {}
     faults: list[Fault] = []
     for name, value in (overrides or {}).items():

@@ -21,6 +21,7 @@ from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 APART = 1e-5
 """Assemblies nearer than this part of their size are no help to tell them apart; a later row may be."""
@@ -51,7 +52,7 @@ def with_modes(source: Source, wanted: Mapping[str, int]) -> Source:
         f"{group.mode} = {wanted[group.mode]}" for group in _wrong(loads(source.text, source.file), wanted)
     )
     if left:
-        raise MechanismError(Fault(f"no sketch says {left}", source.file, key="assembly"))
+        raise MechanismError(Fault(say("no sketch says {left}", left=left), source.file, key="assembly"))
     return source
 
 
@@ -91,7 +92,7 @@ def _sketched(source: Source, mechanism: Mechanism, wanted: Mapping[str, int], g
         source = without_key(source, ("assembly", "at"))
         return _sketched(source, replace(mechanism, sketch=replace(mechanism.sketch, at=None)), wanted, group)
     if row is None:
-        message = f"the assemblies of {group.label.en} are one: no sketch tells them apart"
+        message = say("the assemblies of {group} are one: no sketch tells them apart", group=group.label)
         raise MechanismError(Fault(message, source.file, key="assembly"))
     sketch = mechanism.sketch
     best = max(gaps, key=lambda name: float(gaps[name][row]))

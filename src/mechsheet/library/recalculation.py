@@ -13,6 +13,7 @@ from mechsheet.diagnostics import Fault, WorkbookError, near_miss, readable_name
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import CellRef, ErrorValue, Scalar
 from mechsheet.formula.references import cell_name, parse_reference
+from mechsheet.said import say
 
 if TYPE_CHECKING:
     from mechsheet.checking import Rules, Stored
@@ -141,9 +142,9 @@ def _value(book: Book, name: str, place: Place, value: Any) -> Scalar | Fault:
     """What a cell is to hold, or why it cannot."""
     sheet = book.sheet(place[0])
     if sheet is None:
-        return Fault("no sheet of this workbook", key=name)
+        return Fault(say("no sheet of this workbook"), key=name)
     if sheet.formula_at(place[1], place[2]) is not None:
-        return Fault("computed by a formula: set what it is computed from", key=name)
+        return Fault(say("computed by a formula: set what it is computed from"), key=name)
     held = sheet.constants.get(place[1], place[2])
     return typed(name, value, held) if isinstance(value, str) else cell_value(name, value, held)
 
@@ -151,12 +152,15 @@ def _value(book: Book, name: str, place: Place, value: Any) -> Scalar | Fault:
 def _place(book: Book, name: str) -> Place | Fault:
     """The cell that a name means: a defined name, `a1` for the safe name `a_1`, or Sheet!B2."""
     if not isinstance(name, str):
-        return Fault(f"{name!r} is no name of a cell", hint='a text: "a1", "Sheet!B2"')
+        return Fault(say("{name!r} is no name of a cell", name=name), hint=say('a text: "a1", "Sheet!B2"'))
     if "!" in name:
         reference = parse_reference(name)
         if reference is None or reference.sheet is None or book.sheet(reference.sheet) is None:
             titles = [sheet.title for sheet in book.sheets]
-            return Fault(f'"{name}" is no cell of this workbook', hint=f"sheets: {', '.join(titles)}")
+            return Fault(
+                say('"{name}" is no cell of this workbook', name=name),
+                hint=say("sheets: {titles}", titles=", ".join(titles)),
+            )
         return reference.sheet, reference.row, reference.col
     candidates = [found for found in book.names if found.name.casefold() == name.casefold()]
     if not candidates and (like := book.name_like(name)) is not None:
@@ -165,7 +169,7 @@ def _place(book: Book, name: str) -> Place | Fault:
     if not cells or cells[0].sheet is None:
         known = [found.name for found in book.names]
         return Fault(
-            f'no cell is named "{name}"',
-            hint=near_miss(name, known) or f"names: {', '.join(known[:20]) or 'none'}",
+            say('no cell is named "{name}"', name=name),
+            hint=near_miss(name, known) or say("names: {names}", names=", ".join(known[:20]) or "none"),
         )
     return cells[0].sheet, cells[0].row, cells[0].col

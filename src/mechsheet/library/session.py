@@ -18,6 +18,7 @@ from mechsheet.formula.book import Book
 from mechsheet.formula.dialects import MAX_NESTING
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, ErrorValue, NameRef, Node, RangeRef, Scalar
 from mechsheet.formula.parser import parse_formula
+from mechsheet.said import say
 
 if TYPE_CHECKING:
     from mechsheet.engine.values.cells import Cells
@@ -234,7 +235,9 @@ def _place(where: object) -> str:
     """Places are texts. Raises WorkbookError."""
     if isinstance(where, str):
         return where
-    raise WorkbookError(Fault(f"{where!r} is no name of a cell", hint='a text: "a1", "Sheet!B2", "Sheet!B2:D9"'))
+    raise WorkbookError(
+        Fault(say("{where!r} is no name of a cell", where=where), hint=say('a text: "a1", "Sheet!B2", "Sheet!B2:D9"'))
+    )
 
 
 def _quoted(where: str) -> str:

@@ -11,6 +11,7 @@ import numpy as np
 
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 _SIZE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*(?:([KMGT])(i?)B?|B)?\s*", re.IGNORECASE)
 _DESIGN = re.compile(r"(.+):\s*([\d_]+)\s*", re.DOTALL)
@@ -65,7 +66,9 @@ def bytes_of(size: str | int | None) -> int | None:
         return size
     found = _SIZE.fullmatch(size)
     if found is None:
-        raise MechsheetError(Fault(f'"{size}" is no size', key="limit_memory", hint="for example 2GiB or 500MB"))
+        raise MechsheetError(
+            Fault(say('"{size}" is no size', size=size), key="limit_memory", hint=say("for example 2GiB or 500MB"))
+        )
     power = 0 if found[2] is None else "KMGT".index(found[2].upper()) + 1
     return int(float(found[1]) * (1024 if found[3] else 1000) ** power)
 
@@ -81,20 +84,24 @@ def design_of(given: str) -> tuple[list[tuple[str, str]], str, str]:
 
     found = _DESIGN.fullmatch(given)
     if found is None:
-        message = f'"{given}" is not FOLDER:NUMBER'
+        message = say('"{given}" is not FOLDER:NUMBER', given=given)
         raise MechsheetError(
-            Fault(message, key="design", hint="the folder of a study and a design's number in it: wiper:17")
+            Fault(message, key="design", hint=say("the folder of a study and a design's number in it: wiper:17"))
         )
     manifest = read_manifest(Path(found[1]))
     text = manifest["description"]
     plan = description.loads(text, found[1]).study
     number = int(found[2].replace("_", ""))
     if plan is None:
-        raise MechsheetError(Fault("the folder's description has no part [study]", found[1]))
+        raise MechsheetError(Fault(say("the folder's description has no part [study]"), found[1]))
     sampling = sampling_of(plan)
     if not 1 <= number <= sampling.total:
         raise MechsheetError(
-            Fault(f"there is no design {number}: they go from 1 to {sampling.total:,}", found[1], key="design")
+            Fault(
+                say("there is no design {number}: they go from 1 to {total:,}", number=number, total=sampling.total),
+                found[1],
+                key="design",
+            )
         )
     values = sampling.values(np.array([number - 1], np.int64))[0]
     pairs = [(one.symbol, repr(float(value))) for one, value in zip(plan.vary, values, strict=True)]

@@ -12,6 +12,7 @@ from typing import Literal
 from mechsheet.arguments.outputs import file_in
 from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_name
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 KINDS = ("svg", "png", "gif", "html")
 
@@ -42,10 +43,12 @@ def plot(
     path = file_in(path, f"{mechanism.stem}.svg")
     kind = path.suffix.lower().removeprefix(".")
     if kind not in KINDS:
-        hint = (
-            near_miss(kind, KINDS) or f"endings: {', '.join(f'.{known}' for known in KINDS)}; or a folder: {path.name}/"
+        hint = near_miss(kind, KINDS) or say(
+            "endings: {endings}; or a folder: {name}/",
+            endings=", ".join(f".{known}" for known in KINDS),
+            name=path.name,
         )
-        raise MechsheetError(Fault("the ending of the name says how to draw", readable_name(path), hint=hint))
+        raise MechsheetError(Fault(say("the ending of the name says how to draw"), readable_name(path), hint=hint))
     from mechsheet.formats.archive import replace_file
 
     replace_file(path, drawn(mechanism, kind, at, language, vectors))
@@ -69,8 +72,8 @@ def drawn(
     shown, sweep = stage.sample.shown, stage.sample.sweep
     title = mechanism.title.of(stage.sample.plan.language)
     if kind in ("gif", "html") and shown >= sweep:
-        fault = f"{at:g} lies outside of the sweep, which is what a .{kind} shows"
-        raise MechsheetError(Fault(fault, key="at", hint="draw a .svg or .png, or widen the sweep"))
+        fault = say("{at:g} lies outside of the sweep, which is what a .{kind} shows", at=at, kind=kind)
+        raise MechsheetError(Fault(fault, key="at", hint=say("draw a .svg or .png, or widen the sweep")))
     if kind == "html":
         return page(stage)
     if kind == "gif":

@@ -20,6 +20,7 @@ from mechsheet.kinematics.driving import given_at, place_of, rates_at
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
+from mechsheet.said import say
 from mechsheet.sheet.drawing.frames import CHART_X
 from mechsheet.sheet.drawing.points import moving_points
 from mechsheet.sheet.plan import STATUS
@@ -89,7 +90,13 @@ def sample(
     """
     at = None if at is None else number_given(at, "at")
     if language not in (None, "en", "tr"):
-        raise MechsheetError(Fault(f'unknown language "{language}"', key="language", hint='languages: "en", "tr"'))
+        raise MechsheetError(
+            Fault(
+                say('unknown language "{language}"', language=language),
+                key="language",
+                hint=say('languages: "en", "tr"'),
+            )
+        )
     compiled = compiled_of(mechanism)
     tell(mechanism, compiled.equations)
     places: list[float] = []
@@ -117,10 +124,12 @@ def sample(
     )
     found = Sample(drawn, compiled.modes, sweep, shown, vectors)
     if vectors and not found.plan.arrows:
-        hint = "give the driver a speed, or the links masses or loads"
+        hint = say("give the driver a speed, or the links masses or loads")
         if found.plan.rates:
-            hint = f'say whose: points = ["{next(iter(moving_points(mechanism)), "A")}"] in [rates]'
-        raise MechsheetError(Fault("there are no velocities of points and no forces to draw", key="vectors", hint=hint))
+            hint = say('say whose: points = ["{point}"] in [rates]', point=next(iter(moving_points(mechanism)), "A"))
+        raise MechsheetError(
+            Fault(say("there are no velocities of points and no forces to draw"), key="vectors", hint=hint)
+        )
     if shown is not None and not found.exists[shown]:
         raise MechanismError(_missing(found, at))
     return found
@@ -220,9 +229,11 @@ def _missing(sample: Sample, at: float | None) -> Fault:
     ranges = ", ".join(f"{shown[a]:.6g} … {shown[b]:.6g}{unit}" for a, b in runs)
     why = sample.column(STATUS)[sample.shown]
     return Fault(
-        f"no position at {symbol} = {at:g}{unit}: {why}",
+        say("no position at {symbol} = {at:g}{unit}: {why}", symbol=symbol, at=at, unit=unit, why=why),
         key="at",
-        hint=f"the sweep has positions at {symbol} = {ranges}" if runs else "no position of the sweep exists",
+        hint=say("the sweep has positions at {symbol} = {ranges}", symbol=symbol, ranges=ranges)
+        if runs
+        else say("no position of the sweep exists"),
     )
 
 

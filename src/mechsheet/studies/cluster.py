@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.said import say
 from mechsheet.studies.packages import distributed, unlike
 from mechsheet.studies.parts import Order, VersionsError, compute
 from mechsheet.studies.running import AHEAD, Parts
@@ -27,31 +28,37 @@ def on_cluster(order: Order, parts: Iterable[int], address: str) -> Parts:
         client.wait_for_workers(1, timeout=SECONDS)
     except (TimeoutError, dask.TimeoutError) as error:
         client.close()
-        message = f"the scheduler has no workers after {SECONDS} s"
-        raise MechsheetError(Fault(message, key=f"--on {address}", hint=f"dask worker {address}")) from error
+        message = say("the scheduler has no workers after {seconds} s", seconds=SECONDS)
+        raise MechsheetError(
+            Fault(message, key=f"--on {address}", hint=say("dask worker {address}", address=address))
+        ) from error
     try:
         yield from _computed(dask, client, order, parts)
     except VersionsError as error:
-        message = f"a worker would not compute the same bytes: {unlike(*map(dict, error.args))}"
-        hint = "the same releases, on processors that compute alike"
+        message = say(
+            "a worker would not compute the same bytes: {differing}", differing=unlike(*map(dict, error.args))
+        )
+        hint = say("the same releases, on processors that compute alike")
         raise MechsheetError(Fault(message, key=f"--on {address}", hint=hint)) from error
     except (dask.KilledWorker, dask.client.FutureCancelledError, OSError) as error:
-        message = f"the cluster has given a part up: {error}"
-        hint = "what is done is kept: go on with --resume"
+        message = say("the cluster has given a part up: {reason}", reason=error)
+        hint = say("what is done is kept: go on with --resume")
         raise MechsheetError(Fault(message, key=f"--on {address}", hint=hint)) from error
     finally:
         client.close(timeout=SECONDS)
 
 
 def _client(dask: Any, address: str) -> Any:
-    hint = "the address that `dask scheduler` prints, for example tcp://10.0.0.5:8786"
+    hint = say("the address that `dask scheduler` prints, for example tcp://10.0.0.5:8786")
     wrong = _wrong_with(dask, address)  # of which a client could not be told, and which it could not end
     if wrong:
-        raise MechsheetError(Fault(f"cannot be reached: {wrong}", key=f"--on {address}".strip(), hint=hint))
+        raise MechsheetError(
+            Fault(say("cannot be reached: {reason}", reason=wrong), key=f"--on {address}".strip(), hint=hint)
+        )
     try:
         return dask.Client(address, timeout=SECONDS, set_as_default=False)
     except (OSError, TimeoutError) as error:
-        message = f"nobody answers within {SECONDS} s"
+        message = say("nobody answers within {seconds} s", seconds=SECONDS)
         raise MechsheetError(Fault(message, key=f"--on {address}", hint=hint)) from error
 
 

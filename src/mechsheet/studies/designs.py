@@ -22,6 +22,7 @@ from mechsheet.kinematics.equations import RATES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.solve import largest_length
 from mechsheet.model import Condition, Mechanism, Study
+from mechsheet.said import say
 from mechsheet.sheet.checks.turning import derivatives, differentiated
 from mechsheet.studies.lowering import Lowered, Lowering
 from mechsheet.studies.motion import Motion
@@ -59,7 +60,9 @@ class Designs:
 
     def __init__(self, mechanism: Mechanism) -> None:
         if mechanism.study is None:
-            raise MechanismError(Fault("the description has no part [study]", key="study", hint="[study] vary = { … }"))
+            raise MechanismError(
+                Fault(say("the description has no part [study]"), key="study", hint=say("[study] vary = { … }"))
+            )
         self.mechanism = mechanism
         self.study: Study = mechanism.study
         self.varied = tuple(one.symbol for one in self.study.vary)
@@ -82,13 +85,13 @@ class Designs:
     def _refuse(self) -> None:
         for group in self.equations.groups:
             if group.system is not None:
-                message = f"a study does not solve links that must be found all at once: {group.label.en}"
-                hint = "`mechsheet build --set` builds one design at a time"
+                message = say("a study does not solve links that must be found all at once: {group}", group=group.label)
+                hint = say("`mechsheet build --set` builds one design at a time")
                 raise MechanismError(Fault(message, key="study", hint=hint))
         synthesis = self.mechanism.synthesis
         if synthesis is not None and any(self._following.get(symbol) for symbol in synthesis.steps):
-            message = "the dimensions that a synthesis finds vary here, and its assembly with them"
-            raise MechanismError(Fault(message, key="study.vary", hint="vary what the synthesis does not read"))
+            message = say("the dimensions that a synthesis finds vary here, and its assembly with them")
+            raise MechanismError(Fault(message, key="study.vary", hint=say("vary what the synthesis does not read")))
         driver = self.mechanism.driver
         parts = [driver.start, driver.stop, driver.step, *driver.values]
         parts += [value for values in self.mechanism.listed.values() for value in values]
@@ -97,10 +100,13 @@ class Designs:
             names |= {driver.law.start, driver.law.stop, driver.law.duration}
         moved = sorted({symbol for name in names for symbol in self._following.get(name, ())})
         if moved:
-            message = (
-                f"the driver's values follow {', '.join(moved)}, which vary here: each design would have its own rows"
+            message = say(
+                "the driver's values follow {moved}, which vary here: each design would have its own rows",
+                moved=", ".join(moved),
             )
-            raise MechanismError(Fault(message, key="study.vary", hint="give [driver] start, stop and step as numbers"))
+            raise MechanismError(
+                Fault(message, key="study.vary", hint=say("give [driver] start, stop and step as numbers"))
+            )
 
     def _write(self) -> None:
         """Print the programs."""

@@ -15,6 +15,7 @@ from typing import Any
 
 from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name
 from mechsheet.formats.archive import make_folder, replace_file
+from mechsheet.said import say
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.packages import unlike
 from mechsheet.studies.parts import Counted, Done, Order, counted, schema_of, units_of
@@ -59,19 +60,21 @@ class Folder:
         manifest = manifest_of(designs, order)
         path = self.path / MANIFEST
         if self.path.exists() and not self.path.is_dir():
-            raise OutputError(Fault("is a file: a study is written into a folder", self.shown, key="-o"))
+            raise OutputError(Fault(say("is a file: a study is written into a folder"), self.shown, key="-o"))
         if path.exists() and (resume or self._has_parts()):
             self._compare(manifest)
             if not resume:
-                message = "this study has been begun here"
-                hint = "go on with --resume, or name another folder with -o"
+                message = say("this study has been begun here")
+                hint = say("go on with --resume, or name another folder with -o")
                 raise OutputError(Fault(message, self.shown, hint=hint))
             return
         if resume and not self.path.exists():
-            raise OutputError(Fault("there is no study to resume", self.shown, hint="leave --resume out to begin it"))
+            raise OutputError(
+                Fault(say("there is no study to resume"), self.shown, hint=say("leave --resume out to begin it"))
+            )
         if not path.exists() and any(each.is_file() and each.suffix != ".tmp" for each in self.path.rglob("*")):
-            message = "holds other files, and no study"
-            raise OutputError(Fault(message, self.shown, hint="name a new or an empty folder with -o"))
+            message = say("holds other files, and no study")
+            raise OutputError(Fault(message, self.shown, hint=say("name a new or an empty folder with -o")))
         make_folder(self.path)
         make_folder(self.path / PARTS)
         replace_file(path, _json(manifest))
@@ -88,16 +91,18 @@ class Folder:
             return
         if differing == ["versions"]:
             others = unlike(manifest["versions"], there.get("versions", {}))
-            message = f"the study was begun with {others}: its end might differ from its beginning"
+            message = say("the study was begun with {others}: its end might differ from its beginning", others=others)
             raise OutputError(
                 Fault(
                     message,
                     self.shown,
-                    hint="go on with these releases, on a processor that computes alike, or begin anew in another folder",
+                    hint=say(
+                        "go on with these releases, on a processor that computes alike, or begin anew in another folder"
+                    ),
                 )
             )
-        message = f"is the folder of another study: it differs in {', '.join(differing)}"
-        raise OutputError(Fault(message, self.shown, hint="name another folder with -o"))
+        message = say("is the folder of another study: it differs in {differing}", differing=", ".join(differing))
+        raise OutputError(Fault(message, self.shown, hint=say("name another folder with -o")))
 
     # --- going on ---------------------------------------------------------------------------------------------------------
 
@@ -153,12 +158,12 @@ def read_manifest(folder: Path) -> dict[str, Any]:
     try:
         found = json.loads(path.read_bytes())
     except OSError as error:
-        hint = "the folder that mechsheet study wrote"
-        raise MechsheetError(Fault(f"cannot be read: {error.strerror}", shown, hint=hint)) from error
+        hint = say("the folder that mechsheet study wrote")
+        raise MechsheetError(Fault(say("cannot be read: {reason}", reason=error.strerror), shown, hint=hint)) from error
     except ValueError as error:
-        raise MechsheetError(Fault("is no manifest of a study", shown)) from error
+        raise MechsheetError(Fault(say("is no manifest of a study"), shown)) from error
     if not isinstance(found, dict) or found.get("format") != FORMAT or not isinstance(found.get("description"), str):
-        raise MechsheetError(Fault("is no manifest of a study that this program knows", shown))
+        raise MechsheetError(Fault(say("is no manifest of a study that this program knows"), shown))
     return found
 
 

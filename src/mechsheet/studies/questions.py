@@ -15,6 +15,7 @@ from mechsheet.formula.nodes import Node, symbols
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import ENERGY, Condition, Mechanism, Study
+from mechsheet.said import say
 from mechsheet.sheet.checks.checks import ROUNDING
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.first.classification import FourBar, classification
@@ -86,9 +87,13 @@ def questions_of(mechanism: Mechanism, study: Study, equations: Equations) -> Qu
     for name, (of, take) in asked.items():
         unit = mechanism.given_unit(of) or known.get(of)
         if of == ENERGY or unit is None:
-            hint = "leave it out of [summary] for the study"
+            hint = say("leave it out of [summary] for the study")
             faults.append(
-                Fault(f'a study does not find "{of}", of which "{name}" is', key=f"summary.{name}", hint=hint)
+                Fault(
+                    say('a study does not find "{of}", of which "{name}" is', of=of, name=name),
+                    key=f"summary.{name}",
+                    hint=hint,
+                )
             )
             continue
         shown = mechanism.shown(unit)
@@ -120,9 +125,14 @@ def _loops(
     found, faults = {}, []
     for condition in asked:
         if condition.name not in known:
-            hint = f"loops: {', '.join(known)}" if known else "it has no four-bar loop on the ground"
-            hint = " ".join(filter(None, (near_miss(condition.name, known), hint)))
-            faults.append(Fault(f'no four-bar loop is called "{condition.name}"', key="study.keep", hint=hint))
+            hint = (
+                say("loops: {known}", known=", ".join(known)) if known else say("it has no four-bar loop on the ground")
+            )
+            if near := near_miss(condition.name, known):
+                hint = say("{near} {hint}", near=near, hint=hint)
+            faults.append(
+                Fault(say('no four-bar loop is called "{name}"', name=condition.name), key="study.keep", hint=hint)
+            )
             continue
         sides = known[condition.name].sides(mechanism.ground)
         found[condition.name] = tuple(length_in_cells(link, one, other, equations.poses) for link, one, other in sides)
@@ -133,7 +143,7 @@ def _grounded_cranks(mechanism: Mechanism, keep: Iterable[Condition]) -> list[Fa
     """The ground cannot be asked whether it turns."""
     ground = mechanism.ground.name
     return [
-        Fault(f'the ground "{ground}" does not turn', key="study.keep")
+        Fault(say('the ground "{ground}" does not turn', ground=ground), key="study.keep")
         for condition in keep
         if condition.kind == "crank" and condition.name == ground
     ]

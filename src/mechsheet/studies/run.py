@@ -11,6 +11,7 @@ from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.formats import write
 from mechsheet.formats.archive import replace_file
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 from mechsheet.studies.book import book_of
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.folder import Folder, Result
@@ -59,7 +60,7 @@ def studied(
     resume: bool = False,
     limit_memory: int | None = None,
     formats: Sequence[str] = ("xlsx",),
-    say: Callable[[Progress], None] = lambda _: None,
+    tell: Callable[[Progress], None] = lambda _: None,
 ) -> Studied:
     """Run a study, or go on with one, and rank what it keeps. Raises MechsheetError; what is done stays done.
 
@@ -69,14 +70,14 @@ def studied(
     """
     arrow()
     if workers is not None and workers < 1:
-        raise MechsheetError(Fault(f"at least 1 process, not {workers}", key="workers"))
+        raise MechsheetError(Fault(say("at least 1 process, not {workers}", workers=workers), key="workers"))
     designs = Designs(mechanism)
     order = order_of(mechanism.text, designs.sampling.total)
     place = Folder(folder)
     processes = 0 if on is not None else workers_within(workers, limit_memory)
     place.begin(designs, order, resume)
     counts = place.done(order, len(designs.questions.conditions)) if resume else {}
-    _compute(place, order, counts, processes, on, say)
+    _compute(place, order, counts, processes, on, tell)
     paths = place.parts(order)
     result = place.finish(designs, (counts[number] for number in range(order.parts)))
     found = ranked(paths, designs.study.objectives, designs.study.best)
@@ -95,13 +96,13 @@ def _compute(
     counts: dict[int, Counted],
     processes: int,
     on: str | None,
-    say: Callable[[Progress], None],
+    tell: Callable[[Progress], None],
 ) -> None:
     """Compute the parts that are missing; `counts` gets what they say."""
     missing = [number for number in range(order.parts) if number not in counts]
     done, kept = (sum(getattr(part, name) for part in counts.values()) for name in ("designs", "kept"))
     earlier = done
-    say(Progress(done, kept, order.designs, earlier))
+    tell(Progress(done, kept, order.designs, earlier))
     if on is not None:
         from mechsheet.studies.cluster import on_cluster
 
@@ -112,7 +113,9 @@ def _compute(
         place.keep(part)
         told = counted(place.part(part.part))
         if told is None:
-            raise MechsheetError(Fault("cannot be read again", str(place.part(part.part)), hint="is the disk full?"))
+            raise MechsheetError(
+                Fault(say("cannot be read again"), str(place.part(part.part)), hint=say("is the disk full?"))
+            )
         counts[part.part] = told
         done, kept = done + told.designs, kept + told.kept
-        say(Progress(done, kept, order.designs, earlier))
+        tell(Progress(done, kept, order.designs, earlier))

@@ -13,6 +13,7 @@ from threading import Thread
 from typing import TypeAlias
 
 from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.said import say
 from mechsheet.studies.parts import Done, Order, compute
 
 Parts: TypeAlias = Iterator[Done]
@@ -32,7 +33,11 @@ def workers_within(workers: int | None, memory: int | None) -> int:
     memory  bytes for all of them; None: three quarters of what there is, where nobody says how many processes he wants
     """
     if memory is not None and memory < OF_A_PROCESS:
-        message = f"{memory / 2**20:.0f} MiB are too little: one process needs {OF_A_PROCESS // 2**20} MiB"
+        message = say(
+            "{memory:.0f} MiB are too little: one process needs {least} MiB",
+            memory=memory / 2**20,
+            least=OF_A_PROCESS // 2**20,
+        )
         raise MechsheetError(Fault(message, key="limit_memory"))
     if memory is None and workers is None:
         memory = memory_there() * 3 // 4
@@ -72,8 +77,8 @@ def here(order: Order, parts: Iterable[int], workers: int) -> Parts:
     try:
         yield from ahead(lambda part: pool.submit(compute, order, part), parts, AHEAD * workers)
     except BrokenProcessPool as error:
-        message = "a process of the study was ended from outside, perhaps for want of memory"
-        hint = "what is done is kept: go on with --resume, with fewer --workers"
+        message = say("a process of the study was ended from outside, perhaps for want of memory")
+        hint = say("what is done is kept: go on with --resume, with fewer --workers")
         raise MechsheetError(Fault(message, hint=hint)) from error
     finally:
         pool.shutdown(cancel_futures=True)

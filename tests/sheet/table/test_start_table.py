@@ -13,11 +13,14 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.newton.leading import leading
 from mechsheet.kinematics.newton.system import CLOSED, refined
 from mechsheet.kinematics.numeric import evaluate_equation
+from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.table.lowering import in_pass
 from random_mechanisms import Grower
 
-CHANGES = 100 if ALL else 40 if IN_CI else 16
-STEPS = 400
+CHANGES = 150 if ALL else 40 if IN_CI else 16
+STEPS, FINER = 200, 4_000
+"""Steps to the changed dimensions; more of them before it is said that the sheet is wrong."""
+
 ALARMS = 0.04
 """Of the changes after which it begins where it ought to, so many at most are told to be doubtful all the same."""
 KEPT, BEGUN = (f"verdict.same_assembly.{word}" for word in ("kept", "begun"))
@@ -37,6 +40,13 @@ class Followed:
         self.leaves, names = leading(system.given, rules, [*self.described])
         self.way = [each for each in equations.all if each.symbol in names or each in equations.constants]
         self.modes = {group.mode: float(group.mode_value) for group in equations.groups}
+        begin = [sheet.plan.at.spots[in_pass(name, 0)] for name in (*system.unknowns, system.residual)]
+        status = sheet.plan.at.spots["#status"]
+        sheet.only(
+            *((spot.sheet, spot.row, spot.col) for spot in begin),
+            *((status.sheet, status.row + row, status.col) for row in range(sheet.plan.rows)),
+            (sheet.plan.main, sheet.plan.blocks["verdicts"].rows["same_assembly"], MEANING),
+        )
         self.scale = np.array(
             [
                 1.0 if sheet.plan.equations.of(name).unit.kind == "angle" else max(map(abs, dimensions.values()))
@@ -44,7 +54,7 @@ class Followed:
             ]
         )
 
-    def to(self, changes):
+    def to(self, changes, steps=STEPS):
         """The unknowns that each of so many (symbol, value) leads to, NaN where the assembly ends on the way."""
         count = len(changes)
         ends = {name: np.full(count, value) for name, value in self.described.items()}
@@ -52,13 +62,13 @@ class Followed:
             ends[symbol][place] = value
         unknowns = [np.full(count, value) for value in self.system.starts[self.group.assembly]]
         lost, sign, before = np.zeros(count, bool), 0.0, 0.0
-        for step in range(STEPS + 1):
+        for step in range(steps + 1):
             known = self.modes | {
-                name: value + step / STEPS * (ends[name] - value) for name, value in self.described.items()
+                name: value + step / steps * (ends[name] - value) for name, value in self.described.items()
             }
             for equation in self.way:
                 known[equation.symbol] = evaluate_equation(equation, known, count)
-            found, residual, determinant = refined(self.system, known, unknowns, 5)
+            found, residual, determinant = refined(self.system, known, unknowns, 4)
             sign = np.sign(determinant) if step == 0 else sign
             moved = (np.array(found) - np.array(unknowns)) / self.scale[:, None]
             leapt = np.max(np.abs(moved - before), axis=0) > 0.2 if step > 1 else False
@@ -77,7 +87,7 @@ class Followed:
         """Whether two positions are one, up to whole turns."""
         gap = one - other
         gap = np.where(self.scale == 1.0, gap - math.tau * np.round(gap / math.tau), gap)
-        return bool(np.max(np.abs(gap) / self.scale) < 1e-6)
+        return bool(np.max(np.abs(gap) / self.scale) < 1e-6)  # not where NaN says that the assembly ends
 
 
 def typed(random, followed):
@@ -104,20 +114,28 @@ def judged(text, seed, count):
     silent = []
     changes = [typed(random, followed) for _ in range(count)]
     truths = followed.to([meant for _, _, meant in changes])
-    for (cell, number, _), truth in zip(changes, truths, strict=True):
+    for (cell, number, meant), truth in zip(changes, truths, strict=True):
         sheet.change(**{cell: number})
         here, words = followed.begins(), sheet.words("same_assembly")
+        calm = any(sheet.exists) and words == sheet.plan.text(KEPT)
+        if calm and here is not None and not followed.same(here, truth):
+            (truth,) = followed.to([meant], FINER)  # near a limit the steps are too large
         if here is None:
             nowhere += 1
             assert not any(sheet.exists), (text, cell, number)
-        elif np.isnan(truth).any() or not followed.same(here, truth):
+        elif not followed.same(here, truth):
             ended += 1
-            if any(sheet.exists) and words == sheet.plan.text(KEPT):
+            if calm:
                 silent.append((text, cell, number))
         else:
             fine += 1
             alarms += words == sheet.plan.text(BEGUN)
     return np.array([fine, ended, nowhere, alarms]), silent
+
+
+def text_of(seed):
+    """A random linkage of class III or IV."""
+    return Grower(seed, 1, (("III", "IV")[seed % 2],)).text(rows=3, step=1.0)
 
 
 @pytest.mark.parametrize("name", part(ITERATED, 4, 2))
@@ -133,9 +151,9 @@ def test_templates_do_not_leap_in_silence(name):
 @pytest.mark.slow
 def test_random_groups_do_not_leap_in_silence(record_property):
     total, amiss = np.zeros(4, int), []
-    for seed in first(range(100, 160), 3):
+    for seed in first(range(100, 136), 3):
         try:
-            counts, silent = judged(Grower(seed, 1, (("III", "IV")[seed % 2],)).text(rows=3, step=1.0), seed, CHANGES)
+            counts, silent = judged(text_of(seed), seed, CHANGES)
         except (MechsheetError, StopIteration):
             continue
         total += counts

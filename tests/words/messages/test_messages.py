@@ -1,6 +1,7 @@
 """Every message about a description or a mechanism has its Turkish, with the same parts."""
 
 import ast
+import re
 import string
 from pathlib import Path
 
@@ -111,3 +112,92 @@ def test_parts_are_told_in_turkish_too():
 def test_a_text_that_was_not_said_stays():
     fault = Fault("of another program", hint=say("take it away"))
     assert in_language(fault, "tr") == Fault("of another program", hint="kaldırın")
+
+
+UNSAID = {"no table", "no position", "id,name"}
+"""Of `homework.understanding`, which says why a workbook is none in words of its own; headings of a list."""
+
+ROOMS = (
+    "arguments",
+    "checking",
+    "description",
+    "exporting",
+    "homework",
+    "kinematics",
+    "library",
+    "plotting",
+    "sheet",
+    "studies",
+)
+"""Rooms whose faults are about what a person has described, typed or asked for; of files and of formulas: later."""
+
+
+def plain_texts(node, assigned, seen=()):
+    """Texts that an expression may be without having been said; `assigned`: what names of the function stand for."""
+    if isinstance(node, ast.JoinedStr):
+        yield ast.unparse(node)
+    elif isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value:
+        yield node.value
+    elif isinstance(node, ast.IfExp | ast.BoolOp):
+        for part in node.values if isinstance(node, ast.BoolOp) else (node.body, node.orelse):
+            yield from plain_texts(part, assigned, seen)
+    elif isinstance(node, ast.Name) and node.id not in seen:
+        for value in assigned.get(node.id, ()):
+            yield from plain_texts(value, assigned, (*seen, node.id))
+
+
+def unsaid_faults(path):
+    """What faults of a module say or hint at in English only."""
+    for function in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if not isinstance(function, ast.FunctionDef):
+            continue
+        assigned = {}
+        for node in ast.walk(function):
+            if isinstance(node, ast.Assign | ast.AnnAssign) and node.value is not None:
+                for target in node.targets if isinstance(node, ast.Assign) else [node.target]:
+                    if isinstance(target, ast.Name):
+                        assigned.setdefault(target.id, []).append(node.value)
+        for node in ast.walk(function):
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "Fault":
+                for given in (
+                    *node.args[:1],
+                    *(each.value for each in node.keywords if each.arg in ("message", "hint")),
+                ):
+                    yield from plain_texts(given, assigned)
+
+
+def test_every_fault_is_said():
+    found = {
+        (path.name, text) for room in ROOMS for path in (SOURCE / room).rglob("*.py") for text in unsaid_faults(path)
+    }
+    assert {(name, text) for name, text in found if text not in UNSAID} == set()
+
+
+TERMS = {
+    "link": "uz[uv]", "joint": "mafsal", "crank": "krank", "rocker": "sarka", "slider": "kızak|kızağ",
+    "gear": "dişli", "rack": "kremayer", "pinion": "pinyon", "velocit(?:y|ies)": "hız", "acceleration": "ivme",
+    "cell": "hücre", "freedom": "serbestli", "workbook": "çalışma kita[bp]", "sheet": "sayfa",
+    "driver": "tahrik", "assembly mode": "montaj biçim", "assembl(?:y|ies)": "montaj", "sketch": "eskiz",
+    "dimension": "boyut", "mass(?:es)?": "kütle", "load": "yük", "force": "kuvvet", "torque": "moment",
+    "ground": "sabit uz[uv]", "synthesis": "sentez",
+    "tolerance": "tolerans", "output": "çıktı|çıkış", "template": "şablon",
+}  # fmt: skip
+"""English term -> its Turkish, one for each thing, as the text has it."""
+
+NO_TERM = re.compile(
+    r"--\w+|`[^`]*`|\{[^}]*\}|\[[a-z.]+\]|\"[^\"]*\"|\w+ = |angle\(.*\)|angle of (?:link|arm)|^no link$"
+)
+"""What is typed as it stands, and a word that answers a question about one."""
+
+
+@pytest.mark.parametrize("term", TERMS)
+def test_one_word_for_each_thing(term):
+    said = {
+        english: turkish
+        for english, turkish in TURKISH.items()
+        if re.search(rf"\b{term}s?\b", NO_TERM.sub(" ", english), re.IGNORECASE)
+    }
+    assert said
+    assert {
+        english: turkish for english, turkish in said.items() if not re.search(TERMS[term], turkish, re.IGNORECASE)
+    } == {}

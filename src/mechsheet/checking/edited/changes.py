@@ -13,6 +13,7 @@ from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
+from mechsheet.said import say
 from mechsheet.sheet.plan import TOLERANCE, VALUE
 from mechsheet.sheet.table.requested import tables_of
 
@@ -66,17 +67,17 @@ def changes_in(book: Book, expected: Expected, shown: str) -> list[Change]:
     for key, (title, row, col) in input_places(expected):
         sheet, original = book.sheet(title), expected.book.sheet(title)
         if sheet is None or original is None:
-            faults.append(Fault(f'the sheet "{title}" is missing', shown))
+            faults.append(Fault(say('the sheet "{title}" is missing', title=title), shown))
             break
         was, now = original.constants.get(row, col), sheet.constants.get(row, col)
         cell = cell_address(title, row, col)
         if sheet.formula_at(row, col) is not None:
-            faults.append(Fault("holds a formula now; only numbers can be taken over", shown, key=cell))
+            faults.append(Fault(say("holds a formula now; only numbers can be taken over"), shown, key=cell))
         elif not same(was, now):
             number = _number(now)
             if number is None and not (now is None and key[0] == "tolerance"):
-                what = text_of(now) or "an empty cell"
-                faults.append(Fault(f"must hold a number, not {what}", shown, key=cell))
+                what = text_of(now) or say("an empty cell")
+                faults.append(Fault(say("must hold a number, not {what}", what=what), shown, key=cell))
                 continue
             found.append(Change(key, _number(was), number))
     if faults:

@@ -25,6 +25,7 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.places import number
 from mechsheet.library.modes_from_sketch import numbered_anew, with_modes
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,19 +77,40 @@ def _refuse_another(built: Mechanism, mine: Mechanism, shown: str, file: str) ->
 
     That is: another name, or links, points and sliding joints that are not there any more. New ones may have come.
     """
-    hint = "a length of the same name may mean another one there; enter the changes by hand"
+    hint = say("a length of the same name may mean another one there; enter the changes by hand")
     if built.name != mine.name:
-        message = f'describes "{mine.name}"; {shown} was built from "{built.name}"'
+        message = say(
+            'describes "{name}"; {shown} was built from "{other}"', name=mine.name, shown=shown, other=built.name
+        )
         raise DescriptionError(Fault(message, file, key="mechanism.name", hint=hint))
     bodies = {link.name: link for link in mine.links}
     faults = [
-        Fault(f'has no link "{link.name}" with the points {", ".join(link.points)}, as {shown} has', file, hint=hint)
+        Fault(
+            say(
+                'has no link "{name}" with the points {points}, as {shown} has',
+                name=link.name,
+                points=", ".join(link.points),
+                shown=shown,
+            ),
+            file,
+            hint=hint,
+        )
         for link in built.links
         if link.name not in bodies or not set(link.points) <= set(bodies[link.name].points)
     ]
     joints = {(joint.kind, joint.link, joint.on, joint.point) for joint in mine.joints}
     faults += [
-        Fault(f'has no joint of "{joint.link}" on "{joint.on}" at {joint.point}, as {shown} has', file, hint=hint)
+        Fault(
+            say(
+                'has no joint of "{link}" on "{on}" at {point}, as {shown} has',
+                link=joint.link,
+                on=joint.on,
+                point=joint.point,
+                shown=shown,
+            ),
+            file,
+            hint=hint,
+        )
         for joint in built.joints
         if (joint.kind, joint.link, joint.on, joint.point) not in joints
     ]
@@ -103,7 +125,7 @@ def _merged(changes: Sequence[Change], base: Expected, mine: Expected, source: S
     left: list[Change] = []
     for change in changes:
         if change.key not in places or _what(mine, change) != _what(base, change):
-            message = f"the workbook has changed {change.name}; here that is no input, or something else"
+            message = say("the workbook has changed {name}; here that is no input, or something else", name=change.name)
             faults.append(Fault(message, source.file, key=change.name))
             continue
         held = _held(mine, places[change.key])
@@ -112,10 +134,14 @@ def _merged(changes: Sequence[Change], base: Expected, mine: Expected, source: S
         if same(held, change.was):
             left.append(change)
             continue
-        message = (
-            f"is {_text(held)} here and {_text(change.now)} in {shown}; it was {_text(change.was)} when that was built"
+        message = say(
+            "is {held} here and {now} in {shown}; it was {was} when that was built",
+            held=_text(held),
+            now=_text(change.now),
+            shown=shown,
+            was=_text(change.was),
         )
-        faults.append(Fault(message, source.file, key=change.name, hint="make the two agree first"))
+        faults.append(Fault(message, source.file, key=change.name, hint=say("make the two agree first")))
     if faults:
         raise DescriptionError(faults)
     return left

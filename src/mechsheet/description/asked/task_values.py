@@ -19,6 +19,7 @@ from mechsheet.description.text.rewrite import with_value, without_key
 from mechsheet.description.text.source import Source
 from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
+from mechsheet.said import say
 from mechsheet.synthesis.kinds import KINDS
 from mechsheet.units import NUMBER
 
@@ -99,7 +100,9 @@ def _without_others(source: Source, place: Path) -> Source:
 
 def _with_choice(source: Source, path: Path, value: str, option: str) -> tuple[Source, list[Fault]]:
     if value.strip() != "true":
-        return source, [Fault(f"expected true, found {quoted(value.strip())}", source.file, key=option)]
+        return source, [
+            Fault(say("expected true, found {value}", value=quoted(value.strip())), source.file, key=option)
+        ]
     return with_value(source, path, "true"), []
 
 
@@ -116,15 +119,15 @@ def _with_numbers(source: Source, place: Path, value: str, option: str, whole_li
 
 
 def _with_list(source: Source, path: Path, value: str, option: str, fits: bool) -> tuple[Source, list[Fault]]:
-    hint = "for example --set psi=[60,80,105], or --set psi.2=80 for one of them"
+    hint: str = say("for example --set psi=[60,80,105], or --set psi.2=80 for one of them")
     try:
         found = tomllib.loads(f"value = {value}")["value"] if fits else None
     except tomllib.TOMLDecodeError:
         found = None
     if not isinstance(found, list) or not all(_plain(item) for item in found):
-        message = f"expected a list of numbers, found {quoted(value.strip())}"
+        message = say("expected a list of numbers, found {value}", value=quoted(value.strip()))
         if not fits and value.strip().startswith("["):
-            message, hint = f"expected a number, found the list {quoted(value.strip())}", ""
+            message, hint = say("expected a number, found the list {value}", value=quoted(value.strip())), ""
         return source, [Fault(message, source.file, key=option, hint=hint)]
     return with_value(source, path, value.strip()), []
 

@@ -27,6 +27,7 @@ from mechsheet.homework.recognition import deciding
 from mechsheet.homework.summaries import taken
 from mechsheet.homework.truth import truth_of
 from mechsheet.model import Mechanism, Need, Vary
+from mechsheet.said import say
 
 DRAWS = 1000
 """Times that dimensions are drawn anew for one student."""
@@ -76,7 +77,7 @@ def exercise(
     people, faults = _read(Path(class_list))
     folder = Path(output)
     if folder.exists() and not folder.is_dir():
-        faults.append(Fault("is a file: a folder is written", readable_name(folder), key="-o"))
+        faults.append(Fault(say("is a file: a folder is written"), readable_name(folder), key="-o"))
     try:
         students, remarks = drawn(mechanism, people or [("", "")], seed)  # that `need` is never met is told in any case
     except DescriptionError as error:
@@ -137,15 +138,15 @@ def class_of(path: Path) -> list[tuple[str, str]]:
     try:
         text = path.read_bytes().decode("utf-8-sig")
     except OSError as error:
-        raise MechsheetError(Fault(f"cannot be read: {error.strerror}", shown)) from error
+        raise MechsheetError(Fault(say("cannot be read: {reason}", reason=error.strerror), shown)) from error
     except UnicodeDecodeError as error:
-        raise MechsheetError(Fault("is no text in UTF-8", shown, hint="save it as CSV UTF-8")) from error
+        raise MechsheetError(Fault(say("is no text in UTF-8"), shown, hint=say("save it as CSV UTF-8"))) from error
     head = text.split("\n", 1)[0]
     delimiter = max(",;\t", key=head.count)
     rows = list(csv.reader(io.StringIO(text), delimiter=delimiter))
     titles = [cell.strip().casefold() for cell in rows[0]] if rows else []
     if "id" not in titles:
-        raise MechsheetError(Fault('no column is called "id"', shown, 1, source=head, hint="id,name"))
+        raise MechsheetError(Fault(say('no column is called "id"'), shown, 1, source=head, hint="id,name"))
     column = titles.index("id")
     name = next((titles.index(word) for word in ("name", "ad", "isim") if word in titles), None)
     faults: list[Fault] = []
@@ -155,17 +156,19 @@ def class_of(path: Path) -> list[tuple[str, str]]:
             continue
         identifier = row[column].strip() if column < len(row) else ""
         if not identifier:
-            faults.append(Fault("a line without an id", shown, line, source=delimiter.join(row)))
+            faults.append(Fault(say("a line without an id"), shown, line, source=delimiter.join(row)))
             continue
         other = found.get(safe(identifier).casefold())
         if other is not None:
-            what = "the same id as" if other[0] == identifier else f"an id too much like {other[0]} of"
-            faults.append(Fault(f"{what} line {other[2]}", shown, line, key=identifier))
+            message = say("the same id as line {line}", line=other[2])
+            if other[0] != identifier:
+                message = say("an id too much like {other} of line {line}", other=other[0], line=other[2])
+            faults.append(Fault(message, shown, line, key=identifier))
             continue
         label = row[name].strip() if name is not None and name < len(row) else ""
         found[safe(identifier).casefold()] = identifier, label, line
     if not found and not faults:
-        faults.append(Fault("nobody is in this list", shown))
+        faults.append(Fault(say("nobody is in this list"), shown))
     if faults:
         raise MechsheetError(faults)
     return [(identifier, label) for identifier, label, _ in found.values()]

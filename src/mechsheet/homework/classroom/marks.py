@@ -18,6 +18,7 @@ from mechsheet.homework.own_dimensions import is_other
 from mechsheet.homework.upright import Work, upright
 from mechsheet.homework.words_of import fault_line
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 from mechsheet.words.homework import said
 
 SUFFIXES = tuple(FORMATS)
@@ -108,9 +109,9 @@ def key_of_file(path: Path) -> Key:
             for one in data["students"]
         )
     except OSError as error:
-        raise MechsheetError(Fault(f"cannot be read: {error.strerror}", shown)) from error
+        raise MechsheetError(Fault(say("cannot be read: {reason}", reason=error.strerror), shown)) from error
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        raise MechsheetError(Fault("is not the key that mechsheet exercise writes", shown)) from error
+        raise MechsheetError(Fault(say("is not the key that mechsheet exercise writes"), shown)) from error
     return Key(mechanism, students)
 
 
@@ -125,11 +126,16 @@ def files_of(books: str | Path | Iterable[str | Path]) -> list[Path]:
             inside = [p for p in inside if not p.name.startswith((".", "~$"))]
             found += inside
             if not inside:
-                faults.append(Fault(f"no workbook ({', '.join(SUFFIXES)}) in this folder", readable_name(path)))
+                faults.append(
+                    Fault(
+                        say("no workbook ({suffixes}) in this folder", suffixes=", ".join(SUFFIXES)),
+                        readable_name(path),
+                    )
+                )
         else:
             found.append(path)
     if faults or not found:
-        raise MechsheetError(faults or Fault("no workbook is named"))
+        raise MechsheetError(faults or Fault(say("no workbook is named")))
     return list(dict.fromkeys(found))
 
 

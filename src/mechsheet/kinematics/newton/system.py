@@ -42,6 +42,9 @@ CLOSED = 1e-11
 SETTLED = 1e-12
 """Below this residual a pass has arrived."""
 
+STILL = 1e-14
+"""Radians, or parts of a displacement: a smaller change is of the last digits, whatever the determinant is."""
+
 MOST_PASSES = 12
 
 _SINGLE: Mapping[str, Callable[..., Any]] = FUNCTIONS | {
@@ -71,10 +74,11 @@ def followed(system: System, known: Mapping[str, Any], rows: int) -> dict[str, A
     if start is None:
         return {name: found[:, index] for index, name in enumerate(system.unknowns)}
     step, last = scalar_step(system), start.unknowns
-    for row in range(rows):
-        here = _arrived(step, last, [column[row] for column in given], system.passes)
-        if here is not None and here.determinant * start.determinant > 0:
-            found[row] = last = here.unknowns
+    with np.errstate(all="ignore"):  # far from any position numbers grow without bound
+        for row in range(rows):
+            here = _arrived(step, last, [column[row] for column in given], system.passes)
+            if here is not None and here.determinant * start.determinant > 0:
+                found[row] = last = here.unknowns
     return {name: found[:, index] for index, name in enumerate(system.unknowns)}
 
 
@@ -88,9 +92,10 @@ def start_of(system: System, known: Mapping[str, Any], rows: int) -> Pass | None
     there = {name: float(np.broadcast_to(column, (rows,))[row]) for name, column in known.items()}
     given = [there[name] for name in system.given]
     step = scalar_step(system)
-    if all(there[name] == value for name, value in system.described):
-        return _arrived(step, start, given, FIRST_PASSES)
-    return _arrived(step, _led(system, step, start, there), given, FIRST_PASSES - LED)
+    with np.errstate(all="ignore"):
+        if all(there[name] == value for name, value in system.described):
+            return _arrived(step, start, given, FIRST_PASSES)
+        return _arrived(step, _led(system, step, start, there), given, FIRST_PASSES - LED)
 
 
 def _led(system: System, step: Step, start: Sequence[float], there: Mapping[str, float]) -> Sequence[float]:
@@ -146,11 +151,20 @@ def _arrived(step: Step, start: Sequence[float], given: Sequence[float], passes:
     unknowns = start
     try:
         for _ in range(passes):
-            unknowns = step(unknowns, given).unknowns
-        last = step(unknowns, given)
+            here = step(unknowns, given)
+            if _stays(unknowns, here.unknowns):
+                break
+            unknowns = here.unknowns
+        else:
+            here = step(unknowns, given)
     except (ArithmeticError, ValueError):
         return None
-    return Pass(tuple(unknowns), last.residual, last.determinant) if last.residual <= CLOSED else None
+    return Pass(tuple(unknowns), here.residual, here.determinant) if here.residual <= CLOSED else None
+
+
+def _stays(unknowns: Sequence[float], following: Sequence[float]) -> bool:
+    """Whether a pass moves nothing any more: those that are left would not either."""
+    return all(abs(x - y) <= STILL * max(1.0, abs(x)) for x, y in zip(unknowns, following, strict=True))
 
 
 # --- one pass as generated code: a row is too little for numpy, and a walk over the trees is too slow -----------------

@@ -118,8 +118,12 @@ def _need_short_task(mechanism: Mechanism) -> None:
     task = mechanism.synthesis
     if task is None or (len(task.steps) <= MOST_STEPS and not task.mode):
         return
-    message = f"the layout page cannot hold the {len(task.steps)} steps of a synthesis of kind {task.kind}"
-    raise MechanismError(Fault(message, key="workbook.layout", hint='layout = "sheets" has a sheet for them'))
+    message = say(
+        "the layout page cannot hold the {steps} steps of a synthesis of kind {kind}",
+        steps=len(task.steps),
+        kind=task.kind,
+    )
+    raise MechanismError(Fault(message, key="workbook.layout", hint=say('layout = "sheets" has a sheet for them')))
 
 
 def traced_points(mechanism: Mechanism) -> tuple[str, ...]:

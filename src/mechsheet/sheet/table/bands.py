@@ -27,6 +27,7 @@ from mechsheet.kinematics.rates.sensitivity import (
     toleranced,
 )
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded
 from mechsheet.units import LENGTH, NUMBER, Unit
@@ -75,16 +76,16 @@ def found_bands(mechanism: Mechanism, equations: Equations) -> Sensitivities:
     """The derivatives that are asked for. Raises MechanismError where there are none."""
     if mechanism.bands is None:
         return NO_BANDS
-    newton = [group.label.en for group in equations.groups if group.system is not None]
+    newton = [group.label for group in equations.groups if group.system is not None]
     if newton:
-        message = f"bands are not found where links must be solved all at once: {newton[0]}"
-        raise MechanismError(Fault(message, key="tolerance", hint="leave [tolerance] out; positions are found"))
+        message = say("bands are not found where links must be solved all at once: {group}", group=newton[0])
+        raise MechanismError(Fault(message, key="tolerance", hint=say("leave [tolerance] out; positions are found")))
     found = sensitivities(mechanism, equations, mechanism.bands.quantities)
     still = [each.quantity for each in found.of if not each.by]
     if still:
         raise MechanismError(
-            Fault(f'no dimension with a tolerance changes "{name}"', key="tolerance",
-                  hint="give another dimension a tolerance, or leave it out of `of`")
+            Fault(say('no dimension with a tolerance changes "{name}"', name=name), key="tolerance",
+                  hint=say("give another dimension a tolerance, or leave it out of `of`"))
             for name in still
         )  # fmt: skip
     return found

@@ -9,10 +9,12 @@ from mechsheet.said import in_turkish
 
 from .asked import ASKED
 from .checks import CHECKS
+from .library import LIBRARY
 from .mechanism import MECHANISM
+from .studies import STUDIES
 from .text import TEXT
 
-TURKISH: dict[str, str] = TEXT | MECHANISM | ASKED | CHECKS
+TURKISH: dict[str, str] = TEXT | MECHANISM | ASKED | CHECKS | LIBRARY | STUDIES
 
 
 def text_in(text: str, language: str) -> str:

@@ -138,7 +138,7 @@ ASKED: dict[str, str] = {
     "{name} is the ground: a load on it changes nothing": "{name} sabit uzuv: üzerindeki yük bir şey değiştirmez",
     "load a moving link, or take it away": "hareketli bir uzvu yükleyin ya da yükü kaldırın",
     "goes with `force`: a torque is the same wherever it acts": (
-        "`force` ile verilir: tork nerede etkirse etkisin aynıdır"
+        "`force` ile verilir: moment nerede etkirse etkisin aynıdır"
     ),
     "goes with a force: a spring has its two points in `between`": (
         "kuvvetle verilir: yayın iki noktası `between` içindedir"
@@ -179,7 +179,7 @@ ASKED: dict[str, str] = {
     ),
     'write layout = "sheets"': 'layout = "sheets" yazın',
     "no link has a mass and nothing is loaded: there is no torque to even out": (
-        "hiçbir uzvun kütlesi, hiçbir yük yok: dengelenecek tork yok"
+        "hiçbir uzvun kütlesi, hiçbir yük yok: dengelenecek moment yok"
     ),
     "{value:.6g} is no coefficient of fluctuation: it is (ω max − ω min) / ω mean, between 0 and 2": (
         "{value:.6g} düzgünsüzlük katsayısı olamaz: (ω max − ω min) / ω ort, 0 ile 2 arasındadır"
@@ -342,7 +342,7 @@ ASKED: dict[str, str] = {
     "dimensions": "boyutlar",
     "languages": "diller",
     "keys": "anahtarlar",
-    "templates": "hazır mekanizmalar",
+    "templates": "şablonlar",
     "modes": "montaj biçimleri",
     "the points": "noktalar",
     "the dimensions": "boyutlar",
@@ -369,7 +369,7 @@ ASKED: dict[str, str] = {
     "normal force": "normal kuvvet",
     "couple": "kuvvet çifti",
     "driving force": "tahrik kuvveti",
-    "driving torque": "tahrik torku",
+    "driving torque": "tahrik momenti",
     "coordinate": "koordinat",
     "speed": "hız",
     "acceleration": "ivme",
@@ -442,7 +442,7 @@ ASKED: dict[str, str] = {
     ),
     "a list with one for each of `values`": "`values` içindeki her değere bir tane olan bir liste",
     "coefficient of fluctuation of speed that is allowed, (ω max − ω min)/ω mean": (
-        "izin verilen düzgünsüzlük katsayısı, (ω max − ω min)/ω ort"
+        "hızda izin verilen düzgünsüzlük katsayısı, (ω max − ω min)/ω ort"
     ),
     "the result that says it": "onu veren sonuç",
     "an expression over variables and dimensions, or over summaries and dimensions": (

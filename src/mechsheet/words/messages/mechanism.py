@@ -280,13 +280,13 @@ MECHANISM: dict[str, str] = {
     ),
     "the sketch lies between the two assemblies of {group}": "eskiz, şunun iki montajının arasında: {group}",
     "+1 is at {plus}; -1 is at {minus}: sketch a point nearer to the one that is meant": (
-        "+1: {plus}; -1: {minus}; bir noktayı istenene daha yakın gösterin"
+        "+1: {plus}; -1: {minus}; eskizde bir noktayı istenene daha yakın çizin"
     ),
     "the sketch lies between two of the {count} assemblies of {group}": (
         "eskiz, {count} montajdan ikisinin arasında: {group}"
     ),
     "{assemblies}: sketch a point nearer to the one that is meant": (
-        "{assemblies}; bir noktayı istenene daha yakın gösterin"
+        "{assemblies}; eskizde bir noktayı istenene daha yakın çizin"
     ),
     "{hint}; {fits}: if it was drawn there, write at = {at}": "{hint}; {fits}: orada çizildiyse at = {at} yazın",
     "the sketch fits {positions}": "eskiz şuraya uyuyor: {positions}",
@@ -316,7 +316,7 @@ MECHANISM: dict[str, str] = {
         "eskizdeki konumdan ilk konuma izlenemiyor, arada ayrılıyorlar: {links}"
     ),
     "sketch a position of the same stretch, or begin the sweep in it": (
-        "aynı aralıktan bir konum gösterin ya da tahriki o aralıkta başlatın"
+        "eskizde aynı aralıktan bir konum çizin ya da tahriki o aralıkta başlatın"
     ),
     "the sketch cannot show this position: there {links} cannot be joined": (
         "eskiz bu konumu gösteremez, orada birleşemiyorlar: {links}"
@@ -327,6 +327,30 @@ MECHANISM: dict[str, str] = {
     '"{name}" is not known here': '"{name}" burada bilinmiyor',
     "the task has no solution": "görevin çözümü yok",
     "give it another one": "başka bir görev verin",
+    # a sketch that is doubtful
+    '"{point}" is a point of the ground: sketching it decides nothing': (
+        '"{point}" sabit uzvun noktası: onu eskize koymak bir şey belirlemez'
+    ),
+    "{name} is sketched {angle:.3g} degrees away from where the phase puts it": (
+        "{name} eskizde, faz açısının koyduğu yerden {angle:.3g} derece ötede"
+    ),
+    "write phase = {phase:.4g}, or sketch {name} elsewhere": (
+        "phase = {phase:.4g} yazın ya da eskizde {name} başka yerde olsun"
+    ),
+    "the sketch is read at the first position, {where}, but it fits {fits}": (
+        "eskiz ilk konumda okunur, {where}, oysa şuna uyuyor: {fits}"
+    ),
+    "write at = {at} in [assembly], or sketch the first position": (
+        "[assembly] altına at = {at} yazın ya da ilk konumun eskizini verin"
+    ),
+    "the sketch is said to show {where}, but it fits {fits}": (
+        "eskizin {where} konumunu gösterdiği söyleniyor, oysa şuna uyuyor: {fits}"
+    ),
+    "write at = {at}, or sketch the position at {where}": "at = {at} yazın ya da {where} konumunun eskizini verin",
+    "the sketch of {name} is far from every position; at {where} it is at {lies}": (
+        "{name} eskizi bütün konumlardan uzak; {where} iken yeri {lies}"
+    ),
+    "check the dimensions and the sketch": "boyutları ve eskizi gözden geçirin",
     "on the way from the described dimensions to these the assembly of {links} ends: the sketch means another now": (
         "tarif edilen boyutlardan bunlara giderken montaj sona eriyor, eskizin şimdi gösterdiği başka bir montaj: {links}"
     ),
