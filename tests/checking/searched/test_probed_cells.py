@@ -40,7 +40,8 @@ def test_the_band_of_an_extreme_is_not_compared_digit_by_digit_on_any_sheet(plan
 
 def test_passes_of_a_row_that_does_not_close_are_nobodys():
     """There Newton's method leaps about; that no position follows is compared all the same."""
-    laid = Laid(template_text("planar-3rpr").replace("stop = 7\nstep = 0.2", "stop = 10\nstep = 0.5"))
+    text = template_text("planar-3rpr").replace("stop = 7\nstep = 0.2", "stop = 10\nstep = 0.5")
+    laid = Laid(text)
     plan, values, title = laid.plan, laid.values, laid.plan.at.titles["iterations"]
     open_row = laid.exists.index(False) + plan.at.first
     last = plan.iterations[-1].col  # whether it fits, beside the residual
@@ -48,6 +49,7 @@ def test_passes_of_a_row_that_does_not_close_are_nobodys():
     assert {row for _, row, _ in astray} == {row for row, there in enumerate(laid.exists, plan.at.first) if not there}
     spots = [plan.at.spots[symbol] for symbol in ("residual", "det")]  # where Positions shows what the last pass has
     assert {(spot.sheet, open_row, spot.col) for spot in spots} <= astray
+    assert (plan.at.titles["rates"], open_row, plan.at.spots["D"].col) in astray
 
     def agrees(row, col):
         def theirs(sheet, *place):

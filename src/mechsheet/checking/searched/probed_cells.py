@@ -17,7 +17,7 @@ from mechsheet.checking.report import Comparison
 from mechsheet.checking.rules import Rules
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Scalar, Symbol
+from mechsheet.formula.nodes import Scalar, Symbol, symbols
 from mechsheet.sheet.plan import BLOCKS, Plan
 from mechsheet.sheet.table.lowering import FITS
 from mechsheet.sheet.table.requested import tables_of
@@ -93,10 +93,16 @@ class Astray:
             ]
             last = (Symbol(group.system.residual), Symbol(group.system.determinant))
             beside = [column.col for column in plan.columns if column.equation and column.equation.expression in last]
+            divisor = [  # by which the coefficients of velocities are divided
+                column.col
+                for column in plan.rates
+                if column.equation and group.system.determinant in symbols(column.equation.expression)
+            ]
             shown = there.column(closes.sheet, closes.col, plan.at.first, plan.at.last)
             rows = [row for row, value in enumerate(shown, plan.at.first) if not isinstance(value, float)]
             self._add(moves, title, rows, passes)
             self._add(moves, plan.table, rows, beside)
+            self._add(moves, plan.at.titles["rates"], rows, divisor)
 
     def _add(self, moves: Moves, title: str, rows: list[int], cols: list[int]) -> None:
         """Rows of some columns of a sheet, where they are now."""
