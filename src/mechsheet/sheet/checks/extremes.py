@@ -17,10 +17,10 @@ from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks import parabolas, turning
-from mechsheet.sheet.checks.boundless import at_pole, beyond_rows, may_grow
+from mechsheet.sheet.checks.boundless import STRAIGHT_SIGNED, at_pole, beyond_rows, in_row, may_grow, unsigned_divisor
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
-from mechsheet.sheet.checks.parabolas import Parabolas, vertex_of
+from mechsheet.sheet.checks.parabolas import Parabolas, neighbours, vertex_of
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.driving import driver_at
@@ -404,8 +404,23 @@ class Extremes:
         found = beyond_rows(probes.cell(row + 2, SIDE), probes.cell(row, SIDE + 3), worst, self._rows_of_stretch())
         if not turning.known(self.plan, symbol):
             before, here, after = (probes.cell(row + 1, SIDE + work) for work in (4, 5, 6))
-            found = formula("OR(found,pole)", found=found, pole=at_pole(before, here, after))
+            pole = at_pole(before, here, after)
+            if (divisor := unsigned_divisor(self.plan, symbol)) is not None:
+                pole = at_pole(*self._signed(symbol, divisor, block), STRAIGHT_SIGNED)
+            found = formula("OR(found,pole)", found=found, pole=pole)
         probes.work(row + 2, BOUNDLESS, "IFERROR(found,FALSE)", found=found)
+
+    def _signed(self, symbol: str, divisor: Node, block: Block) -> tuple[Node, Node, Node]:
+        """The quantity in the three rows around the best one, with the sign of what it is divided by as an absolute
+        value."""
+        probes, row = self.probes, block.row
+        rows = neighbours(probes.cell(row + 1, SIDE + 3), self._around(self._wraps_of(symbol)), self.plan.rows)
+        before, here, after = (
+            probes.work(row + 2, SIDE + work, "value*SIGN(divisor)", value=probes.cell(row + 1, SIDE + work),
+                        divisor=in_row(self.plan, divisor, number))
+            for work, number in zip((4, 5, 6), rows, strict=True)
+        )  # fmt: skip
+        return before, here, after
 
     def _band(self, symbol: str, way: Way, block: Block) -> None:
         """The derivatives by dimensions where a quantity is smallest or largest: as this changes, so does the extreme."""
