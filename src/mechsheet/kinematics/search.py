@@ -358,7 +358,7 @@ class Search:
     def _at_edges(near: Change, edges: Array) -> Array:
         """The values at edges. Where a denominator goes to 0 there, its sign is that of rounding: then the values just
         within, which have the quantity's own."""
-        at, before, after = near(edges), near(edges - WITHIN), near(edges + WITHIN)
+        at, before, after = near(edges), near(np.maximum(edges - WITHIN, 1)), near(edges + WITHIN)
         within = np.where(np.isnan(before), after, before)
         return np.where((at * within < 0) & (np.abs(at) > LEAPT * np.abs(within)), within, at)
 

@@ -50,8 +50,11 @@ def beyond_rows(value: Node, of_rows: Node, others: Node, rows: tuple[Node, Node
     )  # fmt: skip
 
 
-def at_pole(before: Node, here: Node, after: Node, straight: float = STRAIGHT) -> Node:
-    """Whether a quantity has a pole beside the middle one of three rows."""
+def at_pole(before: Node, here: Node, after: Node, straight: float) -> Node:
+    """Whether a quantity has a pole beside the middle one of three rows.
+
+    straight  how much its reciprocal may bend: `STRAIGHT` or `STRAIGHT_SIGNED`
+    """
     return formula(
         "IFERROR(AND(MIN(before*here,after*here)<0,ABS(1/before-2/here+1/after)<straight*ABS(1/before-1/after)),FALSE)",
         before=before, here=here, after=after, straight=straight,
@@ -60,7 +63,7 @@ def at_pole(before: Node, here: Node, after: Node, straight: float = STRAIGHT) -
 
 def unsigned_divisor(plan: Plan, symbol: str) -> Node | None:
     """What an output is divided by only as an absolute value, over columns of the tables: b of a/|b|; None without."""
-    found = [each for each in _factors(plan, Symbol(symbol), False, False) if _columns_of(plan, each)]
+    found = [each for each in _factors(plan.equations.of(symbol).expression, False, False) if _columns_of(plan, each)]
     return reduce(al.mul, found) if found else None
 
 
@@ -81,21 +84,18 @@ def _columns_of(plan: Plan, node: Node) -> set[str]:
     return {part.name for part in walk(node) if isinstance(part, Symbol) and plan.at.spots[part.name].column}
 
 
-def _factors(plan: Plan, node: Node, below: bool, absolute: bool) -> list[Node]:
-    """The factors of a product that stand below its fraction line and in an absolute value; outputs are what they are
-    made of.
+def _factors(node: Node, below: bool, absolute: bool) -> list[Node]:
+    """The factors of a product that stand below its fraction line and in an absolute value.
 
     below, absolute  whether the node itself does
     """
     match node:
         case Binary("*", left, right):
-            return _factors(plan, left, below, absolute) + _factors(plan, right, below, absolute)
+            return _factors(left, below, absolute) + _factors(right, below, absolute)
         case Binary("/", left, right):
-            return _factors(plan, left, below, absolute) + _factors(plan, right, not below, absolute)
+            return _factors(left, below, absolute) + _factors(right, not below, absolute)
         case Unary("-", operand):
-            return _factors(plan, operand, below, absolute)
+            return _factors(operand, below, absolute)
         case Call("ABS", (operand,)):
-            return _factors(plan, operand, below, True)
-        case Symbol(name) if name in {output.symbol for output in plan.mechanism.outputs}:
-            return _factors(plan, plan.equations.of(name).expression, below, absolute)
+            return _factors(operand, below, True)
     return [node] if below and absolute else []

@@ -17,7 +17,15 @@ from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks import parabolas, turning
-from mechsheet.sheet.checks.boundless import STRAIGHT_SIGNED, at_pole, beyond_rows, in_row, may_grow, unsigned_divisor
+from mechsheet.sheet.checks.boundless import (
+    STRAIGHT,
+    STRAIGHT_SIGNED,
+    at_pole,
+    beyond_rows,
+    in_row,
+    may_grow,
+    unsigned_divisor,
+)
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.parabolas import Parabolas, neighbours, vertex_of
@@ -404,23 +412,27 @@ class Extremes:
         found = beyond_rows(probes.cell(row + 2, SIDE), probes.cell(row, SIDE + 3), worst, self._rows_of_stretch())
         if not turning.known(self.plan, symbol):
             before, here, after = (probes.cell(row + 1, SIDE + work) for work in (4, 5, 6))
-            pole = at_pole(before, here, after)
+            straight = STRAIGHT
             if (divisor := unsigned_divisor(self.plan, symbol)) is not None:
-                pole = at_pole(*self._signed(symbol, divisor, block), STRAIGHT_SIGNED)
-            found = formula("OR(found,pole)", found=found, pole=pole)
+                before, after = self._signed(symbol, divisor, block)
+                straight = STRAIGHT_SIGNED
+            found = formula("OR(found,pole)", found=found, pole=at_pole(before, here, after, straight))
         probes.work(row + 2, BOUNDLESS, "IFERROR(found,FALSE)", found=found)
 
-    def _signed(self, symbol: str, divisor: Node, block: Block) -> tuple[Node, Node, Node]:
-        """The quantity in the three rows around the best one, with the sign of what it is divided by as an absolute
-        value."""
+    def _signed(self, symbol: str, divisor: Node, block: Block) -> tuple[CellRef, CellRef]:
+        """The quantity in the rows beside the middle one of three: with the other sign where what it is divided by as an
+        absolute value has another sign there."""
         probes, row = self.probes, block.row
-        rows = neighbours(probes.cell(row + 1, SIDE + 3), self._around(self._wraps_of(symbol)), self.plan.rows)
+        around = self._around(self._wraps_of(symbol))
         before, here, after = (
-            probes.work(row + 2, SIDE + work, "value*SIGN(divisor)", value=probes.cell(row + 1, SIDE + work),
-                        divisor=in_row(self.plan, divisor, number))
-            for work, number in zip((4, 5, 6), rows, strict=True)
-        )  # fmt: skip
-        return before, here, after
+            in_row(self.plan, divisor, number)
+            for number in neighbours(probes.cell(row + 1, SIDE + 3), around, self.plan.rows)
+        )
+        value = {work: probes.cell(row + 1, SIDE + work) for work in (4, 6)}
+        return (
+            probes.work(row + 2, SIDE + 4, "value*SIGN(there*here)", value=value[4], there=before, here=here),
+            probes.work(row + 2, SIDE + 6, "value*SIGN(there*here)", value=value[6], there=after, here=here),
+        )
 
     def _band(self, symbol: str, way: Way, block: Block) -> None:
         """The derivatives by dimensions where a quantity is smallest or largest: as this changes, so does the extreme."""
