@@ -241,6 +241,9 @@ def test_a_wheel_sketched_out_of_phase_is_told_the_phase_that_fits():
     assert fault.key == "joints.0"
     assert fault.message == "B is sketched 90 degrees away from where the phase puts it"
     assert fault.hint == "write phase = 90, or sketch B elsewhere"
+    back = loads(text.replace("P = [0.2, 0.25]\n", sketch + "B = [0.3, 0]\n").replace("phase = 0", "phase = 40"))
+    fault, *_others = doubts(back, solve(back))
+    assert fault.hint == "write phase = 0, or sketch B elsewhere"  # not 6e-15
     assert not any("phase" in other.message for other in others)
     elsewhere = text.replace("P = [0.2, 0.25]\n", "P = [0.28, 0.2]\nB = [0.3, 0]\n")  # P is no point of the wheel
     assert not any("phase" in message for message in told(elsewhere))

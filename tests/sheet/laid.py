@@ -73,12 +73,16 @@ class Laid:
 
     def change(self, **symbols):
         """Type numbers (as shown) into input cells, None empties one; `_start` is the place "#start"."""
-        spots = {symbol: self.plan.at.spots[symbol.replace("_", "#", 1) if symbol[0] == "_" else symbol]
-                 for symbol in symbols}  # fmt: skip
+        spots = self.spots(symbols)
         changes = {(spot.sheet, spot.row, spot.col): _typed(symbols[symbol]) for symbol, spot in spots.items()}
         plan = narrowed(self.cells, *self.key) if self.cells else compiled(*self.key)
         self.values = plan.evaluate(changes)
         return self
+
+    def spots(self, symbols):
+        """Where input cells stand, by what `change` calls them."""
+        return {symbol: self.plan.at.spots[symbol.replace("_", "#", 1) if symbol[0] == "_" else symbol]
+                for symbol in symbols}  # fmt: skip
 
     def damage(self, sheet, col, change):
         """Replace the formulas of a column of a sheet: `change` takes and gives a tree."""

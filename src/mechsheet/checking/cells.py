@@ -15,6 +15,8 @@ from mechsheet.formula.nodes import ErrorValue, Scalar, shifted
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.solve import is_length
 from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.table.requested import tables_of
+from mechsheet.sheet.table.summary_table import SummaryTable
 from mechsheet.units import turn
 
 Compared = Literal["value", "error", "nothing"]
@@ -40,6 +42,10 @@ def angles_in(plan: Plan) -> Angles:
             continue
         if column.equation.unit.kind == "angle":
             periods[plan.table, column.col] = turn(plan.at.spots[column.symbol].degrees)
+    # a table's angle before it goes on from the cell above: of atan2(0, -1) a rounding error makes half a turn or minus that
+    for table in tables_of(plan) if plan.at.titles.get("extremes", plan.main) != plan.main else ():
+        if isinstance(table, SummaryTable):
+            periods |= {(table.title, col): turn(False) for col in table.helpers.columns_of_raw_angles}
     lengths = [abs(dim.value) for dim in plan.mechanism.dimensions if isinstance(dim.value, float) and is_length(dim)]
     return Angles(periods, min(1.0, max(lengths, default=1.0) or 1.0))
 
@@ -52,12 +58,12 @@ def compare_cells(
     angles: Angles | None = None,
     rules: Rules | None = None,
     but: Collection[int] = (),
-    compared: Callable[[str, int], Compared] = lambda _sheet, _row: "value",
+    compared: Callable[[str, int, int], Compared] = lambda _sheet, _row, _col: "value",
 ) -> Comparison:
     """The engine's value of every formula against `theirs(sheet, row, col)`.
 
     but       blocks that are left out, by their number
-    compared  what is compared in a sheet's row: values, whether there is one or an error, nothing
+    compared  what is compared in a cell of a sheet: values, whether there is one or an error, nothing
     """
     angles, rules = angles or Angles(), rules or Rules()
     ignored = ignored_in(book, rules.ignore)
@@ -73,7 +79,7 @@ def compare_cells(
                 scale = column_scale(ours, angles.size)
                 period = angles.periods.get((sheet.title, col))
                 for row, value in enumerate(ours, block.row):
-                    what = compared(sheet.title, row)
+                    what = compared(sheet.title, row, col)
                     if what == "nothing" or ignored.has(sheet.title, row, col):
                         continue
                     other = theirs(sheet.title, row, col)

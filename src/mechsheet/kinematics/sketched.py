@@ -167,7 +167,7 @@ def _phases(mechanism: Mechanism, entries: Sequence[Entry], values: Mapping[str,
             off = math.remainder(off, math.tau)
             if abs(off) > OUT_OF_PHASE:
                 unit = mechanism.angle_unit
-                written = unit.to_shown(number(gear.phase, dimension_values(mechanism)) + off)
+                written = round(unit.to_shown(number(gear.phase, dimension_values(mechanism)) + off), 9) + 0.0  # no -0
                 message = say(
                     "{name} is sketched {angle:.3g} degrees away from where the phase puts it",
                     name=entry.name,

@@ -11,6 +11,14 @@ NUMBERS = "<1E+300"
 """What numbers are, and errors are not: rows without a position are left out."""
 
 
+ENDS = {
+    "first": 'INDEX(column,SUMPRODUCT(MATCH(TRUE,column<>"",0)))',
+    "last": 'LOOKUP(2,1/(column<>""),column)',
+}
+"""The first and the last number of a column in which errors stand above, between and below: an error stays one in the
+comparison, and is passed over. gnumeric knows no ISNUMBER of many cells, LibreOffice no LOOKUP among errors as they are."""
+
+
 def over_rows(function: str, column: Node) -> Node:
     """The least, the largest or the mean of the numbers of a column."""
     if function == MEAN:

@@ -354,7 +354,7 @@ def test_repeated_rows_anywhere(tmp_path, heading):
 
 
 def test_a_scale_and_a_column_that_begins_a_page(tmp_path):
-    setup = PrintSetup(landscape=False, scale=60, page_at=2)
+    setup = PrintSetup(landscape=False, scale=60, page_at=(2,))
     sheet = Sheet("S", (Cell(0, 0, 1.0),), columns=(Column(0, 1, 9), Column(2, 5, 9)), print_setup=setup)
     root = tree(written(Workbook((sheet,)), tmp_path))
     styles = {get(style, "style:name"): style for style in root.iter(f"{{{NS['style']}}}style")}

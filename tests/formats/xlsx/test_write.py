@@ -191,7 +191,7 @@ def test_view_print_and_structure(path):
 
 def test_a_scale_and_a_column_that_begins_a_page(tmp_path):
     """Excel forgets breaks by hand where a sheet is fitted to pages."""
-    setup = PrintSetup(landscape=False, scale=60, page_at=2)
+    setup = PrintSetup(landscape=False, scale=60, page_at=(2,))
     write_xlsx(Workbook((Sheet("S", (Cell(0, 0, 1.0),), print_setup=setup),)), tmp_path / "a.xlsx")
     page = openpyxl.load_workbook(tmp_path / "a.xlsx").active
     assert (page.page_setup.scale, page.page_setup.orientation, page.sheet_properties.pageSetUpPr.fitToPage) == (

@@ -165,7 +165,7 @@ def test_the_first_sheet_can_be_read_on_paper(name):
         assert 10 * (8.27 - 2 * MARGIN_END) * 96 / pixels >= 5
         return
     assert 10 * setup.scale / 100 >= 5
-    assert setup.page_at == CHARTS
+    assert setup.page_at == (CHARTS,)
     bottom = max(
         sum(heights[row] for row in range(chart.anchor.row)) + chart.anchor.dy + chart.anchor.height
         for chart in sheet.charts

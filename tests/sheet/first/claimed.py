@@ -15,6 +15,7 @@ from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.solve import solve
 from mechsheet.engine import compile_book
+from mechsheet.formats import write
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import TURN, Search
@@ -24,6 +25,7 @@ from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import MEANING, VALUE
 from mechsheet.sheet.workbook import Fill, Sheet
 from random_mechanisms import Grower
+from typed_files import with_inputs
 
 ROOT = Path(__file__).parents[3]
 COLOURS = {id(styles.BAD): "red", id(styles.WARN): "amber", id(styles.GOOD): "green"}
@@ -36,10 +38,8 @@ class Sheets:
     """A mechanism's workbook, ready for changed inputs: without its drawing, with the first sheet's colour rules as
     cells.
 
-    values  of its cells, with the inputs typed last;  coloured  whether the rules are among them
+    values  of its cells, with the inputs typed last
     """
-
-    coloured = True
 
     def __init__(self, mechanism):
         self.mechanism = mechanism
@@ -53,10 +53,12 @@ class Sheets:
         for sheet in workbook.sheets:
             if sheet.title == self.plan.main:
                 sheet = self._with_rules(sheet)
-            sheets.append(sheet if sheet.title in needed else Sheet(sheet.title))
-        self.book = compile_book(book_of(replace(workbook, sheets=tuple(sheets))))
+            sheets.append(replace(sheet, charts=(), controls=()) if sheet.title in needed else Sheet(sheet.title))
+        self.workbook = replace(workbook, sheets=tuple(sheets))
+        self.book = compile_book(book_of(self.workbook))
         self.names = {name.name: name for name in workbook.names}
         self.values = None
+        self.truths = {}
 
     def _with_rules(self, sheet):
         fills = []
@@ -69,15 +71,26 @@ class Sheets:
         """Type what stands in `inputs` by symbol, as shown; None empties a cell."""
         self.values = self.book.evaluate(self.cells_of(inputs))
 
+    def write(self, inputs, path):
+        """The file with these inputs typed: 0 is stored as the result of every formula, which nobody may believe."""
+        write(with_inputs(self.workbook, self.cells_of(inputs)), path)
+
+    def truth_of(self, inputs):
+        """The motion that these inputs mean; kept, since several programs are judged by it."""
+        key = tuple(sorted(inputs.items()))
+        if key not in self.truths:
+            self.truths[key] = Truth(self, dict(key))
+        return self.truths[key]
+
     def cells_of(self, inputs):
         """The cells in which inputs stand."""
         spots = self.plan.at.spots
         return {(spots[key].sheet, spots[key].row, spots[key].col): value for key, value in inputs.items()}
 
     def elsewhere(self, values):
-        """The same workbook with another program's values: without colours."""
+        """The same workbook with another program's values."""
         found = copy(self)
-        found.values, found.coloured = values, False
+        found.values = values
         return found
 
     def cell(self, row, col):
@@ -236,7 +249,7 @@ def change(sheets, random):
             steps = [whole, -whole, 360 / plan.rows, random.uniform(0.2, 1.5) * whole, -random.uniform(0.2, 1) * whole]
             inputs["#step"] = float(steps[int(random.integers(len(steps)))]) * degrees
     for group in plan.equations.groups:
-        if group.mode and random.random() < 0.3:
+        if group.mode and random.random() < 0.3 and group.follows is None:  # the cell of one that follows is not yellow
             inputs[group.mode] = float(
                 next(value for value in (*group.mode_values[::-1], 0) if value != group.mode_value)
             )

@@ -14,7 +14,6 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 import numpy as np
-from claimed import Truth
 
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.numeric import value as number_of
@@ -31,8 +30,6 @@ LIMIT = 1e-5
 
 GROWN = 3.0
 """What is said to grow without bound goes beyond the rows by more than so many of their ranges."""
-
-OF_COLOURS = ("impossible: red", "wrong input: red", "wrong input: red cell", "verdict colour")
 
 
 @dataclass
@@ -85,8 +82,7 @@ class _Judge:
         self.text = self.plan.text
 
     def say(self, kind, right, *details):
-        if self.sheets.coloured or kind not in OF_COLOURS:
-            self.claims.say(kind, bool(right), *self.where, *details)
+        self.claims.say(kind, bool(right), *self.where, *details)
 
     def verdict(self, key, **parts):
         return self.text(f"verdict.{key}", **parts)
@@ -97,7 +93,7 @@ class _Judge:
             self.refused()
             return
         try:
-            self.truth = Truth(self.sheets, {key: value for key, value in self.inputs.items() if key != "#position"})
+            self.truth = self.sheets.truth_of({key: value for key, value in self.inputs.items() if key != "#position"})
         except (ValueError, ArithmeticError):  # a derived dimension, or a place over dimensions, that does not exist
             self.say("impossible: red", self.sheets.colour(VERDICT_ROW, 0) == "red", self.sheets.colour(VERDICT_ROW, 0))
             return

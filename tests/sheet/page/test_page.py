@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import replace
+from itertools import accumulate, pairwise
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,7 @@ from mechsheet.formats import read
 from mechsheet.formula.nodes import CellRef, NameRef, RangeRef, shifted, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.equations import RATES
+from mechsheet.sheet.page.paper import ACROSS, Paper, on_paper, pixels
 from mechsheet.sheet.workbook import Fill
 from office_macros import Job, with_macros
 from published.printed_numbers import dimensions, table
@@ -317,12 +319,25 @@ def test_drawing_stays_in_its_window(name):
 
 @pytest.mark.parametrize("name", ["quick-return-slider", "slider-crank", "four-bar"])
 def test_it_can_be_read_on_paper(name):
-    """Side by side on as many sheets of A4 as letters of 10 points need to be 4.5 high, charts beside the table included."""
+    """Side by side on as many sheets of A4 as letters of 10 points need to be 4 high; no chart lies across two of them."""
     sheet = Page(text_of(name)).sheet
-    widths = {col: column.width for column in sheet.columns for col in range(column.first, column.last + 1)}
-    reached = sum(7 * widths[col] + 5 for col in range(sheet.print_setup.area.last_col + 1))
-    needed = reached * 0.45 / 1050
-    assert needed <= sheet.print_setup.fit_width < needed + 1.01
+    setup = sheet.print_setup
+    widths = {col: pixels(column.width) for column in sheet.columns for col in range(column.first, column.last + 1)}
+    edges = [0, *accumulate(widths[col] for col in range(setup.area.last_col + 1))]
+    begins = [edges[col] for col in (0, *setup.page_at, -1)]
+    scale = setup.scale / 100 or ACROSS / edges[-1]
+    assert scale >= 0.4
+    assert (setup.fit_width, setup.page_at != ()) in ((1, False), (0, True))
+    assert max(after - before for before, after in pairwise(begins)) * scale <= ACROSS + 1
+    for chart in sheet.charts:
+        left = edges[chart.anchor.col] + chart.anchor.dx
+        assert any(begin <= left and left + chart.anchor.width <= end for begin, end in pairwise(begins)), chart.title
+
+
+def test_a_chart_that_would_be_cut_begins_on_the_next_sheet_of_paper():
+    found = on_paper([10.0] * 40, 500, 300, [400] * 6)
+    assert (len(found.begins), found.moved > 0) == (1, True)
+    assert on_paper([10.0] * 20, 500, 300, [400, 400]) == Paper((300, 712))
 
 
 def test_helpers_are_folded_away():

@@ -1,7 +1,8 @@
 """What a workbook searches by probe rows, as another program finds it: held against the search in Python, not cell by cell.
 
 Where a parabola has its vertex, or which of two equal rows is the best, rounding decides; each program may place its probes
-elsewhere. What they find must be the same.
+elsewhere. What they find must be the same. Likewise Newton's method in a row where the links do not meet: it leaps about,
+each leap makes a difference of the last digit larger; asked is only that no program takes such a row for a position.
 """
 
 from __future__ import annotations
@@ -11,13 +12,14 @@ from dataclasses import replace
 from typing import Any
 
 from mechsheet.checking.cells import Compared, angles_in, compare_cells
-from mechsheet.checking.edited.inserted_rows import MovedValues, Moves
+from mechsheet.checking.edited.inserted_rows import Move, MovedValues, Moves
 from mechsheet.checking.report import Comparison
 from mechsheet.checking.rules import Rules
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Scalar
-from mechsheet.sheet.plan import Plan
+from mechsheet.formula.nodes import Scalar, Symbol, symbols
+from mechsheet.sheet.plan import BLOCKS, Plan
+from mechsheet.sheet.table.lowering import FITS
 from mechsheet.sheet.table.requested import tables_of
 from mechsheet.sheet.table.summary_table import SummaryTable
 from mechsheet.sheet.table.tolerance import lines_of
@@ -74,6 +76,41 @@ class Searched:
         return "error" if self.has(sheet, row) else "value"
 
 
+class Astray:
+    """Cells of passes of Newton's method that arrive nowhere, since the links do not meet in their row."""
+
+    def __init__(self, plan: Plan, values: Any, moves: Moves) -> None:
+        self.cells: set[tuple[str, int, int]] = set()
+        there, found = MovedValues(values, moves), plan.iterations
+        for group in plan.equations.groups if found else ():
+            if group.system is None:
+                continue
+            closes, title = plan.at.spots[group.closes], plan.at.titles["iterations"]
+            passes = [
+                column.col
+                for column in found
+                if column.group // BLOCKS == group.number and not column.symbol.startswith(FITS)
+            ]
+            last = (Symbol(group.system.residual), Symbol(group.system.determinant))
+            beside = [column.col for column in plan.columns if column.equation and column.equation.expression in last]
+            divisor = [  # by which the coefficients of velocities are divided
+                column.col
+                for column in plan.rates
+                if column.equation and group.system.determinant in symbols(column.equation.expression)
+            ]
+            shown = there.column(closes.sheet, closes.col, plan.at.first, plan.at.last)
+            rows = [row for row, value in enumerate(shown, plan.at.first) if not isinstance(value, float)]
+            self._add(moves, title, rows, passes)
+            self._add(moves, plan.table, rows, beside)
+            self._add(moves, plan.at.titles["rates"], rows, divisor)
+
+    def _add(self, moves: Moves, title: str, rows: list[int], cols: list[int]) -> None:
+        """Rows of some columns of a sheet, where they are now."""
+        move = moves.by_title.get(title, Move(title, title))
+        places = [(move.rows.now(row), move.cols.now(col)) for row in rows for col in cols]
+        self.cells |= {(move.now, row, col) for row, col in places if row is not None and col is not None}
+
+
 class _Answered:
     """The engine's values, but for the searched cells those of a program."""
 
@@ -107,8 +144,12 @@ def compare_program(
     book, values  the workbook as it is and the engine's values of it;  moves  how its rows and columns were moved
     but           blocks that are left out, by their number
     """
-    searched = Searched(plan, moves)
-    cells = compare_cells(program, book, values, theirs, angles_in(plan), rules, but, searched.compared)
+    searched, astray = Searched(plan, moves), Astray(plan, values, moves).cells
+
+    def compared(sheet: str, row: int, col: int) -> Compared:
+        return "nothing" if (sheet, row, col) in astray else searched.compared(sheet, row)
+
+    cells = compare_cells(program, book, values, theirs, angles_in(plan), rules, but, compared)
     answered: Any = _Answered(values, theirs, searched)
     found = against_search(book, MovedValues(answered, moves) if moves else answered, plan, shown)
     if found is None:

@@ -124,7 +124,7 @@ class Expected:
 
         Where some positions do not exist it may be anything between that of the rows and that of the motion.
         """
-        if not isinstance(shown, float):
+        if not isinstance(shown, float) or not math.isfinite(shown):
             return math.inf
         low, high = sorted((self.value, self.value if self.whole else self.of_rows))
         if self.turn:

@@ -71,7 +71,7 @@ def _columns(sheet: Sheet, styles: OdsStyles) -> str:
         width = DIGIT_PIXELS * column.width + PADDING_PIXELS
         text += "<table:table-header-columns>" if heading and column.first == heading[0] else ""
         first = column.first
-        if setup.page_at and first == setup.page_at:
+        if first in setup.page_at:
             text += _column(styles, width, 1, column, begins_page=True)
             first += 1
         if first <= column.last:

@@ -72,7 +72,7 @@ def _print_setup(page: DataWorksheet, setup: PrintSetup) -> None:
     elif setup.fit_width or setup.fit_height:
         page.fit_to_pages(setup.fit_width, setup.fit_height)
     if setup.page_at:
-        page.set_v_pagebreaks([setup.page_at])
+        page.set_v_pagebreaks(list(setup.page_at))
     if setup.repeat_rows:
         page.repeat_rows(*setup.repeat_rows)
     if setup.repeat_cols:

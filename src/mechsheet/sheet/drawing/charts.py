@@ -298,4 +298,4 @@ def _on_pages(sheet: Sheet, rows: int, charts_end: int) -> PrintSetup:
     fewer = WIDE_AS_A_PAGE * ROWS_OF_AN_UPRIGHT_PAGE * (pages - 1) // rows
     scale = fewer if READABLE <= fewer < scale else scale
     area = Area(0, 0, rows - 1, CHARTS + math.ceil((2 * SIZE + GAP) / COLUMN_WIDTH) - 1)
-    return replace(sheet.print_setup, landscape=False, scale=scale, page_at=CHARTS, area=area)
+    return replace(sheet.print_setup, landscape=False, scale=scale, page_at=(CHARTS,), area=area)

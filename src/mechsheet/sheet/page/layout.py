@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import ChartRequest, Mechanism
@@ -14,6 +15,7 @@ from mechsheet.sheet.drawing.drawing import marker
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.layout import description_sheet, properties_of
 from mechsheet.sheet.page.drawing import PageDrawing
+from mechsheet.sheet.page.paper import GAP, NARROW, Paper, on_paper, pixels
 from mechsheet.sheet.page.plan import CHART_HEIGHT, FIRST_ROW, ROW_HEIGHT, PagePlan, plan_page
 from mechsheet.sheet.page.table import Table, note_last
 from mechsheet.sheet.page.top import LAST, UNIT, VALUE, Top
@@ -36,17 +38,8 @@ from mechsheet.sheet.workbook import (
 TOP_WIDTHS = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0)
 """Least widths of the columns over which the top stands, in characters."""
 
-NARROW = 10.0
-"""Width of a column beside the table."""
-
-PAPER = 1050
-"""Pixels across A4, landscape, at full size."""
-
-LEAST_SCALE = 0.45
-"""Printed smaller, table and charts stand on more sheets of paper side by side."""
-
-GAP, CHART_WIDTH = 12, 420
-"""Pixels between charts, and of a chart of curves."""
+CHART_WIDTH = 420
+"""Pixels of a chart of curves."""
 
 NOTE_LINE, NOTE_CHARACTERS = 15.0, 1.1
 """Height of a line of the note [pixels], and characters of it in a character's width."""
@@ -66,20 +59,24 @@ def _page(plan: PagePlan) -> Sheet:
     widths = _widths(table)
     requests = [request for request in chart_requests(plan) if request.y and _has_columns(plan, request)]
     hodographs = [request for request in chart_requests(plan) if request.hodographs and plan.drawn]
-    right = _charts_right(widths, len(requests) + len(hodographs) + plan.drawn)
-    drawing = PageDrawing(plan, right + 1, _charted(requests)) if plan.drawn else None
-    ends = [drawing.hodograph(request) for request in hodographs] if drawing else []
-    charts = _placed(plan, widths, requests, drawing, ends)
-    columns = [Column(col, col, width) for col, width in enumerate(widths)]
-    if right >= len(widths):
-        columns.append(Column(len(widths), right, NARROW))
+    squares = [CHART_HEIGHT] * (len(hodographs) + plan.drawn)
     note_lines = math.ceil(len(_note(table)) / (NOTE_CHARACTERS * sum(widths[: note_last(plan) + 1])))
     heights = {row: float(ROW_HEIGHT) for row in range(2, plan.at.first)}
     heights |= {
         0: TITLE_HEIGHT, VERDICT_ROW: VERDICT_HEIGHT, plan.note_row: NOTE_LINE * (note_lines + 1) - 8,
         plan.symbol_row: HEAD_HEIGHT, plan.symbol_row + 1: table.formula_height,
     }  # fmt: skip
-    last = max(plan.status_column, right - 1 if charts else 0)
+    height = sum(heights.values()) + ROW_HEIGHT * plan.rows
+    paper = on_paper(widths, height, _left(widths), [*squares, *([CHART_WIDTH] * len(requests))])
+    right = _charts_right(widths, len(requests) + len(squares), paper.moved)
+    drawing = PageDrawing(plan, right + 1, _charted(requests)) if plan.drawn else None
+    ends = [drawing.hodograph(request) for request in hodographs] if drawing else []
+    charts = _placed(plan, widths, requests, drawing, ends, paper)
+    columns = [Column(col, col, width) for col, width in enumerate(widths)]
+    # a column that begins a sheet of paper stands by itself
+    starts = [len(widths), *(col for col in paper.begins if col > len(widths)), right + 1]
+    columns += [Column(col, end - 1, NARROW) for col, end in pairwise(starts) if col < end]
+    last = max(plan.status_column, _columns_to(widths, paper.charts[-1] + charts[-1].anchor.width) - 1 if charts else 0)
     return Sheet(
         plan.main,
         (*top.cells, *table.cells, *(drawing.cells if drawing else ())),
@@ -99,7 +96,9 @@ def _page(plan: PagePlan) -> Sheet:
             footer=plan.footer,
             repeat_rows=(plan.symbol_row, plan.symbol_row),
             area=Area(0, 0, plan.at.last, last),
-            fit_width=_sheets_of_paper(widths, last),
+            fit_width=0 if paper.scale else 1,
+            scale=paper.scale,
+            page_at=paper.begins,
         ),
     )
 
@@ -114,24 +113,23 @@ def _widths(table: Table) -> list[float]:
     return [max(width, least) for width, least in zip(widths, TOP_WIDTHS, strict=False)] + widths[len(TOP_WIDTHS) :]
 
 
-def _pixels(width: float) -> int:
-    return int(7 * width + 5)
+def _left(widths: list[float]) -> int:
+    """Where the charts begin: beside the top."""
+    return sum(map(pixels, widths[: LAST + 1])) + GAP
 
 
-def _charts_right(widths: list[float], count: int) -> int:
+def _charts_right(widths: list[float], count: int, moved: int) -> int:
     """The first column to the right of the charts, and of the table."""
-    pixels = sum(map(_pixels, widths[: LAST + 1])) + count * (CHART_WIDTH + GAP)
+    return max(len(widths), _columns_to(widths, _left(widths) - GAP + count * (CHART_WIDTH + GAP) + moved))
+
+
+def _columns_to(widths: list[float], wanted: int) -> int:
+    """How many columns reach so far [pixels]."""
     col, reached = 0, 0
-    while reached < pixels or col < len(widths):
-        reached += _pixels(widths[col] if col < len(widths) else NARROW)
+    while reached < wanted:
+        reached += pixels(widths[col] if col < len(widths) else NARROW)
         col += 1
     return col
-
-
-def _sheets_of_paper(widths: list[float], last: int) -> int:
-    """Side by side, for the columns up to the last one."""
-    reached = sum(_pixels(widths[col] if col < len(widths) else NARROW) for col in range(last + 1))
-    return math.ceil(LEAST_SCALE * reached / PAPER)
 
 
 def _has_columns(plan: PagePlan, request: ChartRequest) -> bool:
@@ -151,18 +149,18 @@ def _placed(
     requests: list[ChartRequest],
     drawing: PageDrawing | None,
     hodographs: list[Chart],
+    paper: Paper,
 ) -> tuple[Chart, ...]:
     """The drawing beside the dimensions, hodographs and curves beside it."""
     charts = [drawing.chart, *hodographs] if drawing else []
     charts += [_curves(plan, request, drawing) for request in requests]
-    x, found = sum(map(_pixels, widths[: LAST + 1])) + GAP, []
-    for chart in charts:
-        col, dx = 0, x
-        while dx >= (wide := _pixels(widths[col] if col < len(widths) else NARROW)):
+    found = []
+    for chart, dx in zip(charts, paper.charts, strict=True):
+        col = 0
+        while dx >= (wide := pixels(widths[col] if col < len(widths) else NARROW)):
             dx -= wide
             col += 1
         found.append(replace(chart, anchor=replace(chart.anchor, row=2, col=col, dx=dx, dy=4)))
-        x += chart.anchor.width + GAP
     return tuple(found)
 
 

@@ -15,7 +15,7 @@ from mechsheet.sheet.first.blocks import input_validation, unit_of_column, value
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.over_rows import LEAST, MEAN, MOST, over_rows
+from mechsheet.sheet.over_rows import ENDS, LEAST, MEAN, MOST, over_rows
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
@@ -335,10 +335,8 @@ class Top:
                 return self.over_rows(summary.of, {"min": LEAST, "max": MOST, "mean": MEAN}[summary.take])
             case "range":
                 return Binary("-", self.over_rows(summary.of, MOST), self.over_rows(summary.of, LEAST))
-            case "first":
-                return formula("INDEX(column,SUMPRODUCT(MATCH(TRUE,ISNUMBER(column),0)))", column=column)
-            case "last":
-                return formula("LOOKUP(9E+307,column)", column=column)
+            case "first" | "last" as end:
+                return formula(ENDS[end], column=column)
 
 
 def status_words(plan: PagePlan, group: Group) -> str:

@@ -18,6 +18,7 @@ from mechsheet.sheet.checks.extremes import SETTLED, Way
 from mechsheet.sheet.checks.parabolas import BESIDE, PROBES, vertex_of
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.blocks import input_validation, shown_unit
+from mechsheet.sheet.over_rows import ENDS, NUMBERS
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import plain, rich
@@ -26,9 +27,6 @@ from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.table.two_way import CORNER_ROW, FIRST, HEAD_ROW, NAME_ROW, Body, Table, bracketed
 from mechsheet.sheet.workbook import Area, Axis, Cell, Column, Conditional, Fill, Style
 from mechsheet.units import turn as whole_turn
-
-NUMBERS = "<1E+300"
-"""What numbers are, and errors are not: rows without a position are left out."""
 
 
 class SummaryTable(Table):
@@ -118,6 +116,13 @@ class Helpers:
             request.column: CellRef(HEAD_ROW, self.table.at, row_abs=True),
         }
 
+    @property
+    def columns_of_raw_angles(self) -> list[int]:
+        """Columns of angles [rad] as they are found, before each is taken within half a turn of the cell above."""
+        blocks = [self.found.blocks.col(index) for index, (symbol, _) in enumerate(self.found.helpers)
+                  if symbol in self.found.angles]  # fmt: skip
+        return [first + col for first in blocks for col in range(self.table.pairs)]
+
     # --- all --------------------------------------------------------------------------------------------------
 
     def body(self) -> Body:
@@ -183,17 +188,11 @@ class Helpers:
 
     def _value(self) -> CellRef:
         """The row of what the table shows."""
-        rows = self.plan.rows
         match self.table.summary.take:
             case "mean":
                 return self._line("result", "IFERROR(AVERAGEIF(column,numbers),NA())", self.shown, numbers=NUMBERS)
-            case "first":
-                first = "INDEX(column,rows+1-SUMPRODUCT(MAX(ISNUMBER(column)*(rows+1-ROW(column)+ROW(top)-1))))"
-                return self._line("result", f"IFERROR({first},NA())", self.shown, rows=rows, top=self.column.start)
-            case "last":
-                last = "INDEX(column,SUMPRODUCT(MAX(ISNUMBER(column)*(ROW(column)-ROW(top)+1))))"
-                return self._line("result", f"IFERROR(IF(COUNT(column)=0,NA(),{last}),NA())", self.shown,
-                                  top=self.column.start)  # fmt: skip
+            case "first" | "last" as end:
+                return self._line("result", f"IF(COUNT(column)=0,NA(),{ENDS[end]})", self.shown)
             case "range":
                 wraps = self._wraps()
                 low, high = (self._extreme(way, wraps, self.style) for way in ("min", "max"))
