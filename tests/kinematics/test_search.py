@@ -1,6 +1,7 @@
 """What a motion does between the rows: held against the triangle in which a four-bar stops."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -106,3 +107,25 @@ def test_where_the_lines_of_two_slides_turn_parallel_it_does_not_close():
     search = searched(COTANGENT)
     assert search.row_there.all() and not search.closes_everywhere
     assert np.degrees(search.driver(np.array(search.holes))) == pytest.approx([180, 360], abs=0.1)
+
+
+def test_what_is_divided_by_0_at_a_limit_has_the_sign_it_has_beside_it():
+    """The lift falls the faster the nearer it is to its lowest position: without bound downwards, while rounding there gives
+    a denominator of either sign."""
+    text = template_text("scissor-lift")
+    changed = {
+        "L": "1224.5386768709998", "x0": "235.0483797891515", "y0": "-39.05173368316974", "L0": "234.98289441433133",
+        "u": "531.1815516349145", "v": "-71.7198134438593",
+    }  # fmt: skip
+    mechanism = loads(text, overrides=changed)
+    equations = solve(mechanism)
+    groups = tuple(
+        replace(group, assembly=group.assembly_of(1.0)) if group.mode == "mode_1" else group
+        for group in equations.groups
+    )
+    given = given_values(mechanism, dimension_values(mechanism))
+    search = Search(mechanism, replace(equations, groups=groups), given)
+    least, _, largest, where = search.extremes("gain")
+    assert least < -1e4
+    assert (largest, where) == (pytest.approx(-3.7393751483096), search.rows)
+    assert search.known(search.edges)["gain"] > 1e9  # what rounding makes of it

@@ -36,6 +36,12 @@ BASINS = 5
 NEARLY = 1e-9
 """A margin that dips to less than this part of the size may close there or not: nothing is said of it."""
 
+WITHIN = 1e-7
+"""So far from an edge [rows] a quantity has its own sign: what goes to 0 there as a root does is no rounding any more."""
+
+LEAPT = 1e3
+"""A value at an edge, of the other sign, that is so many times the one within is a number divided by rounding."""
+
 Change = Callable[[Array], Array]
 Mask = NDArray[np.bool_]
 Extremes = tuple[float, float, float, float]
@@ -344,9 +350,17 @@ class Search:
         ]  # fmt: skip
         if beside:
             places = np.concatenate((places, beside))
-            values = np.concatenate((values, np.nan_to_num(near(np.array(beside)), nan=np.inf)))
+            values = np.concatenate((values, np.nan_to_num(self._at_edges(near, np.array(beside)), nan=np.inf)))
         pick = int(np.argmin(values))
         return float(values[pick]), float(places[pick])
+
+    @staticmethod
+    def _at_edges(near: Change, edges: Array) -> Array:
+        """The values at edges. Where a denominator goes to 0 there, its sign is that of rounding: then the values just
+        within, which have the quantity's own."""
+        at, before, after = near(edges), near(np.maximum(edges - WITHIN, 1)), near(edges + WITHIN)
+        within = np.where(np.isnan(before), after, before)
+        return np.where((at * within < 0) & (np.abs(at) > LEAPT * np.abs(within)), within, at)
 
     def _of_rows(self) -> Mask:
         """The places in stretches with a row: what closes only between two rows that do not is not spoken of."""

@@ -78,7 +78,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.gap": ("joints", "mafsallar"),
     "verdict.gap.closed": ("largest gap of a joint: rounding only", "en büyük mafsal açıklığı: yalnız yuvarlama"),
     "verdict.gap.redundant": (
-        "the link {link} does not fit: see the sheet {sheet}", "{link} uzvu uymuyor: {sheet} sayfasına bakın",
+        "{link} does not fit: see sheet {sheet}", "{link} uymuyor: {sheet} sayfasına bakın",
     ),
     "verdict.gap.open": ("a joint is open: see the sheet {sheet}", "bir mafsal açık: {sheet} sayfasına bakın"),
     "verdict.gap.typed": (

@@ -62,6 +62,42 @@ def test_a_pole_between_two_rows_is_no_extreme():
         assert isinstance(value, float) and WORDS["en"] not in words, name
 
 
+ABSOLUTE = {
+    "quotient": ("abs(omega12/omega14)", "max"),
+    "slow": ("-1/(2*abs(omega14))", "min"),
+    "both": ("abs(omega14)*(2 + cos(theta12 - radians(195)))/abs(omega14)", None),
+    "one": ("abs(omega14)*(2 + cos(theta12 - radians(20)))/abs(omega14)", None),
+}
+"""Outputs divided by an absolute value, and which of their extremes there is not; `both` and `one` are 0/0 where the rocker
+turns back, beside their largest value, and have no pole."""
+
+
+@pytest.mark.parametrize("name", ABSOLUTE)
+def test_an_absolute_value_hides_no_pole(name):
+    """It has no sign that changes between two rows: what stands in it has."""
+    formula, without = ABSOLUTE[name]
+    text = CRANK_ROCKER.partition("[outputs]")[0] + f'[outputs]\n{name} = {{ formula = "{formula}", unit = "1" }}\n'
+    text += "[summary]\n" + "".join(f'{way}_of = {{ of = "{name}", take = "{way}" }}\n' for way in ("min", "max"))
+    laid = Laid(text)
+    for way in ("min", "max"):
+        value, words = summary(laid, f"{way}_of")
+        assert (WORDS["en"] in words) == (way == without)
+        assert value == NA if way == without else isinstance(value, float)
+    if without is None:
+        assert summary(laid, "max_of")[0] == pytest.approx(3) and summary(laid, "min_of")[0] == pytest.approx(1)
+
+
+def test_a_row_beside_the_pole_of_an_absolute_value():
+    """A row 0.017 of a row beside where the bucket turns back: its force ratio is 32, of the others less than 1."""
+    changed = {
+        "alpha": 26.370702764646275, "b": 2324.839666776864, "ey": 804.3888036527657, "gy": 302.0375999708186,
+        "d": 1328.607058517391, "r": 220.4787933745097, "kx": -17.51474371996449, "m": 440.8761601368815,
+        "h": 944.5726953185302,
+    }  # fmt: skip
+    value, words = summary(Laid(template_text("excavator")).change(**changed), "ratio_max")
+    assert value == NA and WORDS["en"] in words
+
+
 def test_programs_and_check_are_told_the_same(tmp_path):
     mechanism = loads(AROUND, overrides={"a2": "50"})
     said = json.loads(verdicts_json(mechanism))

@@ -162,10 +162,10 @@ class Truth(Search):
         """Whether a symbol is the same in every row."""
         return any(equation.symbol == name for equation in self.equations.constants)
 
-    def misfit(self):
-        """By how much the length of a redundant link is off in the worst row that closes: the way between the joints that it
-        has with the others, against the places of these in the link, as the reference reads them."""
-        worst, there = 0.0, self.row_there
+    def misfits(self):
+        """By how much the length of each redundant link is off in the worst row that closes: the way between the joints that
+        it has with the others, against the places of these in the link, as the reference reads them."""
+        found = []
         for each in self.mechanism.redundant:
             own = link_places(each.link, self.dimensions)
             pins = {
@@ -176,8 +176,8 @@ class Truth(Search):
             start, end = pins
             way = np.linalg.norm(pins[end] - pins[start], axis=-1)
             length = np.linalg.norm(own[end] - own[start])
-            worst = max(worst, float(np.max(np.abs(way - length)[there], initial=0.0)))
-        return worst
+            found.append((each.link, float(np.max(np.abs(way - length)[self.row_there], initial=0.0))))
+        return found
 
     def _pin(self, point):
         """(x, y) in all rows of a point that another link has too."""

@@ -284,10 +284,10 @@ class _Judge:
         gap = sheets.of("largest_gap")
         words = sheets.words("largest_gap")
         if truth.count:
-            misfit = truth.misfit()
+            misfit = self.misfit()
             self.say("largest_gap", close(gap, misfit, 1e-9 * truth.size), gap, misfit)
-            said = self.verdict("gap.closed") if self.fits() else self.open_joint()
-            self.say("largest_gap words", words == said, words, misfit)
+            said = [self.verdict("gap.closed")] if self.fits() else self.do_not_fit()
+            self.say("largest_gap words", words in said, words, misfit)
         turned = truth.turns_between_rows()
         most = math.radians(90.0)
         far = np.zeros(truth.rows - 1, dtype=bool)
@@ -300,12 +300,18 @@ class _Judge:
         if not doubt and not truth.holes and not truth.doubtful:
             self.say("leaps", (shown > 0) == bool(far.any()), shown, int(far.sum()))
 
+    def misfit(self):
+        return max((off for _, off in self.truth.misfits()), default=0.0)
+
     def fits(self):
         """Whether the lengths of redundant links are what the others ask of them."""
-        return self.truth.misfit() <= 1e-9 * self.truth.size
+        return self.misfit() <= 1e-9 * self.truth.size
 
-    def open_joint(self):
-        return self.verdict("gap.open", sheet=self.plan.at.titles["checks"])
+    def do_not_fit(self):
+        """What is said of a link that does not fit; of several, any may be named."""
+        links = [link for link, off in self.truth.misfits() if off > 1e-9 * self.truth.size]
+        sheet, language = self.plan.at.titles["checks"], self.plan.mechanism.language
+        return [self.verdict("gap.redundant", link=link_words(link).of(language), sheet=sheet) for link in links]
 
     # --- lines -----------------------------------------------------------------------------------------------------------
 
@@ -322,7 +328,7 @@ class _Judge:
             self.say("verdict", line == self.verdict("same_assembly.lost"), line, lost)
             self.say("verdict colour", colour == "red", colour)
         elif not self.fits():
-            self.say("verdict", line == self.open_joint(), line, truth.misfit())
+            self.say("verdict", line in self.do_not_fit(), line, self.misfit())
             self.say("verdict colour", colour == "red", colour)
         elif truth.count == truth.rows:
             self.say("verdict", line.startswith(closes_in_all(self.plan)), line)

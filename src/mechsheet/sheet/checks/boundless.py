@@ -2,20 +2,28 @@
 
 Probes come as near to such a place as one likes and find a number as large as one likes: it is no extreme. So the sheet
 says it in a word. At a limit the probes lead far beyond all that the rows have; at a pole between two rows the reciprocal
-of the quantity goes through 0 in a nearly straight line.
+of the quantity goes through 0 in a nearly straight line. An absolute value has no sign that could change, so a quantity
+that is divided by one is looked at with the sign of what stands in it: of y = a/|b| that is a/b.
 """
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Node
+from functools import reduce
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Binary, Call, Node, Symbol, Unary, transform, walk
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.quoted import ALL, formula
 
 GROWN = 30.0
 """The probes of a quantity without bound lead beyond the best row by more than so many ranges of the rows."""
 
 STRAIGHT = 0.3
 """How much a reciprocal may bend over three rows around a pole, as a part of its change."""
+
+STRAIGHT_SIGNED = 0.5
+"""The same where the sign is that of what stands in an absolute value, which is known to change. Where the quantity only
+seems to be divided by 0, as a/|b| is where a is 0 too, it is nearly 1."""
 
 LEAST_ROWS = 6
 """Fewer rows say too little of the range."""
@@ -42,9 +50,52 @@ def beyond_rows(value: Node, of_rows: Node, others: Node, rows: tuple[Node, Node
     )  # fmt: skip
 
 
-def at_pole(before: Node, here: Node, after: Node) -> Node:
-    """Whether a quantity has a pole beside the middle one of three rows."""
+def at_pole(before: Node, here: Node, after: Node, straight: float) -> Node:
+    """Whether a quantity has a pole beside the middle one of three rows.
+
+    straight  how much its reciprocal may bend: `STRAIGHT` or `STRAIGHT_SIGNED`
+    """
     return formula(
         "IFERROR(AND(MIN(before*here,after*here)<0,ABS(1/before-2/here+1/after)<straight*ABS(1/before-1/after)),FALSE)",
-        before=before, here=here, after=after, straight=STRAIGHT,
+        before=before, here=here, after=after, straight=straight,
     )  # fmt: skip
+
+
+def unsigned_divisor(plan: Plan, symbol: str) -> Node | None:
+    """What an output is divided by only as an absolute value, over columns of the tables: b of a/|b|; None without."""
+    found = [each for each in _factors(plan.equations.of(symbol).expression, False, False) if _columns_of(plan, each)]
+    return reduce(al.mul, found) if found else None
+
+
+def in_row(plan: Plan, node: Node, row: Node) -> Node:
+    """An expression over columns, in the row of that number (from 1)."""
+    columns = _columns_of(plan, node)
+
+    def change(part: Node) -> Node:
+        if not (isinstance(part, Symbol) and part.name in columns):
+            return part
+        cell = formula("INDEX(column,row)", column=Symbol(ALL + part.name), row=row)
+        return Call("RADIANS", (cell,)) if plan.at.spots[part.name].degrees else cell
+
+    return transform(node, change)
+
+
+def _columns_of(plan: Plan, node: Node) -> set[str]:
+    return {part.name for part in walk(node) if isinstance(part, Symbol) and plan.at.spots[part.name].column}
+
+
+def _factors(node: Node, below: bool, absolute: bool) -> list[Node]:
+    """The factors of a product that stand below its fraction line and in an absolute value.
+
+    below, absolute  whether the node itself does
+    """
+    match node:
+        case Binary("*", left, right):
+            return _factors(left, below, absolute) + _factors(right, below, absolute)
+        case Binary("/", left, right):
+            return _factors(left, below, absolute) + _factors(right, not below, absolute)
+        case Unary("-", operand):
+            return _factors(operand, below, absolute)
+        case Call("ABS", (operand,)):
+            return _factors(operand, below, True)
+    return [node] if below and absolute else []

@@ -17,10 +17,18 @@ from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks import parabolas, turning
-from mechsheet.sheet.checks.boundless import at_pole, beyond_rows, may_grow
+from mechsheet.sheet.checks.boundless import (
+    STRAIGHT,
+    STRAIGHT_SIGNED,
+    at_pole,
+    beyond_rows,
+    in_row,
+    may_grow,
+    unsigned_divisor,
+)
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
-from mechsheet.sheet.checks.parabolas import Parabolas, vertex_of
+from mechsheet.sheet.checks.parabolas import Parabolas, neighbours, vertex_of
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.driving import driver_at
@@ -404,8 +412,27 @@ class Extremes:
         found = beyond_rows(probes.cell(row + 2, SIDE), probes.cell(row, SIDE + 3), worst, self._rows_of_stretch())
         if not turning.known(self.plan, symbol):
             before, here, after = (probes.cell(row + 1, SIDE + work) for work in (4, 5, 6))
-            found = formula("OR(found,pole)", found=found, pole=at_pole(before, here, after))
+            straight = STRAIGHT
+            if (divisor := unsigned_divisor(self.plan, symbol)) is not None:
+                before, after = self._signed(symbol, divisor, block)
+                straight = STRAIGHT_SIGNED
+            found = formula("OR(found,pole)", found=found, pole=at_pole(before, here, after, straight))
         probes.work(row + 2, BOUNDLESS, "IFERROR(found,FALSE)", found=found)
+
+    def _signed(self, symbol: str, divisor: Node, block: Block) -> tuple[CellRef, CellRef]:
+        """The quantity in the rows beside the middle one of three: with the other sign where what it is divided by as an
+        absolute value has another sign there."""
+        probes, row = self.probes, block.row
+        around = self._around(self._wraps_of(symbol))
+        before, here, after = (
+            in_row(self.plan, divisor, number)
+            for number in neighbours(probes.cell(row + 1, SIDE + 3), around, self.plan.rows)
+        )
+        value = {work: probes.cell(row + 1, SIDE + work) for work in (4, 6)}
+        return (
+            probes.work(row + 2, SIDE + 4, "value*SIGN(there*here)", value=value[4], there=before, here=here),
+            probes.work(row + 2, SIDE + 6, "value*SIGN(there*here)", value=value[6], there=after, here=here),
+        )
 
     def _band(self, symbol: str, way: Way, block: Block) -> None:
         """The derivatives by dimensions where a quantity is smallest or largest: as this changes, so does the extreme."""

@@ -114,13 +114,10 @@ class Parabolas:
             row + 1, SIDE + 3, "IF(wraps>0,here,MAX(first+1,MIN(last-1,here)))",
             wraps=around, here=here, first=first, last=last,
         )  # fmt: skip
-        turned = formula("IF(wraps=1,rows-1,rows)", wraps=around, rows=self._plan.rows)
-        before, after = (
-            probes.work(row + 1, SIDE + work, f"INDEX(column,1+MOD(middle{sign}1-1,IF(wraps>0,turned,2*rows)))",
-                        column=column, middle=middle, wraps=around, turned=turned, rows=self._plan.rows)
-            for work, sign in ((4, "-"), (6, "+"))
-        )  # fmt: skip
-        value = probes.work(row + 1, SIDE + 5, "INDEX(column,middle)", column=column, middle=middle)
+        before, value, after = (
+            probes.work(row + 1, SIDE + work, "INDEX(column,number)", column=column, number=number)
+            for work, number in zip((4, 5, 6), neighbours(middle, around, self._plan.rows), strict=True)
+        )
         vertex = formula(
             "middle+IFERROR((before-after)/(2*(before-2*value+after)),0)",
             middle=middle, before=before, value=value, after=after,
@@ -215,6 +212,18 @@ class Parabolas:
             self.block.row + index, ROOT, "((place-limit)/(here-limit))^IF(limit>0,0.5,1)", limit=self._limit_cell,
             here=self._at(0), place=self._at(index),
         )  # fmt: skip
+
+
+def neighbours(middle: Node, around: Node, rows: int) -> tuple[Node, Node, Node]:
+    """The numbers of a row and those beside it: the first row's neighbour is the last, where the motion goes around."""
+    turned = formula("IF(wraps=1,rows-1,rows)", wraps=around, rows=rows)
+    before, after = (
+        formula(
+            f"1+MOD(middle{sign}1-1,IF(wraps>0,turned,2*rows))", middle=middle, wraps=around, turned=turned, rows=rows
+        )
+        for sign in "-+"
+    )
+    return before, middle, after
 
 
 def vertex_of(points: Sequence[Point]) -> Node:
