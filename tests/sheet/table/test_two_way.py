@@ -139,7 +139,7 @@ def test_angles_do_not_jump(name, value, column, values, language):
         ours = np.array([cell if isinstance(cell, float) else np.nan for cell in cells])
         mechanism = loads(text, overrides={column: str(number)})
         try:
-            start = rough_poses(mechanism, plan.equations)
+            start = rough_poses(mechanism, plan.equations.equations)
             theirs = np.degrees(variables(refer(mechanism, start=start))[value])
         except MechanismError:
             theirs = np.full(plan.rows, np.nan)
