@@ -55,7 +55,8 @@ def _compare_rows(book: Book, values: Any, plan: Plan, inputs: Inputs, tally: Ta
         return [*(f"{symbol} has no value with these dimensions: {why}" for symbol, why in missing.items()), UNREACHED]
     opened = _opened(plan, values)
     as_typed = changed(mechanism, inputs)
-    equations = equations_as_typed(plan, inputs) if plan.newton else None
+    # where Newton's method starts, and from which turn a gear or rack counts, was decided when the workbook was built
+    equations = equations_as_typed(plan, inputs) if plan.newton or mechanism.relations else None
     start = _start(as_typed, inputs, equations)
     if start is None:
         _judge_status(plan, tally, opened, np.zeros(plan.rows, dtype=bool))
@@ -65,7 +66,7 @@ def _compare_rows(book: Book, values: Any, plan: Plan, inputs: Inputs, tally: Ta
         return [NOWHERE]
     solution = _SOLUTIONS.of(plan, inputs, lambda: _solved(mechanism, inputs, start))
     beyond = np.zeros(plan.rows, dtype=bool)
-    if equations is not None:
+    if plan.newton and equations is not None:
         solution, beyond = _reached(solution, as_typed, equations, inputs.given[mechanism.driver.symbol])
     known = _Known(plan, values)
     steep = Steepness(plan, known)

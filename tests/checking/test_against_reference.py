@@ -1,0 +1,16 @@
+"""The table of positions against the reference, for what is typed into the cells."""
+
+import pytest
+from laid import Laid, template_text
+
+from mechsheet.checking.against_reference import against_plan
+from mechsheet.compiled.evaluation import book_of
+
+
+@pytest.mark.parametrize("mode", [1, -1])
+def test_a_rack_keeps_the_turns_that_the_workbook_began_with(mode):
+    """Assembled the other way the rocker is a turn further on by the formulas, and the rack with it."""
+    laid = Laid(template_text("rack-slider"))
+    laid.change(mode_1=mode)
+    comparison, _ = against_plan(book_of(laid.workbook), laid.values, laid.plan, "rack-slider")
+    assert comparison.agrees, comparison
