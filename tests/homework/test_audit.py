@@ -271,7 +271,7 @@ def test_a_page_of_text_has_no_numbers_typed_as_texts(tmp_path, mechanism, read)
     path = tmp_path / "book.xlsx"
     mechsheet.build(mechsheet.template("four-bar", language="tr"), path)
     book = openpyxl.load_workbook(path)
-    (legend,) = [cell.coordinate for cell in book["Notlar"]["A"] if cell.value == "12,5"]
+    legend, *_ = [cell.coordinate for cell in book["Notlar"]["A"] if cell.value == "12,5"]
     if read:
         book.worksheets[0]["Z90"] = f"=2*Notlar!{legend}"
     book.save(path)

@@ -42,7 +42,7 @@ CLOSED = 1e-11
 SETTLED = 1e-12
 """Below this residual a pass has arrived."""
 
-STILL = 1e-14
+STILL = 1e-15
 """Radians, or parts of a displacement: a smaller change is of the last digits, whatever the determinant is."""
 
 MOST_PASSES = 12
