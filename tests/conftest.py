@@ -30,7 +30,7 @@ gc.set_threshold(100_000, 50, 50)
 CHEAP = 0.2
 """Seconds of CPU time of a case that `make quick` may afford, once, of a test whose cases together take long."""
 
-SHARE, SHARE_IN_CI = 0.6, 4.0
+SHARE, SHARE_IN_CI = 0.6, 3.0
 """Seconds of CPU time that the cases of one test may take together; if they take more, a part of them runs."""
 
 

@@ -17,7 +17,7 @@ from mutations import DAMAGES, mutated
 
 FILE = "mine.toml"
 TEXTS = [template_text(name) for name in template_names()]
-EACH = 6 if IN_CI else 1
+EACH = 3 if IN_CI else 1
 """Damaged copies of each template; 70 of each (2,000 in all) have been run once."""
 
 

@@ -127,7 +127,7 @@ def test_without_at_the_value_is_named(name):
         assert min(away) <= 1.01 * step + 1e-3 * abs(value), told
 
 
-@pytest.mark.parametrize("name", some(but(TEMPLATES, *LISTED), 5))
+@pytest.mark.parametrize("name", some(but(TEMPLATES, *LISTED), 5, 18))
 def test_the_reference_reads_the_sketch_there_too(name):
     """The independent solver finds the same positions from the sketch alone, at the value that `at` names."""
     for mechanism, _, _ in part(list(sketched(name)), 3):
