@@ -12,6 +12,7 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.search import Search, edges
 from mechsheet.kinematics.solve import solve
+from parallel_slides import COTANGENT
 
 
 def searched(text):
@@ -66,45 +67,9 @@ def test_a_rack_goes_as_far_as_its_pinion_turns_wherever_the_sweep_begins(start)
     assert slider[2] - slider[0] == pytest.approx(25 * (rocker[2] - rocker[0]), rel=1e-9)
 
 
-COTANGENT = """
-format = 1
-[mechanism]
-name = "cotangent"
-[links.ground]
-points = { A0 = [0, 0] }
-[links.crank]
-points = { A0 = [0, 0] }
-[links.block]
-points = { P = [0, 0] }
-[links.slider]
-points = { P = [0, 0] }
-[[joints]]
-type = "prismatic"
-link = "block"
-on = "crank"
-point = "P"
-through = "A0"
-symbol = "r"
-[[joints]]
-type = "prismatic"
-link = "slider"
-on = "ground"
-point = "P"
-through = [0, 50]
-symbol = "s"
-[driver]
-link = "crank"
-start = 10.5
-stop = 350.5
-step = 20
-[assembly]
-P = [50, 50]
-"""
-
-
 def test_where_the_lines_of_two_slides_turn_parallel_it_does_not_close():
     """s = h cot(theta) has no value at 180 degrees, between two rows, nor at 360, between the last and the first again."""
-    search = searched(COTANGENT)
+    search = searched(COTANGENT.replace("start = 10\nstop = 330", "start = 10.5\nstop = 350.5"))
     assert search.row_there.all() and not search.closes_everywhere
     assert np.degrees(search.driver(np.array(search.holes))) == pytest.approx([180, 360], abs=0.1)
 

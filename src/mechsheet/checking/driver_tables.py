@@ -26,7 +26,7 @@ from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.numeric import without_jumps
+from mechsheet.kinematics.numeric import runs_of, without_jumps
 from mechsheet.kinematics.sweep import DISTINCT, distinct, poses_in, sweep
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.cell_formula import CellFormula
@@ -220,7 +220,7 @@ class _Part:
         found = reference.reached(self.solution)
         for angle in self.judge.cell.angles:
             turns = np.round((self.guide[angle] - found[angle]) / math.tau)
-            for first, end in _runs(self.solution.exists):
+            for first, end in runs_of(self.solution.exists):
                 turns[first:end] = turns[first]
             found[angle] = found[angle] + math.tau * np.nan_to_num(turns)
         return found | reference.outputs(self.solution, found)
@@ -251,7 +251,7 @@ class _Turns:
         """The angles within half a turn of the ones above them."""
         found = without_jumps(angle).copy()
         line = self.start + self.slope * (self.driver - self.driver[0])
-        for first, end in _runs(np.isfinite(found)):
+        for first, end in runs_of(np.isfinite(found)):
             steps = np.abs(np.diff(found[first:end]))
             halves = [first + 1 + int(step) for step in np.flatnonzero(np.abs(steps - math.pi) < HALF_TURN)]
             for begin, stop in zip([first, *halves], [*halves, end], strict=True):
@@ -269,18 +269,12 @@ class _Turns:
         return float(turns)
 
 
-def _runs(there: Mask) -> list[tuple[int, int]]:
-    """Where rows that are there begin and end, run by run."""
-    edges = np.flatnonzero(np.diff(there, prepend=False, append=False))
-    return [(int(first), int(end)) for first, end in edges.reshape(-1, 2)]
-
-
 def _parts(there: Mask, angles: Sequence[Array], by_run: bool) -> list[slice]:
     """All rows at once, but for other turns from some row on; by run where a gear or rack makes more of a turn than a turn.
 
     angles  as the cells have them;  by_run  whether something is tied to them
     """
-    begins = {first for first, _ in _runs(there)[1:]} if by_run and angles else set()
+    begins = {first for first, _ in runs_of(there)[1:]} if by_run and angles else set()
     for angle in angles:
         begins |= {1 + int(row) for row in np.flatnonzero(np.abs(np.diff(angle)) > math.pi + HALF_TURN)}
     edges = sorted(begins)

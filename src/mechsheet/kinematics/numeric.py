@@ -154,10 +154,15 @@ def without_jumps(angles: Any) -> Any:
     if known.all():
         return _unwrapped(angles)
     result = angles.copy()
-    edges = np.flatnonzero(np.diff(known, prepend=False, append=False))
-    for first, end in edges.reshape(-1, 2):
+    for first, end in runs_of(known):
         result[first:end] = _unwrapped(angles[first:end])
     return result
+
+
+def runs_of(there: Any) -> list[tuple[int, int]]:
+    """First row, and the row after the last, of each run of rows that are there."""
+    edges = np.flatnonzero(np.diff(np.asarray(there, bool), prepend=False, append=False))
+    return [(int(first), int(end)) for first, end in edges.reshape(-1, 2)]
 
 
 def _unwrapped(angles: Array) -> Array:

@@ -18,7 +18,7 @@ from mechsheet.formula.nodes import Call, Direction, Node
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_between
 from mechsheet.kinematics.equations import Condition, Equations
-from mechsheet.kinematics.numeric import Array, value
+from mechsheet.kinematics.numeric import Array, runs_of, value
 from mechsheet.kinematics.solve import largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
@@ -238,8 +238,7 @@ class Search:
     @property
     def row_stretches(self) -> list[tuple[int, int]]:
         """(first row, last row) of each stretch of rows that close, from 1."""
-        ends = np.flatnonzero(np.diff(self.row_there.astype(int), prepend=0, append=0))
-        return [(int(first) + 1, int(last)) for first, last in ends.reshape(-1, 2)]
+        return [(first + 1, end) for first, end in runs_of(self.row_there)]
 
     def _between_closed(self, u: float) -> bool:
         low, high = math.floor(u) - 1, min(self.last, math.ceil(u)) - 1
@@ -364,9 +363,8 @@ class Search:
 
     def _of_rows(self) -> Mask:
         """The places in stretches with a row: what closes only between two rows that do not is not spoken of."""
-        ends = np.flatnonzero(np.diff(self.there.astype(int), prepend=0, append=0))
         found = np.zeros(len(self.u), dtype=bool)
-        for begin, end in ends.reshape(-1, 2):
+        for begin, end in runs_of(self.there):
             if -(-begin // self.fine) * self.fine < end:
                 found[begin:end] = True
         return found

@@ -17,7 +17,7 @@ from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.formula.nodes import Symbol
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_at, place_of, rates_at
-from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.numeric import Array, runs_of
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
 from mechsheet.said import say
@@ -225,8 +225,8 @@ def _missing(sample: Sample, at: float | None) -> Fault:
     unit = behind_number(driver.unit.text)
     shown = driver.unit.to_shown(np.array(plan.driver))
     symbol = plain(driver.symbol)
-    runs = _runs(sample.exists[: sample.sweep])
-    ranges = ", ".join(f"{shown[a]:.6g} … {shown[b]:.6g}{unit}" for a, b in runs)
+    runs = runs_of(sample.exists[: sample.sweep])
+    ranges = ", ".join(f"{shown[a]:.6g} … {shown[b - 1]:.6g}{unit}" for a, b in runs)
     why = sample.column(STATUS)[sample.shown]
     return Fault(
         say("no position at {symbol} = {at:g}{unit}: {why}", symbol=symbol, at=at, unit=unit, why=why),
@@ -235,9 +235,3 @@ def _missing(sample: Sample, at: float | None) -> Fault:
         if runs
         else say("no position of the sweep exists"),
     )
-
-
-def _runs(exists: Sequence[bool]) -> list[tuple[int, int]]:
-    """First and last row of each run of rows that exist."""
-    edges = np.flatnonzero(np.diff([False, *exists, False]))
-    return [(int(a), int(b) - 1) for a, b in edges.reshape(-1, 2)]

@@ -5,6 +5,8 @@ import math
 import pytest
 from laid import Laid, template_text
 
+from parallel_slides import COTANGENT
+
 FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
 
 
@@ -61,46 +63,6 @@ def test_stroke(offset):
     laid = Laid(template_text("slider-crank"), overrides={"a1": str(offset)})
     far, near = (math.sqrt((250 + sign * 50) ** 2 - offset**2) for sign in (1, -1))
     assert laid.spot("#stroke_s14") == pytest.approx(far - near, abs=1e-5)
-
-
-COTANGENT = """
-format = 1
-[mechanism]
-name = "cotangent"
-[dimensions]
-h = 50
-[links.ground]
-points = { A0 = [0, 0] }
-[links.crank]
-points = { A0 = [0, 0] }
-[links.block]
-points = { P = [0, 0] }
-[links.slider]
-points = { P = [0, 0] }
-[[joints]]
-type = "prismatic"
-link = "block"
-on = "crank"
-point = "P"
-through = "A0"
-symbol = "r"
-[[joints]]
-type = "prismatic"
-link = "slider"
-on = "ground"
-point = "P"
-through = [0, "h"]
-symbol = "s"
-[driver]
-link = "crank"
-start = 10
-stop = 330
-step = 20
-[assembly]
-P = [50, 50]
-[workbook]
-language = "en"
-"""
 
 
 def test_lines_that_turn_parallel_between_two_rows_meet_nowhere():
