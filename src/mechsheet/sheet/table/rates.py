@@ -18,7 +18,6 @@ from mechsheet.sheet.table.positions import (
     GROUP_ROW,
     SYMBOL_ROW,
     column_fills,
-    first_open,
     formula_height,
     group_headings,
     group_title,
@@ -27,6 +26,7 @@ from mechsheet.sheet.table.positions import (
     style_of,
     width_for,
 )
+from mechsheet.sheet.table.status import first_open
 from mechsheet.sheet.workbook import Area, Cell, Column, Comment, Conditional, Fill, Merge, PrintSetup, Rich, Sheet
 from mechsheet.words.equations import body_words
 

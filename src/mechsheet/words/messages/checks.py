@@ -18,6 +18,10 @@ CHECKS: dict[str, str] = {
     "  note: {remark}": "  not: {remark}",
     "  note: {message}: skipped": "  not: {message}: atlandı",
     "the step misses the stop ({stop}): the last row is {last}": "adım bitişe ({stop}) denk gelmiyor: son satır {last}",
+    "undetermined at {place}: {links}": "{place} konumunda belirsiz: {links}",
+    "undetermined in {count} positions, the first at {place}: {links}": (
+        "{count} konumda belirsiz, ilki {place}: {links}"
+    ),
     "the sketch says nothing about group {group}: mode +1 was taken, {mode}; a point under [assembly] decides": (
         "eskiz {group}. grup için bir şey söylemiyor: +1 alındı, {mode}; [assembly] altında bir nokta karar verir"
     ),
