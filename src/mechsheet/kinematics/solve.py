@@ -27,6 +27,7 @@ from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
 from mechsheet.kinematics.naming import given_names
+from mechsheet.kinematics.newton.beginning import DeadStartError, with_neighbour
 from mechsheet.kinematics.newton.carriers import ChainWriter, Solution
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.newton.picking import pick_assembly, words_of
@@ -77,6 +78,11 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None, further:
     """
     try:
         return _stepped(mechanism, _solve(mechanism, modes or {}, further))
+    except DeadStartError as error:
+        rows = [float(row) for row in driver_values(mechanism, dimension_values(mechanism))]
+        raise with_neighbour(
+            error, mechanism, rows, lambda at: _solve(_standing(mechanism, at), modes or {})
+        ) from error
     except (BetweenModesError, NeverClosesError) as error:
         if mechanism.sketch.at is not None or modes:
             raise
@@ -216,15 +222,20 @@ def _found_mode(mechanism: Mechanism, solved: Solved, dimensions: Mapping[str, f
 
 def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
     """The groups, with their modes, as the sketch shows them at the driver value `at`, which need not be a row."""
-    driver = replace(mechanism.driver, values=(at,), law=None, speeds=(), accelerations=(), times=(), speed=None)
-    drivers = _listed_at(mechanism, np.array([number(at, dimension_values(mechanism))]))
-    there = replace(mechanism, driver=driver, drivers=drivers, sketch=replace(mechanism.sketch, at=None), dynamics=None)
+    there = _standing(mechanism, number(at, dimension_values(mechanism)))
+    there = replace(there, sketch=replace(mechanism.sketch, at=None))
     try:
         return _solve(there, {}).groups
     except NeverClosesError as error:
         message = say("the sketch cannot show this position: there {links} cannot be joined", links=error.links)
         hint = say("check `at`, which is in the driver's unit, and the lengths of these links")
         raise MechanismError(Fault(message, key="assembly.at", hint=hint)) from error
+
+
+def _standing(mechanism: Mechanism, at: float) -> Mechanism:
+    """The mechanism with one row, at this value of the driver."""
+    driver = replace(mechanism.driver, values=(at,), law=None, speeds=(), accelerations=(), times=(), speed=None)
+    return replace(mechanism, driver=driver, drivers=_listed_at(mechanism, np.array([at])), dynamics=None)
 
 
 def _listed_at(mechanism: Mechanism, path: Array) -> tuple[FurtherDriver, ...]:
