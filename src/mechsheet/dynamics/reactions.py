@@ -28,7 +28,6 @@ from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.rates.motions import Motions
-from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.ties import Tied
 from mechsheet.kinematics.vectors import (
     NOWHERE,
@@ -43,6 +42,7 @@ from mechsheet.kinematics.vectors import (
     together,
     turned,
 )
+from mechsheet.kinematics.writing import Found
 from mechsheet.said import say
 from mechsheet.words.equations import phrase
 

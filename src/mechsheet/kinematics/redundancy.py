@@ -24,8 +24,8 @@ from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.sketched import assemblies
-from mechsheet.kinematics.solve import solve, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
+from mechsheet.kinematics.writing import write_equations, write_stepped
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Rack, Sketch
 from mechsheet.said import say
 
@@ -123,7 +123,7 @@ def _around(mechanism: Mechanism, links: tuple[Link, ...]) -> _Around | None:
     dimensions = dimension_values(mechanism)
     driver = driver_values(mechanism, dimensions)
     try:
-        equations = solve(replace(rest, sketch=sketch))
+        equations = write_stepped(replace(rest, sketch=sketch))
         closed = equations.closed(sweep(rest, equations, driver))
     except MechanismError:
         return None
@@ -170,7 +170,7 @@ def _moves(mechanism: Mechanism, left_out: list[Part]) -> bool:
     try:
         if mobility(graph_of(rest)) != 1 + len(rest.drivers):
             return False
-        equations = solve_unpicked(rest)
+        equations = write_equations(rest, None)
     except MechanismError:
         return False
     dimensions = dimension_values(mechanism)

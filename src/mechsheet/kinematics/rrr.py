@@ -12,13 +12,13 @@ from __future__ import annotations
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Binary, Call, TriangleAngle
+from mechsheet.formula.nodes import Call, TriangleAngle
 from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import DEAD, Determinant, Solved
+from mechsheet.kinematics.dyads import DEAD, Determinant, Solved, known_way
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.places import triangle_closes
 from mechsheet.kinematics.poses import Poses
-from mechsheet.units import ANGLE, LENGTH
+from mechsheet.units import ANGLE
 from mechsheet.words.equations import phrase
 
 
@@ -31,10 +31,7 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
     a, line_a = poses.arm(dyad.first, p, r)
     b, line_b = poses.arm(dyad.second, q, r)
     mode = ledger.mode()
-    s_x = ledger.hoist("s_x", al.sub(xp, xq), LENGTH, phrase("part_of_way", start=q, end=p, axis="x"))
-    s_y = ledger.hoist("s_y", al.sub(yp, yq), LENGTH, phrase("part_of_way", start=q, end=p, axis="y"))
-    s = ledger.column("s", al.sqrt(al.add(al.square(s_x), al.square(s_y))), LENGTH, phrase("distance", start=q, end=p))
-    phi = ledger.direction("phi", s_x, s_y, phrase("direction_of", what=f"{q}→{p}"))
+    s, phi = known_way(ledger, "s", (q, xq, yq), (p, xp, yp))
     # pins that coincide leave a link free to turn about them
     separate, reaches = Condition(al.smallest((a, b, s)), ledger.tolerance), triangle_closes(ledger, a, b, s)
     exists = (separate, reaches)
@@ -57,7 +54,6 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
         ),
         closes=psi.name,
         apart=sine,  # the area of the triangle, of which two sides are links
-        degenerate=Call("AND", (separate.fails, Binary(">=", reaches.margin, reaches.least))),
         pins=(p, q, r),
         unknowns=(poses.angle_unknown(dyad.first), poses.angle_unknown(dyad.second)),
         label=phrase("group_pins", links=poses.both(dyad), pins=f"{p}, {q}, {r}"),

@@ -25,8 +25,8 @@ from mechsheet.kinematics.newton.elsewhere import assembly_doubts
 from mechsheet.kinematics.newton.steps import step_doubts
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
-from mechsheet.kinematics.solve import solve_unpicked
 from mechsheet.kinematics.sweep import sweep
+from mechsheet.kinematics.writing import write_equations
 from mechsheet.model import Gear, Mechanism
 from mechsheet.said import say
 
@@ -212,7 +212,7 @@ def with_position(fault: Fault, mechanism: Mechanism) -> Fault:
     entries, driver = _entries(mechanism, dimensions), driver_values(mechanism, dimensions)
     if not entries:
         return fault
-    equations = solve_unpicked(mechanism)
+    equations = write_equations(mechanism, None)
     size = max(abs(value) for entry in entries for value in entry.wanted)
     size = max([size, *(abs(value) for value in dimensions.values())]) or 1.0
     values, missed, _ = _best(mechanism, equations, entries, driver, size)

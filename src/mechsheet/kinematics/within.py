@@ -17,7 +17,7 @@ from collections.abc import Mapping
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Binary, Call, TriangleAngle, symbols
+from mechsheet.formula.nodes import Call, TriangleAngle, symbols
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads import DEAD, Determinant, Solved
 from mechsheet.kinematics.equations import Condition
@@ -63,7 +63,6 @@ def solve_within(poses: Poses, dyad: Dyad) -> Solved:
         (phrase("left_of", point=r, start=p, end=q), phrase("right_of", point=r, start=p, end=q)),
         closes=psi.name,
         apart=sine,
-        degenerate=Call("AND", (separate.fails, Binary(">=", reaches.margin, reaches.least))),
         pins=(p, q, r),
         unknowns=(symbols(turned.node)[0], symbols(turn.node)[0]),
         label=phrase("group_pins", links=poses.both(dyad), pins=f"{p}, {q}, {r}"),

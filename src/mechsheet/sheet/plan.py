@@ -19,10 +19,10 @@ from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import BANDS, FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
+from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.rates.sensitivity import NO_BANDS, Sensitivities, toleranced
-from mechsheet.kinematics.solve import largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
