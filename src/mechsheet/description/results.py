@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
-from mechsheet.description.driving.driver import LANDS
+from mechsheet.description.driving.driver import rows_of
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.driving.rates import known as known_rate
 from mechsheet.description.kinds import ANGLE, LENGTH
@@ -260,7 +259,7 @@ def _check_pairs(
     if row and row == column:
         scope.report.at((*path, "columns", column), say("{row} goes down already: give another input", row=quoted(row)))
     pairs = len(row_values) * len(values)
-    rows = _rows_of(driver, scope) if driver is not None else 0
+    rows = (rows_of(driver, scope) or 0) if driver is not None else 0
     if pairs > MOST_PAIRS:
         message = say(
             "the table has {rows} x {columns} = {pairs:,} cells; at most {most} have a summary",
@@ -281,15 +280,6 @@ def _check_pairs(
             most=MOST_CELLS,
         )
         scope.report.at((*path, "rows"), message, say("give fewer values, or a larger step"))
-
-
-def _rows_of(driver: Driver, scope: Scope) -> int:
-    """Rows of the sweep; 0 where a fault hides them."""
-    if driver.values or driver.law is not None:
-        return len(driver.values) if driver.law is None else driver.law.rows
-    start, stop, step = (scope.number(part) for part in (driver.start, driver.stop, driver.step))
-    steps = (stop - start) / step if step else math.nan
-    return math.floor(steps + LANDS) + 1 if math.isfinite(steps) else 0
 
 
 def _check_position(name: Any, path: Path, scope: Scope, hint: str = "") -> None:

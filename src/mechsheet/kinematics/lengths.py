@@ -5,10 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+import numpy as np
+
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node, Number, Symbol
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
+from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity
 
@@ -63,3 +66,14 @@ def _lengths_of_places(mechanism: Mechanism) -> list[Quantity]:
         if not isinstance(joint.through, str):
             found += joint.through
     return found
+
+
+def extent(mechanism: Mechanism, values: Mapping[str, Array]) -> float:
+    """The larger side of the smallest upright rectangle around all points in all rows; 1.0 where they are one place.
+
+    values  columns of `P.x` and `P.y` in the length unit; rows that do not exist (NaN) do not count
+    """
+    points = dict.fromkeys(point for link in mechanism.links for point in link.points)
+    columns = [np.array([values[f"{point}.{axis}"] for point in points]) for axis in "xy"]
+    spans = [np.ptp(found) for found in (column[np.isfinite(column)] for column in columns) if len(found)]
+    return float(max(spans, default=0.0)) or 1.0

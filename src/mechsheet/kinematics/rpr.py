@@ -16,7 +16,7 @@ from __future__ import annotations
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Node
-from mechsheet.kinematics.assur import Dyad, Pin
+from mechsheet.kinematics.assur import Dyad
 from mechsheet.kinematics.dyads import Solved, half_turn_unless, known_way, leg, leg_left
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
@@ -29,13 +29,12 @@ from mechsheet.words.equations import phrase
 def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
     """Write the dyad's equations down."""
     ledger = poses.ledger
-    slide, outer = dyad.inner, dyad.outer
-    if not (isinstance(slide, Slide) and isinstance(outer[0], Pin) and isinstance(outer[1], Pin)):
+    slide = dyad.inner
+    if not isinstance(slide, Slide):
         raise TypeError(f"not an RPR dyad: {dyad}")
     joint = slide.joint
-    on_first = slide.on in dyad.first
-    carrier, slider = (dyad.first, dyad.second) if on_first else (dyad.second, dyad.first)
-    p, q = (outer[0].point, outer[1].point) if on_first else (outer[1].point, outer[0].point)
+    carrier, slider, pin_p, pin_q = dyad.by_line
+    p, q = pin_p.point, pin_q.point
     (xp, yp), (xq, yq) = poses.xy[p], poses.xy[q]
     mode = ledger.mode()
     r, phi = known_way(ledger, "r", (p, xp, yp), (q, xq, yq))

@@ -202,12 +202,10 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
         y = _at_position(plan, drawing, symbol)
         if x and y:
             markers.append(marker(plain(symbol), x, y, color))
-    units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in request.y))
-    symbols = ", ".join(plain(symbol) for symbol in request.y)
-    title = request.title.of(plan.language) if request.title else chart_title(plan, request)
+    title = chart_title(plan, request)
     return Chart(
         title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), driver_axis(plan, request.x),
-        Axis(f"{symbols} [{', '.join(units)}]" if units != [""] else symbols),
+        value_axis(plan, request.y),
         legend="right" if sum(curve.in_legend for curve in curves) > 1 else "", alt_text=title,
     )  # fmt: skip
 
@@ -225,8 +223,17 @@ def _ends_of_band(plan: Plan, across: str, symbol: str, color: str) -> list[Seri
     ]  # fmt: skip
 
 
+def value_axis(plan: Plan, symbols: Sequence[str]) -> Axis:
+    """The axis of curves: their symbols, and in brackets the units that they have."""
+    units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in symbols))
+    names = ", ".join(plain(symbol) for symbol in symbols)
+    return Axis(f"{names} [{', '.join(units)}]" if units != [""] else names)
+
+
 def chart_title(plan: Plan, request: ChartRequest) -> str:
-    """What stands over curves, where the description has no title."""
+    """What stands over curves: as the description has it, else what they show."""
+    if request.title:
+        return request.title.of(plan.language)
     driver = plain(request.x)
     if plan.efforts and request.y == plan.efforts:
         return plan.text("chart.effort", symbol=plain(plan.efforts[0]), driver=driver)

@@ -10,7 +10,7 @@ from mechsheet.kinematics.equations import Equations
 from mechsheet.model import ChartRequest, Mechanism
 from mechsheet.sheet import styles
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.drawing.charts import STEPS, chart_requests, chart_title
+from mechsheet.sheet.drawing.charts import STEPS, chart_requests, chart_title, value_axis
 from mechsheet.sheet.drawing.drawing import marker
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.layout import description_sheet, properties_of
@@ -173,12 +173,10 @@ def _curves(plan: PagePlan, request: ChartRequest, drawing: PageDrawing | None) 
             cells = (drawing.shown[name] for name in (request.x, symbol))
             at = [SeriesRef(plan.main, Area(cell.row, cell.col, cell.row, cell.col)) for cell in cells]
             markers.append(marker(plain(symbol), at[0], at[1], color))
-    units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in request.y))
-    symbols = ", ".join(plain(symbol) for symbol in request.y)
-    title = request.title.of(plan.language) if request.title else chart_title(plan, request)
+    title = chart_title(plan, request)
     return Chart(
         title, Anchor(0, 0, CHART_WIDTH, CHART_HEIGHT), (*curves, *markers), _axis(plan, request.x),
-        Axis(f"{symbols} [{', '.join(units)}]" if units != [""] else symbols),
+        value_axis(plan, request.y),
         legend="bottom" if len(curves) > 1 else "", alt_text=title,
     )  # fmt: skip
 
