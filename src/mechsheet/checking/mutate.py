@@ -76,10 +76,6 @@ class Mutation:
         """The part that is caught, 1 when there are no damages."""
         return self.caught(by) / len(self.damages) if self.damages else 1.0
 
-    def survivors(self, by: str) -> tuple[Damaged, ...]:
-        """Damages that are not caught."""
-        return tuple(damage for damage in self.damages if not getattr(damage, by))
-
     def tally(self, what: Callable[[Damaged], str]) -> dict[str, tuple[int, int]]:
         """By kind, by sheet …: (how many damages, how many of them the sheet's own checks catch)."""
         found: dict[str, tuple[int, int]] = {}

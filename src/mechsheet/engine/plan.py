@@ -136,7 +136,6 @@ class Plan:
         """What an evaluation knows of the book."""
         return Environment(
             self.book,
-            self.formulas,
             self.resolved.functions,
             self.resolver.reference,
             arithmetic=self.arithmetic,

@@ -74,7 +74,6 @@ ArrowKind = Literal["velocity", "acceleration", "forces"]
 class Block:
     """A block of the first sheet: its heading's row and the rows of its entries by symbol (or key)."""
 
-    key: str
     row: int
     rows: dict[str, int]
 
@@ -404,7 +403,7 @@ def _spot(plan: Plan, symbol: str, row: int, degrees: bool, name: str, taken: se
 def _block(plan: Plan, key: str, entries: list[str]) -> Block:
     """Reserve rows for a block: a heading, its entries, one empty row."""
     first = plan.next_row + 1
-    block = Block(key, plan.next_row, {entry: first + index for index, entry in enumerate(entries)})
+    block = Block(plan.next_row, {entry: first + index for index, entry in enumerate(entries)})
     plan.blocks[key] = block
     plan.next_row = first + len(entries) + 1
     return block

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from mechsheet.description.cells import own_cell
 from mechsheet.description.driving import driver as first_driver
 from mechsheet.description.joints import Ends
+from mechsheet.description.own_cells import own_cell
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, circle_message, cycles

@@ -15,6 +15,7 @@ import numpy as np
 
 from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.rates.coefficients import free_points
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, TIME, ChartRequest, Mechanism, rate_symbols
 from mechsheet.sheet import styles
@@ -146,14 +147,8 @@ def _shared(plan: Plan, symbols: Sequence[str], sizes: Mapping[str, float]) -> l
 
 def tracing_points(mechanism: Mechanism) -> tuple[str, ...]:
     """Points of a single moving link (coupler points); without any, the moving joints."""
-    at: dict[str, int] = {}
-    for link in mechanism.links:
-        for point in link.points:
-            at[point] = at.get(point, 0) + 1
-    sliding = {joint.point for joint in mechanism.joints}
-    fixed = set(mechanism.ground.points)
-    free = tuple(point for point, count in at.items() if count == 1 and point not in fixed | sliding)
-    return free or tuple(point for point in at if point not in fixed)
+    points = dict.fromkeys(point for link in mechanism.links for point in link.points)
+    return free_points(mechanism) or tuple(point for point in points if point not in mechanism.ground.points)
 
 
 def remarkable_points(mechanism: Mechanism) -> tuple[str, ...]:

@@ -13,6 +13,7 @@ from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing.charts import STEPS, chart_requests, chart_title, value_axis
 from mechsheet.sheet.drawing.drawing import marker
 from mechsheet.sheet.first.blocks import shown_unit
+from mechsheet.sheet.first.mechanism import position_controls
 from mechsheet.sheet.layout import description_sheet, properties_of
 from mechsheet.sheet.page.drawing import PageDrawing
 from mechsheet.sheet.page.paper import GAP, NARROW, Paper, on_paper, pixels
@@ -85,7 +86,7 @@ def _page(plan: PagePlan) -> Sheet:
         row_heights=tuple(sorted(heights.items())),
         merges=(*top.merges, *table.merges),
         charts=charts,
-        controls=_controls(plan, widths),
+        controls=_controls(plan),
         validations=tuple(top.validations),
         conditionals=(*top.conditionals, *table.conditionals()),
         comments=(*top.comments, *table.comments),
@@ -196,15 +197,9 @@ def _axis(plan: PagePlan, symbol: str) -> Axis:
     return Axis(title, step=next((float(step) for step in STEPS if extent / step <= 8), None) if extent else None)
 
 
-def _controls(plan: PagePlan, widths: list[float]) -> tuple[Control, ...]:
+def _controls(plan: PagePlan) -> tuple[Control, ...]:
     """The scroll bar under the drawing."""
-    last = min(plan.rows - 1, 30_000)
-    if not plan.drawn or last < 1:
+    if not plan.drawn or plan.rows < 2:
         return ()
-    row = plan.blocks["position"].rows["position"]
     below = Anchor(2 + CHART_HEIGHT // ROW_HEIGHT, LAST + 1, CHART_HEIGHT, 18, dx=GAP, dy=8)
-    page = max(1, last // 12)
-    return (
-        Control("scroll", "position scroll bar", below, row, VALUE, 0, last, 1, page),
-        Control("spin", "position spin button", Anchor(row, UNIT, 18, 20), row, VALUE, 0, last, 1, page, False),
-    )
+    return position_controls(plan, below, VALUE, UNIT)
