@@ -179,8 +179,6 @@ class Group:
     assemblies    what each assembly looks like; `assembly` is the number (from 0) of the one that the sketch means
     closes        symbol of an equation that has a value exactly where the group can be assembled
     apart         how far its assemblies are from each other: 0 at a dead centre; None where there is one assembly
-    degenerate    TRUE in a row where the group closes but its position is undetermined (pins coincide, so that a link can
-                  turn about them; lines coincide), or None
     open          True when the sketch said nothing about this group
     transmission  angle of the transmission: symbol whose sine measures how well the group transmits force, or ""
     sides         lengths that must form a triangle for the group to close: its three sides; or the hypotenuse and a leg of
@@ -190,6 +188,8 @@ class Group:
     determinant   that of the closure's derivatives by the unknowns, in their order: w1 x w2, where w is the derivative of
                   left minus right by one of them; None where there is no `closure`
     dead          what must hold for derivatives to be numbers; None where the determinant never vanishes
+    degenerate    TRUE in a row where the links can be joined but their position is undetermined (pins coincide, so that a
+                  link can turn about them; lines coincide); None where that cannot be
     """
 
     number: int
@@ -203,7 +203,6 @@ class Group:
     assembly: int
     closes: str
     apart: Node | None
-    degenerate: Node | None
     open: bool
     label: Words
     transmission: str = ""
@@ -212,6 +211,7 @@ class Group:
     follows: Node | None = None
     determinant: Node | None = None
     dead: Condition | None = None
+    degenerate: Node | None = None
 
     @property
     def mode_value(self) -> int:

@@ -59,13 +59,10 @@ def meet(
     else:
         sine = ledger.hoist("D_0", sine, NUMBER, phrase("sine_between_lines"))
         crossing = Condition(Call("ABS", (sine,)), al.number(PARALLEL))
-        column = ledger.column(
-            "D", sine, NUMBER,
-            phrase("sine_where_they_meet"), [crossing],
-        )  # fmt: skip
-        d, closes = column, column.name
+        column = ledger.column("D", sine, NUMBER, phrase("sine_where_they_meet"), [crossing])
         ahead = al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2)))
         parallel = Call("AND", (crossing.fails, al.less(Call("ABS", (ahead,)), ledger.tolerance)))
+        d, closes = column, column.name
     k1 = al.div(al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2))), d)
     k2 = al.div(al.sub(al.mul(e_x, al.sin(delta1)), al.mul(e_y, al.cos(delta1))), d)
     return k1, k2, d, closes, parallel
@@ -88,13 +85,13 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
     for guide, k in zip(guides, (k1, k2), strict=True):
         poses.displacement(guide.symbol, k if guide.sign > 0 else al.neg(k))
     for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True):
-        _fix_by_guide(poses, assembly, guide)
+        poses.fix_on_guide(assembly, guide, Symbol(guide.symbol))
     symbols = f"{guides[0].symbol}, {guides[1].symbol}"
     return Solved(
-        "", ONE_ASSEMBLY, closes or guides[0].symbol, None, parallel, (inner.point,),
+        "", ONE_ASSEMBLY, closes or guides[0].symbol, None, (inner.point,),
         (guides[0].symbol, guides[1].symbol),
         phrase("group_two_slides", links=poses.both(dyad), pin=inner.point, slides=symbols),
-        lines_cross(sine, turned=guides[0].sign == guides[1].sign),
+        lines_cross(sine, turned=guides[0].sign == guides[1].sign), degenerate=parallel,
     )  # fmt: skip
 
 
@@ -102,14 +99,6 @@ def _pin_line(poses: Poses, assembly: tuple[str, ...], guide: Guide, pin: str) -
     """Where the pin would be at displacement 0 of the assembly's guide."""
     x, y = (poses.place(assembly, pin) - guide.moving).turned(guide.angle)
     return al.add(guide.x, x), al.add(guide.y, y)
-
-
-def _fix_by_guide(poses: Poses, assembly: tuple[str, ...], guide: Guide) -> None:
-    """The assembly's pose from its displacement along its guide."""
-    step = Symbol(guide.symbol) if guide.sign > 0 else al.neg(Symbol(guide.symbol))
-    x = al.add(guide.x, al.mul(step, al.cos(guide.delta)))
-    y = al.add(guide.y, al.mul(step, al.sin(guide.delta)))
-    poses.fix(assembly, guide.angle, guide.moving, x, y)
 
 
 def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
@@ -145,11 +134,11 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     k1, k2, sine, closes, parallel = meet(ledger, e, guide.delta, delta, (guide.symbol, joint.symbol))
     poses.displacement(guide.symbol, k1 if guide.sign > 0 else al.neg(k1))
     poses.displacement(joint.symbol, al.neg(k2) if sign > 0 else k2)
-    _fix_by_guide(poses, dyad.second, guide)
+    poses.fix_on_guide(dyad.second, guide, Symbol(guide.symbol))
     poses.fix(dyad.first, angle, poses.place(dyad.first, p), xp, yp)
     symbols = f"{guide.symbol}, {joint.symbol}"
     return Solved(
-        "", ONE_ASSEMBLY, closes or guide.symbol, None, parallel, (p,), (guide.symbol, joint.symbol),
+        "", ONE_ASSEMBLY, closes or guide.symbol, None, (p,), (guide.symbol, joint.symbol),
         phrase("group_two_slides", links=poses.both(dyad), pin=p, slides=symbols),
-        lines_cross(sine, turned=guide.sign != sign),
+        lines_cross(sine, turned=guide.sign != sign), degenerate=parallel,
     )  # fmt: skip

@@ -15,7 +15,6 @@ from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.page.plan import PagePlan
-from mechsheet.sheet.page.top import status_words
 from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
@@ -24,7 +23,7 @@ from mechsheet.sheet.table.positions import (
     places,
     places_of,
 )
-from mechsheet.sheet.table.status import first_open, undetermined
+from mechsheet.sheet.table.status import first_open, links_of, undetermined
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style, plain_text
 from mechsheet.units import SECONDS
 
@@ -75,7 +74,7 @@ class Table:
         if number <= 0:
             return plan.text({0: "group.driver", -1: "group.outputs"}[number]) if number > -2 else ""
         group = plan.equations.groups[number - 1]
-        return plan.text("page.group", number=number, links=status_words(plan, group))
+        return plan.text("page.group", number=number, links=links_of(plan, group))
 
     def _mathematics(self, column: TableColumn) -> Rich | str:
         """The formula as people write it."""
@@ -226,9 +225,7 @@ def status(plan: PagePlan) -> Node:
     free = [_undetermined(plan, group) for group in groups]
     keys = ["undetermined" if group.only_undetermined else "open" for group in groups]
     if len(closing) == 1:
-        said, loose = (
-            plan.text(f"page.{key}", links=status_words(plan, groups[0])) for key in (keys[0], "undetermined")
-        )
+        said, loose = (plan.text(f"page.{key}", links=links_of(plan, groups[0])) for key in (keys[0], "undetermined"))
         words: Node = Text(said)
         if free[0] is not None:
             words = formula("IF(free,loose,said)", free=free[0], loose=loose, said=said)

@@ -25,11 +25,16 @@ def status(plan: Plan) -> Node:
         return formula("IF(_inputs=0,ok,inputs)", ok=plan.text("status.ok"), inputs=plan.text("status.inputs"))
     if len(tests) == 1 and not plan.newton:  # whose words are long
         return formula("IF(closes,ok,reason)", closes=tests[0], ok=plan.text("status.ok"), reason=status_words(plan)[0])
-    top, bottom = plan.at.spots["#reason_0"], plan.at.spots[f"#reason_{len(tests)}"]
-    reasons = RangeRef(
+    reasons = words_between(plan, "#reason_0", f"#reason_{len(tests)}")
+    return formula("INDEX(reasons,first_open)", reasons=reasons, first_open=first_open(tests))
+
+
+def words_between(plan: Plan, first: str, last: str) -> RangeRef:
+    """The cells from one that is found by its key to another below it."""
+    top, bottom = plan.at.spots[first], plan.at.spots[last]
+    return RangeRef(
         CellRef(top.row, top.col, True, True, top.sheet), CellRef(bottom.row, bottom.col, True, True, top.sheet)
     )
-    return formula("INDEX(reasons,first_open)", reasons=reasons, first_open=first_open(tests))
 
 
 def first_open(closing: Sequence[Node]) -> Node:
@@ -43,11 +48,16 @@ def first_open(closing: Sequence[Node]) -> Node:
     return count
 
 
+def links_of(plan: Plan, group: Group) -> str:
+    """The links of a group in words."""
+    return ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
+
+
 def status_words(plan: Plan) -> list[str]:
     """What the table says where a test fails, in order of solution: of one group first that it is undetermined."""
     found = []
     for group in plan.equations.groups:
-        links = ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
+        links = links_of(plan, group)
         if undetermined(plan, group) is not None:
             found.append(plan.text("status.undetermined", links=links))
         key = "undetermined" if group.only_undetermined else "newton" if group.system is not None else "open"
