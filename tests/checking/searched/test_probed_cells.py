@@ -12,6 +12,7 @@ from mechsheet.checking.searched.summaries import Expected
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import load
+from mechsheet.formula.nodes import ErrorValue
 from mechsheet.sheet.table.requested import tables_of
 from mechsheet.sheet.table.tolerance import lines_of
 from mechsheet.sheet.table.two_way import FIRST
@@ -49,7 +50,8 @@ def test_passes_of_a_row_that_does_not_close_are_nobodys():
     assert {row for _, row, _ in astray} == {row for row, there in enumerate(laid.exists, plan.at.first) if not there}
     spots = [plan.at.spots[symbol] for symbol in ("residual", "det")]  # where Positions shows what the last pass has
     assert {(spot.sheet, open_row, spot.col) for spot in spots} <= astray
-    assert (plan.at.titles["rates"], open_row, plan.at.spots["D"].col) in astray
+    divisor = plan.at.spots["D"]  # of velocities: there it is no number, as what is divided by it
+    assert values.get(divisor.sheet, open_row, divisor.col) == ErrorValue("#N/A")
 
     def agrees(row, col):
         def theirs(sheet, *place):

@@ -17,7 +17,7 @@ from mechsheet.checking.report import Comparison
 from mechsheet.checking.rules import Rules
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Direction, Scalar, Symbol, symbols
+from mechsheet.formula.nodes import Direction, Scalar, Symbol
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import BLOCKS, Plan
 from mechsheet.sheet.table.lowering import FITS
@@ -96,15 +96,9 @@ class Astray:
             ]
             last = (Symbol(group.system.residual), Symbol(group.system.determinant))
             beside = [column.col for column in plan.columns if column.equation and column.equation.expression in last]
-            divisor = [  # by which the coefficients of velocities are divided
-                column.col
-                for column in plan.rates
-                if column.equation and group.system.determinant in symbols(column.equation.expression)
-            ]
             rows = _open(plan, there, closes)
             self._add(moves, title, rows, passes)
             self._add(moves, plan.table, rows, beside)
-            self._add(moves, plan.at.titles["rates"], rows, divisor)
 
     def _directions(self, plan: Plan, there: MovedValues, moves: Moves) -> None:
         spots = plan.at.spots
