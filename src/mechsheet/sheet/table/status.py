@@ -90,12 +90,9 @@ def _alike(plan: Plan, group: Group) -> bool:
     with np.errstate(all="ignore"):
         first, second = (float(np.ravel(value(side, plan.nominal))[0]) for side in group.sides[:2])
     least = float(np.ravel(plan.nominal[plan.equations.tolerance])[0])
-    match group.kind:
-        case "RRR":
-            return abs(first - second) <= least or min(first, second) < least
-        case "RPR":  # a slot that misses both pins by nothing
-            return abs(second) < least
-    return first < least
+    if len(group.sides) == 3:
+        return abs(first - second) <= least or min(first, second) < least
+    return abs(second) < least  # a slot that misses both pins by nothing
 
 
 def _comes_near(plan: Plan, group: Group) -> bool:
