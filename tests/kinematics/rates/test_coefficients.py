@@ -352,5 +352,5 @@ def test_a_list_of_values_says_nothing_of_a_speed():
     """Static forces are found by virtual work as well, which needs to know how every driver moves with the first."""
     robot = (TEMPLATES[0].parent / "five-bar-robot.toml").read_text(encoding="utf-8")
     mechanism = loads(f'{robot}\n[[loads]]\nlink = "left"\ntorque = 1\n')
-    with pytest.raises(MechsheetError, match="theta15. is a list of values, which says nothing of its speed"):
+    with pytest.raises(MechsheetError, match=r"theta15. is a list of values"):
         dynamics.solve(mechanism)
