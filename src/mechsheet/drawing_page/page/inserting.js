@@ -26,7 +26,7 @@ async function insert(what) {
   const chosen = ["link", "point"].includes(state.chosen?.kind) ? { [state.chosen.kind]: state.chosen.name } : {};
   if (!(await order({ do: "insert", what, ...chosen }))) return;
   const [first, last] = changedLines(before, state.text);
-  goTo(first);
+  goTo(what === "gear" ? state.text.split("\n").lastIndexOf("[[joints]]") + 1 : first); // a wheel may stand before it
   say(word("insert.done", { first, last }));
 }
 
