@@ -1,7 +1,8 @@
 """Newton's method in Basic: a group's solver as procedures of the module, and the variables that it keeps.
 
 What is kept between calls is how far the way has been gone: the places on it are the same for all calls, so a value does not
-depend on what was asked before. Hundreds of cells that follow one another then cost some passes each.
+depend on what was asked before. Hundreds of cells that follow one another then cost some passes each. LibreOffice keeps
+variables from call to call only if they are Global, and shares these between modules: their names begin as the functions do.
 """
 
 from __future__ import annotations
@@ -25,14 +26,14 @@ FARTHEST = 40_000
 """Steps of the drivers: what lies farther away is #N/A."""
 
 LOCALS = (
-    "arguments", "asked", "before", "correction", "determinant", "earlier", "far", "first", "found", "given", "here", "i",
-    "index", "other", "pass", "place", "residual", "same", "share", "steady", "steps", "stride", "x",
+    "again", "arguments", "asked", "before", "correction", "determinant", "earlier", "far", "first", "found", "given",
+    "here", "i", "index", "other", "pass", "place", "residual", "same", "share", "steady", "steps", "stride", "x",
 )  # fmt: skip
 """Variables of the procedures."""
 
 PARTS = (
-    "asked", "before", "Begin", "begun", "Given", "home", "kept", "last", "made", "Pass", "Return", "sign", "Step", "Still",
-    "stride", "there",
+    "asked", "before", "Begin", "begun", "found", "Given", "Go", "home", "kept", "last", "made", "Pass", "Return", "sign",
+    "Step", "Still", "stride", "there", "x",
 )  # fmt: skip
 """What follows a solver's name and _ in the names of its procedures, and of the variables that it keeps."""
 
@@ -50,8 +51,8 @@ Son istenen değerler için gidilen yol saklanır: yerleri, önceden ne istenirs
 
 def solver_names(solvers: Sequence[Solver], taken: Collection[str]) -> dict[int, str]:
     """Number of a group -> what its procedures begin with; none of these is like a name that is taken."""
-    numbers = {f"Newton{solver.number}": solver.number for solver in solvers}
-    beginnings = [name.partition("_")[0] for name in taken]
+    numbers = {solver.name: solver.number for solver in solvers}
+    beginnings = [name.rpartition("_")[0] for name in taken]
     return {numbers[key]: name for key, name in identifiers(numbers, [*KEYWORDS, *taken, *beginnings]).items()}
 
 
@@ -69,10 +70,11 @@ def declarations(solver: Solver, name: str) -> list[str]:
     """The variables of the module, which VBA wants before the first procedure."""
     unknowns, drives = len(solver.keys) - 1, len(solver.drives) - 1
     return [
-        f"Private {name}_kept As Boolean, {name}_begun As Boolean, {name}_made As Long, {name}_sign As Double",
-        f"Private {name}_asked({len(solver.asked) - 1}) As Double, {name}_there({len(solver.still.results)}) As Double",
-        f"Private {name}_stride({drives}) As Double, {name}_home({unknowns}) As Double",
-        f"Private {name}_last({unknowns}) As Double, {name}_before({unknowns}) As Double",
+        f"Global {name}_kept As Boolean, {name}_begun As Boolean, {name}_found As Boolean",
+        f"Global {name}_asked({len(solver.asked) - 1}) As Double, {name}_there({len(solver.still.results)}) As Double",
+        f"Global {name}_home({unknowns}) As Double, {name}_sign As Double",
+        f"Global {name}_stride({drives}) As Double, {name}_made As Long",
+        f"Global {name}_last({unknowns}) As Double, {name}_before({unknowns}) As Double, {name}_x({unknowns}) As Double",
         "",
     ]
 
@@ -86,40 +88,73 @@ def procedures(
 
 SOLVER = """\
 Private Function {name}(ByVal index As Long, ByVal arguments As Variant) As Variant
-    Dim asked({arguments}) As Double, place({drives}) As Double, stride({drives}) As Double
-    Dim x({unknowns}) As Double, far As Double, steps As Long, i As Long, same As Boolean
+    Dim asked({arguments}) As Double, i As Long, same As Boolean, again As Boolean
     {name} = CVErr(xlErrNA)
     On Error GoTo NoPosition
-    same = {name}_kept
     For i = 0 To {arguments}
         asked(i) = arguments(i)
-        If i < {first} Or i > {last} Then same = same And asked(i) = {name}_asked(i)
     Next i
-    If Not same Then {name}_Begin asked
-    If Not {name}_begun Then Exit Function
-@far
-    If Not (far < {farthest}) Then Exit Function
-    steps = MaxOf(1, -Int(0.000000001 - far))
-@strides
-    same = {name}_made < steps
-    For i = 0 To {drives}
-        same = same And stride(i) = {name}_stride(i)
-        {name}_stride(i) = stride(i)
+    same = {name}_kept
+    again = {name}_kept
+    For i = 0 To {arguments}
+        If asked(i) <> {name}_asked(i) Then
+            again = False
+            If i < {first} Or i > {last} Then same = False
+        End If
+        {name}_asked(i) = asked(i)
     Next i
-    If Not same Then {name}_Return
-    Do While {name}_made < steps - 1
-@next
-        If Not {name}_Step(asked, place, 1, x) Then Exit Function
-        For i = 0 To {unknowns}
-            {name}_before(i) = {name}_last(i)
-            {name}_last(i) = x(i)
-        Next i
-        {name}_made = {name}_made + 1
-    Loop
-    For i = 0 To {drives}
-        place(i) = asked({first} + i)
+    {name}_kept = False
+    If Not again Then
+        {name}_found = False
+        If Not same Then {name}_begun = {name}_Begin(asked)
+        If {name}_begun Then {name}_found = {name}_Go(asked)
+    End If
+    {name}_kept = True
+    If {name}_found Then {name} = {name}_x(index)
+NoPosition:
+End Function
+
+Private Function {name}_Begin(asked() As Double) As Boolean
+    Dim x({unknowns}) As Double, before({unknowns}) As Double, earlier({unknowns}) As Double
+    Dim here({here}) As Double, given({given}) As Double, correction({unknowns}) As Double
+    Dim residual As Double, determinant As Double, first As Double, steady As Double
+    Dim share As Double, pass As Long, i As Long
+@declared
+    On Error GoTo NoPosition
+    Select Case Int(asked({mode}) + 0.5)
+@starts
+    Case Else
+        Exit Function
+    End Select
+    If Not {name}_Still(asked) Then Exit Function
+@at_home
+    For pass = 0 To {first_passes}
+        share = MinOf(pass / {led}, 1)
+@way
+        If Not {name}_Given(here, given) Then Exit Function
+        If Not {name}_Pass(x, given, correction, residual, determinant) Then Exit Function
+        If pass = 0 Then first = determinant
+        If pass = 1 Then steady = MaxOf({steady} * residual, {settled})
+        If Not (determinant * first > 0) Then Exit Function
+        If pass > 1 Then
+            If Not (residual < steady) Then Exit Function
+@trends
+        End If
+        If pass < {first_passes} Then
+            For i = 0 To {unknowns}
+                earlier(i) = before(i)
+                before(i) = x(i)
+                x(i) = x(i) - correction(i)
+            Next i
+        End If
+    Next pass
+    If Not (residual <= {closed}) Then Exit Function
+    For i = 0 To {unknowns}
+        {name}_home(i) = x(i)
     Next i
-    If {name}_Step(asked, place, {share}, x) Then {name} = x(index)
+    {name}_sign = Sgn(determinant)
+    {name}_Return
+    {name}_Begin = True
 NoPosition:
 End Function
 
@@ -132,58 +167,39 @@ Private Sub {name}_Return()
     Next i
 End Sub
 
-Private Sub {name}_Begin(asked() As Double)
-    Dim x({unknowns}) As Double, before({unknowns}) As Double, earlier({unknowns}) As Double
-    Dim here({here}) As Double, given({given}) As Double, correction({unknowns}) As Double
-    Dim residual As Double, determinant As Double, first As Double, steady As Double
-    Dim share As Double, pass As Long, i As Long
-@declared
-    For i = 0 To {arguments}
-        {name}_asked(i) = asked(i)
-    Next i
-    {name}_kept = True
-    {name}_begun = False
+Private Function {name}_Go(asked() As Double) As Boolean
+    Dim place({drives}) As Double, stride({drives}) As Double, far As Double, steps As Long
+    Dim i As Long, same As Boolean
     On Error GoTo NoPosition
-    Select Case Int(asked({mode}) + 0.5)
-@starts
-    Case Else
-        Exit Sub
-    End Select
-    If Not {name}_Still(asked) Then Exit Sub
-@at_home
-    For pass = 0 To {first_passes}
-        share = MinOf(pass / {led}, 1)
-@way
-        If Not {name}_Given(here, given) Then Exit Sub
-        If Not {name}_Pass(x, given, correction, residual, determinant) Then Exit Sub
-        If pass = 0 Then first = determinant
-        If pass = 1 Then steady = MaxOf({steady} * residual, {settled})
-        If Not (determinant * first > 0) Then Exit Sub
-        If pass > 1 Then
-            If Not (residual < steady) Then Exit Sub
-@trends
-        End If
-        If pass < {first_passes} Then
-            For i = 0 To {unknowns}
-                earlier(i) = before(i)
-                before(i) = x(i)
-                x(i) = x(i) - correction(i)
-            Next i
-        End If
-    Next pass
-    If Not (residual <= {closed}) Then Exit Sub
-    For i = 0 To {unknowns}
-        {name}_home(i) = x(i)
+@far
+    If Not (far < {farthest}) Then Exit Function
+    steps = MaxOf(1, -Int(0.000000001 - far))
+@strides
+    same = {name}_made < steps
+    For i = 0 To {drives}
+        If stride(i) <> {name}_stride(i) Then same = False
+        {name}_stride(i) = stride(i)
     Next i
-    {name}_sign = Sgn(determinant)
-    {name}_Return
-    {name}_begun = True
+    If Not same Then {name}_Return
+    Do While {name}_made < steps - 1
+@next
+        If Not {name}_Step(asked, place, 1) Then Exit Function
+        For i = 0 To {unknowns}
+            {name}_before(i) = {name}_last(i)
+            {name}_last(i) = {name}_x(i)
+        Next i
+        {name}_made = {name}_made + 1
+    Loop
+    For i = 0 To {drives}
+        place(i) = asked({first} + i)
+    Next i
+    {name}_Go = {name}_Step(asked, place, {share})
 NoPosition:
-End Sub
+End Function
 
-Private Function {name}_Step(asked() As Double, place() As Double, ByVal share As Double, x() As Double) As Boolean
-    Dim here({here}) As Double, given({given}) As Double, correction({unknowns}) As Double
-    Dim residual As Double, determinant As Double, pass As Long, i As Long
+Private Function {name}_Step(asked() As Double, place() As Double, ByVal share As Double) As Boolean
+    Dim x({unknowns}) As Double, here({here}) As Double, given({given}) As Double, pass As Long, i As Long
+    Dim correction({unknowns}) As Double, residual As Double, determinant As Double
 @declared
     For i = 0 To {stays}
         here(i) = {name}_there(i)
@@ -205,6 +221,9 @@ Private Function {name}_Step(asked() As Double, place() As Double, ByVal share A
     If Not {name}_Pass(x, given, correction, residual, determinant) Then Exit Function
     If Not (residual <= {closed} And determinant * {name}_sign > 0) Then Exit Function
 @leaps
+    For i = 0 To {unknowns}
+        {name}_x(i) = x(i)
+    Next i
     {name}_Step = True
 End Function
 """
@@ -300,7 +319,7 @@ class _Writer:
         homes = [_said(drive.home) for drive in solver.drives]
         others = _places("other", len(solver.earlier))
         behind = _places("here", len(solver.reading.given))[self.still + self.drives :]
-        trend = "If Not (Abs(x({0}) - 2 * before({0}) + earlier({0})) < {1}) Then Exit Sub"
+        trend = "If Not (Abs(x({0}) - 2 * before({0}) + earlier({0})) < {1}) Then Exit Function"
         leap = (
             f"If Not (Abs(x({{0}}) - {name}_last({{0}}) - share * ({name}_last({{0}}) - {name}_before({{0}}))) < {{1}}) "
             "Then Exit Function"
@@ -317,7 +336,7 @@ class _Writer:
             "@at_home": _indented(
                 1, [
                     *(f"here({self.still + at}) = {home}" for at, home in enumerate(homes)),
-                    *self._earlier(homes, others, "Exit Sub"),
+                    *self._earlier(homes, others, "Exit Function"),
                 ],
             ),
             "@way": _indented(2, self._way(others)),

@@ -22,7 +22,7 @@ import numpy as np
 
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.calls import with_calls
-from mechsheet.exporting.functions import patterns
+from mechsheet.exporting.functions import patterns, prefix_of
 from mechsheet.exporting.lowering import Step
 from mechsheet.exporting.program import quantity
 from mechsheet.exporting.routines import Routine, Source, folded, needed_for, unknown_key
@@ -73,7 +73,7 @@ class Start:
 class Solver:
     """One group.
 
-    number     of the group, from 1;  label: its links
+    number     of the group, from 1;  name: what a printer may call it;  label: its links
     keys       what trees call each unknown (`unknown_key`)
     asked      symbols of the arguments: the parameters of the mechanism's functions
     drives     the drivers, which stand beside each other among these
@@ -87,6 +87,7 @@ class Solver:
     """
 
     number: int
+    name: str
     label: Words
     keys: tuple[str, ...]
     asked: tuple[str, ...]
@@ -135,6 +136,7 @@ def _solver(source: Source, compiled: Compiled, group: Group, system: System) ->
     )
     return Solver(
         group.number,
+        f"{prefix_of(mechanism, mechanism.language)}_Newton{group.number}",
         group.label,
         tuple(unknown_key(name) for name in system.variables),
         asked,
