@@ -311,7 +311,8 @@ FORCED = "[solution]\nforce = true\n"
 
 ASKED = [
     ("planar-3rpr", "", [({}, (0, 3, 10)), ({"mode_1": 3}, (3,)), ({"y2": 2.4}, (3,)), ({"p1": 1.0}, (3, 10, 3))]),
-    ("sun-and-planet", "", [({}, (48, 7))]),  # two turns on, and back again
+    ("sun-and-planet", "", [({}, (48,))]),  # two turns on
+    ("stephenson-ii-class-iv", "", [({}, (30, 12, 30))]),  # and back again, whichever cell comes first
     ("six-link-dwell", FORCED, [({}, (9,))]),  # one group after the other
     ("five-bar-robot", FORCED, [({}, (20,))]),  # both drivers along a straight line
 ]
