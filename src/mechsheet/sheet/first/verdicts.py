@@ -388,7 +388,7 @@ class _Block:
             closes = formula("AND(closes,ABS(ABS(last-first)/turn-1)<1E-9)", closes=closes, first=first, last=last,
                              turn=turn)  # fmt: skip
             ends, turn = "place", float(self.plan.rows - 1)
-        if self.plan.equations.equations.tied:  # what gears move may be back after several turns, or sooner: of one it is sure
+        if self.plan.equations.equations.tied:  # what gears move is back after one turn, or after several
             closes = formula("AND(closes,ABS(_step)*(rows-1)<1.5*turn)", closes=closes, rows=self.plan.rows,
                              turn=turn) if law is None else closes  # fmt: skip
             none = "ratio.gears"
