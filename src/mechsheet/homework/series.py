@@ -316,13 +316,15 @@ def by_law(graph: Graph, runs: Sequence[Run]) -> list[Run]:
 
 
 def _turned_by(graph: Graph, number: int) -> bool:
-    """Whether the sine or cosine of a strip's own cells is taken somewhere."""
+    """Whether the sine or cosine of a strip's own cells is taken somewhere, of degrees as `COS(RADIANS(B4))`."""
     strip = graph.work.strips[number]
     return any(
         isinstance(part, Call)
         and part.name in ("SIN", "COS")
-        and isinstance(part.args[0], CellRef)
-        and (part.args[0].sheet, part.args[0].col) == (strip.sheet, strip.line)
+        and any(
+            isinstance(each, CellRef) and (each.sheet, each.col) == (strip.sheet, strip.line)
+            for each in walk(part.args[0])
+        )
         for reader in graph.readers[number]
         for part in walk(graph.formulas[reader])
     )

@@ -169,8 +169,9 @@ class Tolerance:
             case "first":
                 return formula("INDEX(column,_first_1)", column=column)
             case "last":
-                ends = [self.plan.at.cell(f"#last_{number}", self.title, None) for number in (1, STRETCHES)]
-                return formula("INDEX(column,MAX(top:bottom))", column=column, top=ends[0], bottom=ends[1])
+                spots = (self.plan.at.spots[f"#last_{number}"] for number in (1, STRETCHES))
+                ends = RangeRef(*(CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in spots))
+                return formula("INDEX(column,MAX(ends))", column=column, ends=ends)
             case "mean":
                 said, ok = Symbol(f"{ALL}#status"), self.plan.text("status.ok")
                 return formula("AVERAGEIF(said,ok,column)", said=said, ok=ok, column=column)
