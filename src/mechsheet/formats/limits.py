@@ -48,23 +48,23 @@ def _title_faults(workbook: Workbook) -> Iterator[Fault]:
             yield Fault(f'the sheet name "{sheet.title}" {reason}')
 
 
+def _taken(name: str, seen: dict[str, str]) -> str:
+    """Why a name cannot be one beside those `seen`, to which it is added; "" where it can."""
+    other = seen.setdefault(folded(name), name)
+    return name_fault(name) or (f'is the same name as "{other}" to some programs' if other is not name else "")
+
+
 def _name_faults(workbook: Workbook) -> Iterator[Fault]:
     seen: dict[str, str] = {}
     titles = {sheet.title for sheet in workbook.sheets}
     for function in workbook.functions:
-        reason = name_fault(function.name)
-        other = seen.setdefault(folded(function.name), function.name)
-        if not reason and other is not function.name:
-            reason = f'is the same name as "{other}" to some programs'
+        reason = _taken(function.name, seen)
         if not reason and (length := len(print_formula(function.formula))) > MAX_FORMULA:
             reason = f"stands for a formula of {length} characters, {MAX_FORMULA} are allowed"
         if reason:
             yield Fault(f'the name of a function "{function.name}" {reason}')
     for name in workbook.names:
-        reason = name_fault(name.name)
-        other = seen.setdefault(folded(name.name), name.name)
-        if not reason and other is not name.name:
-            reason = f'is the same name as "{other}" to some programs'
+        reason = _taken(name.name, seen)
         if not reason and name.sheet not in titles:
             reason = f'stands on a sheet "{name.sheet}" that does not exist'
         if reason:
