@@ -130,3 +130,9 @@ def test_no_time_ratio_of_several_turns_of_gears():
     laid = Laid(text)
     assert laid.spot("#time_ratio_s14") == NA
     assert laid.words("time_ratio_s14").endswith("needs one whole turn, after which the gears are back")
+
+
+def test_values_that_go_to_and_fro_reach_from_the_least_to_the_largest():
+    """Listed values may end where they began: the driver has moved all the same."""
+    laid = Laid(re.sub(r"start = 0\nstop = 360\nstep = 15", "values = [90, 120, 60, 90]", FOUR_BAR))
+    assert (laid.spot("#input_from"), laid.spot("#input_to")) == pytest.approx((60, 120))

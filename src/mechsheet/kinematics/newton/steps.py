@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -29,7 +29,7 @@ LEAP = math.pi / 2
 
 TRIED = (PASSES, 8, 10, MOST_PASSES)
 
-Sweep = Callable[[Mechanism, Equations, Array], dict[str, Array]]
+Sweep = Callable[[Mechanism, Equations, Mapping[str, Array]], dict[str, Array]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,14 +68,15 @@ class Steps:
         def listed(column: Array) -> tuple[float, ...]:
             return tuple(float(value) for value in interpolated(places, rows, column))
 
+        besides = {symbol: listed(column) for symbol, column in self.besides.items()}
         drivers = tuple(
-            replace(other, values=listed(self.besides[other.symbol])) if other.values else other
-            for other in self.mechanism.drivers
+            replace(other, values=besides[other.symbol]) if other.values else other for other in self.mechanism.drivers
         )
         path = interpolated(places, rows, driver)
         finer = replace(self.mechanism, driver=at_values(self.mechanism.driver, path), drivers=drivers)
         own = _finer(equations, parts)
-        values = self.sweep(finer, own, path)
+        given: dict[str, Array] = {symbol: np.array(column) for symbol, column in besides.items()}
+        values = self.sweep(finer, own, {**given, self.mechanism.driver.symbol: path})
         slides = {joint.symbol for joint in self.mechanism.joints}
         found = []
         for system in (group.system for group in own.groups if group.system):
