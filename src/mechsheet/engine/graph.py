@@ -89,7 +89,7 @@ def area_read(reference: CellRef | RangeRef, block: Block, sheets: dict[str, int
     return Area(sheets[first.sheet], min(rows), min(cols), max(rows) - min(rows) + 1, max(cols) - min(cols) + 1)
 
 
-def dependencies(layout: Layout, formulas: Sequence[Node], functions: Functions = _NONE) -> list[set[int]]:
+def dependencies(layout: Layout, formulas: Sequence[Node], functions: Functions) -> list[set[int]]:
     """For every block the producers that it reads (`Layout.producers`), itself among them when it reads its own cells."""
     sheets = {title: index for index, title in enumerate(layout.titles)}
     found: list[set[int]] = []

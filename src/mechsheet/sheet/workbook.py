@@ -201,7 +201,6 @@ class Axis:
     number_format: str = "General"
     visible: bool = True
     gridlines: bool = True
-    crosses_low: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -330,7 +329,6 @@ class Properties:
 
     title: str = ""
     subject: str = ""
-    author: str = "mechsheet"
     comments: str = ""
     keywords: str = ""
     language: str = "en"
