@@ -121,7 +121,12 @@ def dependents(blocks: Iterable[int], reads: Sequence[set[int]]) -> set[int]:
 
 
 def ordered(reads: Sequence[set[int]]) -> list[list[int]]:
-    """Blocks in an order in which everything read comes first; blocks that read each other stand together (Tarjan, 1972)."""
+    """Blocks in an order in which everything read comes first; blocks that read each other stand together.
+
+    reads  by block the numbers of what it reads; those from len(reads) on are constants
+
+    Strongly connected components (Tarjan, 1972), which graphlib does not give: it stops at the first circle.
+    """
     count = len(reads)
     index = [-1] * count
     low = [0] * count
