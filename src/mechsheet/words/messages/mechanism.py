@@ -75,6 +75,9 @@ MECHANISM: dict[str, str] = {
     "{name} is driven already, by {other}": "{name} zaten tahrik ediliyor: {other}",
     "drive another joint": "başka bir mafsalı tahrik edin",
     "{symbol} is a list of values, which says nothing of its speed": "{symbol} bir değer listesi, hızı bilinmez",
+    "write `follows` in place of `values`, or take masses, loads and derivatives away": (
+        "`values` yerine `follows` yazın ya da kütleleri, yükleri ve türevleri çıkarın"
+    ),
     "write `follows` in place of `values`, or take `speed` out of [driver]": (
         "`values` yerine `follows` yazın ya da [driver] altından `speed` anahtarını çıkarın"
     ),
