@@ -305,6 +305,10 @@ MECHANISM: dict[str, str] = {
     ),
     "the layout page cannot hold this": "tek sayfalık düzene sığmaz",
     'layout = "sheets" does': 'layout = "sheets" olur',
+    "a written solution cannot hold this": "yazılı çözümde olmaz",
+    "octave, python and vba can": "octave, python ve vba ile olur",
+    "a workbook with functions cannot hold this": "fonksiyonlu çalışma kitabında olmaz",
+    "`export --to vba` can": "`export --to vba` ile olur",
     "a two-way table cannot hold this": "iki yönlü tabloda olmaz",
     "leave the table out": "tabloyu kaldırın",
     "the step to {symbol} = {value:.6g} is too large: Newton's method loses the links": (
