@@ -78,8 +78,8 @@ def understand(
     mechanism: Mechanism,
     asked: Sequence[str],
     tolerance: float,
-    unusual: bool = False,
-    runs: Sequence[Run] | None = None,
+    unusual: bool,
+    runs: Sequence[Run] | None,
 ) -> Understanding:
     """Understand a workbook. Raises WorkbookError where nothing in it is a table of this mechanism.
 

@@ -21,7 +21,7 @@ from mechsheet.sheet.over_rows import MOST, over_rows
 from mechsheet.sheet.plan import RATES_DRIVER, RATES_STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.bands import QUANTITIES, ROOT, WORST, Banded, part_of
+from mechsheet.sheet.table.bands import QUANTITIES, ROOT, WORST, part_of
 from mechsheet.sheet.table.positions import style_of
 from mechsheet.sheet.table.rates import sheet_beside
 from mechsheet.sheet.workbook import Cell, Fill, Sheet, Style
@@ -136,7 +136,7 @@ class Tolerance:
         plan, band = self.plan, self.plan.banded[line.quantity]
         found = []
         for symbol in band.derivatives:
-            value = plan.at.bind(self._derivative(line, band, symbol), self.title)
+            value = plan.at.bind(self._derivative(line, symbol), self.title)
             found.append(Fill(line.row, self._col(symbol), value, self._style(symbol)))
         root = part_of(line.quantity, ROOT)
         for symbol in (part_of(line.quantity, WORST), root):
@@ -152,7 +152,7 @@ class Tolerance:
         column = next(column for column in self.plan.bands if column.symbol == symbol)
         return styles.numbered(styles.RESULT, style_of(self.plan, column).number_format)
 
-    def _derivative(self, line: Line, band: Banded, symbol: str) -> Node:
+    def _derivative(self, line: Line, symbol: str) -> Node:
         """Of a summary, in the position shown, or in the row with the largest band."""
         column, summary = Symbol(ALL + symbol), line.summary
         if line.kind == "shown":
