@@ -37,7 +37,7 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None, further:
     except DeadStartError as error:
         rows = [float(row) for row in driver_values(mechanism, dimension_values(mechanism))]
         raise with_neighbour(
-            error, mechanism, rows, lambda at: write_equations(standing(mechanism, at), modes or {})
+            error, mechanism, rows, lambda at: write_equations(standing(mechanism, at), modes or {}, outputs=False)
         ) from error
     except (BetweenModesError, NeverClosesError) as error:
         if mechanism.sketch.at is not None or modes:
