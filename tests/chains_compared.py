@@ -10,6 +10,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from leaping import leaps
 
 from mechsheet import reference
 from mechsheet.description import loads
@@ -74,7 +75,7 @@ def compared(text: str) -> Compared:
             path = np.linspace(last_alike, driver[following], FINE + 1)
             start = {name: tuple(float(part[count - 1]) for part in pose.T) for name, pose in theirs.poses.items()}
             finer = reference.solve(mechanism, start=start, values=path)
-            if not finer.exists.all() or reference.leaps(finer).any():
+            if not finer.exists.all() or leaps(finer).any():
                 ends += 1
             elif not there[following] and doubts(mechanism, equations):
                 told += 1

@@ -33,6 +33,9 @@ gc.set_threshold(100_000, 50, 50)
 CHEAP = 0.2
 """Seconds of CPU time of a case that `make quick` may afford, once, of a test whose cases together take long."""
 
+DEAREST = 2.0
+"""Seconds of CPU time of a case that runs in CI only."""
+
 SHARE, SHARE_IN_CI = 0.6, 3.0
 """Seconds of CPU time that the cases of one test may take together; if they take more, a part of them runs."""
 
@@ -59,7 +62,9 @@ def mark_slow(items):
         in_quick = 1 if seconds[test] <= CHEAP else 0
         for item in found[in_quick:]:
             item.add_marker("slow")
-        if not ALL:
+        if seconds[test] > DEAREST and not IN_CI:
+            left_out.update(found)
+        elif not ALL:
             kept = max(1, int((SHARE_IN_CI if IN_CI else SHARE) / max(seconds[test], 1e-3)))
             left_out.update(set(found) - set(found[:: -(-len(found) // kept)]))
     return left_out
@@ -87,7 +92,9 @@ def pytest_terminal_summary(terminalreporter):
     if terminalreporter.config.getoption("--quick"):
         terminalreporter.write_line("left to `make test`: what is slow (tests/slow.txt) or needs another program")
     if not IN_CI:
-        terminalreporter.write_line("left to CI (.ci/run): tests marked ci, and more cases where a part ran here")
+        terminalreporter.write_line(
+            "left to CI (.ci/run): tests marked ci, the dearest, and more cases where a part ran here"
+        )
     if not ALL:
         terminalreporter.write_line("left to `make full`: every template and random mechanism where a part ran here")
 

@@ -91,8 +91,9 @@ def test_the_sheet_alone_notices_a_pin_that_moves(tmp_path):
 def test_survivors_are_told(yoke):
     found = mutate(yoke, 3)
     data = found.as_dict()
-    assert data["caught"]["sheet"] == 3 - len(found.survivors("sheet"))
-    assert len(data["survivors"]) == len(found.survivors("sheet"))
+    missed = [damage for damage in found.damages if not damage.sheet]
+    assert data["caught"]["sheet"] == 3 - len(missed)
+    assert len(data["survivors"]) == len(missed)
     assert data["damages"] == 3
 
 

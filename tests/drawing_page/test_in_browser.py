@@ -61,7 +61,6 @@ def test_a_number_that_is_typed_moves_the_drawing(opening, four_bar):
     assert "value = 50" in opened.text()
 
 
-@pytest.mark.slow
 def test_a_four_bar_is_drawn_with_the_mouse_and_becomes_a_workbook(opening, tmp_path):
     """From an empty sheet: ground pins, links, a coupler point, the driver; `check` accepts the workbook."""
     opened = opening(None, tmp_path)
@@ -118,6 +117,7 @@ def test_a_drag_beyond_what_can_be_joined_says_why(opening, four_bar):
     assert "wrong" in opened.page.locator('[data-link="coupler"]').get_attribute("class")
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("question", ["edit", "look"])
 def test_a_late_answer_does_not_take_the_position_back(opening, four_bar, question):
     """The slider is moved while the program still thinks about a drag, or about a text: it stays where it was put."""
@@ -137,6 +137,7 @@ def test_a_late_answer_does_not_take_the_position_back(opening, four_bar, questi
     assert page.input_value("#position") == "90"
 
 
+@pytest.mark.ci
 def test_a_late_answer_does_not_take_the_text_back(opening, four_bar):
     """Two numbers quicker than the program answers: both stand. A text typed meanwhile is newer than the number."""
     opened = opening(four_bar)
@@ -190,7 +191,6 @@ def test_undo_and_redo_take_drawing_and_text_along(opening, four_bar):
     opened.until("before => document.querySelector('#text').value === before", changed)
 
 
-@pytest.mark.slow
 def test_the_keyboard_draws_too(opening, tmp_path):
     """A ground pin and a link, by arrows and Enter; then the link's end is moved."""
     opened = opening(None, tmp_path)
@@ -216,6 +216,7 @@ def test_the_keyboard_draws_too(opening, tmp_path):
     opened.until("document.querySelector('[data-point=A]') === null")
 
 
+@pytest.mark.ci
 def test_a_finger_drags(opening, four_bar):
     opened = opening(four_bar, has_touch=True)
     x, y = opened.place("B")
@@ -230,7 +231,7 @@ def test_a_finger_drags(opening, four_bar):
     opened.until("document.querySelector('[data-name=a4]').value !== '56'")
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_a_picture_lies_behind_and_is_scaled_by_two_clicks(opening, four_bar):
     opened = opening(four_bar)
     page = opened.page
@@ -251,7 +252,7 @@ def test_a_picture_lies_behind_and_is_scaled_by_two_clicks(opening, four_bar):
     opened.until("document.querySelector('.layer-picture image') !== null")
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_a_reload_keeps_the_work(opening, four_bar):
     opened = opening(four_bar)
     opened.page.locator("[data-name=a4]").fill("58")
@@ -264,7 +265,7 @@ def test_a_reload_keeps_the_work(opening, four_bar):
     assert "a4 = { value = 56," in four_bar.read_text(encoding="utf-8")
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_two_pages_at_once_ask_before_one_replaces_what_the_other_saved(opening, four_bar):
     first = opening(four_bar)
     second = opening(server=first.server)
@@ -285,7 +286,7 @@ def test_two_pages_at_once_ask_before_one_replaces_what_the_other_saved(opening,
     assert "a4 = { value = 58," in four_bar.read_text(encoding="utf-8")
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_a_page_of_another_origin_gets_nothing(opening, four_bar, tmp_path):
     """Another site in the same browser, even one that knows the whole address: no answer that it could read, no page in a
     frame, no script taken over, nothing saved."""
@@ -329,7 +330,7 @@ def test_a_page_of_another_origin_gets_nothing(opening, four_bar, tmp_path):
     assert four_bar.read_bytes() == before
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_words_are_turkish_and_every_control_has_a_name(opening, four_bar):
     opened = opening(four_bar)
     opened.page.click("#language")
@@ -348,7 +349,7 @@ def test_words_are_turkish_and_every_control_has_a_name(opening, four_bar):
         assert nameless == []
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_faults_are_told_in_the_language_that_is_chosen(opening, four_bar):
     opened = opening(four_bar)
     opened.page.fill("#text", opened.text().replace('link = "crank"', 'link = "crnk"'))
@@ -358,6 +359,7 @@ def test_faults_are_told_in_the_language_that_is_chosen(opening, four_bar):
     assert "uzuvlar: ground, crank" in opened.page.locator("#faults").text_content()
 
 
+@pytest.mark.ci
 def test_a_link_that_is_dragged_moves_the_mechanism(opening, four_bar):
     """With the tool Move: the text stays, the crank turns after the mouse, and the rocker with it."""
     opened = opening(four_bar)
@@ -377,6 +379,7 @@ def test_a_link_that_is_dragged_moves_the_mechanism(opening, four_bar):
     assert re.search(r"^at = \d", opened.text(), re.MULTILINE)  # the sketch is of the position that was shown
 
 
+@pytest.mark.ci
 def test_a_whole_turn_can_be_dragged_backwards(opening, four_bar):
     """At 0 degrees the crank goes on clockwise: the last position is the first one again."""
     opened = opening(four_bar)
@@ -397,6 +400,7 @@ def test_help_begins_with_a_four_bar(opening, tmp_path):
     assert {step.partition(":")[0] for step in steps} <= {*tools, *tabs}, "called as on the page"
 
 
+@pytest.mark.ci
 def test_while_the_description_is_read_the_page_does_not_call_it_empty(opening, four_bar):
     opened = opening(four_bar)
     with opened.held("look"):
@@ -408,6 +412,7 @@ def test_while_the_description_is_read_the_page_does_not_call_it_empty(opening, 
     assert opened.page.locator("#title").text_content() == "Four-bar linkage"
 
 
+@pytest.mark.ci
 def test_the_buttons_over_a_narrow_sheet_cover_no_point(opening, four_bar):
     opened = opening(four_bar)
     opened.page.set_viewport_size({"width": 390, "height": 844})
@@ -429,7 +434,7 @@ def test_curves_follow_the_position(opening, four_bar):
     opened.page.click("#play")
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_closing_the_page_ends_the_program(opening, four_bar):
     opened = opening(four_bar)
     opened.server.patience = 0.3

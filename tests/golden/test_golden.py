@@ -1,6 +1,6 @@
 """The workbooks of the templates as text: names, cells, formulas, charts. A diff of these files shows what a change did.
 
-After a wanted change: MECHSHEET_UPDATE_GOLDEN=1 make test, and read the diff.
+After a wanted change: MECHSHEET_ALL=1 MECHSHEET_UPDATE_GOLDEN=1 .venv/bin/pytest tests/golden, and read the diff.
 """
 
 import os

@@ -10,13 +10,30 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 from reference_cases import mechanism
 
 from mechsheet.model import Mechanism
 from mechsheet.reference import Solution, rates, solve
+from mechsheet.reference.synthesis.functions import FourBar
 from mechsheet.reference.synthesis.guidance import Crank, Pose
 
 FULL = 2 * math.pi
+
+
+def outputs(found: FourBar, theta: Sequence[float] | NDArray[np.float64], side: float) -> NDArray[np.float64]:
+    """(n,) The output angle of a function generator at input angles, on the assembly `side`; NaN where links do not meet.
+
+    By circles about A and B0: B = A + (B0 - A)(u + i side v) with u + i v from the three sides. In (-pi, pi].
+    """
+    a = found.a2 * np.exp(1j * (np.asarray(theta, dtype=float) + found.theta_offset))
+    way = found.a1 - a
+    length = np.abs(way)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        u = (length**2 + found.a3**2 - found.a4**2) / (2 * length**2)
+        v = np.sqrt((found.a3 / length) ** 2 - u**2)
+        b = a + way * (u + 1j * side * v)
+        return np.asarray(np.angle((b - found.a1) * np.exp(-1j * found.psi_offset)))
 
 
 def listed(point: complex) -> str:

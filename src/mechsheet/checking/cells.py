@@ -13,7 +13,7 @@ from mechsheet.checking.rules import Rules, ignored_in
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import ErrorValue, Scalar, shifted
 from mechsheet.formula.references import cell_address
-from mechsheet.kinematics.solve import is_length
+from mechsheet.kinematics.lengths import is_length
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.requested import tables_of
 from mechsheet.sheet.table.summary_table import SummaryTable

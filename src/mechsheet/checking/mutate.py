@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -75,10 +75,6 @@ class Mutation:
     def share(self, by: str) -> float:
         """The part that is caught, 1 when there are no damages."""
         return self.caught(by) / len(self.damages) if self.damages else 1.0
-
-    def survivors(self, by: str) -> tuple[Damaged, ...]:
-        """Damages that are not caught."""
-        return tuple(damage for damage in self.damages if not getattr(damage, by))
 
     def tally(self, what: Callable[[Damaged], str]) -> dict[str, tuple[int, int]]:
         """By kind, by sheet …: (how many damages, how many of them the sheet's own checks catch)."""
@@ -211,7 +207,7 @@ class _Run:
                 damaged = replace(block, formula=formula)
                 return sheet, [damaged], damaged, kind
             down, right = draw.randrange(block.rows), draw.randrange(block.cols)
-            pieces = list(_around(block, down, right))
+            pieces = block.around(down, right)
             damaged = Block(block.row + down, block.col + right, 1, 1, shifted(formula, down, right))
             return sheet, [*pieces, damaged], damaged, kind
 
@@ -257,18 +253,6 @@ class _Run:
         least = {"#largest_gap": rounding, "#velocities_fit": rounding, "#accelerations_fit": rounding}
         least["#effort_fits"] = AGREES
         return found("#typed") == 0.0 and all(found(key) <= most for key, most in least.items() if key in spots)
-
-
-def _around(block: Block, down: int, right: int) -> Iterator[Block]:
-    """The pieces of a block around one of its cells: above, left, right, below."""
-    for row, col, rows, cols in (
-        (0, 0, down, block.cols),
-        (down, 0, 1, right),
-        (down, right + 1, 1, block.cols - right - 1),
-        (down + 1, 0, block.rows - down - 1, block.cols),
-    ):
-        if rows and cols:
-            yield Block(block.row + row, block.col + col, rows, cols, shifted(block.formula, row, col))
 
 
 def _with_blocks(book: Book, sheet: BookSheet, old: Block, new: list[Block]) -> Book:

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from mechsheet.checking.remark_lines import cell_text, grouped, remark_line
+from mechsheet.formats.xml_text import legal
 
 if TYPE_CHECKING:
     from mechsheet.checking import Report, Stored
     from mechsheet.diagnostics import Fault
-
-_ILLEGAL = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 MOST = 100
 """Cells of a sheet that are listed."""
@@ -90,11 +88,7 @@ def _remarked(stored: Stored, doubtful: str) -> Iterator[tuple[str, Outcome]]:
 
 
 def _add(suite: Element, file: str, name: str, outcome: Outcome) -> None:
-    case = SubElement(suite, "testcase", classname=_legal(file), name=_legal(name))
-    kind, message, text = outcome
+    file, name, kind, message, text = (legal(part, "\ufffd") for part in (file, name, *outcome))
+    case = SubElement(suite, "testcase", classname=file, name=name)
     if kind:
-        SubElement(case, kind, message=_legal(message)).text = _legal(text)
-
-
-def _legal(text: str) -> str:
-    return _ILLEGAL.sub("\ufffd", text)
+        SubElement(case, kind, message=message).text = text

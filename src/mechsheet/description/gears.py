@@ -9,9 +9,9 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
-from mechsheet.description.cells import own_cell
 from mechsheet.description.joints import RELATIONS, Ends
 from mechsheet.description.kinds import ANGLE, ANY, LENGTH
+from mechsheet.description.own_cells import own_cell
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope

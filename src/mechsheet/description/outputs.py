@@ -9,7 +9,7 @@ from mechsheet.description.driving.rates import known as known_rate
 from mechsheet.description.kinds import ANGLE, LENGTH, label_fault, plain_unit, unit_kind
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
-from mechsheet.description.results import coordinates, is_coordinate
+from mechsheet.description.requests import coordinates, is_coordinate
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.text.index import Path
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform

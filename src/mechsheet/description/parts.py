@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from mechsheet.description import dimensions, joints, links, results
+from mechsheet.description import dimensions, joints, links, sketch
 from mechsheet.description.asked import synthesis
 from mechsheet.description.driving import driver
 from mechsheet.description.grammar import Key, Named
@@ -80,7 +80,7 @@ def parts_of(source: Source) -> Parts:
         sliding,
         _orders(sliding, listed),
         driven,
-        results.sketch(part(data, "assembly", {}), driven, scope),
+        sketch.read(part(data, "assembly", {}), driven, scope),
         ties,
         scope.length_unit,
         scope.angle_unit,

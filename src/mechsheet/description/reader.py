@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
-from mechsheet.description import dimensions, gears, joints, links, redundant, results
+from mechsheet.description import dimensions, gears, joints, links, redundant, requests, sketch
 from mechsheet.description import outputs as further_outputs
 from mechsheet.description.asked import exercise, study, synthesis, tolerances
 from mechsheet.description.driving import driver, drivers, rates
@@ -208,7 +208,7 @@ class _Reading:
     def sketch_and_gears(self) -> None:
         """The sketch, and the relations of gears, whose phases may be read from it."""
         made, sliding, scope = self.links, self.joints, self.scope
-        self.sketch = results.sketch(self._part("assembly", {}), self.driver, scope)
+        self.sketch = sketch.read(self._part("assembly", {}), self.driver, scope)
         shown = SketchedAngles(made, sliding, self.driver, self.further, self.sketch, scope)
         given = self._part("joints", [])
         self.relations, values = gears.read(given, self.ends, made, sliding, shown, scope) if made else ((), ())
@@ -224,7 +224,7 @@ class _Reading:
     def asked(self) -> None:
         """Outputs, summaries, charts and tables; a flywheel; an exercise and a study."""
         scope, bodies = self.scope, self._part("links", {})
-        results.declare(self.outputs, self.summary, scope)
+        requests.declare(self.outputs, self.summary, scope)
         of_rows, of_motion = further_outputs.outputs(self.outputs, self.driver, scope)
         wheel = self._part("flywheel", {})
         flywheel.declare(wheel, scope)
@@ -234,9 +234,9 @@ class _Reading:
         self.parts |= {
             "outputs": of_rows,
             "motion_outputs": of_motion,
-            "summaries": results.summaries(self.summary, scope),
-            "charts": results.charts(self._part("charts", []), scope),
-            "tables": results.tables(self._part("tables", []), self.driver, scope),
+            "summaries": requests.summaries(self.summary, scope),
+            "charts": requests.charts(self._part("charts", []), scope),
+            "tables": requests.tables(self._part("tables", []), self.driver, scope),
             "rate_points": rates.points(self._part("rates", {}), scope),
             "synthesis": synthesis.with_modes(self.task.synthesis, self._part("assembly", {}), scope),
             "exercise": exercise.read(self._part("exercise", {}), self.summary, scope),

@@ -119,6 +119,16 @@ class Scope:
         self.variables.append(symbol)
         self.kinds.setdefault(symbol, kind)
 
+    def can_vary(self, symbol: str, path: Path) -> bool:
+        """True for an input; what is derived, or no dimension, is reported."""
+        if symbol in self.inputs:
+            return True
+        message = say("no dimension is called {name}", name=quoted(symbol))
+        if symbol in self.units:
+            message = say("the dimension {name} is derived; only an input can vary", name=quoted(symbol))
+        self.report.at(path, message, suggestion(symbol, self.inputs, "inputs"))
+        return False
+
     def symbol_is_good(self, name: str, path: Path) -> bool:
         """True when `name` can stand in an expression; reports why not."""
         reason = symbol_fault(name)

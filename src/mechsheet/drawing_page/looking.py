@@ -19,10 +19,10 @@ from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_pos
 from mechsheet.drawing_page.reading import Reading, fault_entry
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import edges
-from mechsheet.kinematics.solve import largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Link, Mechanism
 from mechsheet.sheet.drawing.outlines import corners, direction_of, through_of

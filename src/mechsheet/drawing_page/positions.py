@@ -11,9 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from mechsheet.description.parts import Parts
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.places import number, number_places
 from mechsheet.model import Joint, Link
-from mechsheet.sheet.drawing.outlines import number_places
 
 Point = tuple[float, float]
 

@@ -18,8 +18,8 @@ from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.places import LinkPlaces, cartesian
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Motions
-from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, size, together
+from mechsheet.kinematics.writing import Found
 from mechsheet.model import Dynamics, Link, Load, Mass, Spring, Words, center_symbol
 from mechsheet.model import Place as GivenPlace
 from mechsheet.units import LENGTH, Unit

@@ -14,8 +14,8 @@ from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.assur import bodies_of
 from mechsheet.kinematics.equations import ForceKind
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
+from mechsheet.kinematics.writing import Found
 from mechsheet.model import Driver, FurtherDriver, Words, pair_symbol
 from mechsheet.words.equations import body_words, phrase
 

@@ -28,7 +28,6 @@ from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.rates.motions import Motions
-from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.ties import Tied
 from mechsheet.kinematics.vectors import (
     NOWHERE,
@@ -43,6 +42,7 @@ from mechsheet.kinematics.vectors import (
     together,
     turned,
 )
+from mechsheet.kinematics.writing import Found
 from mechsheet.said import say
 from mechsheet.words.equations import phrase
 
@@ -123,7 +123,7 @@ class Reactions:
             if isinstance(first, Slide) and isinstance(second, Slide):
                 return self._prp(dyad, (first, second), dyad.inner, det)
         elif isinstance(first, Pin) and isinstance(second, Pin):
-            return self._rpr(dyad, (first, second), dyad.inner, det)
+            return self._rpr(dyad, dyad.inner, det)
         elif isinstance(first, Pin) and isinstance(second, Slide):
             return self._rpp(dyad, first, dyad.inner, second, det)
         raise TypeError(f"no such dyad: {dyad}")
@@ -203,10 +203,8 @@ class Reactions:
         about = al.sub(couple, self._moment(assembly, at))
         self.joints.slide(slide, slide.side(assembly), normal, about, at)
 
-    def _rpr(self, dyad: Dyad, outer: tuple[Pin, Pin], inner: Slide, det: Node) -> None:
-        on_first = inner.on in dyad.first
-        carrier, slider = (dyad.first, dyad.second) if on_first else (dyad.second, dyad.first)
-        p, q = outer if on_first else outer[::-1]
+    def _rpr(self, dyad: Dyad, inner: Slide, det: Node) -> None:
+        carrier, slider, p, q = dyad.by_line
         m2 = self._moment(slider, self._at(q))
         moments = al.add(self._moment(carrier, self._at(p)), m2)
         normal = over(moments, al.mul(det, self.columns.metre))

@@ -8,8 +8,8 @@ from mechsheet.dynamics.reactions import Reactions
 from mechsheet.dynamics.wholes import Wholes
 from mechsheet.dynamics.work import effort_by_work
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.solve import solve as solve_motion
+from mechsheet.kinematics.writing import Found
 from mechsheet.model import Mechanism
 
 

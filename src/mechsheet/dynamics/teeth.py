@@ -24,9 +24,9 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, Node
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.rates.motions import Motions
-from mechsheet.kinematics.solve import Found
 from mechsheet.kinematics.ties import Held, Tied, axis_of, eliminated, terms_of
 from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
+from mechsheet.kinematics.writing import Found
 from mechsheet.model import Gear, Rack, Relation, Words, pair_symbol
 from mechsheet.units import LENGTH
 from mechsheet.words.equations import body_words, phrase

@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from mechsheet.dynamics.acting import ActingForces
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.solve import Found
+from mechsheet.kinematics.writing import Found
 from mechsheet.units import Unit
 from mechsheet.words.equations import phrase
 

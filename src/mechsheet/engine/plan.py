@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..formula.book import Block, Book, BookSheet, CellStore
-from ..formula.nodes import Scalar, shifted
+from ..formula.nodes import Scalar
 from .fast.marks import Marks, marks_of_constants
 from .graph import dependencies, dependents
 from .interpreter.environment import Environment
@@ -136,7 +136,6 @@ class Plan:
         """What an evaluation knows of the book."""
         return Environment(
             self.book,
-            self.formulas,
             self.resolved.functions,
             self.resolver.reference,
             arithmetic=self.arithmetic,
@@ -225,14 +224,4 @@ def _around(block: Block, row: int, col: int) -> list[Block]:
         # The first cell takes the whole array with it; a constant elsewhere stands in the way of a dynamic array.
         spill = block.kind == "spill" and (down or right)
         return [Block(block.row, block.col, 1, 1, block.formula, "spill")] if spill else []
-    parts = (
-        (0, 0, down, block.cols),
-        (down, 0, 1, right),
-        (down, right + 1, 1, block.cols - right - 1),
-        (down + 1, 0, block.rows - down - 1, block.cols),
-    )
-    return [
-        Block(block.row + r, block.col + c, rows, cols, shifted(block.formula, r, c))
-        for r, c, rows, cols in parts
-        if rows and cols
-    ]
+    return block.around(down, right)

@@ -7,14 +7,13 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterable
 
-from mechsheet import portable
 from mechsheet.exporting.position import Position
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
 from mechsheet.formula.printer import number_text, print_formula
 from mechsheet.kinematics.closures import Vector
 from mechsheet.sheet.symbols import GREEK, parts
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of, places
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.workbook import Language
 
@@ -226,7 +225,7 @@ def _places(position: Position, kind: str) -> int:
     own = mechanism.angle_unit
     tolerances = [dim.tolerance for dim in mechanism.dimensions if dim.tolerance and dim.unit == own]
     if kind == "angle" and tolerances:
-        return min(10, max(0, math.ceil(-float(portable.log10(min(tolerances))) - 1e-9)))
+        return decimals_of(min(tolerances))
     return places(position.plan, kind)
 
 

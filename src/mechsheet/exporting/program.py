@@ -106,11 +106,6 @@ class Program:
     names: dict[str, str]
 
     @property
-    def moving(self) -> frozenset[str]:
-        """The symbols that have one value per row."""
-        return frozenset((*self.given_by_row, *(column.symbol for column in self.columns)))
-
-    @property
     def given_by_row(self) -> tuple[str, ...]:
         """The driver, and what has a value in each row beside it."""
         return self.mechanism.driver.symbol, *self.mechanism.given_by_row

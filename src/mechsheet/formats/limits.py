@@ -49,14 +49,18 @@ def _title_faults(workbook: Workbook) -> Iterator[Fault]:
             yield Fault(say('the sheet name "{title}" {reason}', title=sheet.title, reason=reason))
 
 
+def _taken(name: str, seen: dict[str, str]) -> str:
+    """Why a name cannot be one beside those `seen`, to which it is added; "" where it can."""
+    other = seen.setdefault(folded(name), name)
+    alike = say('is the same name as "{other}" to some programs', other=other) if other is not name else ""
+    return name_fault(name) or alike
+
+
 def _name_faults(workbook: Workbook) -> Iterator[Fault]:
     seen: dict[str, str] = {}
     titles = {sheet.title for sheet in workbook.sheets}
     for function in workbook.functions:
-        reason = name_fault(function.name)
-        other = seen.setdefault(folded(function.name), function.name)
-        if not reason and other is not function.name:
-            reason = say('is the same name as "{other}" to some programs', other=other)
+        reason = _taken(function.name, seen)
         if not reason and (length := len(print_formula(function.formula))) > MAX_FORMULA:
             reason = say(
                 "stands for a formula of {length} characters, {most} are allowed", length=length, most=MAX_FORMULA
@@ -64,10 +68,7 @@ def _name_faults(workbook: Workbook) -> Iterator[Fault]:
         if reason:
             yield Fault(say('the name of a function "{name}" {reason}', name=function.name, reason=reason))
     for name in workbook.names:
-        reason = name_fault(name.name)
-        other = seen.setdefault(folded(name.name), name.name)
-        if not reason and other is not name.name:
-            reason = say('is the same name as "{other}" to some programs', other=other)
+        reason = _taken(name.name, seen)
         if not reason and name.sheet not in titles:
             reason = say('stands on a sheet "{sheet}" that does not exist', sheet=name.sheet)
         if reason:

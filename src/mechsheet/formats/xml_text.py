@@ -13,9 +13,9 @@ _NEGATIVE_ZERO = "-0"
 _OOXML_ESCAPE = re.compile("(_x[0-9A-Fa-f]{4}_)")
 
 
-def legal(text: str) -> str:
-    """The text without the characters that XML cannot hold in any spelling."""
-    return _ILLEGAL.sub("", text)
+def legal(text: str, instead: str = "") -> str:
+    """The text without the characters that XML cannot hold in any spelling, or with another one in their place."""
+    return _ILLEGAL.sub(instead, text)
 
 
 def escaped(text: str) -> str:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 from ..diagnostics import Fault
-from .nodes import MAX_COLUMNS, MAX_ROWS, Node, Scalar
+from .nodes import MAX_COLUMNS, MAX_ROWS, Node, Scalar, shifted
 
 Kind: TypeAlias = Literal["fill", "array", "spill"]
 
@@ -38,6 +38,20 @@ class Block:
         inside = 0 <= self.row <= self.row + self.rows - 1 < MAX_ROWS
         if not (inside and 0 <= self.col <= self.col + self.cols - 1 < MAX_COLUMNS):
             raise ValueError(f"a block outside the sheet: {self.row, self.col, self.rows, self.cols}")
+
+    def around(self, down: int, right: int) -> list[Block]:
+        """The parts of a filled block around one of its cells, counted from the first: above, left, right, below."""
+        parts = (
+            (0, 0, down, self.cols),
+            (down, 0, 1, right),
+            (down, right + 1, 1, self.cols - right - 1),
+            (down + 1, 0, self.rows - down - 1, self.cols),
+        )
+        return [
+            Block(self.row + row, self.col + col, rows, cols, shifted(self.formula, row, col))
+            for row, col, rows, cols in parts
+            if rows and cols
+        ]
 
 
 @dataclass(slots=True)

@@ -128,7 +128,7 @@ def _variants(part: Node, names: Sequence[str]) -> Iterator[tuple[str, Node]]:
         case Unary("-", operand):
             yield "sign", operand
         case CellRef():
-            yield from (("reference", moved) for moved in _moved(part))
+            yield from (("reference", moved) for moved in neighbours(part))
             yield "anchor", replace(part, row_abs=not part.row_abs)
             yield "anchor", replace(part, col_abs=not part.col_abs)
         case NameRef(name, None):
@@ -147,8 +147,8 @@ def _variants(part: Node, names: Sequence[str]) -> Iterator[tuple[str, Node]]:
             yield "constant", Text(value + "x")
 
 
-def _moved(cell: CellRef) -> Iterator[CellRef]:
-    """The cells around it."""
+def neighbours(cell: CellRef) -> Iterator[CellRef]:
+    """The cells below, above and beside one, within the sheet."""
     for down, right in ((1, 0), (-1, 0), (0, 1), (0, -1)):
         row, col = cell.row + down, cell.col + right
         if 0 <= row < MAX_ROWS and 0 <= col < MAX_COLUMNS:

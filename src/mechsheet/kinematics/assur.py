@@ -83,6 +83,14 @@ class Dyad:
         return (*self.first, *self.second)
 
     @property
+    def by_line(self) -> tuple[tuple[str, ...], tuple[str, ...], Pin, Pin]:
+        """Of RPR: the assembly that carries the line, the one that slides on it, and the outer pin of each."""
+        p, q = self.outer
+        if not (isinstance(self.inner, Slide) and isinstance(p, Pin) and isinstance(q, Pin)):
+            raise TypeError(f"not an RPR dyad: {self}")
+        return (self.first, self.second, p, q) if self.inner.on in self.first else (self.second, self.first, q, p)
+
+    @property
     def pins(self) -> tuple[str, ...]:
         """The points of its revolute joints."""
         return tuple(contact.point for contact in (*self.outer, self.inner) if isinstance(contact, Pin))

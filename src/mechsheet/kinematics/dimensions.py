@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from graphlib import TopologicalSorter
 
 from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.places import number
@@ -28,14 +29,19 @@ def dimension_values(mechanism: Mechanism) -> dict[str, float]:
 
 
 def dimension_order(mechanism: Mechanism) -> tuple[str, ...]:
-    """Symbols of all dimensions, each after those it is derived from."""
-    known = dict.fromkeys(dim.symbol for dim in mechanism.dimensions if not dim.derived)
-    pending = {dim.symbol: set(symbols(dim.value)) for dim in mechanism.dimensions if not isinstance(dim.value, float)}
-    while pending:
-        ready = [symbol for symbol, reads in pending.items() if reads <= known.keys()]
-        if not ready:
-            raise ValueError(f"circular dimensions: {sorted(pending)}")  # the reader has refused these
-        for symbol in ready:
-            known[symbol] = None
-            del pending[symbol]
-    return tuple(known)
+    """Symbols of all dimensions, each after those it is derived from: inputs first, then step by step what follows.
+
+    In each step those that can be computed stand as they are described, so that sheets and programs list them so. Raises
+    CycleError (a ValueError) where dimensions are derived from each other, which the reader of descriptions has refused.
+    """
+    inputs = [dim.symbol for dim in mechanism.dimensions if isinstance(dim.value, float)]
+    reads = {dim.symbol: symbols(dim.value) for dim in mechanism.dimensions if not isinstance(dim.value, float)}
+    places = {symbol: place for place, symbol in enumerate(reads)}
+    sorter = TopologicalSorter({symbol: places.keys() & names for symbol, names in reads.items()})
+    sorter.prepare()
+    derived: list[str] = []
+    while sorter.is_active():
+        ready = sorted(sorter.get_ready(), key=places.__getitem__)
+        derived += ready
+        sorter.done(*ready)
+    return (*inputs, *derived)

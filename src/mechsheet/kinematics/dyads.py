@@ -11,7 +11,7 @@ from mechsheet.kinematics.equations import Condition, System
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.model import Words
 from mechsheet.units import LENGTH
-from mechsheet.words.equations import NOTHING
+from mechsheet.words.equations import NOTHING, phrase
 
 DEAD = 1e-5
 """Below this sine of the angle between its parts a group counts as being at a dead centre: then no rate is a number."""
@@ -45,7 +45,6 @@ class Solved:
     assemblies: tuple[Words, ...]
     closes: str
     apart: Node | None
-    degenerate: Node | None
     pins: tuple[str, ...]
     unknowns: tuple[str, ...]
     label: Words
@@ -72,6 +71,19 @@ def leg_left(mode: Node, leg: Node, hypotenuse: Node, turned: bool) -> Determina
 def half_turn_unless(mode: Node) -> Node:
     """0 for mode +1, pi for mode -1."""
     return al.div(al.mul(al.PI, al.sub(al.ONE, mode)), al.TWO)
+
+
+def known_way(
+    ledger: Ledger, name: str, start: tuple[str, Node, Node], end: tuple[str, Node, Node]
+) -> tuple[Symbol, Symbol]:
+    """The distance (a column of that name) and the direction from one known point to another, each (name, x, y)."""
+    (p, xp, yp), (q, xq, yq) = start, end
+    x = ledger.hoist(f"{name}_x", al.sub(xq, xp), LENGTH, phrase("part_of_way", start=p, end=q, axis="x"))
+    y = ledger.hoist(f"{name}_y", al.sub(yq, yp), LENGTH, phrase("part_of_way", start=p, end=q, axis="y"))
+    length = ledger.column(
+        name, al.sqrt(al.add(al.square(x), al.square(y))), LENGTH, phrase("distance", start=p, end=q)
+    )
+    return length, ledger.direction("phi", x, y, phrase("direction_of", what=f"{p}→{q}"))
 
 
 def leg(ledger: Ledger, base: str, hypotenuse: Node, other: Node, label: Words, separate: Condition) -> Symbol:

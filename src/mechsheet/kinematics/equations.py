@@ -179,8 +179,6 @@ class Group:
     assemblies    what each assembly looks like; `assembly` is the number (from 0) of the one that the sketch means
     closes        symbol of an equation that has a value exactly where the group can be assembled
     apart         how far its assemblies are from each other: 0 at a dead centre; None where there is one assembly
-    degenerate    TRUE in a row where the group closes but its position is undetermined (pins coincide, so that a link can
-                  turn about them; lines coincide), or None
     open          True when the sketch said nothing about this group
     transmission  angle of the transmission: symbol whose sine measures how well the group transmits force, or ""
     sides         lengths that must form a triangle for the group to close: its three sides; or the hypotenuse and a leg of
@@ -203,7 +201,6 @@ class Group:
     assembly: int
     closes: str
     apart: Node | None
-    degenerate: Node | None
     open: bool
     label: Words
     transmission: str = ""

@@ -31,8 +31,8 @@ PARALLEL = 1e-12
 
 def meet(
     ledger: Ledger, e: tuple[Node, Node], delta1: Angle, delta2: Angle, names: tuple[str, str]
-) -> tuple[Node, Node, Node, str, Node | None]:
-    """(k1, k2, D, symbol that is a number where the lines meet, condition for lines that coincide).
+) -> tuple[Node, Node, Node, str]:
+    """(k1, k2, D, symbol that is a number where the lines meet).
 
     Raises MechanismError for lines that are parallel whatever the dimensions.
     """
@@ -40,7 +40,6 @@ def meet(
     e_x = ledger.hoist("e_x", e[0], LENGTH, phrase("between_lines", axis="x"))
     e_y = ledger.hoist("e_y", e[1], LENGTH, phrase("between_lines", axis="y"))
     fixed = al.value_of(sine)
-    parallel: Node | None = None
     if fixed is not None and abs(fixed) < PARALLEL:
         raise MechanismError(
             Fault(
@@ -59,16 +58,11 @@ def meet(
     else:
         sine = ledger.hoist("D_0", sine, NUMBER, phrase("sine_between_lines"))
         crossing = Condition(Call("ABS", (sine,)), al.number(PARALLEL))
-        column = ledger.column(
-            "D", sine, NUMBER,
-            phrase("sine_where_they_meet"), [crossing],
-        )  # fmt: skip
+        column = ledger.column("D", sine, NUMBER, phrase("sine_where_they_meet"), [crossing])
         d, closes = column, column.name
-        ahead = al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2)))
-        parallel = Call("AND", (crossing.fails, al.less(Call("ABS", (ahead,)), ledger.tolerance)))
     k1 = al.div(al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2))), d)
     k2 = al.div(al.sub(al.mul(e_x, al.sin(delta1)), al.mul(e_y, al.cos(delta1))), d)
-    return k1, k2, d, closes, parallel
+    return k1, k2, d, closes
 
 
 def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
@@ -82,16 +76,14 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
         for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True)
     ]
     e = (al.sub(starts[1][0], starts[0][0]), al.sub(starts[1][1], starts[0][1]))
-    k1, k2, sine, closes, parallel = meet(
-        poses.ledger, e, guides[0].delta, guides[1].delta, (guides[0].symbol, guides[1].symbol)
-    )
+    k1, k2, sine, closes = meet(poses.ledger, e, guides[0].delta, guides[1].delta, (guides[0].symbol, guides[1].symbol))
     for guide, k in zip(guides, (k1, k2), strict=True):
         poses.displacement(guide.symbol, k if guide.sign > 0 else al.neg(k))
     for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True):
-        _fix_by_guide(poses, assembly, guide)
+        poses.fix_on_guide(assembly, guide, Symbol(guide.symbol))
     symbols = f"{guides[0].symbol}, {guides[1].symbol}"
     return Solved(
-        "", ONE_ASSEMBLY, closes or guides[0].symbol, None, parallel, (inner.point,),
+        "", ONE_ASSEMBLY, closes or guides[0].symbol, None, (inner.point,),
         (guides[0].symbol, guides[1].symbol),
         phrase("group_two_slides", links=poses.both(dyad), pin=inner.point, slides=symbols),
         lines_cross(sine, turned=guides[0].sign == guides[1].sign),
@@ -102,14 +94,6 @@ def _pin_line(poses: Poses, assembly: tuple[str, ...], guide: Guide, pin: str) -
     """Where the pin would be at displacement 0 of the assembly's guide."""
     x, y = (poses.place(assembly, pin) - guide.moving).turned(guide.angle)
     return al.add(guide.x, x), al.add(guide.y, y)
-
-
-def _fix_by_guide(poses: Poses, assembly: tuple[str, ...], guide: Guide) -> None:
-    """The assembly's pose from its displacement along its guide."""
-    step = Symbol(guide.symbol) if guide.sign > 0 else al.neg(Symbol(guide.symbol))
-    x = al.add(guide.x, al.mul(step, al.cos(guide.delta)))
-    y = al.add(guide.y, al.mul(step, al.sin(guide.delta)))
-    poses.fix(assembly, guide.angle, guide.moving, x, y)
 
 
 def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
@@ -142,14 +126,14 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     xp, yp = poses.xy[p]
     e = (al.sub(al.add(xp, x1), al.add(guide.x, x2)), al.sub(al.add(yp, y1), al.add(guide.y, y2)))
     # guide + k1 d1 + (fixed) + sign s d2 = P + (own):  k1 d1 = e - k2 d2 with k2 = sign s, so k2 enters with a minus.
-    k1, k2, sine, closes, parallel = meet(ledger, e, guide.delta, delta, (guide.symbol, joint.symbol))
+    k1, k2, sine, closes = meet(ledger, e, guide.delta, delta, (guide.symbol, joint.symbol))
     poses.displacement(guide.symbol, k1 if guide.sign > 0 else al.neg(k1))
     poses.displacement(joint.symbol, al.neg(k2) if sign > 0 else k2)
-    _fix_by_guide(poses, dyad.second, guide)
+    poses.fix_on_guide(dyad.second, guide, Symbol(guide.symbol))
     poses.fix(dyad.first, angle, poses.place(dyad.first, p), xp, yp)
     symbols = f"{guide.symbol}, {joint.symbol}"
     return Solved(
-        "", ONE_ASSEMBLY, closes or guide.symbol, None, parallel, (p,), (guide.symbol, joint.symbol),
+        "", ONE_ASSEMBLY, closes or guide.symbol, None, (p,), (guide.symbol, joint.symbol),
         phrase("group_two_slides", links=poses.both(dyad), pin=p, slides=symbols),
         lines_cross(sine, turned=guide.sign != sign),
     )  # fmt: skip

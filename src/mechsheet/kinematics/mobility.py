@@ -8,6 +8,8 @@ Source: Gruebler's criterion for planar mechanisms (any text on mechanisms).
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.graph import Graph
 from mechsheet.model import Gear, Mechanism
@@ -20,6 +22,14 @@ MOST_PARTS = 20_000
 """The search for rigid parts of a faulty mechanism ends after so many."""
 
 
+class MobilityError(MechanismError):
+    """Another number of degrees of freedom than of drivers; `missing`: how many more there should be (negative: fewer)."""
+
+    def __init__(self, faults: Iterable[Fault], missing: int) -> None:
+        self.missing = missing
+        super().__init__(faults)
+
+
 def mobility(graph: Graph, bodies: tuple[str, ...] | None = None) -> int:
     """Degrees of freedom of the bodies (default: all) against one of them."""
     inside = graph.bodies if bodies is None else bodies
@@ -30,7 +40,7 @@ def mobility(graph: Graph, bodies: tuple[str, ...] | None = None) -> int:
 
 
 def check_mobility(mechanism: Mechanism, graph: Graph) -> None:
-    """Raise MechanismError, naming links, unless the mechanism has as many degrees of freedom as drivers."""
+    """Raise MobilityError, naming links, unless the mechanism has as many degrees of freedom as drivers."""
     count = mobility(graph)
     drivers = 1 + len(mechanism.drivers)
     if count == drivers:
@@ -55,7 +65,7 @@ def check_mobility(mechanism: Mechanism, graph: Graph) -> None:
         )
         for body in _loose(graph)
     ]
-    raise MechanismError(faults)
+    raise MobilityError(faults, drivers - count)
 
 
 def _key(graph: Graph, body: str) -> str:

@@ -6,9 +6,11 @@ noted as such (the workbook insists on it), anything else gets a derived constan
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from mechsheet import portable
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, TriangleAngle
@@ -16,8 +18,12 @@ from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.model import Cartesian, Distances, Link, Polar, Quantity, Words
+from mechsheet.model import Place as LinkPlace
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import link_words, phrase
+
+Point = tuple[float, float]
+"""(u, v) in a link's frame, in the length unit."""
 
 
 def angle_of(quantity: Quantity) -> Angle:
@@ -28,6 +34,41 @@ def angle_of(quantity: Quantity) -> Angle:
 def number(quantity: Quantity, dimensions: Mapping[str, float]) -> float:
     """The value of a quantity of the model."""
     return quantity if isinstance(quantity, float | int) else evaluate(quantity, dimensions)
+
+
+def number_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Point]:
+    """(u, v) of every point of a link in its own frame, in the order of the description.
+
+    dimensions  by symbol, in internal units
+
+    Distances that make no triangle give a point on the line of the two others. Raises as `evaluate`, and ZeroDivisionError
+    where these two are one place.
+    """
+    found: dict[str, Point] = {}
+
+    def locate(point: str) -> Point:
+        if point not in found:
+            found[point] = _number_place(link.points[point], dimensions, locate)
+        return found[point]
+
+    return {point: locate(point) for point in link.points}
+
+
+def _number_place(place: LinkPlace, dimensions: Mapping[str, float], locate: Callable[[str], Point]) -> Point:
+    match place:
+        case Cartesian(x, y):
+            return number(x, dimensions), number(y, dimensions)
+        case Polar(r, angle):
+            turn = number(angle, dimensions)
+            return number(r, dimensions) * portable.cos(turn), number(r, dimensions) * portable.sin(turn)
+        case Distances(first, first_distance, second, second_distance, side):
+            (x1, y1), (x2, y2) = locate(first), locate(second)
+            a, b = number(first_distance, dimensions), number(second_distance, dimensions)
+            base = portable.hypot(x2 - x1, y2 - y1)
+            along = (a * a - b * b + base * base) / (2 * base)
+            across = math.sqrt(max(0.0, a * a - along * along)) * (1 if side == "left" else -1)
+            c, s = (x2 - x1) / base, (y2 - y1) / base
+            return x1 + along * c - across * s, y1 + along * s + across * c
 
 
 @dataclass(frozen=True, slots=True)

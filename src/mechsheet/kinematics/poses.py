@@ -174,11 +174,14 @@ class Poses:
 
     def _along(self, slide: Slide, body: str, displacement: Node) -> None:
         """Solve a body on the guide of a known one, at a known displacement."""
-        guide = self.guide(slide, (body,))
+        self.fix_on_guide((body,), self.guide(slide, (body,)), displacement)
+
+    def fix_on_guide(self, assembly: Assembly, guide: Guide, displacement: Node) -> None:
+        """An assembly on a guide, at a displacement of the guide's joint."""
         step = displacement if guide.sign > 0 else al.neg(displacement)
         x = al.add(guide.x, al.mul(step, al.cos(guide.delta)))
         y = al.add(guide.y, al.mul(step, al.sin(guide.delta)))
-        self.fix((body,), guide.angle, guide.moving, x, y)
+        self.fix(assembly, guide.angle, guide.moving, x, y)
 
     def tie(self, tied: Tied, drives: Sequence[Drive]) -> None:
         """Solve what gears and racks decide. Whole turns are theirs: none is taken out."""

@@ -9,7 +9,6 @@ mobility, "redundant constraints".
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import combinations, islice
 
@@ -20,13 +19,14 @@ from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.graph import graph_of
+from mechsheet.kinematics.lengths import extent
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.places import number, number_places
 from mechsheet.kinematics.sketched import assemblies
-from mechsheet.kinematics.solve import solve, solve_unpicked
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Rack, Sketch
+from mechsheet.kinematics.writing import write_equations, write_stepped
+from mechsheet.model import Joint, Link, Mechanism, Rack, Sketch
 from mechsheet.said import say
 
 HOLDS = 1e-7
@@ -123,7 +123,7 @@ def _around(mechanism: Mechanism, links: tuple[Link, ...]) -> _Around | None:
     dimensions = dimension_values(mechanism)
     driver = driver_values(mechanism, dimensions)
     try:
-        equations = solve(replace(rest, sketch=sketch))
+        equations = write_stepped(replace(rest, sketch=sketch))
         closed = equations.closed(sweep(rest, equations, driver))
     except MechanismError:
         return None
@@ -132,7 +132,7 @@ def _around(mechanism: Mechanism, links: tuple[Link, ...]) -> _Around | None:
     here = driver[int(np.argmax(closed))] if mechanism.sketch.at is None else number(mechanism.sketch.at, dimensions)
     step = NEAR[1] * float(np.ptp(driver)) if mechanism.driver.joint else NEAR[0]
     values = sweep(rest, equations, np.asarray(here + step * AROUND, dtype=np.float64))
-    size = _size(rest, values)
+    size = extent(rest, values)
     gap = np.max([_gap(mechanism, link, values) for link in links], axis=0) / size
     there = np.isfinite(gap)
     if there.sum() < LEAST_AROUND or not there[AROUND == 0].all() or np.any(gap[there] > ALIKE):
@@ -170,7 +170,7 @@ def _moves(mechanism: Mechanism, left_out: list[Part]) -> bool:
     try:
         if mobility(graph_of(rest)) != 1 + len(rest.drivers):
             return False
-        equations = solve_unpicked(rest)
+        equations = write_equations(rest, None)
     except MechanismError:
         return False
     dimensions = dimension_values(mechanism)
@@ -179,7 +179,7 @@ def _moves(mechanism: Mechanism, left_out: list[Part]) -> bool:
     least = np.full(len(driver), np.inf)
     for assembly in assemblies(equations):
         values = sweep(rest, assembly, driver)
-        gaps = np.max([_gap(mechanism, part, values) for part in left_out], axis=0) / _size(rest, values)
+        gaps = np.max([_gap(mechanism, part, values) for part in left_out], axis=0) / extent(rest, values)
         least = np.fmin(least, gaps)  # row by row: at a change point the mechanism goes over into the other assembly
     there = np.isfinite(least)
     return bool(there.sum() >= min(LEAST_ROWS, len(driver)) and np.all(least[there] <= HOLDS))
@@ -198,19 +198,12 @@ def _without(mechanism: Mechanism, left_out: list[Part]) -> Mechanism:
     )  # fmt: skip
 
 
-def _size(mechanism: Mechanism, values: dict[str, Array]) -> float:
-    points = dict.fromkeys(point for link in mechanism.links for point in link.points)
-    columns = [[values[f"{point}.{axis}"] for point in points] for axis in "xy"]
-    spans = [np.ptp(found) for found in (np.array(part)[np.isfinite(part)] for part in columns) if len(found)]
-    return float(max(spans, default=0.0)) or 1.0
-
-
 def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
     """How far each row misses the condition of a part that was left out, as a length."""
     dimensions = dimension_values(mechanism)
     if isinstance(part, Link):
         first, second = _shared(mechanism, part)
-        places = _flat(part, dimensions)
+        places = number_places(part, dimensions)
         (x, y), (x2, y2) = places[first], places[second]
         length = portable.hypot(x2 - x, y2 - y)
         apart = portable.hypot(
@@ -218,7 +211,7 @@ def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
         )
         return np.asarray(np.abs(apart - length))
     on = next(link for link in mechanism.links if link.name == part.on)
-    base = _flat(on, dimensions)
+    base = number_places(on, dimensions)
     u, v = base[part.through] if isinstance(part.through, str) else (number(x, dimensions) for x in part.through)
     theta = _angle(mechanism, on, values)
     # From a point of the link whose place is known; the ground's own frame needs none.
@@ -235,35 +228,7 @@ def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
         return np.asarray(across)
     body = next(link for link in mechanism.links if link.name == part.link)
     turned = _angle(mechanism, body, values) - line - number(part.orientation, dimensions)
-    return np.asarray(across + np.abs(portable.sin(turned / 2)) * _size(mechanism, values))
-
-
-def _flat(link: Link, dimensions: Mapping[str, float]) -> dict[str, tuple[float, float]]:
-    """The places of a link's points in its own frame, in numbers."""
-    found: dict[str, tuple[float, float]] = {}
-
-    def place(point: str) -> tuple[float, float]:
-        given = link.points[point]
-        match given:
-            case _ if point in found:
-                pass
-            case Cartesian(x, y):
-                found[point] = (number(x, dimensions), number(y, dimensions))
-            case Polar(r, angle):
-                length, direction = number(r, dimensions), number(angle, dimensions)
-                found[point] = (length * portable.cos(direction), length * portable.sin(direction))
-            case Distances(first, b, second, c, side):
-                (x, y), (x2, y2) = place(first), place(second)
-                near, far, apart = number(b, dimensions), number(c, dimensions), portable.hypot(x2 - x, y2 - y)
-                along = (near * near - far * far + apart * apart) / (2 * apart)
-                across = math.sqrt(max(near * near - along * along, 0.0)) * (1 if side == "left" else -1)
-                ux, uy = (x2 - x) / apart, (y2 - y) / apart
-                found[point] = (x + along * ux - across * uy, y + along * uy + across * ux)
-        return found[point]
-
-    for point in link.points:
-        place(point)
-    return found
+    return np.asarray(across + np.abs(portable.sin(turned / 2)) * extent(mechanism, values))
 
 
 def _angle(mechanism: Mechanism, link: Link, values: dict[str, Array]) -> Array:

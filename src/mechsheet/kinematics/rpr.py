@@ -15,9 +15,9 @@ from __future__ import annotations
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Binary, Call, Node
-from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import Solved, half_turn_unless, leg, leg_left
+from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.assur import Dyad
+from mechsheet.kinematics.dyads import Solved, half_turn_unless, known_way, leg, leg_left
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.places import angle_of
@@ -29,19 +29,15 @@ from mechsheet.words.equations import phrase
 def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
     """Write the dyad's equations down."""
     ledger = poses.ledger
-    slide, outer = dyad.inner, dyad.outer
-    if not (isinstance(slide, Slide) and isinstance(outer[0], Pin) and isinstance(outer[1], Pin)):
+    slide = dyad.inner
+    if not isinstance(slide, Slide):
         raise TypeError(f"not an RPR dyad: {dyad}")
     joint = slide.joint
-    on_first = slide.on in dyad.first
-    carrier, slider = (dyad.first, dyad.second) if on_first else (dyad.second, dyad.first)
-    p, q = (outer[0].point, outer[1].point) if on_first else (outer[1].point, outer[0].point)
+    carrier, slider, pin_p, pin_q = dyad.by_line
+    p, q = pin_p.point, pin_q.point
     (xp, yp), (xq, yq) = poses.xy[p], poses.xy[q]
     mode = ledger.mode()
-    r_x = ledger.hoist("r_x", al.sub(xq, xp), LENGTH, phrase("part_of_way", start=p, end=q, axis="x"))
-    r_y = ledger.hoist("r_y", al.sub(yq, yp), LENGTH, phrase("part_of_way", start=p, end=q, axis="y"))
-    r = ledger.column("r", al.sqrt(al.add(al.square(r_x), al.square(r_y))), LENGTH, phrase("distance", start=p, end=q))
-    phi = ledger.direction("phi", r_x, r_y, phrase("direction_of", what=f"{p}→{q}"))
+    r, phi = known_way(ledger, "r", (p, xp, yp), (q, xq, yq))
     ahead, h = _offsets(poses, slide, carrier, slider, p, q)
     separate = Condition(r, ledger.tolerance)
     w = leg(ledger, "w", r, h, phrase("way_along", start=p, end=q, symbol=joint.symbol), separate)
@@ -67,9 +63,6 @@ def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
         ),
         closes=w.name,
         apart=w,
-        degenerate=separate.fails
-        if al.is_zero(h)
-        else Call("AND", (separate.fails, Binary(">=", r, Call("ABS", (h,))))),
         pins=(p, q),
         unknowns=(poses.angle_unknown(carrier), joint.symbol),
         label=phrase("group_slide", links=poses.both(dyad), pins=f"{p}, {q}", slide=joint.symbol),

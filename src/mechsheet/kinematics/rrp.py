@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads import Solved, along_and_across, half_turn_unless, leg, leg_left
 from mechsheet.kinematics.equations import Condition
@@ -75,7 +74,6 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
         ),
         closes=w.name,
         apart=w,
-        degenerate=Call("AND", (separate.fails, al.less(Call("ABS", (n,)), ledger.tolerance))),
         pins=(p, r),
         unknowns=(poses.angle_unknown(dyad.first), guide.symbol),
         label=phrase("group_slide", links=poses.both(dyad), pins=f"{p}, {r}", slide=guide.symbol),

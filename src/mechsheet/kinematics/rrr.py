@@ -10,31 +10,29 @@ mode +1: P, Q, R counter-clockwise. Source: Soeylemez, Mechanisms, section 3.8 (
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Binary, Call, TriangleAngle
-from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import DEAD, Determinant, Solved
+from mechsheet.formula.nodes import Call, Node, Symbol, TriangleAngle
+from mechsheet.kinematics.assur import Dyad
+from mechsheet.kinematics.dyads import DEAD, Determinant, Solved, known_way
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.places import triangle_closes
 from mechsheet.kinematics.poses import Poses
-from mechsheet.units import ANGLE, LENGTH
+from mechsheet.units import ANGLE
 from mechsheet.words.equations import phrase
 
 
 def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
     """Write the dyad's equations down."""
     ledger = poses.ledger
-    contacts = (dyad.outer[0], dyad.outer[1], dyad.inner)
-    p, q, r = (contact.point for contact in contacts if isinstance(contact, Pin))
+    p, q, r = dyad.pins
     (xp, yp), (xq, yq) = poses.xy[p], poses.xy[q]
     a, line_a = poses.arm(dyad.first, p, r)
     b, line_b = poses.arm(dyad.second, q, r)
     mode = ledger.mode()
-    s_x = ledger.hoist("s_x", al.sub(xp, xq), LENGTH, phrase("part_of_way", start=q, end=p, axis="x"))
-    s_y = ledger.hoist("s_y", al.sub(yp, yq), LENGTH, phrase("part_of_way", start=q, end=p, axis="y"))
-    s = ledger.column("s", al.sqrt(al.add(al.square(s_x), al.square(s_y))), LENGTH, phrase("distance", start=q, end=p))
-    phi = ledger.direction("phi", s_x, s_y, phrase("direction_of", what=f"{q}→{p}"))
+    s, phi = known_way(ledger, "s", (q, xq, yq), (p, xp, yp))
     # pins that coincide leave a link free to turn about them
     separate, reaches = Condition(al.smallest((a, b, s)), ledger.tolerance), triangle_closes(ledger, a, b, s)
     exists = (separate, reaches)
@@ -48,22 +46,36 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
     # theta13 = theta14 - mu, as the text has it, where the second link's x axis is its arm; else from the arm itself.
     second = poses.known[dyad.second[0]].angle + line_b
     poses.fix(dyad.first, second - Angle(al.mul(mode, mu)) - line_a, poses.place(dyad.first, p), xp, yp)
-    sine = al.sin(Angle(mu))
+    unknowns = (poses.angle_unknown(dyad.first), poses.angle_unknown(dyad.second))
+    return replace(three_pins(poses, dyad, mode, (psi, mu), (a, b, s), unknowns), transmission=mu.name)
+
+
+def three_pins(
+    poses: Poses,
+    dyad: Dyad,
+    mode: Symbol,
+    angles: tuple[Symbol, Symbol],
+    sides: tuple[Node, Node, Node],
+    unknowns: tuple[str, str],
+) -> Solved:
+    """What is known of a dyad of three pins: at the corners of a triangle, two of whose sides are links.
+
+    angles  at the corner on the outer pins' line, and between the links;  sides  both links', and between the outer pins
+    """
+    p, q, r = dyad.pins
+    corner, between = angles
+    a, b, _ = sides
+    sine = al.sin(Angle(between))
     return Solved(
         mode.name,
-        (
-            phrase("left_of", point=r, start=p, end=q),
-            phrase("right_of", point=r, start=p, end=q),
-        ),
-        closes=psi.name,
-        apart=sine,  # the area of the triangle, of which two sides are links
-        degenerate=Call("AND", (separate.fails, Binary(">=", reaches.margin, reaches.least))),
+        (phrase("left_of", point=r, start=p, end=q), phrase("right_of", point=r, start=p, end=q)),
+        closes=corner.name,
+        apart=sine,  # the area of the triangle
         pins=(p, q, r),
-        unknowns=(poses.angle_unknown(dyad.first), poses.angle_unknown(dyad.second)),
+        unknowns=unknowns,
         label=phrase("group_pins", links=poses.both(dyad), pins=f"{p}, {q}, {r}"),
         determinant=Determinant(
             al.mul(al.mul(al.mul(mode, a), b), sine), 2, True, Condition(Call("ABS", (sine,)), al.number(DEAD))
         ),
-        transmission=mu.name,
-        sides=(a, b, s),
+        sides=sides,
     )

@@ -18,8 +18,8 @@ from mechsheet.formula.nodes import Call, Direction, Node
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_between
 from mechsheet.kinematics.equations import Condition, Equations
+from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array, runs_of, value
-from mechsheet.kinematics.solve import largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 

@@ -20,13 +20,14 @@ from mechsheet.diagnostics import DescriptionWarning, Fault
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.lengths import extent
 from mechsheet.kinematics.mobility import listed_names
 from mechsheet.kinematics.newton.elsewhere import assembly_doubts
 from mechsheet.kinematics.newton.steps import step_doubts
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
-from mechsheet.kinematics.solve import solve_unpicked
 from mechsheet.kinematics.sweep import sweep
+from mechsheet.kinematics.writing import write_equations
 from mechsheet.model import Gear, Mechanism
 from mechsheet.said import say
 
@@ -138,7 +139,7 @@ def _sketched(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
     if row is None:
         return tuple(found)
     found += _phases(mechanism, entries, values, row)
-    size = _size(values, row, mechanism)
+    size = extent(mechanism, {name: column[row : row + 1] for name, column in values.items()})
     missed = _missed(entries, values, size)
     here = float(missed[row])
     if here > SUSPICIOUS:
@@ -212,7 +213,7 @@ def with_position(fault: Fault, mechanism: Mechanism) -> Fault:
     entries, driver = _entries(mechanism, dimensions), driver_values(mechanism, dimensions)
     if not entries:
         return fault
-    equations = solve_unpicked(mechanism)
+    equations = write_equations(mechanism, None)
     size = max(abs(value) for entry in entries for value in entry.wanted)
     size = max([size, *(abs(value) for value in dimensions.values())]) or 1.0
     values, missed, _ = _best(mechanism, equations, entries, driver, size)
@@ -232,13 +233,6 @@ def _position(mechanism: Mechanism, equations: Equations, driver: Array) -> tupl
         if exists.any():
             return values, int(np.flatnonzero(exists)[0])
     return {}, None
-
-
-def _size(values: Mapping[str, Array], row: int, mechanism: Mechanism) -> float:
-    """The larger side of the smallest upright rectangle around all points."""
-    names = dict.fromkeys(point for link in mechanism.links for point in link.points)
-    spans = [np.ptp([float(values[f"{point}.{axis}"][row]) for point in names]) for axis in "xy"] if names else []
-    return float(max(spans, default=1.0)) or 1.0
 
 
 def _missed(entries: Sequence[Entry], values: Mapping[str, Array], size: float) -> Array:

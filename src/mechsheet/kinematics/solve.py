@@ -1,71 +1,23 @@
-"""From a mechanism to its equations: the driver, the groups in order, the outputs; modes picked by the sketch."""
+"""From a mechanism to its equations; where there are none, with a reason that helps.
+
+The equations are written in `writing`. What a fault may be mended by is found by solving other mechanisms: without a link,
+at another position.
+"""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import TypeAlias
+from collections.abc import Mapping
+from dataclasses import replace
 
-import numpy as np
-
-from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call, Node, Symbol, symbols
-from mechsheet.formula.nodes import Number as NumberNode
-from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
-from mechsheet.kinematics.closures import Loop
-from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.driving import driver_values, given_values, listed_values
-from mechsheet.kinematics.dyads import Determinant, Solved
-from mechsheet.kinematics.equations import Equation, Equations, Group, assembly_of, validate
-from mechsheet.kinematics.graph import Graph, graph_of
-from mechsheet.kinematics.ledger import CLOSING, Ledger
-from mechsheet.kinematics.lines import solve_prp, solve_rpp
-from mechsheet.kinematics.loops import loops_of
-from mechsheet.kinematics.mobility import check_mobility, mobility
-from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, pick_mode
-from mechsheet.kinematics.naming import given_names
-from mechsheet.kinematics.newton.carriers import ChainWriter, Solution
-from mechsheet.kinematics.newton.chains import Chain
-from mechsheet.kinematics.newton.picking import pick_assembly, words_of
-from mechsheet.kinematics.newton.steps import settled
-from mechsheet.kinematics.newton.tracing import cannot_follow, way
-from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.places import angle_of, cartesian, number
-from mechsheet.kinematics.poses import Member, Poses
-from mechsheet.kinematics.rates.coefficients import Written, add_rates, wanted
-from mechsheet.kinematics.rpr import solve_rpr
-from mechsheet.kinematics.rrp import solve_rrp
-from mechsheet.kinematics.rrr import solve_rrr
-from mechsheet.kinematics.sweep import sweep
-from mechsheet.kinematics.ties import Tied
-from mechsheet.kinematics.within import member, sketched_mode, solve_within
-from mechsheet.model import Cartesian, Dimension, Distances, FurtherDriver, Mechanism, Polar, Quantity, Words
+from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.mobility import MobilityError
+from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError
+from mechsheet.kinematics.redundancy import redundancy_faults
+from mechsheet.kinematics.sketched import with_position
+from mechsheet.kinematics.writing import Further, write_equations, write_stepped
+from mechsheet.model import Mechanism
 from mechsheet.said import say
-from mechsheet.units import ANGLE, LENGTH
-from mechsheet.words.equations import phrase, same
-
-PROBED_ROWS = 200
-"""Rows at the start, and as many again spread over the rest, on which modes are picked."""
-
-
-@dataclass(frozen=True, slots=True)
-class Found:
-    """What is known when all positions and rates are written down: what forces are found from.
-
-    chains  by its number each group that Newton's method solves
-    """
-
-    poses: Poses
-    order: Order
-    rates: Written
-    chains: Mapping[int, Solution]
-
-
-Further: TypeAlias = Callable[[Found], None]
-"""Writes the forces' equations into the ledger, behind those of positions and rates and before the outputs."""
 
 
 def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None, further: Further | None = None) -> Equations:
@@ -73,393 +25,30 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None, further:
 
     modes    assembly modes that are given instead of picked from the sketch, by symbol (`mode_1`)
     further  what else is to be written; without it outputs of forces are left out
-    Raises MechanismError: mobility, a group of class III, a sketch between two modes, a group that never closes.
+    Raises MechanismError: mobility, a group that nothing here solves, a sketch between two modes, a group that never closes.
     """
     try:
-        return _stepped(mechanism, _solve(mechanism, modes or {}, further))
+        return write_stepped(mechanism, modes, further)
+    except MobilityError as error:
+        raise _with_redundant(error, mechanism) from error
     except (BetweenModesError, NeverClosesError) as error:
         if mechanism.sketch.at is not None or modes:
             raise
-        from mechsheet.kinematics.sketched import with_position  # which needs this module
-
         raise MechanismError(with_position(fault, mechanism) for fault in error.faults) from error
-
-
-def _stepped(mechanism: Mechanism, equations: Equations) -> Equations:
-    """The equations with as many Newton steps as their rows need."""
-    if not any(group.system for group in equations.groups):
-        return equations
-    return settled(mechanism, equations, driver_values(mechanism, dimension_values(mechanism)), sweep)
 
 
 def solve_unpicked(mechanism: Mechanism) -> Equations:
     """The equations with every mode +1, whatever the sketch says and even where nothing closes so."""
-    return _solve(mechanism, None)
-
-
-def _solve(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Further | None = None) -> Equations:
-    """`modes`: those that are given, the sketch picks the others; None: none is picked."""
-    _check_solved(mechanism)
-    graph = graph_of(mechanism)
-    opened: list[str] = []
-    _check_mobility(mechanism, graph)
-    order = order_of(mechanism, graph)
-    dimensions = dimension_values(mechanism)
-    ledger = _ledger(mechanism, dimensions)
-    poses = Poses(mechanism, graph, ledger)
-    _further_drivers(mechanism, ledger)
-    _pairs(poses, order)
-    found: list[tuple[Dyad | Chain, Solved, int, bool]] = []
-    chains: dict[int, Solution] = {}
-    given = modes or {}
-    left_out = {each.link.name for each in mechanism.redundant}
-    for dyad in order.steps:
-        if isinstance(dyad, Drive):
-            poses.drive(dyad)
-            continue
-        if isinstance(dyad, Tied):
-            poses.tie(dyad, order.drives)
-            continue
-        ledger.group += 1
-        start = len(ledger.columns)
-        if isinstance(dyad, Chain):
-            solution = chains[ledger.group] = ChainWriter(poses, dyad).write()
-            found.append((dyad, *_solve_chain(poses, solution, start, dimensions, given, modes is None)))
-            continue
-        solved = _solve_dyad(poses, dyad)
-        if modes is not None and mechanism.sketch.at is not None and solved.mode and solved.mode not in given:
-            shown = _shown(mechanism, mechanism.sketch.at)
-            opened = [group.mode for group in shown if group.open]
-            # the numbers of more than two assemblies are those of the first row
-            given = {group.mode: group.mode_value for group in shown if group.system is None} | dict(given)
-        value, is_open = 1, True
-        if modes is not None:
-            mode = given.get(solved.mode, _found_mode(mechanism, solved, dimensions))
-            if mode is None and left_out.intersection(dyad.bodies):
-                mode = 1  # its length, from the first pin to the second, is no negative number
-            if mode is None and dyad.frame:
-                mode = sketched_mode(mechanism.sketch, dyad, dimensions)
-            value, is_open = pick_mode(mechanism, ledger, solved, start, dimensions, mode)
-            is_open = is_open or solved.mode in opened
-        poses.settle_turns()
-        found.append((dyad, solved, assembly_of(value), is_open))
-    _note_lengths(poses)
-    rates = Written({}, {})
-    if wanted(mechanism):
-        rates = add_rates(poses, order, [solved for _, solved, _, _ in found], chains)
-    if further is not None:
-        further(Found(poses, order, rates, chains))
-    _outputs(mechanism, ledger, whole=further is not None)
-    inputs = [dim.symbol for dim in mechanism.dimensions]
-    law = mechanism.driver.law
-    task = mechanism.synthesis
-    positive = {*ledger.positive, *((law.duration,) if law else ()), *(task.positive if task else ())}
-    result = Equations(
-        tuple(ledger.constants),
-        tuple(ledger.columns),
-        _groups(mechanism, found, loops_of(poses, order.steps)),
-        tuple(symbol for symbol in (*inputs, mechanism.driver.symbol) if symbol in positive),
-        ledger.tolerance.name if isinstance(ledger.tolerance, Symbol) else "",
-        {link.name: poses.link_pose(link.name) for link in mechanism.links},
-        rates.fits,
-        rates.turning,
-        tuple(_listed(driver) for driver in mechanism.drivers if driver.values),
-        _tied(poses, order),
-    )
-    validate(result, (*dimensions, mechanism.driver.symbol, *mechanism.given_by_row))
-    return result
-
-
-def _check_mobility(mechanism: Mechanism, graph: Graph) -> None:
-    """As `check_mobility`; of what moves although it is counted as rigid it is told what may be left out."""
     try:
-        check_mobility(mechanism, graph)
-    except MechanismError as error:
-        from mechsheet.kinematics.redundancy import redundancy_faults  # which needs this module
-
-        missing = 1 + len(mechanism.drivers) - mobility(graph)
-        found = redundancy_faults(mechanism, missing) if missing > 0 else []
-        if not found:
-            raise
-        hint = say("it moves all the same: some of its links or joints say what others say already")
-        raise MechanismError([replace(error.faults[0], hint=hint), *found]) from error
+        return write_equations(mechanism, None)
+    except MobilityError as error:
+        raise _with_redundant(error, mechanism) from error
 
 
-def _check_solved(mechanism: Mechanism) -> None:
-    """Raise MechanismError with the reason where a synthesis finds no dimensions."""
-    task = mechanism.synthesis
-    if task is None:
-        return
-    values = dimension_values(mechanism)
-    if all(math.isfinite(values[symbol]) for symbol in task.taken):
-        return
-    why = next((words for symbol, words in task.reasons if not math.isfinite(values[symbol])), None)
-    message = say("the task has no solution") if why is None else say("{why}", why=why)
-    raise MechanismError(Fault(message, key="synthesis", hint=say("give it another one")))
-
-
-def _mode_of_task(mechanism: Mechanism, solved: Solved) -> Node | None:
-    """The mode that a synthesis finds, as a group counts it: a task goes from the driven link to the other."""
-    task = mechanism.synthesis
-    if task is None or solved.mode not in task.mode:
-        return None
-    mode = Symbol(task.results[task.mode[solved.mode]])
-    driven = next((link for link in mechanism.links if link.name == mechanism.driver.link), None)
-    first = driven is None or solved.pins[0] in driven.points
-    return mode if first else al.neg(mode)
-
-
-def _found_mode(mechanism: Mechanism, solved: Solved, dimensions: Mapping[str, float]) -> int | None:
-    follows = _mode_of_task(mechanism, solved)
-    return None if follows is None else round(number(follows, dimensions))
-
-
-def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
-    """The groups, with their modes, as the sketch shows them at the driver value `at`, which need not be a row."""
-    driver = replace(mechanism.driver, values=(at,), law=None, speeds=(), accelerations=(), times=(), speed=None)
-    drivers = _listed_at(mechanism, np.array([number(at, dimension_values(mechanism))]))
-    there = replace(mechanism, driver=driver, drivers=drivers, sketch=replace(mechanism.sketch, at=None), dynamics=None)
-    try:
-        return _solve(there, {}).groups
-    except NeverClosesError as error:
-        message = say("the sketch cannot show this position: there {links} cannot be joined", links=error.links)
-        hint = say("check `at`, which is in the driver's unit, and the lengths of these links")
-        raise MechanismError(Fault(message, key="assembly.at", hint=hint)) from error
-
-
-def _listed_at(mechanism: Mechanism, path: Array) -> tuple[FurtherDriver, ...]:
-    """What is driven besides, those that are listed row by row at other values of the driver."""
-    listed = listed_values(mechanism, dimension_values(mechanism), path)
-    return tuple(
-        replace(other, values=tuple(float(value) for value in listed[other.symbol])) if other.values else other
-        for other in mechanism.drivers
-    )
-
-
-def _further_drivers(mechanism: Mechanism, ledger: Ledger) -> None:
-    """The values of what is driven besides, where they follow from the driver or are the same in every row."""
-    for driver in mechanism.drivers:
-        if driver.follows is not None:
-            unit = LENGTH if driver.joint else ANGLE
-            ledger.define(driver.symbol, driver.follows, unit, phrase("further_driver"), "variable")
-
-
-def _tied(poses: Poses, order: Order) -> tuple[str, ...]:
-    """Symbols of what further drivers and ties decide."""
-    held = [held for step in order.steps if isinstance(step, Tied) for held in step.bodies]
-    links = poses.links
-    angles = [links[each.variable].angle_symbol if each.variable in links else each.variable for each in held]
-    return (*(driver.symbol for driver in poses.mechanism.drivers), *angles)
-
-
-def _listed(driver: FurtherDriver) -> Equation:
-    unit = LENGTH if driver.joint else ANGLE
-    return Equation(driver.symbol, Symbol(driver.symbol), "driver", unit, phrase("further_driver"))
-
-
-def _ledger(mechanism: Mechanism, dimensions: dict[str, float]) -> Ledger:
-    given = given_values(mechanism, dimensions)
-    rows = following = len(given[mechanism.driver.symbol])
-    if rows > 2 * PROBED_ROWS:
-        following = PROBED_ROWS
-        rest = np.linspace(PROBED_ROWS, rows - 1, PROBED_ROWS).astype(int)
-        given = {name: np.concatenate([column[:PROBED_ROWS], column[rest]]) for name, column in given.items()}
-    ledger = Ledger(dimensions, mechanism.driver.symbol, given, given_names(mechanism))
-    ledger.following = following
-    ledger.tolerance = ledger.define(
-        ledger.reserve("tol"),
-        al.mul(NumberNode(CLOSING), _largest_length(mechanism)),
-        LENGTH,
-        phrase("tolerance"),
-        "constant",
-    )
-    return ledger
-
-
-def _largest_length(mechanism: Mechanism) -> Node:
-    """MAX of the sizes of all lengths given: input dimensions, and plain numbers in places; where there are none, the
-    largest length that there is."""
-    found = {} if mechanism.synthesis is None else mechanism.synthesis.taken
-    lengths: list[Node] = [
-        Symbol(dim.symbol) if isinstance(dim.value, float) and dim.value > 0 else Call("ABS", (Symbol(dim.symbol),))
-        for dim in mechanism.dimensions
-        if is_length(dim) and (not dim.derived or dim.symbol in found)
-    ]
-    plain = [abs(value) for value in _lengths_of_places(mechanism) if isinstance(value, float)]
-    if plain and max(plain) > 0:
-        lengths.append(NumberNode(max(plain)))
-    if not lengths:
-        lengths.append(NumberNode(largest_length(mechanism, dimension_values(mechanism)) or 1.0))
-    return al.largest(lengths)
-
-
-def is_length(dimension: Dimension) -> bool:
-    """True for a dimension in the length unit, mass centres and loaded places apart."""
-    return dimension.unit.kind == "length" and not dimension.unit.per and not dimension.place
-
-
-def largest_length(mechanism: Mechanism, dimensions: Mapping[str, float]) -> float:
-    """The largest size of all lengths: dimensions, derived ones too, lengths in places, and the way of a driven slide.
-
-    dimensions  all their values; what has no value (NaN) does not count. 0.0 where there is no length at all
-    """
-    sizes = [dimensions[dim.symbol] for dim in mechanism.dimensions if is_length(dim)]
-    sizes += [number(quantity, dimensions) for quantity in _lengths_of_places(mechanism)]
-    if mechanism.driver.joint:
-        sizes += [float(value) for value in driver_values(mechanism, dimensions)]
-    return max((abs(size) for size in sizes if math.isfinite(size)), default=0.0)
-
-
-def _lengths_of_places(mechanism: Mechanism) -> list[Quantity]:
-    """All lengths in the places of points and of lines."""
-    found: list[Quantity] = []
-    for link in mechanism.links:
-        for place in link.points.values():
-            match place:
-                case Cartesian(x, y):
-                    found += [x, y]
-                case Polar(r, _):
-                    found.append(r)
-                case Distances(_, first, _, second, _):
-                    found += [first, second]
-    for joint in mechanism.joints:
-        if not isinstance(joint.through, str):
-            found += joint.through
-    return found
-
-
-def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
-    if dyad.frame:
-        return solve_within(poses, dyad)
-    match dyad.kind:
-        case "RRR":
-            return solve_rrr(poses, dyad)
-        case "RRP":
-            return solve_rrp(poses, dyad)
-        case "RPR":
-            return solve_rpr(poses, dyad)
-        case "PRP":
-            return solve_prp(poses, dyad)
-        case "RPP":
-            return solve_rpp(poses, dyad)
-
-
-def _solve_chain(
-    poses: Poses, solution: Solution, start: int, dimensions: dict[str, float], given: Mapping[str, int], unpicked: bool
-) -> tuple[Solved, int, bool]:
-    """A group without a closed form: (what was written down, its assembly, whether that was left open)."""
-    mechanism, ledger = poses.mechanism, poses.ledger
-    mode, at = given.get(solution.system.mode), mechanism.sketch.at
-
-    def near(home: float) -> Mapping[str, float]:
-        if mechanism.synthesis is not None:
-            return _of_task(mechanism, home)
-        return _traced(mechanism, number(at or 0.0, dimensions), home, solution.system.variables, solution.label)
-
-    of_task = mechanism.synthesis is not None and mechanism.solution.force
-    shown = near if (at is not None or of_task) and not unpicked else None
-    system, assembly, is_open = pick_assembly(
-        mechanism, ledger, solution, start, dimensions, 1 if unpicked else mode, shown
-    )
-    poses.settle_turns()
-    solved = Solved(
-        system.mode, words_of(mechanism, system, ledger), system.variables[0], Symbol(system.determinant), None,
-        solution.pins, system.variables, solution.label,
-        Determinant(Symbol(system.determinant), 0, False, None), system=system,
-    )  # fmt: skip
-    return solved, assembly, is_open
-
-
-def _of_task(mechanism: Mechanism, home: float) -> Mapping[str, float]:
-    """Values at the driver's value `home` in the assembly that a task finds: it knows those of dyads."""
-    driver = replace(mechanism.driver, values=(home,), law=None, speeds=(), accelerations=(), times=(), speed=None)
-    there = replace(mechanism, driver=driver, solution=replace(mechanism.solution, force=False), dynamics=None)
-    return {name: float(column[0]) for name, column in sweep(there, _solve(there, {}), np.array([home])).items()}
-
-
-def _traced(
-    mechanism: Mechanism, at: float, home: float, variables: Sequence[str], links: Words
-) -> Mapping[str, float]:
-    """Values at the driver's value `home` of the position that the sketch shows at `at`, followed in small steps."""
-    path = way(at, home, not mechanism.driver.joint)
-    driver = replace(mechanism.driver, values=tuple(float(value) for value in path), law=None)
-    drivers = _listed_at(mechanism, path)
-    followed = replace(mechanism, driver=driver, drivers=drivers, sketch=replace(mechanism.sketch, at=None))
-    values = sweep(followed, _solve(followed, {}), path)
-    if not np.all(np.isfinite([values[name][-1] for name in variables])):
-        raise cannot_follow(links)
-    return {name: float(values[name][-1]) for name in variables}
-
-
-def _groups(
-    mechanism: Mechanism, found: list[tuple[Dyad | Chain, Solved, int, bool]], loops: tuple[Loop, ...]
-) -> tuple[Group, ...]:
-    return tuple(
-        Group(
-            index, dyad.kind, dyad.bodies, solved.pins, solved.unknowns, loop, solved.mode,
-            solved.assemblies, assembly, solved.closes, solved.apart, solved.degenerate, is_open, solved.label,
-            solved.transmission, solved.sides, solved.system, _mode_of_task(mechanism, solved),
-            None if solved.system else _determinant(dyad, solved.determinant), solved.determinant.dead,
-        )
-        for index, ((dyad, solved, assembly, is_open), loop) in enumerate(zip(found, loops, strict=True), 1)
-    )  # fmt: skip
-
-
-def _determinant(dyad: Dyad | Chain, found: Determinant) -> Node:
-    """That of the closure: where the driven pair is turned against the dyad's first link, and not the link against the pair,
-    the unknowns are -q1 and q2 - q1, which turns the sign."""
-    turned = isinstance(dyad, Dyad) and dyad.frame and dyad.whole[0] == dyad.first[0]
-    return al.neg(found.product) if turned else found.product
-
-
-def _pairs(poses: Poses, order: Order) -> None:
-    """Both sides of a driven joint that is on nothing known move as one assembly: where they are in it."""
-    alone = {step.bodies for step in order.steps if isinstance(step, Drive)}
-    for drive in order.drives:
-        if drive.bodies not in alone and drive.reverse().bodies not in alone:
-            poses.members[drive.moving] = _in_pair(poses, drive)
-
-
-def _in_pair(poses: Poses, drive: Drive) -> Member:
-    """Where the moving side of a driven joint is in the frame of the other."""
-    if isinstance(drive.joint, Pin):
-        point = drive.joint.point
-        base, own = poses.own_place(drive.base, point), poses.own_place(drive.moving, point)
-        return member(poses.turn_of(drive), base, own)
-    joint = drive.joint.joint
-    line = angle_of(joint.angle)
-    along = cartesian(Symbol(drive.symbol), al.ZERO).turned(line)
-    start = poses.through(joint)
-    end = cartesian(Symbol(drive.symbol), al.ZERO) if start.is_zero and line == Angle() else start + cartesian(*along)
-    turn = line + angle_of(joint.orientation)
-    return member(turn, end, poses.own_place(drive.moving, joint.point))
-
-
-def _note_lengths(poses: Poses) -> None:
-    """A moving link that joins two pins has a length, as the crank; where more pins are, they are places, of any sign."""
-    for link in poses.mechanism.links[1:]:
-        pins = [point for point, bodies in poses.graph.pins if link.name in bodies]
-        if len(pins) == 2:
-            poses.places[link.name].note_length(*pins)
-
-
-def _outputs(mechanism: Mechanism, ledger: Ledger, whole: bool) -> None:
-    """Outputs over variables, points and dimensions; each may use the ones before it.
-
-    whole  False where forces have not been written: outputs that read them are left out
-    """
-    ledger.group = -1
-    faults = []
-    for output in mechanism.outputs:
-        unknown = [name for name in symbols(output.formula) if name not in ledger.values]
-        if unknown and mechanism.dynamics is not None and not whole:
-            continue
-        if unknown:
-            faults.append(
-                Fault(say('"{name}" is not known here', name=unknown[0]), key=f"outputs.{output.symbol}.formula")
-            )
-            continue
-        label = output.label or same(output.symbol)
-        ledger.define(output.symbol, output.formula, output.unit, label, "output")
-    if faults:
-        raise MechanismError(faults)
+def _with_redundant(error: MobilityError, mechanism: Mechanism) -> MechanismError:
+    """Of what moves although it is counted as rigid it is told what may be left out."""
+    found = redundancy_faults(mechanism, error.missing) if error.missing > 0 else []
+    if not found:
+        return error
+    hint = say("it moves all the same: some of its links or joints say what others say already")
+    return MechanismError([replace(error.faults[0], hint=hint), *found])

@@ -17,12 +17,13 @@ from collections.abc import Mapping
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Binary, Call, TriangleAngle, symbols
+from mechsheet.formula.nodes import TriangleAngle, symbols
 from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import DEAD, Determinant, Solved
+from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.places import Place, arm_of, cartesian, number, triangle_closes
 from mechsheet.kinematics.poses import Assembly, Member, Poses
+from mechsheet.kinematics.rrr import three_pins
 from mechsheet.model import Sketch
 from mechsheet.units import ANGLE
 from mechsheet.words.equations import phrase
@@ -34,8 +35,7 @@ FLAT = 0.05
 def solve_within(poses: Poses, dyad: Dyad) -> Solved:
     """Write the dyad's equations down; pair and links become members of the first link's frame."""
     ledger = poses.ledger
-    contacts = (dyad.outer[0], dyad.outer[1], dyad.inner)
-    p, q, r = (contact.point for contact in contacts if isinstance(contact, Pin))
+    p, q, r = dyad.pins
     a, line_a = poses.arm(dyad.first, p, r)
     b, line_b = poses.arm(dyad.second, q, r)
     at_p, at_q = poses.place(dyad.frame, p), poses.place(dyad.frame, q)
@@ -57,21 +57,7 @@ def solve_within(poses: Poses, dyad: Dyad) -> Solved:
         along, corner = turned + line_a, poses.place(dyad.first, r)
     turn = _turn(poses, dyad.second, along + Angle(al.mul(mode, mu)) - line_b, str(poses.links[second].number))
     poses.members[second] = member(turn, corner, poses.own_place(second, r), r)
-    sine = al.sin(Angle(mu))
-    return Solved(
-        mode.name,
-        (phrase("left_of", point=r, start=p, end=q), phrase("right_of", point=r, start=p, end=q)),
-        closes=psi.name,
-        apart=sine,
-        degenerate=Call("AND", (separate.fails, Binary(">=", reaches.margin, reaches.least))),
-        pins=(p, q, r),
-        unknowns=(symbols(turned.node)[0], symbols(turn.node)[0]),
-        label=phrase("group_pins", links=poses.both(dyad), pins=f"{p}, {q}, {r}"),
-        determinant=Determinant(
-            al.mul(al.mul(al.mul(mode, a), b), sine), 2, True, Condition(Call("ABS", (sine,)), al.number(DEAD))
-        ),
-        sides=(a, b, s),
-    )
+    return three_pins(poses, dyad, mode, (psi, mu), (a, b, s), (symbols(turned.node)[0], symbols(turn.node)[0]))
 
 
 def _turn(poses: Poses, bodies: Assembly, angle: Angle, name: str) -> Angle:

@@ -3,7 +3,6 @@
 It knows nothing of equations, formulas, cells or the groups that the workbook is solved by; it judges them.
 """
 
-from .continuity import leaps
 from .forces import forces
 from .geometry import dimension_values, driver_values
 from .nearby import nearby
@@ -22,7 +21,6 @@ __all__ = [
     "driver_values",
     "forces",
     "further",
-    "leaps",
     "nearby",
     "outputs",
     "rates",

@@ -220,6 +220,11 @@ def point_places(system: System, link: str, point: str, states: Array) -> Array:
     """Places (m, 2) of a link's point, in the system's own lengths from its own origin."""
     first = system.column(link)
     x, y = system.places[link][point] / system.scale
+    return _moved(system, first, states, x, y)
+
+
+def _moved(system: System, first: int, states: Array, x: float, y: float) -> Array:
+    """Places (m, 2) of (x, y) in the frame of the body whose columns begin at `first`."""
     c, s = np.cos(states[:, first + 2]), np.sin(states[:, first + 2])
     moved = states[:, first : first + 2] + np.stack([c * x - s * y, s * x + c * y], axis=1)
     return np.asarray(moved - system.origin / system.scale if first == 0 else moved)
@@ -230,10 +235,7 @@ def displacement(system: System, joint: Joint, states: Array, link: str = "") ->
     first = system.column(joint.on)
     x, y = geometry.through(joint, system.places, system.dimensions) / system.scale
     theta = states[:, first + 2]
-    c, s = np.cos(theta), np.sin(theta)
-    line = states[:, first : first + 2] + np.stack([c * x - s * y, s * x + c * y], axis=1)
-    if first == 0:
-        line = line - system.origin / system.scale
+    line = _moved(system, first, states, x, y)
     direction = theta + number(joint.angle, system.dimensions)
     away = point_places(system, link or joint.link, joint.point, states) - line
     return np.asarray(np.cos(direction) * away[:, 0] + np.sin(direction) * away[:, 1])

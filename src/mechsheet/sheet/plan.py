@@ -19,10 +19,10 @@ from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import BANDS, FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
+from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.rates.sensitivity import NO_BANDS, Sensitivities, toleranced
-from mechsheet.kinematics.solve import largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
@@ -74,7 +74,6 @@ ArrowKind = Literal["velocity", "acceleration", "forces"]
 class Block:
     """A block of the first sheet: its heading's row and the rows of its entries by symbol (or key)."""
 
-    key: str
     row: int
     rows: dict[str, int]
 
@@ -404,7 +403,7 @@ def _spot(plan: Plan, symbol: str, row: int, degrees: bool, name: str, taken: se
 def _block(plan: Plan, key: str, entries: list[str]) -> Block:
     """Reserve rows for a block: a heading, its entries, one empty row."""
     first = plan.next_row + 1
-    block = Block(key, plan.next_row, {entry: first + index for index, entry in enumerate(entries)})
+    block = Block(plan.next_row, {entry: first + index for index, entry in enumerate(entries)})
     plan.blocks[key] = block
     plan.next_row = first + len(entries) + 1
     return block

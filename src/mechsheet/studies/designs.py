@@ -19,8 +19,8 @@ from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_between, given_values, step_of
 from mechsheet.kinematics.equations import RATES
+from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.solve import largest_length
 from mechsheet.model import Condition, Mechanism, Study
 from mechsheet.said import say
 from mechsheet.sheet.checks.turning import derivatives, differentiated

@@ -7,7 +7,7 @@ import tomllib
 import numpy as np
 import pytest
 from reference_cases import TESTS
-from synthesised import FULL, apart, four_bar, guided, rests, slider_crank, slotted_lever
+from synthesised import FULL, apart, four_bar, guided, outputs, rests, slider_crank, slotted_lever
 
 from chosen import first
 from mechsheet.description import loads
@@ -108,7 +108,7 @@ def test_one_assembly_goes_through_all_points_exactly_where_they_lie_on_one_side
     angles = solved.poses["rocker"][:, 2] - found.psi_offset
     met = [apart(angle, to) < 1e-9 for angle, to in zip(angles, psi, strict=True)]
     assert met == list(sides == sides[0])
-    closed = functions.outputs(found, theta, sides[0])
+    closed = outputs(found, theta, sides[0])
     assert apart(closed, angles) < 1e-9
 
 
@@ -228,7 +228,7 @@ def test_the_tutorial_of_pylinkage_does_not_meet_its_task():
     asked = CASES["pylinkage"]["synthesis"]
     wrong = functions.FourBar(2, 1, 2.4142, 1.7321)
     theta, psi = np.radians(asked["theta"]), np.radians(asked["psi"])
-    reached = [functions.outputs(wrong, theta, side) for side in (1, -1)]
+    reached = [outputs(wrong, theta, side) for side in (1, -1)]
     assert all(not np.allclose(angles, psi, atol=math.radians(5)) for angles in reached)
 
 

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from laid import Laid, template_text
+from leaping import leaps
 
 from chosen import examples, part
 from degenerate_cases import cases
@@ -17,7 +18,6 @@ from mechsheet.description.grammar import MOST_ROWS
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.formula.nodes import MAX_ROWS
 from mechsheet.kinematics.solve import solve
-from mechsheet.reference import leaps as reference_leaps
 from mechsheet.reference import solve as refer
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.plan import plan_of
@@ -52,7 +52,7 @@ def test_reference_agrees(case):
     solution = refer(mechanism)
     assert set(np.flatnonzero(~solution.exists)) == case.missing
     assert set(np.flatnonzero(solution.undetermined)) == case.undetermined
-    assert set(np.flatnonzero(reference_leaps(solution))) == case.leaps
+    assert set(np.flatnonzero(leaps(solution))) == case.leaps
     comparison = judged(mechanism)
     assert comparison.agrees, comparison
 

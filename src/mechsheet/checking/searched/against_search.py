@@ -27,8 +27,8 @@ from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.equations import Group
+from mechsheet.kinematics.places import number_places
 from mechsheet.kinematics.search import Search
-from mechsheet.sheet.drawing.outlines import number_places
 from mechsheet.sheet.first.verdicts import closes_in_all
 from mechsheet.sheet.plan import MEANING, Plan
 from mechsheet.words.equations import link_words

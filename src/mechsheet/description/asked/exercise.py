@@ -67,13 +67,7 @@ def _varied(data: Any, scope: Scope) -> tuple[Vary, ...]:
     found = []
     for symbol, span in ({} if data is BAD else data).items():
         path: Path = ("exercise", "vary", symbol)
-        if symbol not in scope.units:
-            hint = suggestion(symbol, scope.inputs, "inputs")
-            scope.report.at(path, say("no dimension is called {name}", name=quoted(symbol)), hint)
-        elif symbol not in scope.inputs:
-            message = say("the dimension {name} is derived; only an input can vary", name=quoted(symbol))
-            scope.report.at(path, message, suggestion(symbol, scope.inputs, "inputs"))
-        elif span is not BAD and BAD not in span:
+        if scope.can_vary(symbol, path) and span is not BAD and BAD not in span:
             low, high, step = map(float, span)
             if not (step > 0 and low <= high and (high - low) / step < MOST_STEPS):
                 scope.report.at(path, say("expected [from, to, step] with from <= to and a step above 0"))

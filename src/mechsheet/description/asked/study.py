@@ -69,17 +69,9 @@ def _varied(data: Any, sample: str, scope: Scope) -> tuple[Range, ...]:
     found = []
     for symbol, given in ({} if data is BAD else data).items():
         path: Path = ("study", "vary", symbol)
-        if symbol not in scope.units:
-            scope.report.at(
-                path,
-                say("no dimension is called {name}", name=quoted(symbol)),
-                suggestion(symbol, scope.inputs, "inputs"),
-            )
-        elif symbol not in scope.inputs:
-            message = say("the dimension {name} is derived; only an input can vary", name=quoted(symbol))
-            scope.report.at(path, message, suggestion(symbol, scope.inputs, "inputs"))
-        elif given is not BAD and (one := _range(symbol, given, sample, path, scope)) is not None:
-            found.append(one)
+        if scope.can_vary(symbol, path) and given is not BAD:
+            one = _range(symbol, given, sample, path, scope)
+            found += [one] if one is not None else []
     return tuple(found)
 
 

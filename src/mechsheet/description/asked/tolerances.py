@@ -9,7 +9,7 @@ from typing import Any
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
-from mechsheet.description.results import check_column
+from mechsheet.description.requests import check_column
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
 from mechsheet.model import Dimension, Driver, FurtherDriver, Tolerances

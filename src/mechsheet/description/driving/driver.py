@@ -40,6 +40,18 @@ Driven: TypeAlias = tuple[str, str, str, str]
 """Symbol, link, the one it turns against, joint."""
 
 
+def rows_of(driver: Driver, scope: Scope) -> int | None:
+    """How many rows the driver has; None where a fault hides it."""
+    if driver.law is not None:
+        return driver.law.rows
+    if driver.values:
+        return len(driver.values)
+    start, stop, step = (scope.number(part) for part in (driver.start, driver.stop, driver.step))
+    if not all(map(math.isfinite, (start, stop, step))) or step == 0:
+        return None
+    return math.floor((stop - start) / step + LANDS) + 1
+
+
 def driven(
     data: dict[str, Any], path: Path, links: tuple[Link, ...], joints: tuple[Joint, ...], ends: Ends, scope: Scope
 ) -> Driven | None:

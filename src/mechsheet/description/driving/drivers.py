@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from typing import Any
 
-from mechsheet.description.cells import own_cell
 from mechsheet.description.driving import driver as first_driver
 from mechsheet.description.joints import Ends
+from mechsheet.description.own_cells import own_cell
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, circle_message, cycles
@@ -84,7 +83,7 @@ def _with_values(
     if given is BAD:
         return None
     values = tuple(scope.quantity(value, kind, (*path, "values", index)) for index, value in enumerate(given))
-    rows = _rows(first, scope)
+    rows = None if first is None else first_driver.rows_of(first, scope)
     if rows is not None and rows != len(values):
         message = say(
             "{count} values, where [driver] has {rows} rows: one is needed for each", count=len(values), rows=rows
@@ -93,18 +92,6 @@ def _with_values(
             message = say("1 value, where [driver] has {rows} rows: one is needed for each", rows=rows)
         scope.report.at((*path, "values"), message)
     return replace(driver, values=values)
-
-
-def _rows(first: Driver | None, scope: Scope) -> int | None:
-    """How many rows the driver has; None where a fault hides it."""
-    if first is None:
-        return None
-    if first.values:
-        return len(first.values)
-    start, stop, step = (scope.number(part) for part in (first.start, first.stop, first.step))
-    if not all(map(math.isfinite, (start, stop, step))) or step == 0:
-        return None
-    return math.floor((stop - start) / step + first_driver.LANDS) + 1
 
 
 def _follows(text: Any, kind: str, path: Path, names: dict[str, None], scope: Scope) -> Node | None:
@@ -134,7 +121,7 @@ def _in_order(drivers: list[FurtherDriver], scope: Scope) -> tuple[FurtherDriver
 
 def listed(first: Driver, further: tuple[FurtherDriver, ...], scope: Scope) -> Driver:
     """The driver with its values one by one where another one's are listed, row by row: these belong to rows."""
-    rows = _rows(first, scope)
+    rows = None if first is None else first_driver.rows_of(first, scope)
     if first.values or rows is None or not any(other.values for other in further):
         return first
     start, step = (al.number(part) if isinstance(part, float) else part for part in (first.start, first.step))

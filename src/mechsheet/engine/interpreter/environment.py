@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 
 from ...diagnostics import Fault
@@ -38,7 +38,6 @@ class Environment:
     """
 
     book: Book = field(default_factory=lambda: Book([]))
-    formulas: Sequence[Node] = ()
     functions: Mapping[FunctionRef, Node] = field(default_factory=dict)
     reference: Callable[[str, bool, str, int, int], Node | None] = _no_reference
     check: Callable[[Area, Collection[int]], None] = _all_there

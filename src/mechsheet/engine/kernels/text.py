@@ -60,13 +60,19 @@ def fixed(value: Scalar, decimals: Scalar = 2.0, plain: Scalar = False) -> Scala
     if number is None or places is None:
         return VALUE
     whole_places = int(places)
-    if whole_places < 0:
-        scale = Decimal(10) ** -whole_places
-        number = float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP, WIDE) * scale)
+    number = _to_tens(number, whole_places)
     comma = "0" if _number(plain) else "#,##0"
     if whole_places > 127:
         return VALUE
     return formatted(number, comma + ("." + "0" * whole_places if whole_places > 0 else ""))
+
+
+def _to_tens(number: float, places: int) -> float:
+    """Rounded to tens, hundreds ... where there are fewer than no decimals; else as it is."""
+    if places >= 0:
+        return number
+    scale = Decimal(10) ** -places
+    return float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP, WIDE) * scale)
 
 
 def _counted(value: Scalar, many: Scalar) -> tuple[str, int] | None:
@@ -431,9 +437,7 @@ def dollar(number: float, decimals: float = 2.0) -> str:
     places = math.trunc(decimals)
     if places > 127:
         raise Problem("#VALUE!")
-    if places < 0:
-        scale = Decimal(10) ** -places
-        number = float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP, WIDE) * scale)
+    number = _to_tens(number, places)
     body = "$#,##0" + ("." + "0" * places if places > 0 else "")
     return formatted(number, f"{body};({body})") or ""
 

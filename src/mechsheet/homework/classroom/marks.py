@@ -142,7 +142,6 @@ def files_of(books: str | Path | Iterable[str | Path]) -> list[Path]:
 @dataclass(frozen=True, slots=True)
 class _Judged:
     path: Path
-    work: Work | None
     audit: Audit | None
     why: str
     student: Student | None
@@ -150,7 +149,6 @@ class _Judged:
 
 def _judged(path: Path, key: Key, wanted: AskedFor, any_assembly: bool) -> _Judged:
     """One workbook; what is wrong with it is told in its line and does not keep the others from being marked."""
-    work: Work | None = None
     student = _by_name(path, key.students)
     try:
         work = upright(read(path))
@@ -158,8 +156,8 @@ def _judged(path: Path, key: Key, wanted: AskedFor, any_assembly: bool) -> _Judg
         mechanism = key.mechanism if student is None else with_dimensions(key.mechanism, student.dimensions)
         audit = audited(work, mechanism, wanted, readable_name(path), any_assembly, student is not None)
     except MechsheetError as error:
-        return _Judged(path, work, None, "; ".join(fault.message for fault in error.faults), student)
-    return _Judged(path, work, audit, "", student or _by_dimensions(audit, key.students))
+        return _Judged(path, None, "; ".join(fault.message for fault in error.faults), student)
+    return _Judged(path, audit, "", student or _by_dimensions(audit, key.students))
 
 
 def _by_name(path: Path, students: Sequence[Student]) -> Student | None:

@@ -11,8 +11,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from mechsheet.formula.nodes import (
-    MAX_COLUMNS,
-    MAX_ROWS,
     Binary,
     Call,
     CellRef,
@@ -25,7 +23,7 @@ from mechsheet.formula.nodes import (
     rebuilt,
     walk,
 )
-from mechsheet.formula.slips import FUNCTIONS, LEFT_OUT, SWAPPED
+from mechsheet.formula.slips import FUNCTIONS, LEFT_OUT, SWAPPED, neighbours
 
 MOST = 4000
 """Candidates for one formula."""
@@ -337,10 +335,7 @@ def _of_reference(part: CellRef | NameRef, around: Surroundings) -> Iterator[_Va
     if isinstance(part, CellRef):
         for row_abs, col_abs in ((not part.row_abs, part.col_abs), (not part.row_abs, not part.col_abs)):
             yield replace(part, row_abs=row_abs, col_abs=col_abs), "anchor", 1.0
-        for down, right in ((1, 0), (-1, 0), (0, 1), (0, -1)):
-            row, col = part.row + down, part.col + right
-            if 0 <= row < MAX_ROWS and 0 <= col < MAX_COLUMNS:
-                yield replace(part, row=row, col=col), "reference", 1.7
+        yield from ((cell, "reference", 1.7) for cell in neighbours(part))
 
 
 def _of_range(part: RangeRef, around: Surroundings) -> Iterator[_Variant]:

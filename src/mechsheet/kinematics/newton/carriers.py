@@ -123,11 +123,8 @@ class ChainWriter:
             guide = poses.guide(joint, assembly)
             symbol = guide.symbol
             poses.displacement(symbol, Number(0.0))
-            step: Node = Symbol(symbol) if guide.sign > 0 else al.neg(Symbol(symbol))
-            x = al.add(guide.x, al.mul(step, al.cos(guide.delta)))
-            y = al.add(guide.y, al.mul(step, al.sin(guide.delta)))
             self.guides[assembly] = guide
-            poses.fix(assembly, guide.angle, guide.moving, x, y)
+            poses.fix_on_guide(assembly, guide, Symbol(symbol))
         self.variables[assembly] = symbol
 
     def _moves(self, body: str, place: Vector, unknown: Assembly) -> Vector:

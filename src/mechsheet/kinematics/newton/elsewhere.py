@@ -16,8 +16,8 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations, Group, System
 from mechsheet.kinematics.newton.leaving import led, scales, trends
-from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
+from mechsheet.kinematics.writing import write_stepped
 from mechsheet.model import Mechanism
 from mechsheet.said import say
 
@@ -31,7 +31,7 @@ def assembly_doubts(before: Mechanism, mechanism: Mechanism, equations: Equation
     before  the mechanism with the described dimensions;  mechanism, equations: with others
     """
     try:
-        described = solve(before).groups
+        described = write_stepped(before).groups
     except MechanismError:
         return []
     pairs = [

@@ -13,8 +13,8 @@ import numpy as np
 
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Equations, System
+from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED, moved, scalar_step, way_to
-from mechsheet.kinematics.solve import largest_length
 from mechsheet.model import Mechanism
 
 TREND = 0.4

@@ -76,7 +76,6 @@ class Rates(Protocol):
 class Meeting:
     """Two ways to the rates of a dyad's closing point; `unknowns` are the symbols whose rates it decides."""
 
-    place: Vector
     ways: tuple[PointRate, PointRate]
     unknowns: tuple[str, str]
 
@@ -248,7 +247,7 @@ class Motions:
             self._turns(body, pin, moves, self.relative(body, drive))
             ways.append(self.motion[body](self.coordinates(pins[2])))
         names = [relative_name(self.poses, body) for (body,) in (dyad.first, dyad.second)]
-        return Meeting(self.coordinates(pins[2]), (ways[0], ways[1]), (names[0], names[1]))
+        return Meeting((ways[0], ways[1]), (names[0], names[1]))
 
     def with_point(self, assembly: Assembly, point: str) -> str:
         """The body of an assembly that has a point."""
@@ -289,7 +288,7 @@ class Motions:
             return self._meet_at_pin(dyad, dyad.inner, outer)
         first, second = dyad.outer
         if isinstance(first, Pin) and isinstance(second, Pin):
-            return self._meet_on_slide(dyad, dyad.inner, (first, second), outer)
+            return self._meet_on_slide(dyad, dyad.inner, outer)
         if isinstance(first, Pin) and isinstance(second, Slide):
             return self._meet_on_slides(dyad, dyad.inner, first, second, outer)
         raise TypeError(f"no such dyad: {dyad}")
@@ -304,28 +303,23 @@ class Motions:
             else:
                 unknowns.append(self.guided(assembly, contact))
             ways.append(self.motion[self.with_point(assembly, inner.point)](place))
-        return Meeting(place, (ways[0], ways[1]), (unknowns[0], unknowns[1]))
+        return Meeting((ways[0], ways[1]), (unknowns[0], unknowns[1]))
 
-    def _meet_on_slide(
-        self, dyad: Dyad, inner: Slide, pins: tuple[Pin, Pin], outer: Mapping[str, PointRate]
-    ) -> Meeting:
+    def _meet_on_slide(self, dyad: Dyad, inner: Slide, outer: Mapping[str, PointRate]) -> Meeting:
         """RPR: at the outer pin of the link that does not carry the line."""
-        carries = inner.on in dyad.first
-        carrier, slider = (dyad.first, dyad.second) if carries else (dyad.second, dyad.first)
-        p, q = pins if carries else pins[::-1]
+        carrier, slider, p, q = dyad.by_line
         angle = self._pinned(carrier, p, outer[p.point])
         self._slides(inner.body, inner, self.rates.of(inner.joint.symbol))
         self._whole(slider, inner.body)
-        return Meeting(*self._at_known(slider, q, outer[q.point]), (angle, inner.joint.symbol))
+        return Meeting(self._at_known(slider, q, outer[q.point]), (angle, inner.joint.symbol))
 
-    def _at_known(self, assembly: Assembly, pin: Pin, moves: PointRate) -> tuple[Vector, tuple[PointRate, PointRate]]:
-        """An assembly that has slid to a known pin: where that is, and both ways to its rates; it then turns about it."""
+    def _at_known(self, assembly: Assembly, pin: Pin, moves: PointRate) -> tuple[PointRate, PointRate]:
+        """An assembly that has slid to a known pin: both ways to its rates; it then turns about it."""
         body = self.with_point(assembly, pin.point)
-        place = self.coordinates(pin.point)
-        way = self.motion[body](place)
+        way = self.motion[body](self.coordinates(pin.point))
         self._turns(body, pin.point, moves, self.turning[body])  # as sliding has it, and shorter
         self._whole(assembly, body)
-        return place, (way, moves)
+        return way, moves
 
     def _meet_on_slides(
         self, dyad: Dyad, inner: Slide, pin: Pin, slide: Slide, outer: Mapping[str, PointRate]
@@ -335,4 +329,4 @@ class Motions:
         body = inner.side(dyad.first)
         self._slides(body, inner, self.rates.of(inner.joint.symbol))
         self._whole(dyad.first, body)
-        return Meeting(*self._at_known(dyad.first, pin, outer[pin.point]), (guide, inner.joint.symbol))
+        return Meeting(self._at_known(dyad.first, pin, outer[pin.point]), (guide, inner.joint.symbol))

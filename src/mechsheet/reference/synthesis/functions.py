@@ -95,18 +95,3 @@ def chebyshev(first: float, last: float, points: int) -> NDArray[np.float64]:
     """(points,) The zeros of the Chebyshev polynomial of that degree, taken from -1..1 to first..last, in that order."""
     angles = (2 * np.arange(points, 0, -1) - 1) * np.pi / (2 * points)
     return (first + last) / 2 + (last - first) / 2 * np.cos(angles)
-
-
-def outputs(found: FourBar, theta: Angles, side: float) -> NDArray[np.float64]:
-    """(n,) The output angle of the task at input angles, on the assembly `side`; NaN where the links do not meet.
-
-    By circles about A and B0: B = A + (B0 - A)(u + i side v) with u + i v from the three sides. In (-pi, pi].
-    """
-    a = found.a2 * np.exp(1j * (np.asarray(theta, dtype=float) + found.theta_offset))
-    way = found.a1 - a
-    length = np.abs(way)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        u = (length**2 + found.a3**2 - found.a4**2) / (2 * length**2)
-        v = np.sqrt((found.a3 / length) ** 2 - u**2)
-        b = a + way * (u + 1j * side * v)
-        return np.asarray(np.angle((b - found.a1) * np.exp(-1j * found.psi_offset)))

@@ -15,6 +15,7 @@ import numpy as np
 
 from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.rates.coefficients import free_points
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, TIME, ChartRequest, Mechanism, rate_symbols
 from mechsheet.sheet import styles
@@ -146,14 +147,8 @@ def _shared(plan: Plan, symbols: Sequence[str], sizes: Mapping[str, float]) -> l
 
 def tracing_points(mechanism: Mechanism) -> tuple[str, ...]:
     """Points of a single moving link (coupler points); without any, the moving joints."""
-    at: dict[str, int] = {}
-    for link in mechanism.links:
-        for point in link.points:
-            at[point] = at.get(point, 0) + 1
-    sliding = {joint.point for joint in mechanism.joints}
-    fixed = set(mechanism.ground.points)
-    free = tuple(point for point, count in at.items() if count == 1 and point not in fixed | sliding)
-    return free or tuple(point for point in at if point not in fixed)
+    points = dict.fromkeys(point for link in mechanism.links for point in link.points)
+    return free_points(mechanism) or tuple(point for point in points if point not in mechanism.ground.points)
 
 
 def remarkable_points(mechanism: Mechanism) -> tuple[str, ...]:
@@ -202,12 +197,10 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
         y = _at_position(plan, drawing, symbol)
         if x and y:
             markers.append(marker(plain(symbol), x, y, color))
-    units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in request.y))
-    symbols = ", ".join(plain(symbol) for symbol in request.y)
-    title = request.title.of(plan.language) if request.title else chart_title(plan, request)
+    title = chart_title(plan, request)
     return Chart(
         title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), driver_axis(plan, request.x),
-        Axis(f"{symbols} [{', '.join(units)}]" if units != [""] else symbols),
+        value_axis(plan, request.y),
         legend="right" if sum(curve.in_legend for curve in curves) > 1 else "", alt_text=title,
     )  # fmt: skip
 
@@ -225,8 +218,17 @@ def _ends_of_band(plan: Plan, across: str, symbol: str, color: str) -> list[Seri
     ]  # fmt: skip
 
 
+def value_axis(plan: Plan, symbols: Sequence[str]) -> Axis:
+    """The axis of curves: their symbols, and in brackets the units that they have."""
+    units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in symbols))
+    names = ", ".join(plain(symbol) for symbol in symbols)
+    return Axis(f"{names} [{', '.join(units)}]" if units != [""] else names)
+
+
 def chart_title(plan: Plan, request: ChartRequest) -> str:
-    """What stands over curves, where the description has no title."""
+    """What stands over curves: as the description has it, else what they show."""
+    if request.title:
+        return request.title.of(plan.language)
     driver = plain(request.x)
     if plan.efforts and request.y == plan.efforts:
         return plan.text("chart.effort", symbol=plain(plan.efforts[0]), driver=driver)

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from mechsheet import portable
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.places import angle_of, cartesian, number
-from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
-
-Point = tuple[float, float]
+from mechsheet.kinematics.places import angle_of, cartesian, number_places
+from mechsheet.model import Joint, Link, Mechanism
 
 
 def corners(link: Link, dimensions: Mapping[str, float]) -> tuple[str, ...]:
@@ -23,35 +21,6 @@ def corners(link: Link, dimensions: Mapping[str, float]) -> tuple[str, ...]:
     x = math.fsum(place[0] for place in places.values()) / len(places)
     y = math.fsum(place[1] for place in places.values()) / len(places)
     return tuple(sorted(places, key=lambda point: portable.arctan2(places[point][1] - y, places[point][0] - x)))
-
-
-def number_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Point]:
-    """Every point of a link, in the order of the description."""
-    found: dict[str, Point] = {}
-
-    def locate(point: str) -> Point:
-        if point not in found:
-            found[point] = _number_place(link.points[point], dimensions, locate)
-        return found[point]
-
-    return {point: locate(point) for point in link.points}
-
-
-def _number_place(place: Place, dimensions: Mapping[str, float], locate: Callable[[str], Point]) -> Point:
-    match place:
-        case Cartesian(x, y):
-            return number(x, dimensions), number(y, dimensions)
-        case Polar(r, angle):
-            turn = number(angle, dimensions)
-            return number(r, dimensions) * portable.cos(turn), number(r, dimensions) * portable.sin(turn)
-        case Distances(first, first_distance, second, second_distance, side):
-            (x1, y1), (x2, y2) = locate(first), locate(second)
-            a, b = number(first_distance, dimensions), number(second_distance, dimensions)
-            base = portable.hypot(x2 - x1, y2 - y1)
-            along = (a * a - b * b + base * base) / (2 * base)
-            across = math.sqrt(max(0.0, a * a - along * along)) * (1 if side == "left" else -1)
-            c, s = (x2 - x1) / base, (y2 - y1) / base
-            return x1 + along * c - across * s, y1 + along * s + across * c
 
 
 def angle_of_link(mechanism: Mechanism, link: str) -> Angle:

@@ -403,13 +403,17 @@ def _motion_controls(plan: Plan) -> tuple[Control, ...]:
 
 def controls(plan: Plan) -> tuple[Control, ...]:
     """The scroll bar and the spin button of the position cell; a scroll bar beside the driver's speed or duration."""
+    if plan.rows < 2:
+        return ()
+    return *_motion_controls(plan), *position_controls(plan, Anchor(2, CHARTS, 420, 20), VALUE, MARGIN)
+
+
+def position_controls(plan: Plan, bar: Anchor, value: int, button: int) -> tuple[Control, Control]:
+    """The scroll bar of the position cell and its spin button; `value`, `button`: their columns in the position's row."""
     row = plan.blocks["position"].rows["position"]
     last = min(plan.rows - 1, MOST_OF_CONTROL)
     page = max(1, last // 12)
-    if last < 1:
-        return ()
     return (
-        *_motion_controls(plan),
-        Control("scroll", "position scroll bar", Anchor(2, CHARTS, 420, 20), row, VALUE, 0, last, 1, page),
-        Control("spin", "position spin button", Anchor(row, MARGIN, 18, 20), row, VALUE, 0, last, 1, page, False),
+        Control("scroll", "position scroll bar", bar, row, value, 0, last, 1, page),
+        Control("spin", "position spin button", Anchor(row, button, 18, 20), row, value, 0, last, 1, page, False),
     )

@@ -453,14 +453,18 @@ class _Block:
     def fits(self, kind: Literal["velocity", "acceleration"], key: str) -> None:
         """The largest difference between the two ways round a group."""
         rounding = self.plan.at.cell("#rounding", self.plan.main, None)
-        wrong = self.text("rates.not", sheet=self.checks.title)
-        words = formula("IF(gap>rounding,wrong,fine)", gap=self.value(key), rounding=rounding, wrong=wrong,
-                        fine=self.text("rates.fit"))  # fmt: skip
+        self._agrees(key, kind, self.plan.mechanism.length_unit, rounding, "rates")
+
+    def _agrees(
+        self, key: str, what: Literal["velocity", "acceleration", "torque"], unit: str, most: Node | float, said: str
+    ) -> None:
+        """How far two ways to the same numbers are apart, green up to `most`; `said`: where its words are."""
+        wrong, fine = self.text(f"{said}.not", sheet=self.checks.title), self.text(f"{said}.fit")
+        words = formula("IF(gap>most,wrong,fine)", gap=self.value(key), most=most, wrong=wrong, fine=fine)
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
-        unit = self.plan.mechanism.length_unit
-        self.line(key, self.text(key), unit, self.checks.worst(kind), style, self.where_it_closes(words))
+        self.line(key, self.text(key), unit, self.checks.worst(what), style, self.where_it_closes(words))
         self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
-        self.colour(key, "said=fine", styles.GOOD, said=self.words(key), fine=self.text("rates.fit"))
+        self.colour(key, "said=fine", styles.GOOD, said=self.words(key), fine=fine)
 
     # --- forces -----------------------------------------------------------------------------------------------
 
@@ -486,14 +490,7 @@ class _Block:
         self.line(key, self.text(key), force_unit, self.checks.worst("force"), style,
                   self.where_it_closes(joined(self.text(f"{key}.words"), *names)))  # fmt: skip
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("force")))
-        key = "effort_fits"
-        wrong = self.text("effort.not", sheet=self.checks.title)
-        words = formula("IF(gap>agrees,wrong,fine)", gap=self.value(key), agrees=AGREES, wrong=wrong,
-                        fine=self.text("effort.fit"))  # fmt: skip
-        style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
-        self.line(key, self.text(key), "", self.checks.worst("torque"), style, self.where_it_closes(words))
-        self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
-        self.colour(key, "said=fine", styles.GOOD, said=self.words(key), fine=self.text("effort.fit"))
+        self._agrees("effort_fits", "torque", "", AGREES, "effort")
 
     def flywheel(self) -> None:
         """Mean torque, change of energy over the turn, and the moment of inertia that keeps the speed within its bounds."""

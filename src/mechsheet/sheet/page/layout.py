@@ -10,9 +10,10 @@ from mechsheet.kinematics.equations import Equations
 from mechsheet.model import ChartRequest, Mechanism
 from mechsheet.sheet import styles
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.drawing.charts import STEPS, chart_requests, chart_title
+from mechsheet.sheet.drawing.charts import STEPS, chart_requests, chart_title, value_axis
 from mechsheet.sheet.drawing.drawing import marker
 from mechsheet.sheet.first.blocks import shown_unit
+from mechsheet.sheet.first.mechanism import position_controls
 from mechsheet.sheet.layout import description_sheet, properties_of
 from mechsheet.sheet.page.drawing import PageDrawing
 from mechsheet.sheet.page.paper import GAP, NARROW, Paper, on_paper, pixels
@@ -86,7 +87,7 @@ def _page(plan: PagePlan) -> Sheet:
         row_heights=tuple(sorted(heights.items())),
         merges=(*top.merges, *table.merges),
         charts=charts,
-        controls=_controls(plan, widths),
+        controls=_controls(plan),
         validations=tuple(top.validations),
         conditionals=(*top.conditionals, *table.conditionals()),
         comments=(*top.comments, *table.comments),
@@ -174,12 +175,10 @@ def _curves(plan: PagePlan, request: ChartRequest, drawing: PageDrawing | None) 
             cells = (drawing.shown[name] for name in (request.x, symbol))
             at = [SeriesRef(plan.main, Area(cell.row, cell.col, cell.row, cell.col)) for cell in cells]
             markers.append(marker(plain(symbol), at[0], at[1], color))
-    units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in request.y))
-    symbols = ", ".join(plain(symbol) for symbol in request.y)
-    title = request.title.of(plan.language) if request.title else chart_title(plan, request)
+    title = chart_title(plan, request)
     return Chart(
         title, Anchor(0, 0, CHART_WIDTH, CHART_HEIGHT), (*curves, *markers), _axis(plan, request.x),
-        Axis(f"{symbols} [{', '.join(units)}]" if units != [""] else symbols),
+        value_axis(plan, request.y),
         legend="bottom" if len(curves) > 1 else "", alt_text=title,
     )  # fmt: skip
 
@@ -199,15 +198,9 @@ def _axis(plan: PagePlan, symbol: str) -> Axis:
     return Axis(title, step=next((float(step) for step in STEPS if extent / step <= 8), None) if extent else None)
 
 
-def _controls(plan: PagePlan, widths: list[float]) -> tuple[Control, ...]:
+def _controls(plan: PagePlan) -> tuple[Control, ...]:
     """The scroll bar under the drawing."""
-    last = min(plan.rows - 1, 30_000)
-    if not plan.drawn or last < 1:
+    if not plan.drawn or plan.rows < 2:
         return ()
-    row = plan.blocks["position"].rows["position"]
     below = Anchor(2 + CHART_HEIGHT // ROW_HEIGHT, LAST + 1, CHART_HEIGHT, 18, dx=GAP, dy=8)
-    page = max(1, last // 12)
-    return (
-        Control("scroll", "position scroll bar", below, row, VALUE, 0, last, 1, page),
-        Control("spin", "position spin button", Anchor(row, UNIT, 18, 20), row, VALUE, 0, last, 1, page, False),
-    )
+    return position_controls(plan, below, VALUE, UNIT)

@@ -23,9 +23,9 @@ from mechsheet.formula.nodes import Call, Direction, Node, Symbol, TriangleAngle
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group
+from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.kinematics.numeric import value as numeric
-from mechsheet.kinematics.solve import largest_length
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.quoted import formula

@@ -181,7 +181,7 @@ def _plan_top(plan: PagePlan) -> None:
 def _block(plan: PagePlan, key: str, entries: Iterable[str]) -> None:
     names = list(entries)
     first = plan.next_row
-    plan.blocks[key] = Block(key, first - 1, {entry: first + index for index, entry in enumerate(names)})
+    plan.blocks[key] = Block(first - 1, {entry: first + index for index, entry in enumerate(names)})
     plan.next_row += len(names)
 
 

@@ -14,13 +14,13 @@ from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.page.plan import PagePlan
-from mechsheet.sheet.page.top import status_words
 from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import (
     first_open,
     group_headings,
+    links_of,
     places,
     places_of,
 )
@@ -74,7 +74,7 @@ class Table:
         if number <= 0:
             return plan.text({0: "group.driver", -1: "group.outputs"}[number]) if number > -2 else ""
         group = plan.equations.groups[number - 1]
-        return plan.text("page.group", number=number, links=status_words(plan, group))
+        return plan.text("page.group", number=number, links=links_of(plan, group))
 
     def _mathematics(self, column: TableColumn) -> Rich | str:
         """The formula as people write it."""
@@ -224,7 +224,7 @@ def status(plan: PagePlan) -> Node:
         return formula('IF(_inputs>0,words,"")', words=plan.text("status.inputs"))
     if len(closing) == 1:
         key = "page.undetermined" if groups[0].only_undetermined else "page.open"
-        words = plan.text(key, links=status_words(plan, groups[0]))
+        words = plan.text(key, links=links_of(plan, groups[0]))
         return formula('IF(closes,"",words)', closes=closing[0], words=words)
     numbers = [group.number for group in groups]
     first: Node = first_open(closing)

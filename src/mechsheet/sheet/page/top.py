@@ -24,7 +24,7 @@ from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit
-from mechsheet.words.equations import body_words, link_words
+from mechsheet.words.equations import link_words
 
 SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 """Columns of the top; the meaning has three of the table's columns."""
@@ -346,8 +346,3 @@ class Top:
                 return Binary("-", self.over_rows(summary.of, MOST), self.over_rows(summary.of, LEAST))
             case "first" | "last" as end:
                 return formula(ENDS[end], column=column)
-
-
-def status_words(plan: PagePlan, group: Group) -> str:
-    """The links of a group."""
-    return ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)

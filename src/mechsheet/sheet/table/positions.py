@@ -16,6 +16,7 @@ from mechsheet.formula.nodes import (
     shifted,
     transform,
 )
+from mechsheet.kinematics.equations import Group
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses
@@ -157,11 +158,16 @@ def status(plan: Plan) -> Node:
         return formula(
             "IF(closes,ok,reason)", closes=closing[0], ok=plan.text("status.ok"), reason=status_words(plan)[0]
         )
-    top, bottom = plan.at.spots["#reason_0"], plan.at.spots[f"#reason_{len(closing)}"]
-    reasons = RangeRef(
+    reasons = words_between(plan, "#reason_0", f"#reason_{len(closing)}")
+    return formula("INDEX(reasons,first_open)", reasons=reasons, first_open=first_open(closing))
+
+
+def words_between(plan: Plan, first: str, last: str) -> RangeRef:
+    """The cells from one that is found by its key to another below it."""
+    top, bottom = plan.at.spots[first], plan.at.spots[last]
+    return RangeRef(
         CellRef(top.row, top.col, True, True, top.sheet), CellRef(bottom.row, bottom.col, True, True, top.sheet)
     )
-    return formula("INDEX(reasons,first_open)", reasons=reasons, first_open=first_open(closing))
 
 
 def first_open(closing: Sequence[Node]) -> Node:
@@ -175,13 +181,17 @@ def first_open(closing: Sequence[Node]) -> Node:
     return count
 
 
+def links_of(plan: Plan, group: Group) -> str:
+    """The links of a group in words."""
+    return ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
+
+
 def status_words(plan: Plan) -> list[str]:
     """What the table says where a group cannot be joined, in order of solution."""
     found = []
     for group in plan.equations.groups:
-        links = ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
         key = "undetermined" if group.only_undetermined else "newton" if group.system is not None else "open"
-        found.append(plan.text(f"status.{key}", links=links))
+        found.append(plan.text(f"status.{key}", links=links_of(plan, group)))
     return found
 
 
@@ -250,33 +260,33 @@ def formula_height(said: Mapping[int, Rich | str], widths: Mapping[int, float]) 
 def style_of(plan: Plan, column: TableColumn) -> Style:
     """How the cells of a column look."""
     if column.kind == "number":
-        return _decimals(styles.INNER, 0)
+        return styles.decimals(styles.INNER, 0)
     if column.kind == "status":
         return styles.STATUS
     if column.kind in ("time", "listed"):
-        return _decimals(styles.COLUMN, places_of(plan, plan.mechanism.given_unit(column.symbol) or NUMBER_UNIT))
+        return styles.decimals(styles.COLUMN, places_of(plan, plan.mechanism.given_unit(column.symbol) or NUMBER_UNIT))
     if column.equation is None:
         in_degrees = plan.mechanism.driver_of(column.symbol).unit.in_degrees
-        return _decimals(styles.COLUMN, places(plan, "angle" if in_degrees else "length"))
+        return styles.decimals(styles.COLUMN, places(plan, "angle" if in_degrees else "length"))
     unit = column.equation.unit
     if column.symbol in plan.residuals:
         return styles.numbered(styles.INNER, styles.ERROR.number_format)
     if column.equation.role == "band":
         return _band_style(plan, column.symbol)
     if column.symbol in plan.band_places:
-        return _decimals(styles.COLUMN, plan.band_places[column.symbol])
+        return styles.decimals(styles.COLUMN, plan.band_places[column.symbol])
     if column.inner:
-        return _decimals(styles.INNER, 4 if unit.kind == "angle" else places(plan, unit.kind))
-    return _decimals(styles.COLUMN, places_of(plan, unit))
+        return styles.decimals(styles.INNER, 4 if unit.kind == "angle" else places(plan, unit.kind))
+    return styles.decimals(styles.COLUMN, places_of(plan, unit))
 
 
 def _band_style(plan: Plan, symbol: str) -> Style:
     """A band has one digit more than what it is the band of; a derivative four decimals."""
     quantity, _, part = symbol.partition(":")
     if part not in HEADINGS:
-        return _decimals(styles.COLUMN, 4)
+        return styles.decimals(styles.COLUMN, 4)
     more = 1 if part in (WORST, ROOT) else 0
-    return _decimals(styles.COLUMN, plan.band_places.get(quantity, 4) + more)
+    return styles.decimals(styles.COLUMN, plan.band_places.get(quantity, 4) + more)
 
 
 def places_of(plan: Plan, unit: Unit) -> int:
@@ -294,11 +304,12 @@ def places(plan: Plan, kind: str) -> int:
     if kind == "force":
         return 3
     finest = min(tolerances) if tolerances else plan.size / 1e4
-    return min(10, max(0, math.ceil(-float(portable.log10(finest)) - 1e-9)))
+    return decimals_of(finest)
 
 
-def _decimals(style: Style, count: int) -> Style:
-    return styles.decimals(style, count)
+def decimals_of(step: float) -> int:
+    """How many decimals show such a step: 1 for 0.1, 2 for 0.05; 0 to 10."""
+    return min(10, max(0, math.ceil(-float(portable.log10(step)) - 1e-9)))
 
 
 def group_headings(

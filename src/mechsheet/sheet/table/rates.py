@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from mechsheet.formula.nodes import CellRef, Node, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, RATES_DRIVER, RATES_STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
@@ -23,12 +23,13 @@ from mechsheet.sheet.table.positions import (
     group_headings,
     group_title,
     heading,
+    links_of,
     mathematics,
     style_of,
     width_for,
+    words_between,
 )
 from mechsheet.sheet.workbook import Area, Cell, Column, Comment, Conditional, Fill, Merge, PrintSetup, Rich, Sheet
-from mechsheet.words.equations import body_words
 
 
 def rates_sheet(plan: Plan) -> Sheet:
@@ -137,8 +138,7 @@ def dead_words(plan: Plan) -> list[str]:
     found = []
     for number in determinants(plan):
         group = plan.equations.groups[number - 1]
-        links = ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
-        found.append(plan.text("rates.dead", links=links))
+        found.append(plan.text("rates.dead", links=links_of(plan, group)))
     return found
 
 
@@ -147,10 +147,7 @@ def _status(plan: Plan) -> Node:
     moving = [formula("ISNUMBER(value)", value=Symbol(name)) for name in determinants(plan).values()]
     if not moving:
         return Symbol("#status")
-    top, bottom = plan.at.spots["#dead_0"], plan.at.spots[f"#dead_{len(moving)}"]
-    words = RangeRef(
-        CellRef(top.row, top.col, True, True, top.sheet), CellRef(bottom.row, bottom.col, True, True, top.sheet)
-    )
+    words = words_between(plan, "#dead_0", f"#dead_{len(moving)}")
     return formula(
         "IF(_status=ok,INDEX(words,first_dead),_status)",
         ok=plan.text("status.ok"), words=words, first_dead=first_open(moving),

@@ -1,52 +1,19 @@
-"""The parts that speak about variables: [assembly], [summary], [[charts]] and [[tables]]; the names of [outputs]."""
+"""What is asked of the motion: [summary], [[charts]] and [[tables]]; and the names that these, and outputs, may read."""
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
-from mechsheet.description.driving.driver import LANDS
+from mechsheet.description.driving.driver import rows_of
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.driving.rates import known as known_rate
-from mechsheet.description.kinds import ANGLE, LENGTH
-from mechsheet.description.links import pair
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.text.index import Path
-from mechsheet.model import ChartRequest, Driver, Quantity, Sketch, Summary, TableRequest
+from mechsheet.model import ChartRequest, Driver, Quantity, Summary, TableRequest
 from mechsheet.said import say
-
-
-def sketch(data: dict[str, Any], driver: Driver | None, scope: Scope) -> Sketch:
-    """The rough position: points by [x, y], angles and displacements by a number; `at` is in the driver's unit."""
-    points: dict[str, tuple[Quantity, Quantity]] = {}
-    values: dict[str, Quantity] = {}
-    at: Quantity | None = None
-    for name, value in data.items():
-        path: Path = ("assembly", name)
-        if name == "at":
-            if driver is not None and value is not BAD:
-                at = scope.quantity(value, LENGTH if driver.joint else ANGLE, path)
-        elif isinstance(value, dict):
-            continue  # a mode that the synthesis says
-        elif isinstance(value, list):
-            if name not in scope.points:
-                hint = suggestion(name, scope.points, "points")
-                scope.report.at(path, say("no link has a point {name}", name=quoted(name)), hint)
-            points[name] = pair(value, path, scope)
-        elif value is not BAD and name in scope.variables:
-            values[name] = scope.quantity(value, scope.kinds[name], path)
-        elif value is not BAD and name in scope.points:
-            scope.report.at(path, say("the point {name} is sketched as [x, y]", name=quoted(name)))
-        elif value is not BAD and scope.complete:
-            message = say("no point, link angle or displacement is called {name}", name=quoted(name))
-            if name in scope.units or name in scope.outputs:
-                message = say("{name} is no point, link angle or displacement", name=quoted(name))
-            names = [*scope.points, *scope.variables]
-            scope.report.at(path, message, suggestion(name, names, "allowed"))
-    return Sketch(points, values, at)
 
 
 def declare(outputs: dict[str, Any], summaries: dict[str, Any], scope: Scope) -> None:
@@ -260,7 +227,7 @@ def _check_pairs(
     if row and row == column:
         scope.report.at((*path, "columns", column), say("{row} goes down already: give another input", row=quoted(row)))
     pairs = len(row_values) * len(values)
-    rows = _rows_of(driver, scope) if driver is not None else 0
+    rows = (rows_of(driver, scope) or 0) if driver is not None else 0
     if pairs > MOST_PAIRS:
         message = say(
             "the table has {rows} x {columns} = {pairs:,} cells; at most {most} have a summary",
@@ -281,15 +248,6 @@ def _check_pairs(
             most=MOST_CELLS,
         )
         scope.report.at((*path, "rows"), message, say("give fewer values, or a larger step"))
-
-
-def _rows_of(driver: Driver, scope: Scope) -> int:
-    """Rows of the sweep; 0 where a fault hides them."""
-    if driver.values or driver.law is not None:
-        return len(driver.values) if driver.law is None else driver.law.rows
-    start, stop, step = (scope.number(part) for part in (driver.start, driver.stop, driver.step))
-    steps = (stop - start) / step if step else math.nan
-    return math.floor(steps + LANDS) + 1 if math.isfinite(steps) else 0
 
 
 def _check_position(name: Any, path: Path, scope: Scope, hint: str = "") -> None:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .geometry import Array
-from .solution import Solution
+from mechsheet.reference import Solution
 
 LEAP = 4.0
 """A step so many times as large as those before and after it is a leap."""
@@ -40,7 +39,7 @@ def leaps(solution: Solution) -> NDArray[np.bool_]:
     return flags
 
 
-def _stands_out(step: Array, rounding: float) -> NDArray[np.bool_]:
+def _stands_out(step: NDArray[np.float64], rounding: float) -> NDArray[np.bool_]:
     """Steps (NaN where a row is missing) that are much larger than both neighbours; a missing neighbour does not count."""
     padded = np.concatenate([[np.nan], step, [np.nan]])
     before, after = padded[:-2], padded[2:]
