@@ -228,3 +228,10 @@ def test_language_in_the_text_above_all_tables(first: str) -> None:
     mechanism = loads(f"{first}\n{text}", language="tr")
     assert mechanism.language == "tr"
     assert loads(mechanism.text) == mechanism
+
+
+def test_a_value_of_a_task_is_set_likewise() -> None:
+    text = (Path(__file__).parents[2] / "templates/quick-return-slider.toml").read_text(encoding="utf-8")
+    task = loads(text, overrides={"stroke": "120"})
+    assert {dimension.symbol: dimension.shown for dimension in task.dimensions}["stroke"] == 120
+    assert "stroke = 120\n" in task.text

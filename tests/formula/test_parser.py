@@ -43,6 +43,15 @@ def test_sheet(case):
     assert parse_formula("of:=" + case["openformula"], "openformula") == node
 
 
+def test_where_takes_its_second_where_the_first_is_above_0():
+    assert spelt_out(parse_description("where(x - 1, 2, 3)")) == "IF(((x-1)>0),2,3)"
+
+
+@pytest.mark.parametrize(("typed", "stored"), [("A1#", "_xlfn.ANCHORARRAY(A1)"), ("@A1:A3", "_xlfn.SINGLE(A1:A3)")])
+def test_a_spilled_area_and_one_of_its_cells_are_read_as_typed_and_as_stored(typed, stored):
+    assert parse_formula(f"SUM({typed})") == parse_formula(f"SUM({stored})") != parse_formula("SUM(A1)")
+
+
 @pytest.mark.parametrize("dialect", FAULTS)
 def test_faults(dialect):
     for text, messages in FAULTS[dialect].items():

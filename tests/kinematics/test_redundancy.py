@@ -9,6 +9,7 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formats import write
+from mechsheet.kinematics.redundancy import redundant_links
 from mechsheet.kinematics.sketched import doubts
 from mechsheet.library import changed
 from mechsheet.library.show import overview_text
@@ -171,3 +172,17 @@ def test_the_reference_and_the_search_agree(tmp_path, length):
     write(compiled.workbook, path)
     assert check(path).agrees
     assert perturb(path, 2).agrees
+
+
+@pytest.mark.parametrize(("count", "left_out"), [
+    (0, ()), (1, (("plate0",),)), (2, (("plate1", "plate0"),)), (3, ()),
+])  # fmt: skip
+def test_links_that_may_be_left_out_are_found_and_none_where_nothing_or_too_much_is_in_the_way(count, left_out):
+    """A crank, beside it so many plates bolted to the ground at two pins: each takes one freedom from the count."""
+    plates = "".join(f"[links.plate{number}]\npoints = {{ B = [0, 0], C = [40, 0] }}\n" for number in range(count))
+    text = (
+        'format = 1\n[mechanism]\nname = "frame"\n[links.ground]\npoints = { A = [0, 0], B = [50, 0], C = [90, 0] }\n'
+        f"[links.crank]\npoints = {{ A = [0, 0], P = [20, 0] }}\n{plates}"
+        '[driver]\nlink = "crank"\nstart = 0\nstop = 90\nstep = 15\n'
+    )
+    assert redundant_links(loads(text)) == left_out

@@ -100,12 +100,14 @@ class TestCells:
             ('office:value-type="string" office:string-value="" calcext:value-type="error"', "#DIV/0!", "#DIV/0!"),
             ('office:value-type="string" office:string-value="" calcext:value-type="error"', "Err:503", "#NUM!"),
             ('office:value-type="string" office:string-value="" calcext:value-type="error"', "Err:502", "#VALUE!"),
+            ('office:value-type="string" office:string-value="" calcext:value-type="error"', None, "#VALUE!"),
             ('office:value-type="string" office:string-value="" calcext:value-type="error"', "#YOK", "#VALUE!"),
             ('office:value-type="string" office:string-value="#N/A"', "#N/A", "#N/A"),  # gnumeric
         ],
     )
     def test_errors(self, tmp_path, attributes, shown, expected):
-        rows = row(cell(f'table:formula="of:=NA()" {attributes}', f"<text:p>{shown}</text:p>"))
+        inside = "" if shown is None else f"<text:p>{shown}</text:p>"
+        rows = row(cell(f'table:formula="of:=NA()" {attributes}', inside))
         assert book_of(tmp_path, rows).sheet("S").cached.get(0, 0) == ErrorValue(expected)
 
     def test_a_text_that_looks_like_an_error(self, tmp_path):

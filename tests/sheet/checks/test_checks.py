@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pytest
 from laid import ROOT, TEMPLATES, Laid, template_text
+from planned import planned
 
 from chosen import some
 from mechsheet.compiled.evaluation import book_of
@@ -36,6 +37,16 @@ def test_rounding_only(name):
     assert (laid.spot("#leaps"), laid.spot("#typed")) == (0, 0)
     gaps = columns(laid, "gap")
     assert gaps and all(isinstance(cell, float) for gap in gaps for cell in gap)
+
+
+def test_of_gaps_the_largest_is_shown_and_leaps_are_counted():
+    """Gaps added up, or the largest of 0 and 1 for two leaps, would be other numbers on the first sheet."""
+    checks = Checks(planned(template_text("watt-ii")))
+    found = {kind: [check.kind for check in checks.checks].count(kind) for kind in ("gap", "leap")}
+    assert found == {"gap": 3, "leap": 1}
+    for kind, name in (("gap", "MAX"), ("leap", "SUM")):
+        worst = checks.worst(kind)
+        assert (worst.name, len(worst.args)) == (name, found[kind])
 
 
 def test_rows_without_a_position_are_blank():

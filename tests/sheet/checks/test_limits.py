@@ -32,6 +32,18 @@ def test_limits_of_a_rocker(a1):
     assert laid.words("input_from") == "from … to: the first of several stretches"
 
 
+@pytest.mark.parametrize(("start", "step"), [(-180, 15), (180, -15)])
+def test_an_extreme_at_a_limit_is_where_the_stretch_begins_or_ends(start, step):
+    """With a2 = 50 the coupler is stretched at -160.4 degrees, between two rows, and the rocker stands at 188.1."""
+    limit = by_cosines(70, 50, 118.3)
+    rocker = 360 - math.degrees(math.atan2(50 * math.sin(math.radians(limit)), 50 * math.cos(math.radians(limit)) - 70))
+    laid = Laid(FOUR_BAR)
+    spots = (laid.plan.at.spots[key] for key in ("#max_theta14", "#max_at_theta14"))
+    laid.only(*((spot.sheet, spot.row, spot.col) for spot in spots)).change(a2=50, _start=start, _step=step)
+    assert math.remainder(laid.spot("#max_theta14") - rocker, 360) == pytest.approx(0, abs=1e-3)
+    assert laid.spot("#max_at_theta14") == pytest.approx(-limit, abs=1e-5)
+
+
 def test_two_ranges():
     """Neither stretched nor folded everywhere: two mirrored ranges, and four limits in a turn."""
     laid = Laid(template_text("drag-link"), overrides={"r1": "100", "r2": "60", "r3": "30", "r4": "80"})

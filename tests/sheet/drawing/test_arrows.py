@@ -1,5 +1,7 @@
 """Velocities, accelerations and forces as a person sees them: arrows in the drawing, hodographs."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from laid import Laid, template_text
@@ -10,7 +12,7 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage
-from mechsheet.sheet.drawing.arrows import COLORS, EDGE, LONGEST, NAMED
+from mechsheet.sheet.drawing.arrows import BAR_RISE, BAR_ROOM, COLORS, EDGE, LONGEST, NAMED, room_of_bars
 from mechsheet.sheet.first.mechanism import controls
 
 OUTPUTS = "".join(
@@ -23,6 +25,14 @@ MOVED = (
     .replace('points = { B = [0, 0] }', 'points = { B = [0, 0] }\nmass = 0.5')
     + f'[[charts]]\nhodographs = ["C"]\n[outputs]\n{OUTPUTS}'
 )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("kinds", "room"), [(0, 0.0), (1, BAR_ROOM), (2, BAR_ROOM + BAR_RISE), (3, BAR_ROOM + 2 * BAR_RISE)]
+)
+def test_room_below_the_drawing(kinds, room):
+    """One scale bar stands in `BAR_ROOM`, each further one a rise above the last; without arrows there is none."""
+    assert room_of_bars(SimpleNamespace(arrows=tuple(COLORS)[:kinds])) == pytest.approx(room)
 
 
 @pytest.fixture(scope="module")

@@ -1,5 +1,7 @@
 """Which charts a workbook has, what is in them, and where they stand."""
 
+import math
+from copy import copy
 from functools import cache
 from pathlib import Path
 
@@ -8,7 +10,7 @@ import pytest
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
 from mechsheet.formats.house_style import MARGIN_END
-from mechsheet.sheet.drawing.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_requests
+from mechsheet.sheet.drawing.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_requests, driver_axis
 from mechsheet.sheet.first.mechanism import CHARTS
 from mechsheet.sheet.layout import lay_out
 
@@ -95,10 +97,13 @@ def test_axes_say_symbol_and_unit():
 
 @pytest.mark.parametrize(("start", "stop", "low", "high", "step"), [
     (0, 360, 0, 360, 30), (0, 720, 0, 720, 60), (-70, 70, -75, 75, 15), (10, 32, 10, 32, 2), (30, 30, None, None, None),
+    (0, 375, 0, 405, 45), (0, 90_000, 0, 90_000, 3600), (20, -340, -360, 30, 30),
 ])  # fmt: skip
 def test_steps_of_the_driver(start, stop, low, high, step):
-    text = SLIDER_CRANK.replace("start = 0\nstop = 360\nstep = 10", f"start = {start}\nstop = {stop}\nstep = 2")
-    axis = laid(text)[0].sheets[0].charts[1].x_axis
+    """At most twelve of them, or those of ten turns: hundreds of grid lines would be a black area."""
+    plan = copy(laid(SLIDER_CRANK)[1])
+    plan.driver = [math.radians(start), math.radians(stop)]
+    axis = driver_axis(plan, "theta12")
     assert (axis.low, axis.high, axis.step) == (low, high, step)
 
 

@@ -15,6 +15,7 @@ from mechsheet.formats import read
 from mechsheet.formula.nodes import Call, CellRef, ErrorValue, Number, transform, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.library.building import build
+from mechsheet.sheet.table.positions import GROUP_ROW
 from mechsheet.sheet.workbook import Rich
 
 NA = ErrorValue("#N/A")
@@ -73,6 +74,18 @@ def test_the_sheet_stands_behind_the_positions_with_their_rows():
     assert [laid.values.get("Rates", laid.plan.at.first + row, 0) for row in (0, 1)] == [0.0, 15.0]
     assert laid.column("#rates") == ["ok"] * 25
     assert {"Velocity and acceleration", "θ′13", "ω13 [rad/s]", "α14 [rad/s²]", "vC [mm/s]"} <= set(texts(sheet))
+
+
+def test_headings_stand_over_the_columns_of_their_group():
+    """Each across all of its columns and no others; the sheet's own over the driver and the word about the row."""
+    laid = Laid(FOUR_BAR)
+    sheet = laid.workbook.sheet("Rates")
+    columns = {0: "own", 1: "own"} | {column.col: column.group for column in laid.plan.rates}
+    groups = [[col for col in columns if columns[col] == group] for group in dict.fromkeys(columns.values())]
+    heads = {cell.col: bool(cell.content) for cell in sheet.cells if cell.row == GROUP_ROW}
+    assert heads == {col: col == group[0] for group in groups for col in group}
+    merged = sorted((merge.area.first_col, merge.area.last_col) for merge in sheet.merges)
+    assert merged == [(group[0], group[-1]) for group in groups if len(group) > 1]
 
 
 @pytest.mark.parametrize("name", ["four-bar", "inverted-slider-crank", "oldham", "six-link-dwell"])

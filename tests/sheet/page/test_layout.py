@@ -1,0 +1,43 @@
+"""The one sheet: the axis of its charts, and what stands beside the position."""
+
+import copy
+import math
+
+import pytest
+from laid import template_text
+
+from mechsheet.description import loads
+from mechsheet.dynamics.solve import solve
+from mechsheet.sheet.page.layout import _axis, lay_out_page
+from mechsheet.sheet.page.top import UNIT, VALUE
+
+
+@pytest.fixture(scope="module")
+def laid():
+    mechanism = loads(template_text("four-bar"))
+    return lay_out_page(mechanism, solve(mechanism))
+
+
+@pytest.mark.parametrize(("start", "stop", "step"), [
+    (0, 360, 45), (-180, 180, 45), (-30, -114, 15), (20, 36, 2), (30, 30, None),
+])  # fmt: skip
+def test_grid_lines_of_the_drivers_axis(laid, start, stop, step):
+    """At most eight of them, however the sweep lies."""
+    plan = copy.copy(laid[1])
+    plan.driver = [math.radians(start), math.radians(stop)]
+    axis = _axis(plan, "theta12")
+    assert (axis.title, axis.step) == ("θ₁₂ [°]", step)
+    assert _axis(plan, "theta14").step is None
+
+
+def test_bar_and_button_move_the_position_from_the_first_row_to_the_last(laid):
+    """The button stands behind the position's cell, in its row; both write into that cell."""
+    workbook, plan = laid
+    row = plan.blocks["position"].rows["position"]
+    bar, button = workbook.sheets[0].controls
+    for control in (bar, button):
+        assert (control.linked_row, control.linked_col) == (row, VALUE)
+        assert (control.low, control.high, control.step) == (0, 24, 1)
+    assert (bar.kind, button.kind) == ("scroll", "spin")
+    assert (button.anchor.row, button.anchor.col) == (row, UNIT)
+    assert bar.page == 2
