@@ -61,6 +61,19 @@ def test_a_number_that_is_typed_moves_the_drawing(opening, four_bar):
     assert "value = 50" in opened.text()
 
 
+def test_what_is_not_drawn_is_inserted_and_undone(opening, four_bar):
+    """The menu over the text writes a force with names of the drawing, goes there, and undo takes it away."""
+    opened = opening(four_bar)
+    before = opened.text()
+    opened.page.select_option("#insert", "force")
+    opened.said(re.compile(r"Written into the description, lines \d+ to \d+"))
+    area = "document.querySelector('#text')"
+    assert opened.page.evaluate(f"{area}.value.slice({area}.selectionStart, {area}.selectionEnd)") == "[[loads]]"
+    assert 'link = "rocker"' in opened.text()
+    opened.page.click("#undo")
+    assert opened.text() == before
+
+
 def test_a_four_bar_is_drawn_with_the_mouse_and_becomes_a_workbook(opening, tmp_path):
     """From an empty sheet: ground pins, links, a coupler point, the driver; `check` accepts the workbook."""
     opened = opening(None, tmp_path)

@@ -4,8 +4,10 @@ import csv
 import math
 import re
 import shutil
+import warnings
 from functools import cache
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -14,15 +16,18 @@ from chosen import ITERATED, LISTED, TASKS, but, part
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
-from mechsheet.exporting import Job
-from mechsheet.exporting.basic import ascii_text, function_names
+from mechsheet.exporting import Job, exported
+from mechsheet.exporting.basic import function_names
+from mechsheet.exporting.basic_body import ascii_text
 from mechsheet.exporting.functions import TABLE_KEY, functions_of, in_degrees, prefix_of, variable_key
 from mechsheet.exporting.routines import Source
+from mechsheet.exporting.solvers import solvers_of
 from mechsheet.exporting.vba import write
 from mechsheet.formula.parser import parse_description
 from mechsheet.formula.printer import print_formula
+from mechsheet.kinematics import numeric
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.driving import driver_values
+from mechsheet.kinematics.driving import given_values
 from mechsheet.library.show import variables_of
 from office_macros import Job as Office
 from office_macros import with_macros
@@ -45,7 +50,10 @@ def module_of(mechanism) -> bytes:
     return content
 
 
-@pytest.mark.parametrize("path", but(TEMPLATES, *ITERATED, *LISTED, *TASKS), ids=lambda path: path.stem)
+WRITTEN = [ROOT / "templates" / f"{name}.toml" for name in (*part(ITERATED, 4, 1), *LISTED)]
+
+
+@pytest.mark.parametrize("path", [*but(TEMPLATES, *ITERATED, *LISTED, *TASKS), *WRITTEN], ids=lambda path: path.stem)
 def test_every_template_is_ascii_with_dos_lines_and_declares_what_it_uses(path):
     content = module_of(load(path))
     text = content.decode("ascii")
@@ -53,8 +61,11 @@ def test_every_template_is_ascii_with_dos_lines_and_declares_what_it_uses(path):
     assert max(map(len, text.splitlines())) < 1023
     assert text.startswith('Attribute VB_Name = "')
     assert "Option Explicit" in text
-    functions = re.findall(r"^Public Function (\w+)\(", text, re.MULTILINE)
-    assert len(functions) == len({name.casefold() for name in functions})
+    functions = re.findall(r"^(?:Public|Private) (?:Function|Sub) (\w+)\(", text, re.MULTILINE)
+    kept = [
+        name for line in re.findall("^Global (.*)", text, re.MULTILINE) for name in re.findall(r"(\w+)[^,]* As ", line)
+    ]
+    assert len(functions) + len(kept) == len({name.casefold() for name in (*functions, *kept)})
     for name, body in re.findall(r"^Public Function (\w+)\(.*?\n(.*?)^End Function", text, re.MULTILINE | re.DOTALL):
         assert f" {name} = " in body
     statements = text.replace(" _\r\n", "\0").split("\r\n")
@@ -154,16 +165,19 @@ VALUED = (
 """Templates with every kind of dyad, whose values are compared."""
 
 
-def formulas_of(mechanism, rows) -> tuple[list[str], list[tuple[str, int]]]:
-    """Calls of every function of a mechanism at rows of its sweep; (variable, row) of each."""
+def formulas_of(mechanism, rows, changed=None) -> tuple[list[str], list[tuple[str, int]]]:
+    """Calls of every function of a mechanism at rows of its sweep; (variable, row) of each.
+
+    changed  dimensions and modes that are others than described, by symbol
+    """
     source = Source(Compiled(mechanism))
     functions = [function for function in functions_of(source, mechanism.language) if not function.basic]
     names = function_names(functions_of(source, mechanism.language))
     dimensions = dimension_values(mechanism)
-    driver = driver_values(mechanism, dimensions)
+    driven = given_values(mechanism, dimensions)
     formulas, places = [], []
     for row in rows:
-        given = dimensions | {mechanism.driver.symbol: float(driver[row])}
+        given = dimensions | {symbol: float(column[row]) for symbol, column in driven.items()} | (changed or {})
         for function in functions:
             if function.key != TABLE_KEY:
                 arguments = [given[part.symbol] for part in function.routine.parameters if part.symbol in given]
@@ -250,7 +264,93 @@ def test_what_has_no_value_ends_a_function_and_shows_no_message():
     assert found[3:] == pytest.approx(wanted, rel=1e-13)
 
 
-def test_a_second_driver_that_is_listed_is_refused():
-    """A function of one position cannot know its value."""
-    with pytest.raises(MechanismError, match=r"the values of theta1\d are listed row by row"):
-        write(Job(load(ROOT / "templates" / "five-bar-robot.toml"), "it"))
+# --- groups that Newton's method solves ----------------------------------------------------------------------------
+
+
+def run(block, given):
+    """The results of steps, in Python."""
+    known = dict(zip(block.given, given, strict=True))
+    for step in block.steps:
+        known[step.symbol] = numeric.value(step.expression, known)
+    return [float(numeric.value(node, known)) for node in block.results]
+
+
+@pytest.mark.parametrize("name", ["planar-3rpr", "stephenson-ii-class-iv"])
+def test_steps_of_a_solver_are_those_of_the_table(name):
+    """From the arguments to what a pass reads in a row; in the row's position the pass stays, with the table's det J."""
+    compiled = Compiled(mechanism_of(name))
+    source = Source(compiled)
+    (solver,) = solvers_of(source, compiled)
+    (group,) = compiled.equations.groups
+    at = {symbol: float(column[3]) for symbol, column in compiled.values.items()} | compiled.modes
+    still = run(solver.still, [at[symbol] for symbol in solver.asked])
+    assert still == pytest.approx([at[symbol] for symbol in solver.reading.given[: len(still)]], rel=1e-12)
+    read = run(solver.reading, [*still, *(at[drive.symbol] for drive in solver.drives)])
+    assert read == pytest.approx([at[symbol] for symbol in group.system.given], rel=1e-12, abs=1e-12)
+    *correction, residual, det = run(solver.passing, [*(at[symbol] for symbol in group.system.variables), *read])
+    assert [*correction, residual] == pytest.approx([0.0] * 3, abs=1e-11)
+    assert det == pytest.approx(at["det"], rel=1e-9)
+
+
+def test_drivers_that_are_listed_are_arguments():
+    text = module_of(mechanism_of("five-bar-robot")).decode()
+    (head,) = re.findall(r"Public Function \w+_P_x\(([^)]*)\)", text)
+    assert re.search(r"ByVal theta12 As Double,\s.*ByVal theta15 As Double,", head)
+
+
+def table_of(mechanism, changed):
+    """The rows that the workbook has when dimensions are typed into it, by the program in Python (test_loops.py)."""
+    program = ModuleType("program")
+    exec(exported(mechanism, "python"), program.__dict__)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return program.solve(**changed)
+
+
+FORCED = "[solution]\nforce = true\n"
+
+ASKED = [
+    ("planar-3rpr", "", [({}, (0, 3, 10)), ({"mode_1": 3}, (3,)), ({"y2": 2.4}, (3,)), ({"p1": 1.0}, (3, 10, 3))]),
+    ("sun-and-planet", "", [({}, (48,))]),  # two turns on
+    ("stephenson-ii-class-iv", "", [({}, (30, 12, 30))]),  # and back again, whichever cell comes first
+    ("six-link-dwell", FORCED, [({}, (9,))]),  # one group after the other
+    ("five-bar-robot", FORCED, [({}, (20,))]),  # both drivers along a straight line
+]
+"""Templates, what is written behind them, and dimensions and modes that are changed, with rows of each."""
+
+NOWHERE = [
+    "=Planar3rpr_A_x(8;3;3;PI()/4;5;6;0;0;0;5)",
+    "=Planar3rpr_A_x(5;7;3;PI()/4;5;6;0;0;0;5)",  # the table has rows of another assembly, with a warning
+    "=Planar3rpr_A_x(5;3;3;PI()/4;5;6;0;0;0;1E+9)",
+    "=Planar3rpr_A_x(-5;3;3;PI()/4;5;6;0;0;0;5)",
+    "=Planar3rpr_A_x(5;3;3;PI()/4;5;6;0;0;0;5;5)",
+]
+"""The assembly ends on the way; the driver is too far off; no length; no such assembly."""
+
+
+@needs_libreoffice
+@pytest.mark.ci
+@pytest.mark.slow
+@pytest.mark.libreoffice
+def test_newtons_method_in_libreoffice_gives_what_the_workbook_has():
+    """With its turns, whatever was asked before; #N/A beyond a limit, and where the assembly would be another."""
+    jobs, values = [], []
+    for name, besides, changes in ASKED:
+        mechanism = loads((ROOT / "templates" / f"{name}.toml").read_text(encoding="utf-8") + besides)
+        formulas, wanted = [], []
+        for changed, rows in changes:
+            calls, places = formulas_of(mechanism, rows, changed)
+            table = table_of(mechanism, changed)
+            formulas += calls
+            wanted += [float(table[symbol][row]) for symbol, row in places]
+        if not jobs:
+            formulas += NOWHERE
+            wanted += [math.nan] * len(NOWHERE)
+            assert sum(map(math.isnan, wanted)) > len(NOWHERE)
+        jobs.append(Office(module=module_of(mechanism), formulas=formulas))
+        values.append(wanted)
+    for answer, job, wanted in zip(with_macros(jobs), jobs, values, strict=True):
+        for row, (formula, value) in enumerate(zip(job.formulas, wanted, strict=True)):
+            found = answer.get("Sheet1", row, 0)
+            found = math.nan if found == "Error 2042" else found
+            assert found == pytest.approx(value, rel=1e-11, abs=1e-10, nan_ok=True), formula

@@ -2,7 +2,8 @@
 
 A function knows one position only. So the direction of a vector is that within half a turn, and an angle that a table would
 count in turns is taken into the turn that it has there (`kinematics.angle_branch`). A step that has no number ends the
-function with #N/A.
+function with #N/A. What Newton's method finds is a call of a procedure that begins where the table does (`solvers`): angles
+go on from there, turns and all.
 """
 
 from __future__ import annotations
@@ -16,7 +17,6 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, renamed, transform
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
 from mechsheet.kinematics.dimensions import dimension_order
-from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import Words
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase
@@ -48,29 +48,51 @@ class Routine:
     missing: Node | None = None
 
 
+def unknown_key(symbol: str) -> str:
+    """What trees call the procedure that finds an unknown by Newton's method; it takes all parameters."""
+    return f"Newton's method for {symbol}"
+
+
 class Source:
     """A mechanism with its equations as steps, from which routines are taken.
 
     steps    what every symbol that is not given equals at one position, by symbol, in order of solution
+    solved   the unknowns that Newton's method finds, as the table calls them
     closing  the steps that have no number where a group cannot be joined
     """
 
     def __init__(self, compiled: Compiled) -> None:
         self.mechanism = compiled.mechanism
         self.equations = equations = compiled.equations
-        need_one_position(equations, "a function of one position cannot hold this", "to", "octave and python can")
         self.modes = compiled.modes
+        systems = [group.system for group in equations.groups if group.system is not None]
+        self.solved = {
+            name: own for system in systems for name, own in zip(system.variables, system.unknowns, strict=True)
+        }
         lowering = Lowering(compiled)
-        self.steps = self._steps(lowering, branches_of(self.mechanism, equations, compiled.values))
+        branches = branches_of(self.mechanism, equations, compiled.values)
+        self.branches = {symbol: branch for symbol, branch in branches.items() if symbol not in self.solved}
+        self.steps = self._steps(lowering, self.branches)
+        given = tuple(Symbol(part.symbol) for part in self.parameters())
+        for symbol in self.solved:
+            self.steps[symbol] = Step(symbol, Call(unknown_key(symbol), given))
         closing = [lowering.holders[group.closes] for group in equations.groups]
-        self.closing = [symbol for symbol in closing if self.steps[symbol].missing is not None]
+        self.closing = [name for name in closing if name in self.solved or self.steps[name].missing is not None]
 
     def _steps(self, lowering: Lowering, branches: Mapping[str, AngleBranch]) -> dict[str, Step]:
         derived = {dim.symbol: dim.value for dim in self.mechanism.dimensions if not isinstance(dim.value, float)}
         found = {
             symbol: Step(symbol, derived[symbol]) for symbol in dimension_order(self.mechanism) if symbol in derived
         }
+        unknowns = {own: name for name, own in self.solved.items()}
         for equation in self.equations.all:
+            if equation.symbol in unknowns:  # found as the table has it; what its passes call it is the same
+                name = unknowns[equation.symbol]
+                found[name] = Step(name, equation.expression)
+                found[equation.symbol] = Step(equation.symbol, Symbol(name))
+                continue
+            if equation.symbol in self.solved:
+                continue
             reading = equation.role == "output" or equation.symbol in self.equations.tied
             for step in lowering.steps[equation.symbol]:
                 expression = reading_taken(step.expression, branches) if reading else step.expression
@@ -85,7 +107,9 @@ class Source:
     def parameters(self) -> tuple[Parameter, ...]:
         """The dimensions that are given, the driver, the assembly modes."""
         read = (
-            _needed(self.variables(), self.steps) if any(dim.driver_key for dim in self.mechanism.dimensions) else set()
+            needed_for(self.variables(), self.steps)
+            if any(dim.driver_key for dim in self.mechanism.dimensions)
+            else set()
         )
         given = [
             Parameter(dim.symbol, dim.label or Words(dim.symbol, dim.symbol), dim.unit.internal)
@@ -103,13 +127,14 @@ class Source:
     def variables(self) -> tuple[str, ...]:
         """What has a function: link angles, displacements, moving points and outputs, in order of solution.
 
-        What depends on the time of a motion, or on a listed speed, is no function of the position.
+        What depends on the time of a motion, or on a listed speed, is no function of the position. Further drivers that are
+        listed are parameters.
         """
         driver = self.mechanism.driver.symbol
         kinds = ("variable", "point", "output")
         found = (eq.symbol for eq in self.equations.columns if eq.role in kinds and eq.symbol != driver)
-        by_row = {*self.mechanism.given_by_row}
-        return tuple(symbol for symbol in found if not by_row or not by_row & _needed([symbol], self.steps))
+        by_row = {*self.mechanism.given_by_row} - {*self.mechanism.listed_symbols}
+        return tuple(symbol for symbol in found if not by_row or not by_row & needed_for([symbol], self.steps))
 
     def routine(self, key: str, symbol: str, about: Words, order: Sequence[str] = (), windowed: bool = True) -> Routine:
         """The function of a variable.
@@ -119,8 +144,8 @@ class Source:
         """
         taken = WINDOWED.format(symbol=symbol)
         wanted = taken if windowed and taken in self.steps else symbol
-        own = _needed([wanted], self.steps)
-        needed = _needed([wanted, *self.closing], self.steps)
+        own = needed_for([wanted], self.steps)
+        needed = needed_for([wanted, *self.closing], self.steps)
         parameters = {parameter.symbol: parameter for parameter in self.parameters()}
         used = [step for name, step in self.steps.items() if name in needed]
         steps, result = tidied(used, wanted, {name: Symbol(name) for name in parameters})
@@ -137,6 +162,14 @@ class Source:
 
 def tidied(rules: Sequence[Step], wanted: str, given: Mapping[str, Node]) -> tuple[tuple[Step, ...], Node]:
     """Steps and result of rules in order: numbers and other names of a symbol are put in place."""
+    steps, forms = folded(rules, given)
+    if steps and rules[-1].symbol == wanted == steps[-1].symbol and steps[-1].missing is None:
+        return tuple(steps[:-1]), steps[-1].expression
+    return tuple(steps), forms[wanted]
+
+
+def folded(rules: Sequence[Step], given: Mapping[str, Node]) -> tuple[list[Step], dict[str, Node]]:
+    """The steps that are left, and by what each symbol is read: itself, a number or another name."""
     forms = dict(given)
     steps: list[Step] = []
     for rule in rules:
@@ -144,12 +177,10 @@ def tidied(rules: Sequence[Step], wanted: str, given: Mapping[str, Node]) -> tup
         missing = None if rule.missing is None else _placed(rule.missing, forms)
         if missing is None and al.is_simple(expression):
             forms[rule.symbol] = expression
-        elif rule.symbol == wanted and rule is rules[-1] and missing is None:
-            return tuple(steps), expression
         else:
             forms[rule.symbol] = Symbol(rule.symbol)
             steps.append(Step(rule.symbol, expression, missing))
-    return tuple(steps), forms[wanted]
+    return steps, forms
 
 
 def mapped(routine: Routine, change: Callable[[Node], Node]) -> Routine:
@@ -204,7 +235,7 @@ def _placed(node: Node, forms: Mapping[str, Node]) -> Node:
     return transform(node, change)
 
 
-def _needed(wanted: Iterable[str], steps: Mapping[str, Step]) -> set[str]:
+def needed_for(wanted: Iterable[str], steps: Mapping[str, Step]) -> set[str]:
     """The symbols that some depend on, and these themselves."""
     stack = list(wanted)
     found = set(stack)

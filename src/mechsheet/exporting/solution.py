@@ -20,6 +20,7 @@ from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import Words
+from mechsheet.said import say
 from mechsheet.synthesis.writing import says
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words import solution as words
@@ -85,7 +86,8 @@ Block = Heading | Paragraph | Display | Table
 
 def solution(job: Job) -> list[Block]:
     """The document. Raises MechanismError where there is no position."""
-    need_one_position(job.compiled.equations, "a written solution cannot hold this", "to", "octave and python can")
+    what, hint = say("a written solution cannot hold this"), say("octave, python and vba can")
+    need_one_position(job.compiled.equations, what, "to", hint)
     return _Writer(Position(job.mechanism, job.at)).document()
 
 

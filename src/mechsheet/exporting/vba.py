@@ -8,6 +8,8 @@ from mechsheet.exporting.functions import Function, functions_of
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.refusing import refuse_synthesis
 from mechsheet.exporting.routines import Source
+from mechsheet.exporting.solvers import solvers_of
+from mechsheet.kinematics.sketched import tell
 from mechsheet.model import Words
 from mechsheet.said import say
 
@@ -37,7 +39,9 @@ def write(job: Job) -> list[bytes]:
     mechanism = job.mechanism
     language = mechanism.language
     refuse_synthesis(mechanism, say("functions in Basic"))
-    source = Source(job.compiled)
+    compiled = job.compiled
+    tell(mechanism, compiled.equations)
+    source = Source(compiled)
     functions = functions_of(source, language)
     count = len(source.parameters())
     if count > MOST_ARGUMENTS:
@@ -54,7 +58,8 @@ def write(job: Job) -> list[bytes]:
     # Excel does not find a function that has the name of its module.
     name = f"{job.name}_module" if job.name.casefold() in taken else job.name
     opening = introduction(source, functions, language)
-    return [module(functions, opening, name, language).replace("\n", "\r\n").encode("ascii")]
+    solvers = solvers_of(source, compiled)
+    return [module(functions, opening, name, language, solvers).replace("\n", "\r\n").encode("ascii")]
 
 
 def introduction(source: Source, functions: tuple[Function, ...], language: str) -> list[str]:

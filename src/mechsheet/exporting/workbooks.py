@@ -19,6 +19,7 @@ from mechsheet.exporting.routines import Source
 from mechsheet.exporting.vba import introduction
 from mechsheet.formula.names import folded
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Text
+from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import TableRequest, Words
 from mechsheet.said import say
 from mechsheet.sheet import styles
@@ -94,6 +95,9 @@ def functions_workbook(compiled: Compiled, form: str) -> Workbook:
     """
     compiled = in_sheets(compiled)
     refuse_synthesis(compiled.mechanism, say("workbooks with functions"))
+    need_one_position(
+        compiled.equations, say("a workbook with functions cannot hold this"), "functions", say("`export --to vba` can")
+    )
     source = Source(compiled)
     taken = {folded(name.name) for name in compiled.layout.names}
     functions = functions_of(source, compiled.mechanism.language, taken)

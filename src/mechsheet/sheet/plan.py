@@ -134,6 +134,12 @@ class Plan:
         return largest_length(self.mechanism, dimension_values(self.mechanism)) or 1.0
 
     @cached_property
+    def pace(self) -> float:
+        """How fast the driver goes as described [1/s]: a slide in sizes a second; 1 where it is not one number."""
+        speed = abs(dimension_values(self.mechanism).get(self.mechanism.driver_rates[0], 0.0)) or 1.0
+        return speed / self.size if self.mechanism.driver.joint and speed != 1.0 else speed
+
+    @cached_property
     def given(self) -> Mapping[str, Array]:
         """Of every row the driver's value and what is given beside it, with the dimensions as described."""
         return given_values(self.mechanism, dimension_values(self.mechanism))
@@ -179,6 +185,13 @@ class Plan:
         """Symbols of what is nothing but rounding where Newton's method has arrived."""
         systems = (group.system for group in self.equations.groups if group.system is not None)
         found = {system.residual.partition(" ")[0] for system in systems}
+        return frozenset(each.symbol for each in self.equations.columns if each.symbol.partition(" ")[0] in found)
+
+    @cached_property
+    def determinants(self) -> frozenset[str]:
+        """Symbols of the determinants of groups that Newton's method solves: of any size, for they have any unit."""
+        systems = (group.system for group in self.equations.groups if group.system is not None)
+        found = {system.determinant.partition(" ")[0] for system in systems}
         return frozenset(each.symbol for each in self.equations.columns if each.symbol.partition(" ")[0] in found)
 
     @property

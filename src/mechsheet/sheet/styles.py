@@ -1,10 +1,10 @@
-"""The look of the workbook: one catalogue. Colours differ in lightness too, so they survive print and colour-blindness."""
+"""The look of the workbook: one catalogue."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from mechsheet.sheet.workbook import Style
+from mechsheet.sheet.workbook import Dash, Style
 
 INK, QUIET, RULE = "1F2933", "6B7280", "C5CBD3"
 INPUT_FILL, DERIVED_FILL, HEAD_FILL, BAND_FILL, ROW_FILL = "FFF7D6", "F1F3F5", "1F4E79", "D6E4F0", "FFE7A3"
@@ -12,6 +12,8 @@ INPUT_INK = "0B4FA8"
 GOOD_FILL, WARN_FILL, BAD_FILL, NONE_FILL = "DDF1DD", "FFE9B8", "F9D4D0", "E3E5E8"
 SERIES = ("1F4E79", "C8501E", "2E8B57", "7B3FA0", "B8860B", "00838F", "AD1457", "5D4037")
 """Colours of curves, in order."""
+DASHES: tuple[Dash, ...] = ("solid", "dash", "dot")
+"""Lines of curves, in order: some of the colours are of one grey in print."""
 
 TITLE = Style("mechsheet title", bold=True, size=16, color=HEAD_FILL)
 SUBTITLE = Style("mechsheet subtitle", italic=True, color=QUIET)
@@ -52,6 +54,7 @@ LINE = Style(
     valign="center", wrap=True, indent=1,
 )  # fmt: skip
 LEGEND = Style("mechsheet legend", color=QUIET, size=8, align="left", indent=1)
+DETERMINANT = "0.000E+00"
 ERROR = Style("mechsheet error", color=INK, align="right", number_format="0.0E+00")
 GOOD = Style("mechsheet good", color="1B5E20", fill=GOOD_FILL, bold=True)
 WARN = Style("mechsheet warning", color="7A4F00", fill=WARN_FILL, bold=True)

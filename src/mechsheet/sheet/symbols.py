@@ -100,10 +100,10 @@ _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 def plain(symbol: str) -> str:
-    """The symbol where no formatting is possible (chart titles): θ₁₃, x_C."""
+    """The symbol where no formatting is possible (chart titles): θ₁₃, T₁₂*, x_C."""
     letter, subscript = parts(symbol)
     if not subscript:
         return letter
-    if subscript.isdigit():
+    if subscript.rstrip("*").isdigit():
         return letter + subscript.translate(_SUBSCRIPTS)
     return f"{letter}_{subscript}"

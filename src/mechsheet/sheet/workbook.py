@@ -153,6 +153,9 @@ class Anchor:
     dy: int = 0
 
 
+Dash: TypeAlias = Literal["solid", "dash", "dot"]
+
+
 @dataclass(frozen=True, slots=True)
 class SeriesRef:
     """A column (or row) of cells on a named sheet: the data of a series."""
@@ -179,7 +182,7 @@ class Series:
     y: SeriesRef
     line: str = ""
     width: float = 1.5
-    dash: Literal["solid", "dash", "dot"] = "solid"
+    dash: Dash = "solid"
     marker: str = ""
     marker_size: int = 6
     marker_line: str = ""

@@ -193,7 +193,7 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.does": ("Does it do it?", "Yapıyor mu?"),
     "synthesis.does.unsolved": ("solution", "çözüm"),
     "synthesis.does.task_inputs": ("yellow cells", "sarı hücre"),
-    "synthesis.inputs.fine": ("each holds what it can be", "hepsinde olabilecek bir değer var"),
+    "synthesis.inputs.fine": ("all hold possible values", "hepsinde olabilecek bir değer var"),
     "synthesis.does.meets": ("task", "görev"),
     "synthesis.does.assemblies": ("assemblies", "montaj sayısı"),
     "synthesis.does.order": ("order", "sıra"),
@@ -221,8 +221,8 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.closes_throughout.not": (
         "a dead centre between the points: it cannot pass", "noktalar arasında ölü konum var: geçemiyor"
     ),
-    "synthesis.transmission.good": ("good transmission", "iletim iyi"),
-    "synthesis.transmission.poor": ("poor transmission: below 40°", "iletim kötü: 40°'nin altında"),
+    "synthesis.transmission.good": ("good transmission", "bağlama iyi"),
+    "synthesis.transmission.poor": ("poor transmission: below 40°", "bağlama kötü: 40°'nin altında"),
     "synthesis.at_dead_centre.yes": ("a point lies at a dead centre", "bir nokta ölü konumda"),
     "synthesis.at_dead_centre.no": ("no point at a dead centre", "hiçbir nokta ölü konumda değil"),
     "synthesis.together.both": ("one assembly has both dead centres", "iki ölü konum aynı montajda"),

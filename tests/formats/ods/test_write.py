@@ -10,10 +10,27 @@ from lxml import etree
 from samples import FIRST, FRONT, LEFT_OUT, STEPS, TABLE, sample
 
 from mechsheet.diagnostics import OutputError
+from mechsheet.formats.ods.charts import chart_content
 from mechsheet.formats.ods.write import write_ods
 from mechsheet.formula.nodes import Binary, CellRef, ErrorValue, Number, shifted
 from mechsheet.formula.printer import print_formula
-from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Fill, Name, PrintSetup, Sheet, Style, Workbook
+from mechsheet.sheet.workbook import (
+    Anchor,
+    Area,
+    Axis,
+    Cell,
+    Chart,
+    Column,
+    Conditional,
+    Fill,
+    Name,
+    PrintSetup,
+    Series,
+    SeriesRef,
+    Sheet,
+    Style,
+    Workbook,
+)
 from odf import schema_errors
 
 NS = {
@@ -293,6 +310,13 @@ def test_the_circles_chart(parts):
     assert chart.find(".//chart:legend", NS) is None
 
 
+def test_separators_in_names_of_series_survive():
+    """LibreOffice cuts a name at its list separator and shows "Column B" in its place: other signs look the same."""
+    ref = SeriesRef("A", Area(0, 0, 9, 0))
+    chart = Chart("", Anchor(0, 0, 100, 100), (Series("v_C,x; y", ref, ref),), Axis(), Axis())
+    assert 'label-string="&quot;v_C\u201ax\u037e y&quot;"' in chart_content(chart)
+
+
 def test_the_curves_chart(parts):
     chart = tree(parts, "Object 2/content.xml")
     assert [get(s, "loext:label-string") for s in chart.findall(".//chart:series", NS)] == ['"x [mm]"', '"A!B1"']
@@ -326,6 +350,9 @@ def test_hidden_sheet_pages_and_headings(parts):
     assert shown == ["true", "true", "false"]
     layouts = list(common.iter(f"{{{NS['style']}}}page-layout-properties"))
     assert [get(layout, "style:print-orientation") for layout in layouts] == ["landscape", "portrait", "landscape"]
+    assert {get(layout, "style:first-page-number") for layout in layouts} == {
+        "continue"
+    }  # else each sheet has a page 1
     tables = root.findall(".//table:table", NS)
     assert get(tables[0], "table:print-ranges") == f"'{FRONT}'.A1:'{FRONT}'.U41"
     for one in tables[:2]:

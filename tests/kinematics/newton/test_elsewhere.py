@@ -2,6 +2,7 @@
 
 import pytest
 
+from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import solve
@@ -31,3 +32,13 @@ def told(name, **overrides):
 def test_an_assembly_that_the_sketch_leaves(name, overrides, words, hint):
     found = told(name, **overrides)
     assert [words in fault.message and hint in fault.hint for fault in found] == [True] * bool(words)
+
+
+def test_groups_of_newton_move_by_a_law():
+    """Watt's sun and planet driven in so many seconds: the rows are tried before anything has a time."""
+    driver = "start = 0\nstop = 720\nstep = 15"
+    text = template_text("sun-and-planet")
+    assert driver in text
+    law = 'start = 0\nstop = 60\nmotion = { law = "cycloidal", duration = 2, rows = 5 }'
+    equations = solve(loads(text.replace(driver, law)))
+    assert {"omega13", "alpha14"} <= {equation.symbol for equation in equations.columns}

@@ -244,13 +244,17 @@ def test_a_pin_on_a_link_that_is_known_already_is_closed_wherever_that_link_stan
 def test_what_needs_a_closed_form_says_so():
     from mechsheet.compiled import Compiled
     from mechsheet.exporting import KINDS, Job
+    from mechsheet.exporting.workbooks import FORMS, functions_workbook
 
     mechanism = platform()
     with pytest.raises(MechanismError, match="no closed form"):
         _ = Compiled(replace(mechanism, layout="page")).layout
-    for kind in ("vba", "latex", "markdown"):
+    for kind in ("latex", "markdown"):
         with pytest.raises(MechanismError, match="no closed form"):
             KINDS[kind].write(Job(mechanism, "x"))
+    for form in FORMS:
+        with pytest.raises(MechanismError, match="no closed form"):
+            functions_workbook(Compiled(mechanism), form)
 
 
 TWO_SLIDES = """

@@ -12,6 +12,7 @@ from in_line import IN_LINE
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.dynamics import solve as dynamics
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.dyads import DEAD
@@ -345,3 +346,11 @@ def test_random_mechanisms_against_differences():
         kinds |= {group.kind for group in solve(loads(text)).groups}
     assert kinds >= {"RRR", "RRP", "RPR", "RPP"}
     assert compared > 300
+
+
+def test_a_list_of_values_says_nothing_of_a_speed():
+    """Static forces are found by virtual work as well, which needs to know how every driver moves with the first."""
+    robot = (TEMPLATES[0].parent / "five-bar-robot.toml").read_text(encoding="utf-8")
+    mechanism = loads(f'{robot}\n[[loads]]\nlink = "left"\ntorque = 1\n')
+    with pytest.raises(MechsheetError, match=r"theta15. is a list of values"):
+        dynamics.solve(mechanism)

@@ -92,6 +92,7 @@ def test_axes_say_symbol_and_unit():
     assert (angles.x_axis.low, angles.x_axis.high, angles.x_axis.step) == (0, 360, 30)
     assert displacements.y_axis.title == "s₁₄ [mm]"
     assert outputs.y_axis.title == "μ, ν [°]"
+    assert [curve.dash for curve in outputs.series if curve.in_legend] == ["solid", "dash"]  # in black and white, too
     assert (angles.y_axis.low, angles.y_axis.high) == (None, None)  # dimensions change while the file lives
 
 

@@ -243,7 +243,10 @@ class _Judge:
         for row, other in ((first, first - 1), (last, last + 1)):
             between = [edge for edge in truth.edges if min(row, other) - 1e-9 <= edge <= max(row, other) + 1e-9]
             inside = 1 <= other <= truth.rows
-            ends.append(between if inside and between and truth.stepped else [float(row)])
+            ends.append(between if inside and between else [float(row)])
+        if not truth.stepped:
+            rows = sorted(map(float, range(first, last + 1)), key=truth.driver)
+            ends = [rows[:1], rows[-1:]]
         for shown, places in zip((low, high), ends, strict=True):
             right = isinstance(shown, float) and any(
                 abs(shown - float(truth.driver(place)) * truth.scale)

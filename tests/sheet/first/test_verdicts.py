@@ -115,3 +115,9 @@ def test_what_stands_still_beside_a_driver_set_by_hand_is_not_judged():
 def test_of_one_position_nothing_is_said_in_the_plural(language, words):
     driver = re.sub(r"start = 0\nstop = 360\nstep = 15", "values = [60]", FOUR_BAR)
     assert Laid(driver, language).verdict.startswith(words)
+
+
+def test_values_that_go_to_and_fro_reach_from_the_least_to_the_largest():
+    """Listed values may end where they began: the driver has moved all the same."""
+    laid = Laid(re.sub(r"start = 0\nstop = 360\nstep = 15", "values = [90, 120, 60, 90]", FOUR_BAR))
+    assert (laid.spot("#input_from"), laid.spot("#input_to")) == pytest.approx((60, 120))

@@ -108,7 +108,7 @@ def test_the_position_shown_has_its_forces_and_there_are_charts():
     assert laid.values.get(laid.plan.main, row, 1) == laid.column("T12")[3]
     charts = {chart.title: chart for chart in laid.workbook.sheets[0].charts}
     effort = charts["T₁₂ against θ₁₂; dashed: by virtual work"]
-    assert [series.dash for series in effort.series[:2]] == ["solid", "dash"]
+    assert [(series.name, series.dash) for series in effort.series[:2]] == [("T₁₂", "solid"), ("T₁₂*", "dash")]
     assert "F₃₄, F₂₃, F₁₄, F₁₂ against θ₁₂" in charts
 
 

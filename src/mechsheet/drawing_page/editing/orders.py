@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from mechsheet.drawing_page.editing.driving import drive
+from mechsheet.drawing_page.editing.inserting import Wish, insert
 from mechsheet.drawing_page.editing.links import ground_pin, link, plate
 from mechsheet.drawing_page.editing.removing import without
 from mechsheet.drawing_page.editing.shaping import Edited, drawn_now, moved, typed, with_sketched
@@ -14,6 +15,7 @@ from mechsheet.drawing_page.editing.sliding import slide
 from mechsheet.drawing_page.positions import Point
 from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
+from mechsheet.words.messages import text_in as said_in
 from mechsheet.words.workbook import Language
 
 
@@ -67,6 +69,20 @@ def _delete(sheet: Sheet, order: dict[str, Any]) -> Sheet:
     return sheet.again(without(sheet.source, kind, text_in(order, kind)), {})
 
 
+def _insert(
+    reading: Reading, order: dict[str, Any], at: float | None, held: Mapping[str, Point], language: Language
+) -> Edited:
+    """Something that is written, not drawn. A mechanism that moves still does: what does not fit it is refused, with why."""
+    wish = Wish(text_in(order, "link", ""), text_in(order, "point", ""), reading.mobility, language)
+    draw = _drawn(lambda sheet, what: insert(sheet, text_in(what, "what"), wish))
+    text, shown = draw(reading, order, at, held, language)
+    if reading.compiled is not None:
+        found = read(text, reading.source.file if reading.source else "")
+        if found.compiled is None:
+            raise Impossible("does_not_fit", reason=said_in(found.faults[0].message, language))
+    return text, shown
+
+
 def settled(reading: Reading, sheet: Sheet) -> str:
     """The text with every point in its sketch that would be lost: without a driver nothing else says where they are."""
     source = sheet.source
@@ -93,4 +109,5 @@ _ORDERS: dict[str, Order] = {
     "slide": _drawn(lambda sheet, order: slide(sheet, text_in(order, "kind"), order.get("end"), order.get("on"))),
     "driver": _drawn(lambda sheet, order: drive(sheet, text_in(order, "link", ""), text_in(order, "joint", ""))),
     "delete": _drawn(_delete),
+    "insert": _insert,
 }

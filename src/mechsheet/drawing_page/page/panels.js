@@ -3,6 +3,7 @@
 import { drawCurves } from "./curves.js";
 import "./dimensions.js";
 import "./faults.js";
+import "./inserting.js";
 import "./workbook.js";
 
 const tabs = [...document.querySelectorAll('[role="tab"]')];

@@ -16,6 +16,10 @@ _SYMBOLS = {
 }  # fmt: skip
 _LABEL_SIDES = {"right": "right", "left": "left", "above": "top", "below": "bottom", "center": "center"}
 _LEGEND_SIDES = {"right": "end", "bottom": "bottom", "top": "top"}
+_NO_SEPARATORS = str.maketrans({",": "\u201a", ";": "\u037e"})
+"""LibreOffice cuts a series' name at its list separator, even within quotes, and shows "Column B" in its place: signs that
+look the same (a low quotation mark, the Greek question mark) are none."""
+
 _DASHES = {"dash": ("rect", "400%", "300%"), "dot": ("round", "100%", "150%")}
 """Shape, length and distance of the strokes, in widths of the line."""
 
@@ -155,7 +159,7 @@ def _series(series: Series, styles: _Styles) -> str:
         name = f' chart:label-cell-address="{attribute(_name_address(series.name))}"'
     else:
         # OpenDocument knows no constant names; LibreOffice reads its own attribute, as a text in quotes.
-        quoted = '"' + series.name.replace('"', '""') + '"'
+        quoted = '"' + series.name.translate(_NO_SEPARATORS).replace('"', '""') + '"'
         name = f' loext:label-string="{attribute(quoted)}"'
     if not series.in_legend:
         name += ' loext:hide-legend="true"'

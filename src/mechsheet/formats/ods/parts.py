@@ -149,6 +149,7 @@ def _layout(number: int, setup: PrintSetup) -> str:
         )
     return (
         f'<style:page-layout style:name="pm{number}"><style:page-layout-properties fo:page-width="{width}"'
+        ' style:first-page-number="continue"'
         f' fo:page-height="{height}" style:print-orientation="{"landscape" if setup.landscape else "portrait"}"'
         f"{margins}{fit}/>{bands}</style:page-layout>"
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,7 +14,7 @@ from mechsheet.kinematics.driving import listed_values
 from mechsheet.kinematics.equations import PASSES, Equations, System
 from mechsheet.kinematics.newton.system import MOST_PASSES
 from mechsheet.kinematics.numeric import Array, interpolated
-from mechsheet.model import Mechanism
+from mechsheet.model import TIME, Mechanism
 from mechsheet.said import say
 
 FINER = (2, 4, 8)
@@ -24,7 +24,7 @@ MOST_ROWS = 4_000
 ALIKE = 1e-6
 TRIED = (PASSES, 8, 10, MOST_PASSES)
 
-Sweep = Callable[[Mechanism, Equations, Array], dict[str, Array]]
+Sweep = Callable[[Mechanism, Equations, Mapping[str, Array]], dict[str, Array]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,14 +58,18 @@ class Steps:
         def listed(column: Array) -> tuple[float, ...]:
             return tuple(float(value) for value in interpolated(places, rows, column))
 
+        besides = {symbol: listed(column) for symbol, column in self.besides.items()}
         drivers = tuple(
-            replace(other, values=listed(self.besides[other.symbol])) if other.values else other
-            for other in self.mechanism.drivers
+            replace(other, values=besides[other.symbol]) if other.values else other for other in self.mechanism.drivers
         )
         moved = replace(self.mechanism.driver, values=listed(driver), law=None)
         path = np.array(moved.values)
         finer = replace(self.mechanism, driver=moved, drivers=drivers)
-        values = self.sweep(finer, _finer(equations, parts), path)
+        given: dict[str, Array] = {symbol: np.array(column) for symbol, column in besides.items()}
+        given[moved.symbol] = path
+        if self.mechanism.driver.law is not None:  # its time is for speeds alone
+            given[TIME] = np.full(len(path), np.nan)
+        values = self.sweep(finer, _finer(equations, parts), given)
         return [values[name][::parts] for name in self.unknowns]
 
     def trial(self, equations: Equations, parts: int = 1) -> Trial:

@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.formula import algebra as al
 from mechsheet.formula.derivatives import derivative
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, with_symbols
@@ -34,6 +35,7 @@ from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, RateColumns, o
 from mechsheet.kinematics.ties import Held, Tied, solved_for
 from mechsheet.kinematics.vectors import Vector, cross, minus, plus, size, times
 from mechsheet.model import POINT_RATES, Mechanism, Words, rate_symbols
+from mechsheet.said import say
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words.equations import link_words, phrase
 
@@ -237,10 +239,16 @@ class _Writer:
                 self.ledger.define(name, node, self._rate_unit(not driver.joint, order), label, "rate")
 
     def _further_drivers(self) -> None:
-        """How what is driven besides moves with the driver."""
+        """How what is driven besides moves with the driver. Raises MechanismError where a list of values does not say."""
         own = self.mechanism.driver.symbol
         follows: dict[str, Node] = {}
         for driver in self.mechanism.drivers:
+            if driver.values:
+                message = say(
+                    "{symbol} is a list of values, which says nothing of its speed", symbol=f'"{driver.symbol}"'
+                )
+                hint = say("write `follows` in place of `values`, or take masses, loads and derivatives away")
+                raise MechanismError(Fault(message, key=f"drivers.{driver.order}.values", hint=hint))
             if driver.follows is None:
                 continue
             node = with_symbols(driver.follows, follows)

@@ -237,8 +237,9 @@ class _Writer:
         unit = self._unit(check.kind)
         words = plan.text(f"checks.{check.kind}", number=check.group)
         self._put(at.head_row, col, f"{words} [{unit}]" if unit else words, styles.HEAD)
-        style = styles.decimals(styles.COLUMN, 4 if check.kind in ("margin", "crossing", "det", *SIZES) else 0)
+        style = styles.decimals(styles.COLUMN, 4 if check.kind in ("margin", "crossing", *SIZES) else 0)
         style = styles.ERROR if check.kind in (*MEASURED, "residual") else style
+        style = styles.numbered(styles.COLUMN, styles.DETERMINANT) if check.kind == "det" else style
         skip = 0 if check.kind in (*MEASURED, *SIZES, *ARRIVED) else 1
         rows = plan.rows - skip - (1 if check.kind == "margin" else 0)
         if rows > 0:

@@ -17,7 +17,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.driving import by_time, driver_at, time_after
 from mechsheet.sheet.plan import DRIVER, Plan
 from mechsheet.sheet.quoted import ALL, formula
-from mechsheet.sheet.table.positions import cell_formula
+from mechsheet.sheet.table.positions import cell_formula, style_of
 from mechsheet.sheet.workbook import Cell, Content, Fill, Style
 
 AT, VALUE, SIDE = range(3)
@@ -107,7 +107,7 @@ class Probes:
         for column in self.columns:
             if column.symbol not in columns or column.equation is None:
                 continue
-            style = styles.decimals(styles.INNER, 4)
+            style = styles.numbered(styles.INNER, style_of(plan, column).number_format)
             expression = transform(column.equation.expression, lambda part: self._above(part, block.row))
             # columns of the same letters, on this sheet
             value = cell_formula(plan, self.at, column, expression, plan.table, first)

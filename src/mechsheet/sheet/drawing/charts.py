@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Literal
 
 import numpy as np
 
@@ -25,7 +24,7 @@ from mechsheet.sheet.first.mechanism import CHARTS, ROW_HEIGHT
 from mechsheet.sheet.plan import VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.bands import HIGH, LOW, part_of
-from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
+from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, Dash, PrintSetup, Series, SeriesRef, Sheet
 
 GAP = 12
 ROWS_OF_ONE_PAGE = 64
@@ -191,7 +190,7 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
     x = _at_position(plan, drawing, request.x)
     for index, symbol in enumerate(request.y):
         color = styles.SERIES[index % len(styles.SERIES)]
-        dash: Literal["solid", "dash"] = "dash" if symbol in plan.efforts[1:] else "solid"
+        dash = dash_of(plan, request, index)
         curves.append(Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=color, dash=dash))
         curves += _ends_of_band(plan, request.x, symbol, color)
         y = _at_position(plan, drawing, symbol)
@@ -203,6 +202,16 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
         value_axis(plan, request.y),
         legend="right" if sum(curve.in_legend for curve in curves) > 1 else "", alt_text=title,
     )  # fmt: skip
+
+
+def dash_of(plan: Plan, request: ChartRequest, index: int) -> Dash:
+    """How a curve is drawn: each otherwise than the one before, for whoever prints in black and white.
+
+    The driver's effort by virtual work lies on that from the reactions, and bands are dashed: there dashes mean just that.
+    """
+    if any(symbol in plan.efforts for symbol in request.y):
+        return "dash" if request.y[index] in plan.efforts[1:] else "solid"
+    return "solid" if any(symbol in plan.banded for symbol in request.y) else styles.DASHES[index % len(styles.DASHES)]
 
 
 def _ends_of_band(plan: Plan, across: str, symbol: str, color: str) -> list[Series]:

@@ -31,7 +31,7 @@ from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.bands import tolerance_symbol
 from mechsheet.sheet.table.lowering import in_pass
-from mechsheet.sheet.table.positions import places_of
+from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.tolerance import Tolerance
 from mechsheet.sheet.workbook import (
     Anchor,
@@ -218,18 +218,20 @@ def _sweep(writer: Writer) -> None:
     rows = plan.blocks["sweep"].rows
     unit = driver.unit.text
     degrees = driver.unit.in_degrees
+    computed = not all(isinstance(quantity, float) for quantity in (driver.start, driver.step))
+    shown = styles.decimals(styles.RESULT, places(plan, driver.unit.kind) + 2) if computed else styles.RESULT
     for key, quantity in (("start", driver.start), ("step", driver.step)):
         writer.line(rows[key], plan.text(f"name.{key}"), unit, plan.text(f"sweep.{key}"))
         if isinstance(quantity, float):
             writer.put(rows[key], VALUE, driver.unit.written(quantity), styles.INPUT)
         else:
-            _result(writer, rows[key], quantity, degrees, styles.RESULT)
+            _result(writer, rows[key], quantity, degrees, shown)
     if isinstance(driver.start, float) and driver.symbol in plan.equations.positive:
         start = rows["start"]
         writer.validations.append(input_validation(plan, Area(start, VALUE, start, VALUE), driver.symbol))
     writer.line(rows["stop"], plan.text("name.stop"), unit, plan.text("sweep.stop", rows=plan.rows))
     last = CellRef(plan.at.last, DRIVER, True, True, plan.table)
-    writer.formula(rows["stop"], VALUE, last, styles.RESULT)
+    writer.formula(rows["stop"], VALUE, last, shown)
     step = rows["step"]
     writer.validations.append(
         Validation(

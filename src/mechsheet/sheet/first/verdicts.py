@@ -204,11 +204,12 @@ class _Block:
 
     def input_range(self) -> None:
         """From where to where the driver can go in the first stretch."""
-        if self.driver.values or self.plan.rows == 1:
+        if self.driver.values or self.plan.rows == 1:  # listed values may go to and fro
             ends = [
-                formula("INDEX(drivers,row)", drivers=self._drivers(), row=Symbol(f"#{key}_1"))
-                for key in ("first", "last")
-            ]
+                formula(f"{most}(INDEX(drivers,first):INDEX(drivers,last))", drivers=self._drivers(),
+                        first=Symbol("#first_1"), last=Symbol("#last_1"))
+                for most in ("MIN", "MAX")
+            ]  # fmt: skip
         else:
             ends = [driver_at(self.plan, Symbol(f"#{key}_1")) for key in ("from", "to")]
         unit = self.driver.unit.text
@@ -300,7 +301,8 @@ class _Block:
         self.colour(key, "count>most", styles.WARN, count=cell, most=most)
         key = "least_det"
         words = self.where_it_closes(self.text(f"{key}.words"))
-        self.line(key, self.text(key), "", self.checks.worst("det"), 4, words)
+        style = styles.numbered(styles.RESULT, styles.DETERMINANT)
+        self.line(key, self.text(key), "", self.checks.worst("det"), style, words)
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("det")))
 
     # --- four-bar loops ---------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ from mechsheet.kinematics.equations import Equations
 from mechsheet.model import ChartRequest, Mechanism
 from mechsheet.sheet import styles
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.drawing.charts import STEPS, chart_requests, chart_title, value_axis
+from mechsheet.sheet.drawing.charts import STEPS, chart_requests, chart_title, dash_of, value_axis
 from mechsheet.sheet.drawing.drawing import marker
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.mechanism import position_controls
@@ -170,7 +170,8 @@ def _curves(plan: PagePlan, request: ChartRequest, drawing: PageDrawing | None) 
     curves, markers = [], []
     for index, symbol in enumerate(request.y):
         color = styles.SERIES[index % len(styles.SERIES)]
-        curves.append(Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=color))
+        dash = dash_of(plan, request, index)
+        curves.append(Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=color, dash=dash))
         if drawing:
             cells = (drawing.shown[name] for name in (request.x, symbol))
             at = [SeriesRef(plan.main, Area(cell.row, cell.col, cell.row, cell.col)) for cell in cells]

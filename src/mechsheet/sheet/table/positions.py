@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 
@@ -55,6 +56,10 @@ CHARACTERS_OF_A_LINE = 15
 """So many of the small characters of a formula stand in a line of a column of width 11."""
 
 LINE = 9.5
+STEP = 1e-4
+"""Of what is usual of a quantity: numbers step by no more, and by no less than a tenth of it."""
+MOST_PLACES = 7
+"""Decimals of what is no length: more do not fit a column."""
 """Height of such a line."""
 
 FEWEST_LINES, MOST_LINES = 4, 12
@@ -271,12 +276,14 @@ def style_of(plan: Plan, column: TableColumn) -> Style:
     unit = column.equation.unit
     if column.symbol in plan.residuals:
         return styles.numbered(styles.INNER, styles.ERROR.number_format)
+    if column.symbol in plan.determinants:
+        return styles.numbered(styles.INNER, styles.DETERMINANT)
     if column.equation.role == "band":
         return _band_style(plan, column.symbol)
     if column.symbol in plan.band_places:
         return styles.decimals(styles.COLUMN, plan.band_places[column.symbol])
     if column.inner:
-        return styles.decimals(styles.INNER, 4 if unit.kind == "angle" else places(plan, unit.kind))
+        return styles.decimals(styles.INNER, 4 if unit.kind == "angle" else places_of(plan, unit))
     return styles.decimals(styles.COLUMN, places_of(plan, unit))
 
 
@@ -290,8 +297,32 @@ def _band_style(plan: Plan, symbol: str) -> Style:
 
 
 def places_of(plan: Plan, unit: Unit) -> int:
-    """Decimals of a quantity: angular velocities have as many as plain numbers, whatever the unit of angles."""
+    """Decimals of a quantity: a step finer than 1e-3 of what is usual of it, so that no number is too wide for its column.
+
+    Angular velocities have as many as plain numbers, whatever the unit of angles. What is usual of a length to a power
+    (mm², 1/mm) is the size to that power; of a velocity or acceleration the size times the driver's pace to the power `per`.
+    """
+    power = _power_of_length(unit, plan.mechanism.length_unit)
+    if power != 1:
+        return min(MOST_PLACES, decimals_of(plan.size**power * STEP))
+    if unit.kind == "length" and unit.per:
+        return min(MOST_PLACES, decimals_of(plan.size * plan.pace**unit.per * STEP))
+    dynamics = plan.mechanism.dynamics
+    if unit.kind == "moment" and dynamics and unit.symbol == f"{dynamics.force_unit} {plan.mechanism.length_unit}":
+        return decimals_of(STEP / (dynamics.metre or 1.0))  # N mm has three decimals fewer than N m
     return places(plan, "number" if unit.per and unit.kind == "angle" else unit.kind)
+
+
+_LENGTHS = re.compile(r"(1/)?(.*?)(²|\^\d+)?")
+
+
+def _power_of_length(unit: Unit, length: str) -> int:
+    """2 of mm², -1 of 1/mm; 1 of everything else."""
+    found = _LENGTHS.fullmatch(unit.symbol)
+    if unit.kind != "number" or not length or found is None or found[2] != length:
+        return 1
+    power = {None: 1, "²": 2}.get(found[3]) or int(found[3][1:])
+    return -power if found[1] else power
 
 
 def places(plan: Plan, kind: str) -> int:
@@ -303,8 +334,7 @@ def places(plan: Plan, kind: str) -> int:
         return 4
     if kind == "force":
         return 3
-    finest = min(tolerances) if tolerances else plan.size / 1e4
-    return decimals_of(finest)
+    return decimals_of(min(tolerances) if tolerances else plan.size * STEP)
 
 
 def decimals_of(step: float) -> int:

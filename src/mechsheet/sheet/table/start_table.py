@@ -18,7 +18,7 @@ from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import FORMULA_ROW, GROUP_ROW, SYMBOL_ROW
+from mechsheet.sheet.table.positions import FORMULA_ROW, GROUP_ROW, SYMBOL_ROW, places_of
 from mechsheet.sheet.table.start_columns import begun, start_columns
 from mechsheet.sheet.workbook import Area, Cell, Content, Fill, Merge, Style
 from mechsheet.units import DEG
@@ -66,9 +66,9 @@ class StartTable:
     def _put(self, row: int, col: int, content: Content, style: Style) -> None:
         self.cells.append(Cell(row, col, content, style))
 
-    def _fill(self, row: int, col: int, node: Node, rows: int, decimals: int = 4) -> None:
+    def _fill(self, row: int, col: int, node: Node, rows: int, number_format: str = "0.0000") -> None:
         bound = self.at.bind(node, self.title, row)
-        self.fills.append(Fill(row, col, bound, styles.decimals(styles.INNER, decimals), rows=rows))
+        self.fills.append(Fill(row, col, bound, styles.numbered(styles.INNER, number_format), rows=rows))
 
     def _headings(self) -> None:
         plan, columns = self.plan, self.columns
@@ -117,7 +117,9 @@ class StartTable:
             step = formula("IFERROR(next,last)", next=al.sub(Symbol(unknown), correction), last=Symbol(unknown))
             self._fill(first + 1, self.place[unknown], _above(step, (*self.place,)), FIRST_PASSES)
         for part in system.body:
-            self._fill(first, self.place[part.symbol], part.expression, FIRST_PASSES + 1)
+            style = styles.decimals(styles.INNER, places_of(plan, part.unit))
+            form = styles.DETERMINANT if part.symbol in plan.determinants else style.number_format
+            self._fill(first, self.place[part.symbol], part.expression, FIRST_PASSES + 1, form)
 
     def _lost(self) -> None:
         """1 in a row to which the assembly cannot be kept: the determinant has another sign than at the beginning, or past
@@ -126,7 +128,7 @@ class StartTable:
         spot = plan.at.spots[f"#lost_{self.group.number}"]
         begin = CellRef(self.first, self.place[system.determinant], True, True)
         keeps = formula("IFERROR(IF(det*begin>0,0,1),1)", det=Symbol(system.determinant), begin=begin)
-        self._fill(self.first, spot.col, keeps, 2, 0)
+        self._fill(self.first, spot.col, keeps, 2, "0")
         leaps = []
         for unknown, most in zip(
             system.unknowns, trends(plan.mechanism, plan.equations.equations, system), strict=True
@@ -138,7 +140,7 @@ class StartTable:
                              least=SETTLED))  # fmt: skip
         node = formula("IFERROR(IF(AND(det*begin>0,leap<1),0,1),1)", det=Symbol(system.determinant), begin=begin,
                        leap=al.largest(leaps))  # fmt: skip
-        self._fill(self.first + 2, spot.col, node, FIRST_PASSES - 1, 0)
+        self._fill(self.first + 2, spot.col, node, FIRST_PASSES - 1, "0")
 
     def _starts(self) -> None:
         """The start values of each assembly: inputs."""

@@ -223,7 +223,7 @@ class Table:
                 x,
                 SeriesRef(self.title, Area(FIRST, col, self.last, col)),
                 line=styles.SERIES[(col - 1) % len(styles.SERIES)],
-                dash=("solid", "dash", "dot")[(col - 1) // len(styles.SERIES) % 3],
+                dash=styles.DASHES[(col - 1) % len(styles.DASHES)],
             )
             for col in range(1, 1 + self.count)
         )

@@ -75,6 +75,9 @@ MECHANISM: dict[str, str] = {
     "{name} is driven already, by {other}": "{name} zaten tahrik ediliyor: {other}",
     "drive another joint": "başka bir mafsalı tahrik edin",
     "{symbol} is a list of values, which says nothing of its speed": "{symbol} bir değer listesi, hızı bilinmez",
+    "write `follows` in place of `values`, or take masses, loads and derivatives away": (
+        "`values` yerine `follows` yazın ya da kütleleri, yükleri ve türevleri çıkarın"
+    ),
     "write `follows` in place of `values`, or take `speed` out of [driver]": (
         "`values` yerine `follows` yazın ya da [driver] altından `speed` anahtarını çıkarın"
     ),
@@ -302,6 +305,10 @@ MECHANISM: dict[str, str] = {
     ),
     "the layout page cannot hold this": "tek sayfalık düzene sığmaz",
     'layout = "sheets" does': 'layout = "sheets" olur',
+    "a written solution cannot hold this": "yazılı çözümde olmaz",
+    "octave, python and vba can": "octave, python ve vba ile olur",
+    "a workbook with functions cannot hold this": "fonksiyonlu çalışma kitabında olmaz",
+    "`export --to vba` can": "`export --to vba` ile olur",
     "a two-way table cannot hold this": "iki yönlü tabloda olmaz",
     "leave the table out": "tabloyu kaldırın",
     "the step to {symbol} = {value:.6g} is too large: Newton's method loses the links": (
