@@ -1,6 +1,8 @@
 """Who may import whom: the rules of the architecture, read from the sources."""
 
 import ast
+import re
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -130,6 +132,7 @@ def modules_of(part: str) -> list[Path]:
     return sorted(folder.rglob("*.py")) if folder.is_dir() else [SOURCE / f"{part}.py"]
 
 
+@cache
 def imports(path: Path) -> set[tuple[int, str]]:
     """(line, module below mechsheet) of every import, also those inside functions."""
     package = ("mechsheet", *path.relative_to(SOURCE).with_suffix("").parts)
@@ -207,3 +210,10 @@ def test_every_folder_has_a_rule():
     folders = {path.name for path in SOURCE.iterdir() if path.is_dir() and (path / "__init__.py").exists()}
     # checking is where all of them meet, the library and the command line offer everything
     assert folders <= set(ALLOWED) | {"checking", "cli", "library"}
+
+
+@pytest.mark.parametrize("part", ["kinematics", "dynamics"])
+def test_what_solves_a_mechanism_has_no_hidden_circles(part):
+    """An import inside a function would be one: nothing there is loaded late for speed."""
+    late = re.compile(r"^ +(?:from|import) mechsheet", re.MULTILINE)
+    assert [path.name for path in modules_of(part) if late.search(path.read_text(encoding="utf-8"))] == []

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from exported import TEMPLATES, leaping_angles, mechanisms, worst_against_reference
 
-from mechsheet.description import load
+from mechsheet.description import load, loads
 from mechsheet.exporting import export
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.solve import solve
@@ -138,3 +138,14 @@ def test_modes_are_arguments(tmp_path):
     run_all(tmp_path)
     found = loaded(tmp_path, "mirror")
     assert worst_against_reference(mechanism, found, modes={"mode_1": -mode}) < 1e-9
+
+
+def test_a_mechanism_without_dimensions_or_modes(tmp_path):
+    """Nothing can be changed but the driver's values: then there is no keyword to ask for."""
+    head = 'format = 1\n[mechanism]\nname = "arm"\n[links.base]\npoints = { O = [0, 0] }\n'
+    links = "[links.arm]\npoints = { O = [0, 0], T = [30, 0] }\n"
+    mechanism = loads(f'{head}{links}[driver]\nlink = "arm"\nvalues = [0, 90]\n')
+    (module,) = export(mechanism, "python", tmp_path / "arm.py")
+    body = ast.parse(module.read_text(encoding="utf-8")).body
+    (solver,) = (each for each in body if getattr(each, "name", "") == "solve")
+    assert [each.arg for each in solver.args.args] == ["theta12"]

@@ -239,5 +239,5 @@ def sample() -> Workbook:
     return Workbook(
         (front(), table(), source),
         (Name("ÇıkışUzvu", FRONT, 3, 1), Name("Adım", FRONT, 5, 1), Name("a_1", FRONT, 4, 1)),
-        Properties("Daire & çember", "Örnek", "mechsheet", "made <by hand>", "circle, test", "tr"),
+        Properties("Daire & çember", "Örnek", "made <by hand>", "circle, test", "tr"),
     )

@@ -224,6 +224,17 @@ def test_own_workbooks_are_right(tmp_path):
     assert audit(tmp_path / "own.ods", mechanism).right
 
 
+def test_a_driver_that_follows_from_the_time_is_found(tmp_path):
+    """Its column is computed from times, and its sines are those of degrees: `COS(RADIANS(B4))`."""
+    links = '[links.base]\npoints = { O = [0, 0] }\n[links.arm]\npoints = { O = [0, 0], A = ["a2", 0] }\n'
+    law = 'start = 10\nstop = 60\nmotion = { law = "harmonic", duration = 2, rows = 9 }\n'
+    asked = '[outputs]\nx = { formula = "A.x" }\n'
+    head = 'format = 1\n[mechanism]\nname = "timed"\n[dimensions]\na2 = 30\n'
+    timed = mechsheet.loads(f'{head}{links}[driver]\nlink = "arm"\n{law}{asked}')
+    mechsheet.build(timed, tmp_path / "own.xlsx")
+    assert audit(tmp_path / "own.xlsx", timed).right
+
+
 def test_faults_in_words():
     fault = FaultFound("Sayfa1!B9:B33", "A9", "RADIANS(A9)", ("theta13", "mu"), "radians and degrees")
     assert fault_line(fault, "en") == "Sayfa1!B9:B33  A9: radians and degrees; RADIANS(A9) makes theta13, mu right"

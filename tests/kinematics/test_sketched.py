@@ -247,3 +247,24 @@ def test_a_wheel_sketched_out_of_phase_is_told_the_phase_that_fits():
     assert not any("phase" in other.message for other in others)
     elsewhere = text.replace("P = [0.2, 0.25]\n", "P = [0.28, 0.2]\nB = [0.3, 0]\n")  # P is no point of the wheel
     assert not any("phase" in message for message in told(elsewhere))
+
+
+def test_at_beside_outputs_of_a_motion():
+    """What is shown elsewhere has neither speed nor time nor forces; outputs that read them have nothing to do with it."""
+    text = FOUR_BAR.replace("step = 15", 'motion = { law = "harmonic", duration = 2 }').replace(
+        "stop = 360", "stop = 30"
+    )
+    text = text.replace(
+        "[outputs]", '[[loads]]\nlink = "crank"\ntorque = 1\n[outputs]\nw = { formula = "omega14*t*T12" }'
+    )
+    assert modes_of(loads(text.replace("B = [50, 55]", "B = [85, 54]\nat = 40"))) == modes_of(loads(FOUR_BAR))
+
+
+def test_a_falling_sweep_is_told_a_value_that_it_reaches():
+    text = (
+        FOUR_BAR.replace("start = 0", "start = 150")
+        .replace("stop = 360", "stop = 30")
+        .replace("step = 15", "step = -5")
+    )
+    (message,) = told(text.replace("B = [50, 55]", "A = [26.8, 22.5]\nB = [85, 54]"))
+    assert abs(numbers_behind(message)[0] - 40) <= 4

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from synthesised import outputs
 from test_random_tasks import address, typed
 
 from chosen import first
@@ -67,7 +68,7 @@ def test_of_function_generators(seed):
     if len(theta) == 3:  # of more than three nearly met ones, which side they mean is a matter of taste
         assert (found["assemblies"][1] == 1) == bool(np.all(sides == sides[0]))
         assert (found["assemblies"][0] == NO) == bool(np.any(sides != sides[0]))
-    got = functions.outputs(bar, theta, values[mechanism.synthesis.results["mode"]])
+    got = outputs(bar, theta, values[mechanism.synthesis.results["mode"]])
     errors = np.degrees(np.abs(np.angle(np.exp(1j * (got - psi)))))
     assert (found["meets"][0] == NO) == bool(np.any(np.isnan(errors)))
     if not np.any(np.isnan(errors)):

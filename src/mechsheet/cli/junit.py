@@ -22,7 +22,7 @@ Outcome = tuple[str, str, str]
 PASSED: Outcome = ("", "", "")
 
 
-def junit(reports: Sequence[Report], faults: Iterable[Fault], strict: bool = False) -> bytes:
+def junit(reports: Sequence[Report], faults: Iterable[Fault], strict: bool) -> bytes:
     """The XML: failures where something differs or was edited, errors where a file cannot be judged. No times in it.
 
     strict  what could not be compared or computed fails; otherwise it counts as skipped

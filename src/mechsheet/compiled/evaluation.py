@@ -28,7 +28,10 @@ def book_of(workbook: Workbook) -> Book:
 
 
 def computed(workbook: Workbook) -> Workbook:
-    """The workbook with the value of every formula, the same bits on every machine."""
+    """The workbook with the value of every formula, the same bits on every machine.
+
+    Raises WorkbookError with the engine's remarks where a formula cannot be computed as it is meant.
+    """
     from mechsheet.engine import PORTABLE, evaluate
 
     values = evaluate(book_of(workbook), arithmetic=PORTABLE)

@@ -113,11 +113,10 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class Kinds:
-    """A table whose text `key` says which other keys it has; `later` are kinds reserved for later versions."""
+    """A table whose text `key` says which other keys it has."""
 
     key: str
     tables: Mapping[str, Table]
-    later: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -299,5 +299,5 @@ def _kinds(value: dict[str, Any], shape: Kinds, path: Path, report: Report) -> A
     if shape.key not in value:
         report.at((*path, shape.key), say("is missing: {note}", note=listed(shape.tables, "or")))
         return BAD
-    kind = fit(value[shape.key], Text(tuple(shape.tables), shape.later), (*path, shape.key), report)
+    kind = fit(value[shape.key], Text(tuple(shape.tables)), (*path, shape.key), report)
     return BAD if kind is BAD else _table(value, shape.tables[kind], path, report)

@@ -57,7 +57,10 @@ def _mechanism(text: str, file: str, layout: str, language: str) -> Mechanism:
 
 
 def checked(text: str, file: str, layout: str, language: str) -> list[str]:
-    """What is to be said of the mechanism, and the lines that `mechsheet check` prints of its workbook."""
+    """What is to be said of the mechanism, and the lines that `mechsheet check` prints of its workbook.
+
+    Raises DescriptionError, and MechanismError with the lines of the text, for what cannot be built.
+    """
     mechanism = _mechanism(text, file, layout, language)
     name = f"{mechanism.stem}.xlsx"
     try:

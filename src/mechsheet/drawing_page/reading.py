@@ -94,7 +94,7 @@ def _counted(parts: Parts) -> tuple[int | None, list[Fault]]:
 _WORD = re.compile(r"[\w.-]+")
 
 
-def fault_entry(fault: Fault, parts: Parts | None, language: str = "en") -> dict[str, Any]:
+def fault_entry(fault: Fault, parts: Parts | None, language: str) -> dict[str, Any]:
     """A fault as the page shows it, in its language: at its line, and at the links that it names."""
     return {
         "line": fault.line,

@@ -20,7 +20,8 @@ from mechsheet.model import Mechanism
 
 @dataclass(frozen=True, slots=True)
 class Flywheel:
-    """energy  E row by row;  change: its largest less its smallest;  inertia: the moment of inertia that is needed."""
+    """mean  of the torque;  energy  E row by row (n,);  change: its largest less its smallest;  inertia: the moment of
+    inertia that is needed. Energy in the torque's unit, inertia in that over (rad/s)^2."""
 
     mean: float
     energy: Array
@@ -29,7 +30,13 @@ class Flywheel:
 
 
 def flywheel(mechanism: Mechanism, equations: Equations, values: Mapping[str, Array]) -> Flywheel | None:
-    """From the values of all symbols over a sweep, NaN where a row has no torque; None where no flywheel is asked for."""
+    """What a flywheel must do; None where none is asked for.
+
+    values  of all symbols over a sweep, in internal units: the torque T12 (n,), NaN where a row has none, over the driver's
+            angle (n,) [rad]; the coefficient of fluctuation and the driver's speed [rad/s]
+
+    Where a row has no torque nothing but NaN comes out.
+    """
     if mechanism.flywheel is None:
         return None
     torque, driver = values[equations.efforts[0]], values[mechanism.driver.symbol]

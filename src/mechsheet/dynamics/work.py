@@ -2,9 +2,8 @@
 
     effort = -sum of (F . X' + T theta')        a prime is the derivative by the driver's variable
 
-the efforts of further drivers among the F and T,
-
-over their own places, not over the sums that the reactions are found from: a second way to the same number.
+The efforts of further drivers are among the F and T. Forces act at their own places, not in the sums that the reactions are
+found from: a second way to the same number.
 Source: d'Alembert's principle; Soeylemez, Mechanisms, chapter 5.
 """
 
@@ -27,6 +26,8 @@ def effort_by_work(acting: ActingForces, found: Found, efforts: Mapping[str, str
     """Write the driver's effort down, beside the one from the reactions.
 
     efforts  the symbols of the efforts from the reactions, by that of what is driven: what further drivers do is known
+
+    Raises ValueError where no influence coefficients have been written.
     """
     motions, columns = found.rates.by_driver, acting.columns
     if motions is None:

@@ -89,7 +89,7 @@ def area_read(reference: CellRef | RangeRef, block: Block, sheets: dict[str, int
     return Area(sheets[first.sheet], min(rows), min(cols), max(rows) - min(rows) + 1, max(cols) - min(cols) + 1)
 
 
-def dependencies(layout: Layout, formulas: Sequence[Node], functions: Functions = _NONE) -> list[set[int]]:
+def dependencies(layout: Layout, formulas: Sequence[Node], functions: Functions) -> list[set[int]]:
     """For every block the producers that it reads (`Layout.producers`), itself among them when it reads its own cells."""
     sheets = {title: index for index, title in enumerate(layout.titles)}
     found: list[set[int]] = []
@@ -121,7 +121,12 @@ def dependents(blocks: Iterable[int], reads: Sequence[set[int]]) -> set[int]:
 
 
 def ordered(reads: Sequence[set[int]]) -> list[list[int]]:
-    """Blocks in an order in which everything read comes first; blocks that read each other stand together (Tarjan, 1972)."""
+    """Blocks in an order in which everything read comes first; blocks that read each other stand together.
+
+    reads  by block the numbers of what it reads; those from len(reads) on are constants
+
+    Strongly connected components (Tarjan, 1972), which graphlib does not give: it stops at the first circle.
+    """
     count = len(reads)
     index = [-1] * count
     low = [0] * count

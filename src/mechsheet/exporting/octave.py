@@ -43,7 +43,7 @@ _NUMBERS = {"CLOSED": CLOSED, "FIRST": FIRST_PASSES, "LED": LED, "STEADY": STEAD
 
 
 def write(job: Job) -> list[bytes]:
-    """The file in UTF-8."""
+    """The file in UTF-8. Raises MechsheetError where its name is that of a function which the file itself calls."""
     helpers = files("mechsheet.exporting").joinpath("octave_helpers.m").read_text(encoding="utf-8")
     for mark, number in _NUMBERS.items():
         helpers = helpers.replace(f"@@{mark}@@", repr(number))

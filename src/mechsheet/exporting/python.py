@@ -294,7 +294,8 @@ def _way(program: Program, name: str, loop: Loop) -> list[str]:
 
 def _signature(program: Program) -> list[str]:
     names = [program.names[symbol] for symbol in program.asked_by_row]
-    head = ["", "def solve(", *(f"    {name}: ArrayLike | None = None," for name in names), "    *,"]
+    head = ["", "def solve(", *(f"    {name}: ArrayLike | None = None," for name in names)]
+    head += ["    *,"] if program.given or program.modes else []  # Python wants something behind it
     whose = "driver's values" if program.law is None else "time in seconds"
     texts = ["", f"    {names[0]}: the {whose}, one per row; by default the description's sweep"]
     texts += [f"    {name}: one per row; by default as the description lists them" for name in names[1:]]

@@ -23,6 +23,9 @@ HAIR_LINE = 0.75
 NOTE_PIXELS, NOTE_LINE_PIXELS, NOTE_LINE_CHARACTERS = 220, 15, 34
 """Width of a note over a cell, height of its lines, and what a line holds."""
 
+AUTHOR = "mechsheet"
+"""Of files, and of notes over cells."""
+
 COUNTRIES = {"en": "US", "tr": "TR"}
 """Country that goes with a language where a format wants both."""
 

@@ -52,7 +52,7 @@ def likely_assignments(
 
     numbers  what stands in the cells;  driver  its values in internal units
     """
-    rows = _rows(driver, columns)
+    rows = _rows(columns)
     if rows is None or len(numbers) > MOST_CELLS or any(isinstance(e.expression, Root) for e in equations.columns):
         return []
     tried = list(ways(dimensions, numbers))
@@ -95,7 +95,7 @@ def modes_of(truth: Truth, equations: Equations) -> dict[str, int]:
     return best[1]
 
 
-def _rows(driver: Array, columns: Array) -> Array | None:
+def _rows(columns: Array) -> Array | None:
     """A few rows in which most columns have numbers."""
     full = np.flatnonzero(np.isfinite(columns).mean(axis=0) >= 0.5)
     if len(columns) == 0 or len(full) < FEWEST:

@@ -112,6 +112,7 @@ def audited(
     """The audit of a workbook that has been read.
 
     shown           what messages call it
+    any_assembly    every assembly of the mechanism is right, not only the one that the description means
     own_dimensions  the mechanism has a student's own dimensions: another one in the sheet is a fault of its own
     """
     parts = judged_tables(work, mechanism, wanted, shown)

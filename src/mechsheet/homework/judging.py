@@ -128,6 +128,11 @@ def _judged(
 ) -> Judged:
     """Everything found in one table. `runs`: what may be its driver's values, where it is not the largest table."""
     seen = _seen(work, mechanism, wanted, runs=runs)
+    if (
+        mechanism.driver.law is not None and runs is None and not seen.right
+    ):  # looked for before mends are: they are many
+        timed = _seen(work, mechanism, wanted, unusual=True)
+        seen = timed if timed.right else seen
     other = None
     if mechanism.synthesis is not None and seen.right < len(seen.first):
         other = _seen(work, _found_once(mechanism), wanted, runs=runs)

@@ -300,8 +300,9 @@ def counted(graph: Graph, run: Run) -> list[Run]:
     return found
 
 
-def by_law(graph: Graph, runs: Sequence[Run]) -> list[Run]:
-    """Columns that go on one way, by unequal steps, computed from a run (of times) alone, of which sines are taken."""
+def by_law(graph: Graph, runs: Sequence[Run], slides: bool = False) -> list[Run]:
+    """Columns that go on one way, by unequal steps, computed from a run (of times) alone; of a driver that turns those of
+    which sines are taken."""
     work = graph.work
     found = []
     for run in runs:
@@ -310,19 +311,21 @@ def by_law(graph: Graph, runs: Sequence[Run]) -> list[Run]:
             strip = work.strips[number]
             steps = np.diff(work.column(strip.sheet, strip.start, strip.line, strip.length))
             one_way = bool(len(steps) >= SHORTEST - 1 and ((steps > 0).all() or (steps < 0).all()))
-            if one_way and _linear(work, strip) is None and _turned_by(graph, number):
+            if one_way and _linear(work, strip) is None and (slides or _turned_by(graph, number)):
                 found.append(Run(strip.sheet, strip.line, strip.start, strip.length))
     return found[:MOST_RUNS]
 
 
 def _turned_by(graph: Graph, number: int) -> bool:
-    """Whether the sine or cosine of a strip's own cells is taken somewhere."""
+    """Whether the sine or cosine of a strip's own cells is taken somewhere, of degrees as `COS(RADIANS(B4))`."""
     strip = graph.work.strips[number]
     return any(
         isinstance(part, Call)
         and part.name in ("SIN", "COS")
-        and isinstance(part.args[0], CellRef)
-        and (part.args[0].sheet, part.args[0].col) == (strip.sheet, strip.line)
+        and any(
+            isinstance(each, CellRef) and (each.sheet, each.col) == (strip.sheet, strip.line)
+            for each in walk(part.args[0])
+        )
         for reader in graph.readers[number]
         for part in walk(graph.formulas[reader])
     )

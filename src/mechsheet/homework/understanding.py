@@ -78,8 +78,8 @@ def understand(
     mechanism: Mechanism,
     asked: Sequence[str],
     tolerance: float,
-    unusual: bool = False,
-    runs: Sequence[Run] | None = None,
+    unusual: bool,
+    runs: Sequence[Run] | None,
 ) -> Understanding:
     """Understand a workbook. Raises WorkbookError where nothing in it is a table of this mechanism.
 
@@ -89,7 +89,7 @@ def understand(
     graph = Graph(work)
     runs = likely_runs(graph) if runs is None else runs
     if unusual:
-        runs = [*runs, *by_law(graph, runs)]
+        runs = [*runs, *by_law(graph, runs, bool(mechanism.driver.joint))]
     if not runs:
         raise WorkbookError(Fault("no table", about="no table"))
     best: tuple[tuple[int, int], Understanding] | None = None

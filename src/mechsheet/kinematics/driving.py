@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
 from mechsheet.kinematics.numeric import Array, interpolated, value
 from mechsheet.kinematics.places import number
-from mechsheet.model import TIME, Mechanism
+from mechsheet.model import TIME, Driver, Mechanism
 
 
 def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array:
@@ -66,6 +67,12 @@ def given_between(
         return given_at(mechanism, dimensions, places)
     rows = given[driver.symbol]
     return {driver.symbol: np.asarray(rows[0] + (places - 1.0) * step_of(rows))}
+
+
+def at_values(driver: Driver, values: Array) -> Driver:
+    """The driver at these values one by one, for positions alone: of a motion law the time is read, but not known."""
+    times = driver.times if driver.law is None else (math.nan,) * len(values)
+    return replace(driver, values=tuple(values.tolist()), law=None, times=times)
 
 
 def step_of(rows: Array) -> float:

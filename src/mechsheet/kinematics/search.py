@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Call, Direction, Node
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.driving import given_between
+from mechsheet.kinematics.driving import at_values, given_between
 from mechsheet.kinematics.equations import Condition, Equations
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array, runs_of, value
@@ -81,8 +81,7 @@ class Search:
         self, mechanism: Mechanism, equations: Equations, given: Mapping[str, Array], stepped: bool = True
     ) -> None:
         if any(group.system for group in equations.groups):  # each row from the row above: these are the rows
-            values = tuple(given[mechanism.driver.symbol].tolist())
-            mechanism = replace(mechanism, driver=replace(mechanism.driver, values=values, law=None))
+            mechanism = replace(mechanism, driver=at_values(mechanism.driver, given[mechanism.driver.symbol]))
         self.mechanism = mechanism
         self.equations = equations
         self.given = given

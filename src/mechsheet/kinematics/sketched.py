@@ -292,11 +292,12 @@ def _best(
 
 
 def _tried(mechanism: Mechanism, driver: Array) -> Array:
-    """Driver values to try: those of the sweep, thinned; all around the circle for a driver that turns."""
+    """Driver values to try: those of the sweep, thinned; for a driver that turns all around the circle, the way it goes."""
     rows = driver[:: math.ceil(len(driver) / MOST_ROWS)]
     if mechanism.driver.joint:
         return rows
-    return np.concatenate([rows, driver[0] + np.arange(0.0, math.tau, STEP)])
+    sense = -1.0 if driver[-1] < driver[0] else 1.0
+    return np.concatenate([rows, driver[0] + sense * np.arange(0.0, math.tau, STEP)])
 
 
 def assemblies(equations: Equations) -> list[Equations]:

@@ -78,11 +78,14 @@ def write_stepped(
     return settled(mechanism, equations, driver_values(mechanism, dimension_values(mechanism)), sweep)
 
 
-def write_equations(mechanism: Mechanism, modes: Mapping[str, int] | None, further: Further | None = None) -> Equations:
+def write_equations(
+    mechanism: Mechanism, modes: Mapping[str, int] | None, further: Further | None = None, outputs: bool = True
+) -> Equations:
     """The equations of a mechanism, in order of solution.
 
     modes    those that are given, the sketch picks the others; None: none is picked, every mode is +1
     further  what else is to be written; without it outputs of forces are left out
+    outputs  whether outputs are to be written
     Raises MechanismError: a synthesis without a solution, MobilityError, what no order of solution is known for, and where
     modes are picked BetweenModesError and NeverClosesError.
     """
@@ -103,7 +106,8 @@ def write_equations(mechanism: Mechanism, modes: Mapping[str, int] | None, furth
         rates = add_rates(poses, order, [solved for _, solved, _, _ in groups.found], groups.chains)
     if further is not None:
         further(Found(poses, order, rates, groups.chains))
-    _outputs(mechanism, ledger, whole=further is not None)
+    if outputs:
+        _outputs(mechanism, ledger, whole=further is not None)
     inputs = [dim.symbol for dim in mechanism.dimensions]
     law = mechanism.driver.law
     task = mechanism.synthesis
@@ -253,13 +257,18 @@ def _found_mode(mechanism: Mechanism, solved: Solved, dimensions: Mapping[str, f
     return None if follows is None else round(number(follows, dimensions))
 
 
+def _at_rest(mechanism: Mechanism, values: tuple[Quantity, ...]) -> Mechanism:
+    """Positions alone, at these values of the driver. Outputs stay, for their names are taken, but may read what is gone."""
+    driver = replace(mechanism.driver, values=values, law=None, speeds=(), accelerations=(), times=(), speed=None)
+    return replace(mechanism, driver=driver, dynamics=None)
+
+
 def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
     """The groups, with their modes, as the sketch shows them at the driver value `at`, which need not be a row."""
-    driver = replace(mechanism.driver, values=(at,), law=None, speeds=(), accelerations=(), times=(), speed=None)
     drivers = _listed_at(mechanism, np.array([number(at, dimension_values(mechanism))]))
-    there = replace(mechanism, driver=driver, drivers=drivers, sketch=replace(mechanism.sketch, at=None), dynamics=None)
+    there = replace(_at_rest(mechanism, (at,)), drivers=drivers, sketch=replace(mechanism.sketch, at=None))
     try:
-        return write_equations(there, {}).groups
+        return write_equations(there, {}, outputs=False).groups
     except NeverClosesError as error:
         message = say("the sketch cannot show this position: there {links} cannot be joined", links=error.links)
         hint = say("check `at`, which is in the driver's unit, and the lengths of these links")
@@ -333,11 +342,9 @@ def _solve_dyad(poses: Poses, dyad: Dyad) -> Solved:
 
 def _of_task(mechanism: Mechanism, home: float) -> Mapping[str, float]:
     """Values at the driver's value `home` in the assembly that a task finds: it knows those of dyads."""
-    driver = replace(mechanism.driver, values=(home,), law=None, speeds=(), accelerations=(), times=(), speed=None)
-    there = replace(mechanism, driver=driver, solution=replace(mechanism.solution, force=False), dynamics=None)
-    return {
-        name: float(column[0]) for name, column in sweep(there, write_equations(there, {}), np.array([home])).items()
-    }
+    there = replace(_at_rest(mechanism, (home,)), solution=replace(mechanism.solution, force=False))
+    equations = write_equations(there, {}, outputs=False)
+    return {name: float(column[0]) for name, column in sweep(there, equations, np.array([home])).items()}
 
 
 def _traced(
@@ -345,12 +352,12 @@ def _traced(
 ) -> Mapping[str, float]:
     """Values at the driver's value `home` of the position that the sketch shows at `at`, followed in small steps."""
     path = way(at, home, not mechanism.driver.joint)
-    driver = replace(mechanism.driver, values=tuple(float(value) for value in path), law=None)
-    drivers = _listed_at(mechanism, path)
-    followed = replace(mechanism, driver=driver, drivers=drivers, sketch=replace(mechanism.sketch, at=None))
-    values = sweep(followed, write_equations(followed, {}), path)
-    if not np.all(np.isfinite([values[name][-1] for name in variables])):
-        raise cannot_follow(links)
+    still = _at_rest(mechanism, tuple(float(value) for value in path))
+    followed = replace(still, drivers=_listed_at(mechanism, path), sketch=replace(mechanism.sketch, at=None))
+    values = sweep(followed, write_equations(followed, {}, outputs=False), path)
+    closes = np.all(np.isfinite([values[name] for name in variables]), axis=0).tolist()
+    if not closes[-1]:
+        raise cannot_follow(links, mechanism.driver, path[closes.index(False)])
     return {name: float(values[name][-1]) for name in variables}
 
 

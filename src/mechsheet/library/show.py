@@ -205,12 +205,13 @@ def equations_json(mechanism: Mechanism) -> str:
 
 
 def cells_text(mechanism: Mechanism) -> str:
-    """Every cell and fill of the workbook, with its value."""
+    """Names, constants and formulas of the workbook: see `cells_of_workbook`."""
     return cells_of_workbook(told(mechanism).workbook)
 
 
 def cells_of_workbook(workbook: Workbook) -> str:
-    """A stable dump: names, then sheet by sheet the constants and the fills with their first and last value."""
+    """A stable dump: names, then sheet by sheet the constants with their values, the fills with their first formula, and
+    the charts with the number of their series."""
     lines = [f"name {name.name} = {name.sheet}!{cell_name(name.row, name.col)}" for name in workbook.names]
     for sheet in workbook.sheets:
         lines.append(f"sheet {sheet.title}{' (hidden)' if sheet.hidden else ''}")

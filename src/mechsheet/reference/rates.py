@@ -127,7 +127,10 @@ def solved(matrix: Array, right: Array) -> Array:
 
 
 def gradients(equations: Sequence[Equation], state: Array, along: Array) -> tuple[Array, Array]:
-    """Gradients (m, k, columns) of k conditions by the whole state, and how these change along a direction (m, columns)."""
+    """Gradients (m, k, columns) of k conditions by the whole state, and how these change along a direction (m, columns).
+
+    The change by a complex step, Im g(x + i h along) / h: no digit is lost to a difference.
+    """
     moved = state + 1j * _STEP * along
     found = np.zeros((len(state), len(equations), state.shape[1]), complex)
     for i, equation in enumerate(equations):

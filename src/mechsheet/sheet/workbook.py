@@ -204,7 +204,6 @@ class Axis:
     number_format: str = "General"
     visible: bool = True
     gridlines: bool = True
-    crosses_low: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -333,7 +332,6 @@ class Properties:
 
     title: str = ""
     subject: str = ""
-    author: str = "mechsheet"
     comments: str = ""
     keywords: str = ""
     language: str = "en"

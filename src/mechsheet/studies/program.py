@@ -173,7 +173,7 @@ class Program:
         return Printed(
             _function("of_designs", _inputs(parts[DESIGN], given), parts[DESIGN], outward[DESIGN]),
             _function("of_places", _inputs(parts[PLACE], given), parts[PLACE], outward[PLACE]),
-            _function("of_both", _read(parts[WHOLE], wanted), parts[WHOLE],
+            _function("of_both", _read(parts[WHOLE]), parts[WHOLE],
                       [value for value in wanted.values() if value.width == WHOLE and value.name.startswith("v")]),
             {name: symbol for name, symbol in given.items() if name in used},
             wanted,
@@ -254,7 +254,7 @@ def _inputs(steps: Sequence[_Step], given: Mapping[str, str]) -> list[str]:
     return list(dict.fromkeys(each.name for step in steps for each in step.operands if each.name in given))
 
 
-def _read(steps: Sequence[_Step], wanted: Mapping[str, Value]) -> list[str]:
+def _read(steps: Sequence[_Step]) -> list[str]:
     own = {step.target.name for step in steps}
     read = [each.name for step in steps for each in step.operands if each.name]
     return [name for name in dict.fromkeys(read) if name not in own]

@@ -131,7 +131,7 @@ def _first(paths: Sequence[Any], count: int) -> Numbers:
 
 
 def rows_of(paths: Sequence[Any], order: Order, numbers: Numbers) -> Any:
-    """The rows of some designs, in the order of the numbers, as a table."""
+    """The rows of some designs, in the order of the numbers, as a pyarrow table; None of no designs."""
     pa = arrow()
     parts = np.unique((numbers - 1) // order.size)
     tables = []

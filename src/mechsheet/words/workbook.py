@@ -106,6 +106,10 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.stroke": ("stroke", "kurs"),
     "verdict.ratio.symbol": ("ratio", "oran"),
     "verdict.ratio": ("time ratio of {symbol}, slow way : fast way", "{symbol} zaman oranı, yavaş : hızlı"),
+    "verdict.ratio.gears": (
+        "time ratio of {symbol}: needs one whole turn, after which the gears are back",
+        "{symbol} zaman oranı: dişlilerin geri geldiği tek bir tam tur gerekir",
+    ),
     "verdict.ratio.none": ("time ratio of {symbol}: needs a whole turn", "{symbol} zaman oranı: tam bir tur gerekir"),
     "verdict.fair": ("good transmission", "bağlama iyi"),
     "verdict.poor": ("poor below 40°", "40° altı kötü"),

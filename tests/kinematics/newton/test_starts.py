@@ -152,12 +152,13 @@ def test_cramer(count):
 
 
 def test_a_step_that_is_too_large_is_told_with_one_that_works():
-    mechanism = load(TEMPLATES / "double-butterfly.toml")
-    mechanism = replace(mechanism, driver=replace(mechanism.driver, stop=math.radians(145)))
-    (doubt,) = doubts(mechanism, solve(mechanism))
+    mechanism = load(TEMPLATES / "stephenson-ii-class-iv.toml")
+    far, near = (replace(mechanism, driver=replace(mechanism.driver, step=math.radians(step))) for step in (40, 20))
+    (doubt,) = doubts(far, solve(far))
     assert doubt.key == "driver.step"
     assert "too large" in doubt.message
-    assert "a step of 0.125 works" in doubt.hint
+    assert "a step of 20 works" in doubt.hint
+    assert doubts(near, solve(near)) == ()
 
 
 def test_a_sketch_of_another_position_is_followed_to_the_first_row():

@@ -460,6 +460,10 @@ class _Judge:
         goes = truth.whole and truth.closes_everywhere and truth.count == truth.rows
         if truth.doubtful or truth.holes:
             return
+        if (
+            truth.equations.tied and abs(truth.step) * (truth.rows - 1) > 1.5 * TURN
+        ):  # gears: back after how many turns?
+            goes = False
         if goes:
             column = truth.at[symbol]
             if truth.is_angle(symbol) and abs(column[-1] - column[0]) > math.pi:

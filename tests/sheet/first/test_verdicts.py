@@ -117,6 +117,21 @@ def test_of_one_position_nothing_is_said_in_the_plural(language, words):
     assert Laid(driver, language).verdict.startswith(words)
 
 
+def test_no_time_ratio_of_several_turns_of_gears():
+    """Two turns of the driver are one of the wheel that moves the slide: a ratio of ways within one turn means nothing."""
+    text = template_text("slider-crank").partition("[[charts]]")[0]
+    text = text.replace(
+        '[driver]\nlink = "crank"', '[links.pinion]\npoints = { A0 = [0, 0] }\n[driver]\nlink = "pinion"'
+    )
+    text = (
+        text.replace("stop = 360", "stop = 720")
+        + '[[joints]]\ntype = "gear"\nlink = "crank"\non = "pinion"\nratio = 0.5\n'
+    )
+    laid = Laid(text)
+    assert laid.spot("#time_ratio_s14") == NA
+    assert laid.words("time_ratio_s14").endswith("needs one whole turn, after which the gears are back")
+
+
 def test_values_that_go_to_and_fro_reach_from_the_least_to_the_largest():
     """Listed values may end where they began: the driver has moved all the same."""
     laid = Laid(re.sub(r"start = 0\nstop = 360\nstep = 15", "values = [90, 120, 60, 90]", FOUR_BAR))

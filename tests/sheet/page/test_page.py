@@ -443,3 +443,36 @@ def test_the_hodograph_is_drawn_true_to_scale():
     assert curve - vector[0] == pytest.approx(velocity * scale, abs=1e-9)
     assert vector[1] == pytest.approx(curve[0])
     assert np.max(np.abs(np.vstack([curve, vector]))) <= 1
+
+
+TWO_GROUPS = KITE.replace("start = -360\nstop = 360\nstep = 15", "start = 40\nstop = 100\nstep = 10") + (
+    '[links.rod]\npoints = { B = [0, 0], C = [60, 0] }\n[links.ram]\npoints = { C = [0, 0] }\n'
+    '[[joints]]\ntype = "prismatic"\nlink = "ram"\non = "ground"\npoint = "C"\nthrough = [0, 0]\nsymbol = "s"\n'
+    '[assembly]\nB = [80, 66]\nC = [110, 0]\n[outputs]\ntwice = { formula = "2*theta14", unit = "deg" }\n[summary]\n'
+    + "".join(f'{take}_ = {{ of = "{of}", take = "{take}" }}\n' for take, of in {
+        "max": "theta14", "range": "theta14", "min": "twice", "mean": "theta14", "last": "theta14", "first": "A.x",
+    }.items())
+)  # fmt: skip
+
+
+def test_numbers_of_all_rows_leave_out_those_that_another_group_ends():
+    """The four-bar goes on where the rod no longer reaches the slide's line: these are no positions of the mechanism."""
+    page = Page(TWO_GROUPS)
+    there = [said == "" for said in page.said()]
+    assert any(there) and not all(there)
+    angle, crank = page.column("theta14"), page.column("A.x")
+    assert np.isfinite(angle).all()
+    angle, crank = np.degrees(angle[there]), crank[there]
+    wanted = {
+        "max": angle.max(),
+        "range": np.ptp(angle),
+        "min": 2 * angle.min(),
+        "mean": angle.mean(),
+        "last": angle[-1],
+    }
+    wanted["first"] = crank[0]
+    rows = page.plan.blocks["summary"].rows
+    found = {take: page.values.get(page.plan.main, rows[f"{take}_"], 1) for take in wanted}
+    assert found == pytest.approx(wanted, rel=1e-12)
+    mu = np.degrees(page.column("theta14") - page.column("theta13"))[there]
+    assert page.cell("#transmission_1") == pytest.approx(np.minimum(mu % 180, 180 - mu % 180).min(), rel=1e-9)

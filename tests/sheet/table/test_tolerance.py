@@ -164,3 +164,13 @@ def test_the_sheet_has_no_more_formulas_a_quantity_than_the_positions(name):
     )  # a few lines below the table
     assert count <= most * len(plan.mechanism.bands.quantities)
     assert max(len(print_formula(fill.formula, "excel")) for fill in sheet.fills) <= 460
+
+
+def test_ranges_of_another_sheet_are_written_as_they_are_read():
+    """`Extremes!$A$1:Extremes!$A$3` comes back as `Extremes!$A$1:$A$3`: the workbook would count as edited when fresh."""
+    source = SLIDER.replace("[summary]", '[summary]\nend = { of = "s14", take = "last" }')
+    sheets = lay_out(slider('["end"]', source=source)).sheets
+    (sheet,) = (sheet for sheet in sheets if sheet.title == "Tolerance")
+    written = [print_formula(fill.formula) for fill in sheet.fills]
+    assert any("MAX(Extremes!" in text for text in written)
+    assert not any(":Extremes!" in text for text in written)

@@ -97,6 +97,10 @@ class SearchedVerdicts:
             if abs(step * (search.rows - 1) / TURN - 1) > 1e-9:
                 return []
             step = TURN / (search.rows - 1)
+        if (
+            search.equations.tied and step * (search.rows - 1) > 1.5 * TURN
+        ):  # gears may be back after several, or sooner
+            return []
         turns = search.whole and search.closes_everywhere and not (search.is_angle(symbol) and search.is_crank(symbol))
         extremes = search.extremes(symbol) if turns else None
         if extremes is None or extremes[2] - extremes[0] < 1e-7 * (1.0 if search.is_angle(symbol) else search.size):

@@ -183,7 +183,7 @@ def slid(parts: Parts, name: str, drawn: Drawn) -> float | None:
     return round(along, digits_for(size_of(drawn.places))) + 0.0
 
 
-def as_drawn(source: Source, reading: Reading, drawn: Drawn, points: tuple[str, ...] = ()) -> Source:
+def as_drawn(source: Source, reading: Reading, drawn: Drawn, points: tuple[str, ...]) -> Source:
     """The text with its sketch as it is drawn: the points that it names, and the driver value at which they are there.
 
     points  those that were moved: they are named where the sketch would mean another assembly without them

@@ -15,7 +15,7 @@ from typing import Any
 from ...formula.book import Block
 from ...formula.nodes import Binary, Boolean, Call, CellRef, ErrorValue, Node, Number, Scalar, Text, Unary
 from ..graph import area_read
-from ..kernels.arithmetic import FAST, Arithmetic
+from ..kernels.arithmetic import Arithmetic
 from ..kernels.math import BELOW_HALF, rounded_one
 from ..layout import Layout
 from ..values.calling import to_number
@@ -71,7 +71,7 @@ class Memory:
 
 
 def cell_code(
-    layout: Layout, sheets: dict[str, int], block: Block, arithmetic: Arithmetic = FAST
+    layout: Layout, sheets: dict[str, int], block: Block, arithmetic: Arithmetic
 ) -> Callable[[Memory], CellCode] | None:
     """From the memory of an evaluation to a function of the row (0 is the block's first) that gives a cell's value."""
     writer = _Writer(layout, sheets, block, arithmetic)

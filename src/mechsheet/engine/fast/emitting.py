@@ -13,7 +13,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from ..kernels.arithmetic import FAST, Arithmetic
+from ..kernels.arithmetic import Arithmetic
 from ..layout import Layout
 from ..values.cells import NEAR, TEXT
 from .helpers import HELPERS
@@ -49,7 +49,7 @@ class _Pool:
         self.free.append(int(name[1:]))
 
 
-def emit(lowering: Lowering, layout: Layout, arithmetic: Arithmetic = FAST) -> tuple[Code, str, dict[str, int]]:
+def emit(lowering: Lowering, layout: Layout, arithmetic: Arithmetic) -> tuple[Code, str, dict[str, int]]:
     """The function `code(numbers, codes, buffers, i, j)`, its source, and how many buffers of each kind it needs.
 
     `buffers` maps "t", "b" (one value or truth a row) and "w", "v" (the same for wide blocks) to arrays of that many rows.

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from itertools import count
 from struct import Struct
 
-from ..kernels.arithmetic import FAST, Arithmetic
+from ..kernels.arithmetic import Arithmetic
 from ..kernels.math import rounded_one
 from ..layout import Layout
 from .helpers import HELPERS, TroubleError
@@ -49,7 +49,7 @@ _OWN: dict[str, str] = {
 """As `SINGLE`. A sum far above NEAR = 2^-48 of its left operand, as nearly all are, is known by two comparisons."""
 
 
-def row_code(lowering: RowLowering, layout: Layout, arithmetic: Arithmetic = FAST) -> tuple[RowCode, str]:
+def row_code(lowering: RowLowering, layout: Layout, arithmetic: Arithmetic) -> tuple[RowCode, str]:
     """`code(numbers, above, i, j, out)` and its source: computes rows [i, j) into the rows of `out`, until one stops it.
 
     `above` holds the values of `above_order(lowering)`. Returns how many rows it has computed.

@@ -66,7 +66,7 @@ def scalar(op: str, arithmetic: Arithmetic = FAST) -> Callable[..., float]:
 
 
 @cache
-def scalar_power(exponent: float, arithmetic: Arithmetic = FAST) -> Callable[[float], float]:
+def scalar_power(exponent: float, arithmetic: Arithmetic) -> Callable[[float], float]:
     """x^exponent as a function of x. numpy has short cuts for some exponents."""
     own = arithmetic.operations.get("power")
     if own is not None:

@@ -133,7 +133,7 @@ def _axis(dimension: str, axis: Axis, styles: _Styles) -> str:
         f'chart:visible="{shown}" chart:display-label="{shown}" chart:logarithmic="false"'
         ' chart:reverse-direction="false" text:line-break="false" chart:link-data-style-to-source="false"'
         ' chart:tick-marks-major-outer="true" chart:tick-marks-major-inner="false"'
-        f' chart:axis-position="{"start" if axis.crosses_low else "0"}"'
+        ' chart:axis-position="start"'
     )
     for name, value in (("minimum", axis.low), ("maximum", axis.high), ("interval-major", axis.step)):
         if value is not None:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from xml.sax.saxutils import escape
 
+from mechsheet.formats.house_style import AUTHOR
 from mechsheet.sheet.workbook import Module, PrintSetup, Properties, Sheet, Workbook
 
 from ..archive import FIXED_TIME
@@ -57,8 +58,8 @@ def meta(properties: Properties, sealed: str) -> str:
         ("dc:description", properties.comments),
         ("dc:subject", properties.subject),
         ("meta:keyword", properties.keywords),
-        ("meta:initial-creator", properties.author),
-        ("dc:creator", properties.author),
+        ("meta:initial-creator", AUTHOR),
+        ("dc:creator", AUTHOR),
         ("dc:language", properties.language),
     )
     body = "".join(f"<{tag}>{escaped(text)}</{tag}>" for tag, text in given if text)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from mechsheet.formats.house_style import AUTHOR
 from mechsheet.sheet.workbook import Chart, Column, Comment, Control, Sheet
 
 from ..archive import FIXED_TIME
@@ -20,7 +21,7 @@ _ALL_COLUMNS = 1024
 _COMPONENTS = {"scroll": "ScrollBar", "spin": "SpinButton"}
 
 
-def cell_extras(sheet: Sheet, author: str, objects: dict[int, str], first_control: int) -> Extras:
+def cell_extras(sheet: Sheet, objects: dict[int, str], first_control: int) -> Extras:
     """The notes, charts and controls of a sheet.
 
     objects        the folder of each chart's document, by its place in `sheet.charts`
@@ -28,7 +29,7 @@ def cell_extras(sheet: Sheet, author: str, objects: dict[int, str], first_contro
     """
     extras = Extras()
     for comment in sheet.comments:
-        extras.notes[comment.row, comment.col] = _note(comment, author)
+        extras.notes[comment.row, comment.col] = _note(comment)
     depth = 0
     for i, chart in enumerate(sheet.charts):
         place = (chart.anchor.row, chart.anchor.col)
@@ -104,10 +105,10 @@ def _column(
     )
 
 
-def _note(comment: Comment, author: str) -> str:
+def _note(comment: Comment) -> str:
     return (
         f'<office:annotation office:display="false" svg:width="{points(NOTE_PIXELS)}"'
-        f' svg:height="{points(note_height(comment.text))}"><dc:creator>{escaped(author)}</dc:creator>'
+        f' svg:height="{points(note_height(comment.text))}"><dc:creator>{AUTHOR}</dc:creator>'
         f"<dc:date>{FIXED_TIME:%Y-%m-%dT%H:%M:%S}</dc:date>{paragraphs(comment.text)}</office:annotation>"
     )
 

@@ -52,7 +52,7 @@ class _Document:
         charts = controls = validations = 0
         for sheet in workbook.sheets:
             objects = dict(enumerate(self.folders[charts : charts + len(sheet.charts)]))
-            extras = cell_extras(sheet, workbook.properties.author, objects, controls + 1)
+            extras = cell_extras(sheet, objects, controls + 1)
             rules = sheet_rules(sheet, self.styles, validations)
             self.rows.append(TableRows(sheet, self.styles, rules, extras))
             self.first_control.append(controls + 1)

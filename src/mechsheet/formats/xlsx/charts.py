@@ -29,9 +29,8 @@ def new_chart(chart: Chart, language: str) -> StraightScatter:
         if isinstance(series.name, str):
             # Not by the option: XlsxWriter takes a constant such as "A!B1" for a reference.
             made.series[-1]["name"] = series.name
-    # In XlsxWriter as in the file, where an axis stands is said by the other one.
-    made.set_x_axis(_axis(chart.x_axis, chart.y_axis))
-    made.set_y_axis(_axis(chart.y_axis, chart.x_axis))
+    made.set_x_axis(_axis(chart.x_axis))
+    made.set_y_axis(_axis(chart.y_axis))
     made.x_axis["title"].name = chart.x_axis.title
     made.y_axis["title"].name = chart.y_axis.title
     made.set_legend(_legend(chart))
@@ -49,8 +48,8 @@ def _font(size: float, bold: bool = False) -> dict[str, Any]:
     return {"name": FONT, "size": size, "bold": bold, "color": _TEXT}
 
 
-def _axis(axis: Axis, other: Axis) -> dict[str, Any]:
-    options: dict[str, Any] = {
+def _axis(axis: Axis) -> dict[str, Any]:
+    return {
         "name_font": _font(TEXT_SIZE),
         "num_font": _font(TEXT_SIZE),
         "num_format": axis.number_format,
@@ -60,10 +59,8 @@ def _axis(axis: Axis, other: Axis) -> dict[str, Any]:
         "visible": axis.visible,
         "line": {"color": _AXIS, "width": HAIR_LINE},
         "major_gridlines": {"visible": axis.gridlines, "line": {"color": _GRID, "width": HAIR_LINE}},
+        "crossing": "min",
     }
-    if other.crosses_low:
-        options["crossing"] = "min"
-    return options
 
 
 def _series(series: Series) -> dict[str, Any]:

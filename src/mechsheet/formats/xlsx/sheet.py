@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from mechsheet.formats.house_style import AUTHOR
 from mechsheet.formula.nodes import Node
 from mechsheet.formula.printer import print_formula
 from mechsheet.sheet.workbook import Control, PrintSetup, Sheet, Validation
@@ -19,7 +20,7 @@ _A4 = 9
 _TITLE_LENGTH, _MESSAGE_LENGTH = 32, 255
 
 
-def fill_sheet(page: DataWorksheet, sheet: Sheet, book: Any, language: str, author: str) -> None:
+def fill_sheet(page: DataWorksheet, sheet: Sheet, book: Any, language: str) -> None:
     """Everything of the sheet but its cells and controls; `book` is XlsxWriter's workbook."""
     _view(page, sheet)
     _print_setup(page, sheet.print_setup)
@@ -40,7 +41,7 @@ def fill_sheet(page: DataWorksheet, sheet: Sheet, book: Any, language: str, auth
         rule = {"type": "formula", "criteria": _formula(conditional.condition), "format": look}
         page.conditional_format(area.first_row, area.first_col, area.last_row, area.last_col, rule)
     for comment in sheet.comments:
-        page.write_comment(comment.row, comment.col, comment.text, _note_look(comment.text, author))
+        page.write_comment(comment.row, comment.col, comment.text, _note_look(comment.text))
     for chart in sheet.charts:
         made = new_chart(chart, language)
         made.id = -1
@@ -125,8 +126,8 @@ def _short(text: str, length: int) -> str:
     return text if len(text) <= length else text[: length - 1] + "…"
 
 
-def _note_look(text: str, author: str) -> dict[str, Any]:
-    return {"author": author, "width": NOTE_PIXELS, "height": note_height(text), "font_size": TEXT_SIZE}
+def _note_look(text: str) -> dict[str, Any]:
+    return {"author": AUTHOR, "width": NOTE_PIXELS, "height": note_height(text), "font_size": TEXT_SIZE}
 
 
 def place_control(page: DataWorksheet, control: Control, value: int, number: int) -> PlacedControl:

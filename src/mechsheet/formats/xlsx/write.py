@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 from pathlib import Path
 
+from mechsheet.formats.house_style import AUTHOR
 from mechsheet.formula.printer import print_formula, quote_sheet
 from mechsheet.formula.references import column_letters
 from mechsheet.sheet.workbook import Cell, Rich, Sheet, Workbook
@@ -54,7 +55,7 @@ class _Book(PartsWorkbook):
             {
                 "title": legal(properties.title),
                 "subject": legal(properties.subject),
-                "author": legal(properties.author),
+                "author": AUTHOR,
                 "comments": legal(properties.comments),
                 "keywords": legal(properties.keywords),
                 "created": FIXED_TIME,
@@ -83,7 +84,7 @@ class _Book(PartsWorkbook):
         page.data = SheetData(sheet, self.styles.index, strings, formula_texts(sheet), functions)
         page.has_dynamic_arrays = any(calls_one_of(fill.formula, functions) for fill in sheet.fills)
         properties = self.source.properties
-        fill_sheet(page, sheet, self, locale(properties.language), legal(properties.author))
+        fill_sheet(page, sheet, self, locale(properties.language))
         placed = sum(len(other.buttons_list) for other in self.worksheets())
         page.controls = [
             place_control(page, control, linked_value(sheet, control), placed + i)

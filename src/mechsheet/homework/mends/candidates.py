@@ -62,7 +62,7 @@ class Surroundings:
 
 
 def candidates(formula: Node, around: Surroundings) -> list[Candidate]:
-    """Every single change of a formula, each formula once, the lightest first."""
+    """Every single change of a formula, each formula once, the lightest first; no more than MOST."""
     paths = _paths(formula)
     parts = list(paths)
     angles = _angles(formula)

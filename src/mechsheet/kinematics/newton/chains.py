@@ -112,8 +112,8 @@ def next_chain(
     graph: Graph,
     assemblies: Sequence[Assembly],
     solved: set[str],
-    least: int = 4,
-    relations: Sequence[Relation] = (),
+    least: int,
+    relations: Sequence[Relation],
 ) -> Chain | None:
     """The smallest group of at least so many assemblies, the first in the description's order; None where there is none.
 

@@ -45,7 +45,7 @@ def pick_assembly(
     start: int,
     dimensions: Mapping[str, float],
     given: int | None,
-    near: Callable[[float], Mapping[str, float]] | None = None,
+    near: Callable[[float], Mapping[str, float]] | None,
 ) -> tuple[System, int, bool]:
     """(the system with its start values, the number of the assembly from 0, whether it was left open).
 

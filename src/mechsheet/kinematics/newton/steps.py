@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.driving import listed_values
+from mechsheet.kinematics.driving import at_values, listed_values
 from mechsheet.kinematics.equations import PASSES, Equations, System
 from mechsheet.kinematics.newton.system import MOST_PASSES
 from mechsheet.kinematics.numeric import Array, interpolated
-from mechsheet.model import TIME, Mechanism
+from mechsheet.model import Mechanism
 from mechsheet.said import say
 
 FINER = (2, 4, 8)
@@ -22,6 +23,10 @@ FINER = (2, 4, 8)
 
 MOST_ROWS = 4_000
 ALIKE = 1e-6
+
+LEAP = math.pi / 2
+"""No link turns so far in one of the smallest steps [rad]."""
+
 TRIED = (PASSES, 8, 10, MOST_PASSES)
 
 Sweep = Callable[[Mechanism, Equations, Mapping[str, Array]], dict[str, Array]]
@@ -46,12 +51,17 @@ class Steps:
     def __init__(self, mechanism: Mechanism, equations: Equations, driver: Array, sweep: Sweep) -> None:
         self.besides = listed_values(mechanism, dimension_values(mechanism), driver)
         self.mechanism, self.equations, self.driver, self.sweep = mechanism, equations, driver, sweep
-        self.unknowns = [name for group in equations.groups if group.system for name in group.system.unknowns]
         self.parts = max((parts for parts in FINER if parts * len(driver) <= MOST_ROWS), default=1)
-        self.truth = self._at(driver, with_passes(equations, MOST_PASSES), self.parts)
+        finest = self._followed(driver, with_passes(equations, MOST_PASSES), self.parts)
+        self.truth = [column[:: self.parts] for column, _ in finest]
+        self.reached = [there[:: self.parts] for _, there in finest]
 
     def _at(self, driver: Array, equations: Equations, parts: int) -> list[Array]:
         """The unknowns at these values of the driver, followed in steps divided into so many parts."""
+        return [column[::parts] for column, _ in self._followed(driver, equations, parts)]
+
+    def _followed(self, driver: Array, equations: Equations, parts: int) -> list[tuple[Array, NDArray[np.bool_]]]:
+        """The unknowns in these smaller steps, each with where it has been followed to."""
         rows = np.arange(len(driver), dtype=float)
         places = np.arange((len(driver) - 1) * parts + 1) / parts
 
@@ -62,28 +72,49 @@ class Steps:
         drivers = tuple(
             replace(other, values=besides[other.symbol]) if other.values else other for other in self.mechanism.drivers
         )
-        moved = replace(self.mechanism.driver, values=listed(driver), law=None)
-        path = np.array(moved.values)
-        finer = replace(self.mechanism, driver=moved, drivers=drivers)
+        path = interpolated(places, rows, driver)
+        finer = replace(self.mechanism, driver=at_values(self.mechanism.driver, path), drivers=drivers)
+        own = _finer(equations, parts)
         given: dict[str, Array] = {symbol: np.array(column) for symbol, column in besides.items()}
-        given[moved.symbol] = path
-        if self.mechanism.driver.law is not None:  # its time is for speeds alone
-            given[TIME] = np.full(len(path), np.nan)
-        values = self.sweep(finer, _finer(equations, parts), given)
-        return [values[name][::parts] for name in self.unknowns]
+        values = self.sweep(finer, own, {**given, self.mechanism.driver.symbol: path})
+        slides = {joint.symbol for joint in self.mechanism.joints}
+        found = []
+        for system in (group.system for group in own.groups if group.system):
+            columns = [values[name] for name in system.unknowns]
+            angles = [column for name, column in zip(system.variables, columns, strict=True) if name not in slides]
+            there = _reached(columns, angles, values[system.determinant], system.row)
+            found += [(column, there) for column in columns]
+        return found
 
     def trial(self, equations: Equations, parts: int = 1) -> Trial:
         """The rows with these equations, in steps divided into so many parts."""
         lost = np.zeros(len(self.driver), dtype=bool)
         elsewhere = lost.copy()
-        for true, own in zip(self.truth, self._at(self.driver, equations, parts), strict=True):
+        columns = self._at(self.driver, equations, parts)
+        for true, reached, own in zip(self.truth, self.reached, columns, strict=True):
             gap = np.abs(own - true)
-            lost |= np.isnan(own) & ~np.isnan(true)
+            lost |= np.isnan(own) & reached
             with np.errstate(invalid="ignore"):
                 elsewhere |= (gap > ALIKE * np.maximum(1.0, np.abs(true))) & (
                     np.abs(gap - math.tau * np.round(gap / math.tau)) > ALIKE
                 )
         return Trial(lost, elsewhere)
+
+
+def _reached(columns: Sequence[Array], angles: Sequence[Array], determinant: Array, row: int) -> NDArray[np.bool_]:
+    """Where the motion goes on from its row `row`; `columns`: the unknowns, of which `angles` are some.
+
+    Newton's method may find anything behind a place that does not close, where the determinant changes its sign, or where
+    a link turns by more than `LEAP` in one of the smallest steps.
+    """
+    ends = np.flatnonzero(np.isnan(columns).any(axis=0) | (determinant * determinant[row] <= 0))
+    for angle in angles:
+        leaps = np.flatnonzero(np.abs(np.diff(angle)) > LEAP)  # from one place to the next; NaN is none
+        ends = np.concatenate([ends, leaps[leaps < row], leaps[leaps >= row] + 1])
+    before, behind = ends[ends <= row], ends[ends >= row]
+    found = np.zeros(len(determinant), dtype=bool)
+    found[int(before.max(initial=-1)) + 1 : int(behind.min(initial=len(determinant)))] = True
+    return found
 
 
 def with_passes(equations: Equations, passes: int) -> Equations:
@@ -149,9 +180,12 @@ def working_step(steps: Steps, equations: Equations) -> int:
 def _too_far(mechanism: Mechanism, driver: Array, row: int, parts: int, elsewhere: bool) -> Fault:
     unit = mechanism.driver.unit
     there, before = float(unit.to_shown(driver[row])), float(unit.to_shown(driver[max(row - 1, 0)]))
+    law = mechanism.driver.law
     hint = say("take a much smaller step, or end the sweep before")
     if parts > 1:
         hint = say("a step of {step:.4g} works", step=abs(there - before) / parts)
+        if law is not None:
+            hint = say("write rows = {rows} in motion", rows=(law.rows - 1) * parts + 1)
     at = {"symbol": mechanism.driver.symbol, "value": there}
     message = say("the step to {symbol} = {value:.6g} is too large: Newton's method loses the links", **at)
     if elsewhere:
@@ -160,6 +194,6 @@ def _too_far(mechanism: Mechanism, driver: Array, row: int, parts: int, elsewher
         )
     return Fault(
         message,
-        key="driver.values" if mechanism.driver.values else "driver.step",
+        key="driver.motion" if law is not None else "driver.values" if mechanism.driver.values else "driver.step",
         hint=hint,
     )

@@ -8,7 +8,7 @@ import numpy as np
 
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.numeric import Array
-from mechsheet.model import Words
+from mechsheet.model import Driver, Words
 from mechsheet.said import say
 
 STEP = math.radians(1.0)
@@ -22,14 +22,16 @@ def way(start: float, end: float, turns: bool) -> Array:
     return np.linspace(start, end, min(max(count, FEWEST), MOST) + 1)
 
 
-def cannot_follow(links: Words) -> MechanismError:
-    """The mechanism comes apart on the way."""
+def cannot_follow(links: Words, driver: Driver, place: float) -> MechanismError:
+    """The mechanism comes apart on the way, at this value of the driver [rad or length unit]."""
+    where = {"symbol": driver.symbol, "value": float(driver.unit.to_shown(place))}
     return MechanismError(
         Fault(
             say(
                 "from the position that the sketch shows {links} cannot be followed to the first one: they "
-                "come apart between",
+                "come apart at {symbol} = {value:.4g}",
                 links=links,
+                **where,
             ),
             key="assembly.at",
             hint=say("sketch a position of the same stretch, or begin the sweep in it"),

@@ -495,7 +495,7 @@ def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node
     return formula("IF(_rows_only,rows,settled)", rows=plan.text("verdict.rows.only"), settled=settled)
 
 
-def boundless(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node | None:
+def boundless(plan: Plan, symbol: str, ways: Sequence[Way]) -> Node | None:
     """Whether a quantity has no smallest or no largest value; None where it cannot grow without bound."""
     if not may_grow(plan, symbol):
         return None

@@ -104,7 +104,7 @@ def block(page: Page, name: str, x: CellRef, y: CellRef, guide: Guide, color: st
     """A rectangle that turns with its guide."""
     start = page.row
     local_path(page, name, tuple((a * size, b * size) for a, b in BLOCK))
-    filled(page, start, *_turned(page, start, x, y, guide, CellRef(start, FIRST, col_abs=True)))
+    filled(page, start, *_turned(start, x, y, guide, CellRef(start, FIRST, col_abs=True)))
     return series_of(page, name, start, color, 2.0)
 
 
@@ -115,7 +115,7 @@ def rail(page: Page, name: str, guide: Guide, below: bool) -> Series:
     local_path(page, name, tuple((a, side * (BLOCK_HEIGHT - b)) for a, b in comb(1.0, 11, 0.03, 0.0)))
     reach = al.sub(guide.end, guide.start)
     along = al.add(guide.start, al.mul(CellRef(start, FIRST, col_abs=True), reach))
-    filled(page, start, *_turned(page, start, guide.x, guide.y, guide, along))
+    filled(page, start, *_turned(start, guide.x, guide.y, guide, along))
     return series_of(page, name, start, INK, 1.0)
 
 
@@ -162,7 +162,7 @@ def guide_base(page: Page, guide: Guide, points: Mapping[str, PointCells]) -> Po
     return points.get(end, PointCells(guide.x, guide.y, guide.x, guide.y))
 
 
-def _turned(page: Page, row: int, x: CellRef, y: CellRef, guide: Guide, along: Node) -> tuple[Node, Node]:
+def _turned(row: int, x: CellRef, y: CellRef, guide: Guide, along: Node) -> tuple[Node, Node]:
     """The local place (along, b) turned into the guide's direction and moved to (x, y)."""
     b = CellRef(row, SECOND, col_abs=True)
     return (

@@ -67,8 +67,8 @@ def mechanism_sheet(
     checks: Checks,
     extremes: Extremes,
     tolerance: Tolerance,
-    charts: tuple[Chart, ...] = (),
-    controls: tuple[Control, ...] = (),
+    charts: tuple[Chart, ...],
+    controls: tuple[Control, ...],
 ) -> Sheet:
     """The sheet, with the charts and controls that others have made for it."""
     writer = Writer(plan)

@@ -382,7 +382,7 @@ class _Block:
     def ratio(self, symbol: str) -> None:
         """Time of the slower way between the extremes over that of the faster: of a driver that turns evenly, or by its
         motion law, again and again."""
-        law, ends = self.plan.mechanism.driver.law, "at"
+        law, ends, none = self.plan.mechanism.driver.law, "at", "ratio.none"
         turn = whole_turn(self.driver.unit.in_degrees)
         closes = formula("wraps>0", wraps=Symbol(f"#wraps_{symbol}"))
         if law is not None:
@@ -390,6 +390,10 @@ class _Block:
             closes = formula("AND(closes,ABS(ABS(last-first)/turn-1)<1E-9)", closes=closes, first=first, last=last,
                              turn=turn)  # fmt: skip
             ends, turn = "place", float(self.plan.rows - 1)
+        if self.plan.equations.equations.tied:  # what gears move is back after one turn, or after several
+            closes = formula("AND(closes,ABS(_step)*(rows-1)<1.5*turn)", closes=closes, rows=self.plan.rows,
+                             turn=turn) if law is None else closes  # fmt: skip
+            none = "ratio.gears"
         way = formula(
             "MOD(high-low,turn)", high=Symbol(f"#max_{ends}_{symbol}"), low=Symbol(f"#min_{ends}_{symbol}"), turn=turn
         )
@@ -399,7 +403,7 @@ class _Block:
         words = self.bound(
             'IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))',
             ratio=cell, unsure=self.text("unsure"), about=self.about(symbol),
-            ways=self.text("ratio", symbol=plain(symbol)), none=self.text("ratio.none", symbol=plain(symbol)),
+            ways=self.text("ratio", symbol=plain(symbol)), none=self.text(none, symbol=plain(symbol)),
         )  # fmt: skip
         self.line(f"time_ratio_{symbol}", self.text("ratio.symbol"), "", node, 3, words)
 

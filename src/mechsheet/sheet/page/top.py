@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, transform
+from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
@@ -15,7 +15,7 @@ from mechsheet.sheet.first.blocks import input_validation, unit_of_column, value
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.over_rows import ENDS, LEAST, MEAN, MOST, over_rows
+from mechsheet.sheet.over_rows import LEAST, MEAN, MOST, at_end, over_rows
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
@@ -91,8 +91,22 @@ class Top:
         )
 
     def over_rows(self, symbol: str, function: str) -> Node:
-        """Over a column, as people read it."""
-        return over_rows(function, self.column(symbol))
+        """Over a column, as people read it, in rows in which every group closes."""
+        return over_rows(function, self.column(symbol), *self._closing(symbol))
+
+    def _closing(self, symbol: str) -> list[RangeRef]:
+        """Columns that have a number where groups close of which this column says nothing: what it reads does close."""
+        page = self.plan.page
+        by_symbol = {each.symbol: each for each in page.columns}
+        read, waiting = {symbol}, [symbol]
+        while waiting:
+            name = waiting.pop()
+            reads = by_symbol[name].reads if name in by_symbol else ()
+            reads = symbols(page.plain[name]) if name in page.plain else reads
+            waiting += [each for each in reads if each not in read]
+            read.update(reads)
+        others = dict.fromkeys(name for name in page.closes.values() if name and name not in read)
+        return [self.column(name) for name in others]
 
     def cell(self, key: str) -> Node:
         """A cell on top by its key."""
@@ -338,11 +352,10 @@ class Top:
         """Over the rows in which the quantity has a value."""
         if not self.plan.at.spots[summary.of].column:
             return formula("0*value", value=self.cell(summary.of)) if summary.take == "range" else self.cell(summary.of)
-        column = self.column(summary.of)
         match summary.take:
             case "min" | "max" | "mean":
                 return self.over_rows(summary.of, {"min": LEAST, "max": MOST, "mean": MEAN}[summary.take])
             case "range":
                 return Binary("-", self.over_rows(summary.of, MOST), self.over_rows(summary.of, LEAST))
             case "first" | "last" as end:
-                return formula(ENDS[end], column=column)
+                return at_end(end, self.column(summary.of), *self._closing(summary.of))

@@ -190,19 +190,20 @@ class Does:
 
     def _closes_throughout(self, key: str) -> None:
         """In how many rows of the range the mechanism closes."""
-        column = self._column("curve", self._curve_col("mu"))
+        column = self._transmission_angles()
         self._entry(
             key, formula("COUNT(column)", column=column), "",
             [("value<most", self.page.text("closes_throughout.not"))], self.page.text("closes_throughout.all"),
             red="value<most", counted=True, over={"most": formula("ROWS(column)", column=column)},
         )  # fmt: skip
 
-    def _curve_col(self, key: str) -> int:
-        return curve_columns(self.page.given)[key]
+    def _transmission_angles(self) -> RangeRef:
+        """Those of the curve."""
+        return self._column("curve", curve_columns(self.page.given)["mu"])
 
     def _transmission_used(self, key: str) -> None:
         """The least transmission angle over the range."""
-        self._transmits(key, self._nearest_to_line(self._column("curve", self._curve_col("mu"))))
+        self._transmits(key, self._nearest_to_line(self._transmission_angles()))
 
     def _nearest_to_line(self, column: RangeRef) -> Node:
         """The least angle between two lines: one above 90 degrees counts from the other side."""

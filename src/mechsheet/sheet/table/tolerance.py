@@ -21,7 +21,7 @@ from mechsheet.sheet.over_rows import MOST, over_rows
 from mechsheet.sheet.plan import RATES_DRIVER, RATES_STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.bands import QUANTITIES, ROOT, WORST, Banded, part_of
+from mechsheet.sheet.table.bands import QUANTITIES, ROOT, WORST, part_of
 from mechsheet.sheet.table.positions import style_of
 from mechsheet.sheet.table.rates import sheet_beside
 from mechsheet.sheet.workbook import Cell, Fill, Sheet, Style
@@ -136,7 +136,7 @@ class Tolerance:
         plan, band = self.plan, self.plan.banded[line.quantity]
         found = []
         for symbol in band.derivatives:
-            value = plan.at.bind(self._derivative(line, band, symbol), self.title)
+            value = plan.at.bind(self._derivative(line, symbol), self.title)
             found.append(Fill(line.row, self._col(symbol), value, self._style(symbol)))
         root = part_of(line.quantity, ROOT)
         for symbol in (part_of(line.quantity, WORST), root):
@@ -152,7 +152,7 @@ class Tolerance:
         column = next(column for column in self.plan.bands if column.symbol == symbol)
         return styles.numbered(styles.RESULT, style_of(self.plan, column).number_format)
 
-    def _derivative(self, line: Line, band: Banded, symbol: str) -> Node:
+    def _derivative(self, line: Line, symbol: str) -> Node:
         """Of a summary, in the position shown, or in the row with the largest band."""
         column, summary = Symbol(ALL + symbol), line.summary
         if line.kind == "shown":
@@ -169,8 +169,9 @@ class Tolerance:
             case "first":
                 return formula("INDEX(column,_first_1)", column=column)
             case "last":
-                ends = [self.plan.at.cell(f"#last_{number}", self.title, None) for number in (1, STRETCHES)]
-                return formula("INDEX(column,MAX(top:bottom))", column=column, top=ends[0], bottom=ends[1])
+                spots = (self.plan.at.spots[f"#last_{number}"] for number in (1, STRETCHES))
+                ends = RangeRef(*(CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in spots))
+                return formula("INDEX(column,MAX(ends))", column=column, ends=ends)
             case "mean":
                 said, ok = Symbol(f"{ALL}#status"), self.plan.text("status.ok")
                 return formula("AVERAGEIF(said,ok,column)", said=said, ok=ok, column=column)

@@ -319,8 +319,10 @@ MECHANISM: dict[str, str] = {
     ),
     "take a much smaller step, or end the sweep before": "çok daha küçük bir adım alın ya da daha önce bitirin",
     "a step of {step:.4g} works": "{step:.4g} adımı olur",
-    "from the position that the sketch shows {links} cannot be followed to the first one: they come apart between": (
-        "eskizdeki konumdan ilk konuma izlenemiyor, arada ayrılıyorlar: {links}"
+    "write rows = {rows} in motion": "motion içine rows = {rows} yazın",
+    "from the position that the sketch shows {links} cannot be followed to the first one: "
+    "they come apart at {symbol} = {value:.4g}": (
+        "eskizdeki konumdan ilk konuma izlenemiyor, {symbol} = {value:.4g} değerinde ayrılıyorlar: {links}"
     ),
     "sketch a position of the same stretch, or begin the sweep in it": (
         "eskizde aynı aralıktan bir konum çizin ya da tahriki o aralıkta başlatın"
