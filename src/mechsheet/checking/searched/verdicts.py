@@ -57,6 +57,9 @@ class SearchedVerdicts:
         if not search.count:
             return [], []
         first, last = search.row_stretches[0]
+        if self.plan.mechanism.driver.values:  # they may go to and fro
+            values = self._at(range(first, last + 1))
+            return [min(values)], [max(values)]
         return self._end(first, first - 1), self._end(last, last + 1)
 
     def _end(self, row: int, other: int) -> list[float]:
