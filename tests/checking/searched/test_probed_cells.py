@@ -1,6 +1,7 @@
 """Other programs' values are held against the engine's cell by cell, but for those that a search in the sheet decides."""
 
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -60,6 +61,15 @@ def test_passes_of_a_row_that_does_not_close_are_nobodys():
     assert agrees(open_row, last - 1)
     assert not agrees(open_row, last)
     assert not agrees(plan.at.first, last - 1)
+
+
+def test_without_a_speed_there_are_only_passes():
+    """There is no sheet of velocities whose divisor could be nobody's."""
+    text = template_text("planar-3rpr").partition("[[charts]]")[0].replace("speed = 0.2\n", "")
+    text = text.replace("stop = 7\nstep = 0.2", "stop = 10\nstep = 2.5")
+    bare = re.sub(r"(?m)^(mass|center|inertia|gravity|\[dynamics\]).*\n", "", text)
+    laid = Laid(bare)
+    assert {sheet for sheet, _, _ in Astray(laid.plan, laid.values, UNMOVED).cells} == {"Iterations", "Positions"}
 
 
 def test_a_tables_angle_is_known_up_to_a_turn_until_it_goes_on_from_the_cell_above():

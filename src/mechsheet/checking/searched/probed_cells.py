@@ -102,7 +102,8 @@ class Astray:
             rows = [row for row, value in enumerate(shown, plan.at.first) if not isinstance(value, float)]
             self._add(moves, title, rows, passes)
             self._add(moves, plan.table, rows, beside)
-            self._add(moves, plan.at.titles["rates"], rows, divisor)
+            if divisor:  # a driver without a speed has no such sheet
+                self._add(moves, plan.at.titles["rates"], rows, divisor)
 
     def _add(self, moves: Moves, title: str, rows: list[int], cols: list[int]) -> None:
         """Rows of some columns of a sheet, where they are now."""
