@@ -23,6 +23,9 @@ OPTIONAL = {"latex": ("pdflatex",)}
 MEASURED = bool(os.environ.get("MECHSHEET_MEASURED"))
 """tools/slow_tests.py measures all anew."""
 
+os.environ["LC_ALL"] = "C.UTF-8"
+"""Messages are in English, whatever the machine speaks."""
+
 gc.set_threshold(100_000, 50, 50)
 """Trees of formulas are many small objects without circles: to look for circles in them took a tenth of the time."""
 

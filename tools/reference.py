@@ -47,7 +47,10 @@ def command_line() -> str:
         "Exit codes: 0 done and all agree, 1 something differs, 2 the input cannot be read or used. "
         "Whatever can be piped goes to standard output, everything else to standard error. "
         "Where a description is expected, `-` is standard input. Long tasks show their progress, but only on a terminal. "
-        "Nothing is printed in colour, so `NO_COLOR` has nothing to turn off.\n",
+        "Nothing is printed in colour, so `NO_COLOR` has nothing to turn off. "
+        "Messages are in Turkish if the description is Turkish (or `--language tr` is given), or if the machine is set to "
+        "Turkish (`LANG=tr_TR.UTF-8`, or Windows in Turkish), and in English otherwise. Help is in English, and what other "
+        "programs read (`--json`, `--junit`) does not depend on the language.\n",
         "The shell completes commands, options and templates after "
         '`eval "$(_MECHSHEET_COMPLETE=bash_source mechsheet)"` '
         "(`zsh_source` for zsh, `_MECHSHEET_COMPLETE=fish_source mechsheet | source` for fish).\n",

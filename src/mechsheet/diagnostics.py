@@ -95,6 +95,11 @@ def near_miss(word: str, allowed: Iterable[str]) -> Said:
     return say('did you mean "{name}"?', name=found[0]) if found else say("")
 
 
+def system_reason(error: OSError) -> Said:
+    """What the system says of a file, `Permission denied`; the words of other errors as they are."""
+    return say(error.strerror or str(error))
+
+
 def readable_name(path: str | Path) -> str:
     """A path as messages show it: as given, with forward slashes on every system."""
     return Path(path).as_posix()

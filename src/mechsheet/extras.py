@@ -8,15 +8,15 @@ from mechsheet.diagnostics import Fault, MissingProgramError
 from mechsheet.said import say
 
 EXTRAS = {
-    "plot": (("matplotlib",), "pictures and animations: mechsheet plot, .svg, .png and .gif"),
-    "study": (("pyarrow", "scipy"), "millions of designs: mechsheet study"),
-    "dask": (("distributed", "pyarrow", "scipy"), "studies on many machines"),
-    "notebook": (("matplotlib", "pandas"), "motion.frame() in notebooks"),
-    "dxf": (("ezdxf",), "drawings for CAD: mechsheet export --to dxf"),
-    "statistics": (("scipy",), "probabilities and Bessel functions in workbooks of others: mechsheet recalc"),
-    "formulas": (("formulas", "openpyxl"), "one more judge: mechsheet check --with formulas"),
-    "ironcalc": (("ironcalc",), "one more judge: mechsheet check --with ironcalc"),
-    "onlyoffice": (("document-builder",), "one more judge: mechsheet check --with onlyoffice (100 MB, AGPL)"),
+    "plot": (("matplotlib",), say("pictures and animations: mechsheet plot, .svg, .png and .gif")),
+    "study": (("pyarrow", "scipy"), say("millions of designs: mechsheet study")),
+    "dask": (("distributed", "pyarrow", "scipy"), say("studies on many machines")),
+    "notebook": (("matplotlib", "pandas"), say("motion.frame() in notebooks")),
+    "dxf": (("ezdxf",), say("drawings for CAD: mechsheet export --to dxf")),
+    "statistics": (("scipy",), say("probabilities and Bessel functions in workbooks of others: mechsheet recalc")),
+    "formulas": (("formulas", "openpyxl"), say("one more judge: mechsheet check --with formulas")),
+    "ironcalc": (("ironcalc",), say("one more judge: mechsheet check --with ironcalc")),
+    "onlyoffice": (("document-builder",), say("one more judge: mechsheet check --with onlyoffice (100 MB, AGPL)")),
 }
 """Extra -> (packages, what they are for)."""
 

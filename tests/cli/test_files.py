@@ -14,6 +14,7 @@ from small import CRANK, run
 
 import mechsheet
 from chosen import part
+from degenerate_cases import cases
 from mechsheet.compiled import Compiled
 from mechsheet.formats import read
 from mechsheet.formats.seal import is_untouched
@@ -280,6 +281,20 @@ def test_one_line_says_whether_it_closes(tmp_path, settings, said):
         overrides = dict(setting.split("=") for setting in settings)
     mechanism = mechsheet.loads(text, "four-bar.toml", overrides)
     assert said in verdict(Compiled(mechanism))
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "; undetermined in 2 positions, the first at 60°: rod1 and rod2: pins A, B, P"),
+        ("tr", "; 2 konumda belirsiz, ilki 60°: rod1 ve rod2: A, B, P mafsalları"),
+    ],
+)
+def test_the_line_says_where_links_are_free_to_turn(language, said):
+    from mechsheet.library.verdicts import verdict
+
+    case = next(case for case in cases("degenerate") if case.name == "coaxial-cranks")
+    assert verdict(Compiled(mechsheet.loads(case.description, language=language))).endswith(said)
 
 
 def test_build_prints_the_verdict_beside_the_names(here):

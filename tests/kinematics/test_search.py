@@ -40,6 +40,17 @@ def test_a_crank_that_turns_fully_has_no_edges():
     assert search.there.all()
 
 
+def test_listed_rows_have_nothing_between_them():
+    """Rows without a position are no gap between two rows that close: `check` accused such workbooks of missing one."""
+    text = template_text("four-bar").replace("value = 35,", "value = 50,")
+    text = text.replace("start = 0\nstop = 360\nstep = 15\n", "values = [0, 60, 180, 300, 360]\n")
+    mechanism = loads(text)
+    given = given_values(mechanism, dimension_values(mechanism))
+    search = Search(mechanism, solve(mechanism), given, stepped=False)
+    assert search.row_there.tolist() == [True, True, False, True, True]
+    assert search.holes == []
+
+
 @pytest.mark.parametrize("starts", [True, False])
 def test_edges_lie_on_the_closing_side(starts):
     def exists(u):

@@ -249,6 +249,21 @@ def test_a_wheel_sketched_out_of_phase_is_told_the_phase_that_fits():
     assert not any("phase" in message for message in told(elsewhere))
 
 
+@pytest.mark.parametrize(
+    ("phase", "said"), [("10", []), ("40", ["rod is sketched 40.2 degrees away from where the phase puts it"])]
+)
+def test_a_phase_inside_a_group_that_is_solved_all_at_once_is_held_against_the_sketch(phase, said):
+    """There the phase turns arm and rod alike: what the sketch makes of all three links counts."""
+    mechanism = loads(
+        template_text("sun-and-planet").replace("phase = 0", f"phase = {phase}").replace("stop = 720", "stop = 60")
+    )
+    faults = doubts(mechanism, solve(mechanism))
+    assert [fault.message for fault in faults] == said
+    assert all(
+        (fault.key, fault.hint) == ("joints.0", "write phase = -0.229, or sketch rod elsewhere") for fault in faults
+    )
+
+
 def test_at_beside_outputs_of_a_motion():
     """What is shown elsewhere has neither speed nor time nor forces; outputs that read them have nothing to do with it."""
     text = FOUR_BAR.replace("step = 15", 'motion = { law = "harmonic", duration = 2 }').replace(

@@ -30,6 +30,7 @@ from mechsheet.formula.book import Book
 from mechsheet.library.building import build
 from mechsheet.library.changed import load
 from mechsheet.model import Mechanism
+from mechsheet.said import say
 
 __all__ = [
     "TOLERANCE",
@@ -129,7 +130,7 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
     text = description_in(book)
     if text is None:
         expected = None
-        remarks.append("no description inside: only recalculated, not compared with the reference")
+        remarks.append(say("no description inside: only recalculated, not compared with the reference"))
     else:
         work.say("looking for edits")
         expected = expected_for(text, inside(shown), functions_in(book))

@@ -31,6 +31,7 @@ from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import ENERGY, Mechanism
+from mechsheet.said import say
 from mechsheet.sheet.plan import Plan
 
 
@@ -52,7 +53,13 @@ def _compare_rows(book: Book, values: Any, plan: Plan, inputs: Inputs, tally: Ta
     mechanism = plan.mechanism
     if missing := missing_dimensions(mechanism, inputs.dimensions):
         _without(plan, values, tally, readers(plan.equations, missing))
-        return [*(f"{symbol} has no value with these dimensions: {why}" for symbol, why in missing.items()), UNREACHED]
+        return [
+            *(
+                say("{symbol} has no value with these dimensions: {why}", symbol=symbol, why=why)
+                for symbol, why in missing.items()
+            ),
+            UNREACHED,
+        ]
     opened = _opened(plan, values)
     as_typed = changed(mechanism, inputs)
     # where Newton's method starts, and from which turn a gear or rack counts, was decided when the workbook was built
@@ -127,9 +134,9 @@ RESULTS = ("variable", "point", "rate", "force", "output")
 EVERY = ""
 """Stands among symbols for the whole mechanism."""
 
-NOWHERE = "with these dimensions and modes no row exists: there is no position to compare, only that none is shown"
+NOWHERE = say("with these dimensions and modes no row exists: there is no position to compare, only that none is shown")
 
-UNREACHED = "the reference cannot be asked: compared is only that no number is shown of what depends on them"
+UNREACHED = say("the reference cannot be asked: compared is only that no number is shown of what depends on them")
 
 
 def _without(plan: Plan, values: Any, tally: Tally, symbols: Collection[str]) -> None:
@@ -177,9 +184,9 @@ def _opened(plan: Plan, values: Any) -> dict[str, NDArray[np.bool_]]:
 def _judge_status(plan: Plan, tally: Tally, opened: Mapping[str, NDArray[np.bool_]], exists: NDArray[np.bool_]) -> None:
     """In a row that does not exist some group comes apart."""
     for row in np.flatnonzero(~exists):
-        said = "joined" if not opened[EVERY][row] else "cannot be joined"
+        said = "joined" if not opened[EVERY][row] else say("cannot be joined")
         where = f"{_address(plan, '#status', int(row))} (row {row})"
-        tally.note(0.0 if opened[EVERY][row] else math.inf, where, said, "cannot be joined")
+        tally.note(0.0 if opened[EVERY][row] else math.inf, where, said, say("cannot be joined"))
 
 
 def _address(plan: Plan, symbol: str, row: int) -> str:

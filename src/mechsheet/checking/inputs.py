@@ -154,7 +154,12 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
             modes[group.mode] = group.value_of(typed)
             if modes[group.mode] != group.mode_value:
                 remarks.append(
-                    f"{group.mode} is {modes[group.mode]:+d}; the description's sketch means {group.mode_value:+d}"
+                    say(
+                        "{mode} is {now:+d}; the description's sketch means {meant:+d}",
+                        mode=group.mode,
+                        now=modes[group.mode],
+                        meant=group.mode_value,
+                    )
                 )
     given = {} if faults else _given(plan, values, dimensions, faults, shown)
     if faults:

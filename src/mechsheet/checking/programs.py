@@ -272,12 +272,17 @@ def cannot_judge(program: str, book: Book) -> str:
     names = (defined.name for defined in book.names)
     foreign = [name for name in names if program in ("ironcalc", "onlyoffice") and not name[:1].isascii()]
     if foreign:
-        return f"{program} was not asked: it cannot read names that begin with a letter beyond ASCII ({', '.join(foreign)})"
+        return say(
+            "{program} was not asked: it cannot read names that begin with a letter beyond ASCII ({names})",
+            program=program,
+            names=", ".join(foreign),
+        )
     if program == "ironcalc" and any(
         _has_moving_range(block.formula) for sheet in book.sheets for block in sheet.blocks
     ):
-        return (
-            f"{program} was not asked: it does not know ranges like INDEX(…):INDEX(…); with the layout page it can be"
+        return say(
+            "{program} was not asked: it does not know ranges like INDEX(…):INDEX(…); with the layout page it can be",
+            program=program,
         )
     return ""
 

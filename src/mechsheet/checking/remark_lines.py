@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from mechsheet.counted import counted
 from mechsheet.diagnostics import Fault
+from mechsheet.said import Said, say
 
 if TYPE_CHECKING:
     from mechsheet.checking import Stored
@@ -17,6 +17,15 @@ MOST_LINES = 50
 
 MOST_PLACES = 4
 """Places that are named of one note."""
+
+_KINDS = {
+    "number": say("number"),
+    "text": say("text"),
+    "type": say("type"),
+    "error": say("error"),
+    "which error": say("which error"),
+}
+"""How two values differ: see `checking.stored.Difference`."""
 
 
 def grouped(remarks: Iterable[Fault]) -> list[tuple[Fault, list[str]]]:
@@ -29,23 +38,25 @@ def grouped(remarks: Iterable[Fault]) -> list[tuple[Fault, list[str]]]:
     return list(found.values())
 
 
-def remark_lines(remarks: Iterable[Fault]) -> list[str]:
+def remark_lines(remarks: Iterable[Fault]) -> list[Said]:
     """A line for each thing that is remarked."""
     groups = grouped(remarks)
     lines = [remark_line(fault, places) for fault, places in groups[:MOST_LINES]]
-    return lines + ([f"and {len(groups) - MOST_LINES} more"] if len(groups) > MOST_LINES else [])
+    return lines + ([say("and {count} more", count=len(groups) - MOST_LINES)] if len(groups) > MOST_LINES else [])
 
 
-def remark_line(fault: Fault, places: list[str]) -> str:
+def remark_line(fault: Fault, places: list[str]) -> Said:
     """`Plan!C2, Plan!D4 and 3 more: unknown function FOO (did you mean ...)`."""
-    where = _first(places)
-    return f"{where}{': ' if where else ''}{fault.message}{f' ({fault.hint})' if fault.hint else ''}"
+    line = say("{message} ({hint})", message=fault.message, hint=fault.hint) if fault.hint else fault.message
+    return say("{where}: {line}", where=_first(places), line=line) if places else say("{line}", line=line)
 
 
 def _first(places: Sequence[str]) -> str:
     """`Plan!C2, Plan!D4 and 3 more`."""
-    more = f" and {len(places) - MOST_PLACES} more" if len(places) > MOST_PLACES else ""
-    return ", ".join(places[:MOST_PLACES]) + more
+    named = ", ".join(places[:MOST_PLACES])
+    if len(places) <= MOST_PLACES:
+        return named
+    return say("{places} and {count} more", places=named, count=len(places) - MOST_PLACES)
 
 
 def cell_text(value: object) -> str:
@@ -59,51 +70,87 @@ def cell_text(value: object) -> str:
     return str(value)
 
 
-def stored_lines(stored: Stored) -> list[str]:
+def stored_lines(stored: Stored) -> list[Said]:
     """What a comparison with the stored values found."""
     from mechsheet.checking.stored import COMPUTE_ANEW
 
-    differ = counted(len(stored.differences), "differs", "differ")
-    lines = [f"{counted(stored.formulas, 'formula')}: {stored.equal} as stored, {differ}"]
+    one = len(stored.differences) == 1
+    head = say("{count} formula" if stored.formulas == 1 else "{count} formulas", count=stored.formulas)
+    differ = say("{count} differs" if one else "{count} differ", count=len(stored.differences))
+    lines = [say("{formulas}: {equal} as stored, {differ}", formulas=head, equal=stored.equal, differ=differ)]
     if stored.nothing_stored:
-        lines.append("  no value is stored: nothing was compared")
-    elif stored.unstored:
-        lines.append(f"  {counted(stored.unstored, 'has', 'have')} no stored value")
-    if stored.kept:
-        words = (
-            "more was not computed: its stored value was taken",
-            "more were not computed: their stored values were taken",
+        lines.append(say("  no value is stored: nothing was compared"))
+    elif (count := stored.unstored) > 0:
+        lines.append(
+            say("  {count} has no stored value" if count == 1 else "  {count} have no stored value", count=count)
         )
-        lines.append(f"  {counted(stored.kept, *words)}")
-    if stored.volatile:
-        own = "more changes by itself (NOW, RAND ...): left out, its stored value was taken"
-        all_ = "more change by themselves (NOW, RAND ...): left out, their stored values were taken"
-        lines.append(f"  {counted(stored.volatile, own, all_)}")
-    if stored.ignored:
-        lines.append(f"  {counted(stored.ignored, 'more is ignored', 'more are ignored')}")
-    if stored.accepted:
-        words = "more difference is accepted by the baseline", "more differences are accepted by the baseline"
-        lines.append(f"  {counted(stored.accepted, *words)}")
-    if stored.uncomputed:
-        lines.append(f"  {counted(len(stored.uncomputed), 'more was', 'more were')} {COMPUTE_ANEW}")
-        lines.append(f"    {_first(stored.uncomputed)}")
+    if (count := stored.kept) > 0:
+        lines.append(
+            say(
+                "  {count} more was not computed: its stored value was taken"
+                if count == 1
+                else "  {count} more were not computed: their stored values were taken",
+                count=count,
+            )
+        )
+    if (count := stored.volatile) > 0:
+        lines.append(
+            say(
+                "  {count} more changes by itself (NOW, RAND ...): left out, its stored value was taken"
+                if count == 1
+                else "  {count} more change by themselves (NOW, RAND ...): left out, their stored values were taken",
+                count=count,
+            )
+        )
+    if (count := stored.ignored) > 0:
+        lines.append(say("  {count} more is ignored" if count == 1 else "  {count} more are ignored", count=count))
+    if (count := stored.accepted) > 0:
+        lines.append(
+            say(
+                "  {count} more difference is accepted by the baseline"
+                if count == 1
+                else "  {count} more differences are accepted by the baseline",
+                count=count,
+            )
+        )
+    if (count := len(stored.uncomputed)) > 0:
+        lines.append(
+            say(
+                "  {count} more was {why}" if count == 1 else "  {count} more were {why}", count=count, why=COMPUTE_ANEW
+            )
+        )
+        lines.append(say("    {places}", places=_first(stored.uncomputed)))
     return lines + _difference_lines(stored)
 
 
-def _difference_lines(stored: Stored) -> list[str]:
+def _difference_lines(stored: Stored) -> list[Said]:
     lines = []
     follow = sum(item.follows for item in stored.differences)
     if follow:
-        words = counted(follow, "reads cells that differ themselves", "read cells that differ themselves")
-        lines.append(f"  {words}; the others, by their functions:")
+        lines.append(
+            say(
+                "  {count} reads cells that differ themselves; the others, by their functions:"
+                if follow == 1
+                else "  {count} read cells that differ themselves; the others, by their functions:",
+                count=follow,
+            )
+        )
     groups = stored.groups()
     for group in groups[:MOST_LINES]:
-        size = f" by {group.first.size:.1e}" if math.isfinite(group.first.size) else ""
-        lines.append(f"  {group.cells:>7} {group.kind}{size}  {group.functions or 'references'}")
+        lines.append(
+            say(
+                "  {cells:>7} {kind}{size}  {functions}",
+                cells=group.cells,
+                kind=_KINDS[group.kind],
+                size=say(" by {size:.1e}", size=group.first.size) if math.isfinite(group.first.size) else "",
+                functions=group.functions or say("references"),
+            )
+        )
         shown = group.first.formula if len(group.first.formula) <= 80 else group.first.formula[:77] + "..."
-        lines.append(f"{'':>10}{group.first.address} ={shown}")
+        lines.append(say("{line}", line=f"{'':>10}{group.first.address} ={shown}"))
         ours, theirs = cell_text(group.first.ours), cell_text(group.first.theirs)
-        lines.append(f"{'':>10}computed {ours or 'nothing'}, stored {theirs or 'nothing'}")
-    if len(groups) > MOST_LINES:
-        lines.append(f"  and {counted(len(groups) - MOST_LINES, 'group')} more")
+        nothing = say("nothing")
+        lines.append(say("          computed {ours}, stored {theirs}", ours=ours or nothing, theirs=theirs or nothing))
+    if (more := len(groups) - MOST_LINES) > 0:
+        lines.append(say("  and {count} group more" if more == 1 else "  and {count} groups more", count=more))
     return lines

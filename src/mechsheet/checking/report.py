@@ -139,6 +139,8 @@ def text_of(value: Scalar) -> str:
     """A value as a report shows it: numbers with all digits, nothing for an empty cell."""
     if value is None:
         return ""
+    if isinstance(value, str):
+        return value
     return repr(value) if isinstance(value, float) else str(value)
 
 

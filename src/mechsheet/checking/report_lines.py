@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 from mechsheet.checking.remark_lines import remark_lines, stored_lines
-from mechsheet.counted import counted
 from mechsheet.said import say
 
 LONG = 100
@@ -27,23 +26,52 @@ def report_lines(report: Any) -> list[str]:
         if item.agrees:
             pattern = "  {judge:<14} agrees  {worst:6.0e} in {cells:>6} {values:<6}  {where}"
         values = say("value") if item.cells == 1 else say("values")
-        parts = {"judge": item.judge, "worst": item.worst, "cells": item.cells, "values": values, "where": item.where}
+        parts = {
+            "judge": say(item.judge),
+            "worst": item.worst,
+            "cells": item.cells,
+            "values": values,
+            "where": item.where,
+        }
         lines.append(say(pattern, **parts))
         if not item.agrees:
-            lines.append(f"  {'':<14} {item.subject} {item.ours}, {item.judge} {item.theirs or 'nothing'}")
+            theirs = item.theirs or say("nothing")
+            lines.append(
+                say(
+                    "                 {subject} {ours}, {judge} {theirs}",
+                    subject=item.subject,
+                    ours=item.ours,
+                    judge=say(item.judge),
+                    theirs=theirs,
+                )
+            )
         if report.stored is not None and item is report.comparisons[0]:
             for line in stored_lines(report.stored)[1:]:
-                lines.append(f"  {line}")
+                lines.append(say("  {line}", line=line))
     for edit in report.edits[:EDITS]:
         was, now = focused(edit.was, edit.now)
-        lines.append(f"  edited: {edit.where} {_WORDS.get(edit.kind, edit.kind)}{edit.note}")
+        lines.append(
+            say(
+                "  edited: {where} {what}{note}",
+                where=edit.where,
+                what=_WORDS.get(edit.kind, edit.kind),
+                note=edit.note,
+            )
+        )
         if edit.kind == "inserted":
             continue
-        lines.append(f"          was {was or 'empty'}")
-        lines.append(f"          is  {now or 'empty'}")
+        lines.append(say("          was {was}", was=was or say("empty")))
+        lines.append(say("          is  {now}", now=now or say("empty")))
     if len(report.edits) > EDITS:
-        places = counted(len(report.edits) - EDITS, "more place", "more places")
-        lines.append(f"  edited: {places} (all with --json)")
+        more = len(report.edits) - EDITS
+        lines.append(
+            say(
+                "  edited: {count} more place (all with --json)"
+                if more == 1
+                else "  edited: {count} more places (all with --json)",
+                count=more,
+            )
+        )
     for remark in [*report.remarks, *(remark_lines(report.stored.remarks) if report.stored is not None else ())]:
         lines.append(say("  note: {remark}", remark=remark))
     for fault in report.missing:
@@ -52,16 +80,16 @@ def report_lines(report: Any) -> list[str]:
 
 
 _WORDS = {
-    "changed": "has another formula",
-    "out of its run": "has a formula of its own",
-    "overwritten": "was overwritten",
-    "emptied": "was emptied",
-    "formula": "holds a formula in place of a number",
-    "value": "holds another number",
-    "name": "is a name that was changed",
-    "sheet": "is a sheet that is not as it was",
-    "deleted": "was deleted",
-    "inserted": "was inserted",
+    "changed": say("has another formula"),
+    "out of its run": say("has a formula of its own"),
+    "overwritten": say("was overwritten"),
+    "emptied": say("was emptied"),
+    "formula": say("holds a formula in place of a number"),
+    "value": say("holds another number"),
+    "name": say("is a name that was changed"),
+    "sheet": say("is a sheet that is not as it was"),
+    "deleted": say("was deleted"),
+    "inserted": say("was inserted"),
 }
 
 

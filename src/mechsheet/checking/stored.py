@@ -23,6 +23,7 @@ from mechsheet.formula.book import Block, Book, BookSheet, Run
 from mechsheet.formula.nodes import Binary, Call, ErrorValue, Node, Scalar, Unary, shifted, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_address
+from mechsheet.said import say
 
 JUDGE = "stored values"
 """What the stored values are called among the judges."""
@@ -32,7 +33,9 @@ LIBREOFFICE = "LibreOffice"
 WRITTEN = 1e-20
 """LibreOffice writes numbers into .ods with twenty decimals: what rounding leaves of a force of 0 loses digits there."""
 
-COMPUTE_ANEW = "saved by LibreOffice without being computed: open the file there, press Ctrl+Shift+F9, save it again"
+COMPUTE_ANEW = say(
+    "saved by LibreOffice without being computed: open the file there, press Ctrl+Shift+F9, save it again"
+)
 
 
 @dataclass(frozen=True, slots=True)

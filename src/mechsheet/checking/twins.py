@@ -16,6 +16,7 @@ from mechsheet.formula.book import Book, BookSheet, CellStore
 from mechsheet.formula.nodes import Node, Scalar
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_address
+from mechsheet.said import say
 
 
 def with_twins(reports: Sequence[Report]) -> list[Report]:
@@ -40,7 +41,7 @@ def _are_twins(one: Path, other: Path) -> bool:
 def _with_twin(report: Report, path: Path, twin: Path) -> Report:
     ours, theirs = read(path), read(twin)
     if description_in(ours) is None or description_in(ours) != description_in(theirs):
-        remark = f"{twin.name} does not carry the same description: not compared"
+        remark = say("{name} does not carry the same description: not compared", name=twin.name)
         return replace(report, remarks=(*report.remarks, remark))
     return replace(report, comparisons=(*report.comparisons, compare_twins(ours, theirs, f"twin {twin.suffix}")))
 

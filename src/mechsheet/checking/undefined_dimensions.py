@@ -7,6 +7,7 @@ from collections.abc import Collection, Mapping
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.model import Mechanism
+from mechsheet.said import reason, say
 from mechsheet.sheet.table.lowering import Assignments
 
 
@@ -22,9 +23,9 @@ def missing_dimensions(mechanism: Mechanism, inputs: Mapping[str, float]) -> dic
         try:
             values[symbol] = evaluate(value, values)
         except KeyError as error:
-            missing[symbol] = f"{error.args[0]} has no value"
+            missing[symbol] = say("{name} has no value", name=error.args[0])
         except (ArithmeticError, ValueError) as error:
-            missing[symbol] = str(error)
+            missing[symbol] = reason(error)
     return missing
 
 

@@ -11,6 +11,7 @@ import click
 
 from mechsheet import __version__
 from mechsheet.diagnostics import MechsheetError, near_miss
+from mechsheet.said import say
 
 from .audit import audit
 from .build import build
@@ -28,6 +29,7 @@ from .pull import pull
 from .recalc import recalc
 from .schema import schema
 from .show import show
+from .speaking import fault_told, told
 from .streams import ended_by_signals, ending_well, prepare_streams
 from .study import study
 
@@ -43,8 +45,9 @@ class Commands(Explained, click.Group):
         """As click does, with a suggestion for a misspelt command."""
         name = args[0] if args else ""
         if name and not name.startswith("-") and self.get_command(ctx, name) is None:
-            hint = near_miss(name, self.list_commands(ctx)) or f"commands: {', '.join(self.list_commands(ctx))}"
-            ctx.fail(f'no command is called "{name}": {hint}')
+            every = self.list_commands(ctx)
+            hint = near_miss(name, every) or say("commands: {names}", names=", ".join(every))
+            ctx.fail(told(say('no command is called "{name}": {hint}', name=name, hint=hint)))
         return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
@@ -68,7 +71,7 @@ class Commands(Explained, click.Group):
             try:
                 return super().invoke(ctx)
             except MechsheetError as error:
-                click.echo("\n".join(str(in_options(fault)) for fault in error.faults), err=True)
+                click.echo("\n".join(fault_told(in_options(fault)) for fault in error.faults), err=True)
                 ctx.exit(2)
 
 

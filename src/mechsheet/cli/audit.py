@@ -10,9 +10,11 @@ from typing import TYPE_CHECKING
 import click
 
 from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.said import say
 
 from .common import JSON, Changes, at_lines_of, described, progress, say_written
 from .helping import Explained
+from .speaking import spoken
 
 if TYPE_CHECKING:
     from mechsheet.homework.recognition import Recognised
@@ -55,41 +57,41 @@ def audit(
     Exit code 0: all right, or recognised; 1: something is not; 2: cannot be read or judged.
     """
     if description is None:
-        _recognised(workbook, describe, language or "en", as_json)
+        _recognised(workbook, describe, language, as_json)
         return
     if describe is not None:
-        raise MechsheetError(Fault("with --against there is a description already", key="--describe"))
+        raise MechsheetError(Fault(say("with --against there is a description already"), key="--describe"))
     from mechsheet.homework.audit import audit as judge
     from mechsheet.homework.words_of import lines
 
     mechanism = described(description, Changes(), language)
-    with at_lines_of(mechanism, description), progress(workbook.name) as say:
-        say("auditing")
+    with at_lines_of(mechanism, description), progress(workbook.name) as tell:
+        tell("auditing")
         found = judge(workbook, mechanism, assembly or "")
     click.echo(json.dumps(found.as_dict(), indent=2, ensure_ascii=False) if as_json else "\n".join(lines(found)))
     if not found.right:
         sys.exit(1)
 
 
-def _recognised(workbook: Path, describe: Path | None, language: str, as_json: bool) -> None:
+def _recognised(workbook: Path, describe: Path | None, language: str | None, as_json: bool) -> None:
     """What a workbook seems to be; a description of that."""
     from mechsheet.formats import read
     from mechsheet.homework.recognised_words import as_dict, lines
     from mechsheet.homework.recognition import recognise, tables
     from mechsheet.homework.upright import upright
 
-    with progress(workbook.name) as say:
+    with progress(workbook.name) as tell:
         found = tables(upright(read(workbook)))
-        known = recognise(found, say)
+        known = recognise(found, tell)
     click.echo(
         json.dumps(as_dict(known), indent=2, ensure_ascii=False)
         if as_json
-        else "\n".join(lines(found, known, workbook, language))
+        else "\n".join(lines(found, known, workbook, language or spoken()))
     )
     if known is None:
         sys.exit(1)
     if describe is not None:
-        _describe(known, describe, language)
+        _describe(known, describe, language or "en")
 
 
 def _describe(known: Recognised, output: Path, language: str) -> None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name
+from mechsheet.said import say
 
 from .common import (
     FORMATS_COMPLETED,
@@ -25,6 +26,7 @@ from .common import (
     say_written,
 )
 from .helping import Explained
+from .speaking import note
 
 if TYPE_CHECKING:
     from mechsheet.library.building import Target
@@ -83,7 +85,7 @@ def build(
 
     if output == STANDARD_OUTPUT:
         raise OutputError(
-            Fault("a workbook is written to a file, not printed", key="-o", hint="for example -o out.xlsx")
+            Fault(say("a workbook is written to a file, not printed"), key="-o", hint=say("for example -o out.xlsx"))
         )
     paths = _each_once(descriptions)
     asked = Changes(**changes)
@@ -97,8 +99,8 @@ def build(
     if not force:
         refuse_edited(target for files in wanted for target in files)
     for path, mechanism, files in zip(paths, mechanisms, wanted, strict=True):
-        with progress(path.name) as say, at_lines_of(mechanism, path):
-            say("building")
+        with progress(path.name) as tell, at_lines_of(mechanism, path):
+            tell("building")
             compiled = told(mechanism)
             written = write_all(compiled, files, output)
         say_written(written)
@@ -112,14 +114,18 @@ def _of_design(path: Path, design: str, changes: Changes) -> Changes:
     from mechsheet.library.studying import design_of
 
     if path == STANDARD_INPUT:
-        raise MechsheetError(Fault("a design is built from a file", key="design"))
+        raise MechsheetError(Fault(say("a design is built from a file"), key="design"))
     pairs, rows, text = design_of(design)
     plain = described(path, Changes())
     own = str(len(driver_values(plain, dimension_values(plain))))
     swept = rows if rows and rows != own and changes.rows is None and changes.step is None else None
     if described(path, Changes(rows=swept)).text != text:
-        note = "differs from the description of the study: the design is built as it says now"
-        click.echo(f"note: {readable_name(path)} {note}", err=True)
+        note(
+            say(
+                "{file} differs from the description of the study: the design is built as it says now",
+                file=readable_name(path),
+            )
+        )
     settings = (*(f"{name}={value}" for name, value in pairs), *changes.settings)
     return replace(changes, settings=settings, rows=swept or changes.rows)
 
@@ -146,10 +152,10 @@ def _refuse_shared(paths: Sequence[Path], wanted: Sequence[Sequence[Target]]) ->
             owner = owners.setdefault(shown.casefold(), path)
             if owner is not path:
                 names = f"{readable_name(owner)} and {readable_name(path)}"
-                hint = "build them one by one, each with its own -o"
-                faults.append(Fault(f"{names} would both be written into this file", shown, hint=hint))
+                hint = say("build them one by one, each with its own -o")
+                faults.append(Fault(say("{names} would both be written into this file", names=names), shown, hint=hint))
             if any(other != STANDARD_INPUT and same_file(target.path, other) for other in paths):
-                hint = "name another file with -o"
-                faults.append(Fault("is read here: it is not overwritten", shown, hint=hint))
+                hint = say("name another file with -o")
+                faults.append(Fault(say("is read here: it is not overwritten"), shown, hint=hint))
     if faults:
         raise MechsheetError(faults)

@@ -11,10 +11,12 @@ from typing import Any
 import click
 
 from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.said import say
 
 from .common import JSON, completing
 from .gate import Gate, concluded, fails, gate_options, of_each, workbooks
 from .helping import Explained
+from .speaking import speak_of
 
 
 def _programs() -> tuple[str, ...]:
@@ -69,11 +71,13 @@ def check(
     gate = Gate(**options)
     mode = "--mutate" if mutate is not None else "--perturb"
     if mutate is not None and (programs or perturb is not None):
-        raise MechsheetError(Fault("--mutate goes with --seed and --json only", key="--mutate"))
+        raise MechsheetError(Fault(say("--mutate goes with --seed and --json only"), key="--mutate"))
     if (mutate is not None or perturb is not None) and (gate.given() or gate.strict):
         given = ", ".join([*gate.given(), *(["--strict"] if gate.strict else [])])
-        raise MechsheetError(Fault(f"{given} does not go with --perturb and --mutate", key=mode))
+        raise MechsheetError(Fault(say("{given} does not go with --perturb and --mutate", given=given), key=mode))
     found = workbooks(files)
+    if len(found) == 1:
+        speak_of(found[0])
     if mutate is None and perturb is None:
         _check(found, programs, gate, quiet, verbose, as_json)
     else:
@@ -91,7 +95,7 @@ def _check(files: Sequence[Path], programs: str, gate: Gate, quiet: bool, verbos
     refuse_unknown(asked)
     rules, baseline = gate.rules(), gate.accepted()
     faults: list[Fault] = []
-    reports = with_twins(of_each(files, faults, lambda file, say: judge(file, asked, say, rules, baseline)))
+    reports = with_twins(of_each(files, faults, lambda file, tell: judge(file, asked, tell, rules, baseline)))
     if as_json:
         click.echo(json.dumps([report.as_dict() for report in reports], indent=2))
     else:
@@ -123,10 +127,10 @@ def _try_out(
     faults: list[Fault] = []
     reports: list[Any]
     if perturb is not None:
-        reports = of_each(files, faults, lambda file, say: checking.perturb(file, perturb, seed, programs, say))
+        reports = of_each(files, faults, lambda file, tell: checking.perturb(file, perturb, seed, programs, tell))
     else:
         count = mutate or 1
-        reports = of_each(files, faults, lambda file, say: checking.mutate(file, count, seed, say))
+        reports = of_each(files, faults, lambda file, tell: checking.mutate(file, count, seed, tell))
     if as_json:
         click.echo(json.dumps([report.as_dict() for report in reports], indent=2))
     else:

@@ -16,6 +16,9 @@ import click
 from mechsheet.arguments.outputs import file_in, is_there
 from mechsheet.diagnostics import DescriptionWarning, Fault, MechanismError, MechsheetError, OutputError, readable_name
 from mechsheet.formats.archive import is_stream
+from mechsheet.said import Said, say
+
+from .speaking import fault_told, language_of, speak, told
 
 if TYPE_CHECKING:
     from mechsheet.model import Mechanism
@@ -37,23 +40,25 @@ class Changes:
 def described(path: Path, changes: Changes, language: str | None = None) -> Mechanism:
     """The mechanism of a file, or of standard input when it is called `-`, with the changes that options ask for."""
     from mechsheet.description import MAX_BYTES, text_of
-    from mechsheet.library.changed import load, loads
+    from mechsheet.description.text.source import read_text
+    from mechsheet.library.changed import loads
 
     pairs, faults = _pairs(changes.settings)
     try:
         if path != STANDARD_INPUT:
-            mechanism = load(path, pairs, language, changes.rows, changes.step)
+            text = read_text(path)
         else:
             content = b"" if sys.stdin is None else sys.stdin.buffer.read(MAX_BYTES + 1)  # None: it was closed
             text = text_of(content, _name_of(path))
-            mechanism = loads(text, _name_of(path), pairs, language, changes.rows, changes.step)
+        speak(language or language_of(text))
+        mechanism = loads(text, _name_of(path), pairs, language, changes.rows, changes.step)
     except MechsheetError as error:
         if not faults:
             raise
         raise MechsheetError([*faults, *error.faults]) from error
     if faults:
         raise MechsheetError(faults)
-    return mechanism
+    return mechanism if path == STANDARD_INPUT else replace(mechanism, file=path.stem)
 
 
 def _name_of(path: Path) -> str:
@@ -68,6 +73,7 @@ def at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
     def at_line(error: MechanismError) -> MechsheetError:
         return located(error, mechanism.text, _name_of(path))
 
+    speak(mechanism.language)
     with doubts_told(at_line):
         try:
             yield
@@ -88,7 +94,7 @@ def doubts_told(at: Callable[[MechanismError], MechsheetError]) -> Iterator[None
         yield
     doubts = [warning.message.fault for warning in caught if isinstance(warning.message, DescriptionWarning)]
     for fault in at(MechanismError(dict.fromkeys(doubts))).faults if doubts else ():
-        click.echo(f"warning: {fault}", err=True)
+        click.echo(told(say("warning: {fault}", fault=fault_told(fault))), err=True)
     for warning in caught:
         if not isinstance(warning.message, DescriptionWarning):
             warnings.warn_explicit(warning.message, warning.category, warning.filename, warning.lineno)
@@ -113,13 +119,13 @@ def progress(label: str) -> Iterator[Callable[[str], None]]:
         yield lambda _: None
         return
 
-    def say(what: str) -> None:
+    def tell(what: str) -> None:
         counted = _COUNTED.search(what)
         bar = f"{bar_of(int(counted[1]), int(counted[2]))} " if counted else ""
-        click.echo(f"\r\033[K{label}: {bar}{what} …", nl=False, err=True)
+        click.echo(f"\r\033[K{label}: {bar}{told(what if isinstance(what, Said) else say(what))} …", nl=False, err=True)
 
     try:
-        yield say
+        yield tell
     finally:
         click.echo("\r\033[K", nl=False, err=True)
 
@@ -146,7 +152,9 @@ def _pairs(options: tuple[str, ...]) -> tuple[list[tuple[str, str]], list[Fault]
         name, equals, value = pair[start:].partition("=")
         name = pair[:start] + name
         if not equals or not name.strip() or not value.strip():
-            faults.append(Fault(f'"{pair}" is not NAME=VALUE', key="--set", hint="for example --set a1=65"))
+            faults.append(
+                Fault(say('"{pair}" is not NAME=VALUE', pair=pair), key="--set", hint=say("for example --set a1=65"))
+            )
         else:
             found.append((name.strip(), value.strip()))
     return found, faults
@@ -237,9 +245,9 @@ class OutputName(click.ParamType):  # type: ignore[type-arg, unused-ignore]
         """The text; nothing at all names no file."""
         text = str(value)
         if not text.strip():
-            self.fail("names no file", param, ctx)
+            self.fail(told(say("names no file")), param, ctx)
         if "\0" in text:
-            self.fail("a null character stands in no file name", param, ctx)
+            self.fail(told(say("a null character stands in no file name")), param, ctx)
         return text
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[Any]:
@@ -259,11 +267,13 @@ def output_file(output: str | None, default: str, inputs: tuple[Path, ...] = ())
     Raises OutputError for `-`, which the commands that print take before, and for a file of `inputs`.
     """
     if output == STANDARD_OUTPUT:
-        raise OutputError(Fault("this is written to a file, not printed", key="-o", hint="/dev/stdout is a file too"))
+        raise OutputError(
+            Fault(say("this is written to a file, not printed"), key="-o", hint=say("/dev/stdout is a file too"))
+        )
     path = file_in(output, default)
     if any(same_file(path, other) for other in inputs):
-        hint = "name another file with -o"
-        raise OutputError(Fault("is read here: it is not overwritten", readable_name(path), hint=hint))
+        hint = say("name another file with -o")
+        raise OutputError(Fault(say("is read here: it is not overwritten"), readable_name(path), hint=hint))
     return path
 
 
@@ -281,7 +291,7 @@ def say_written(files: list[Path]) -> None:
         click.echo(file.as_posix(), err=is_stream(file))
 
 
-def refuse_existing(path: Path, hint: str = "choose another name with -o") -> None:
+def refuse_existing(path: Path, hint: str = say("choose another name with -o")) -> None:
     """Raise OutputError when there is a file already."""
     if is_there(path) and not is_stream(path):
-        raise OutputError(Fault("there is a file already: it is left as it is", readable_name(path), hint=hint))
+        raise OutputError(Fault(say("there is a file already: it is left as it is"), readable_name(path), hint=hint))

@@ -13,9 +13,11 @@ from typing import TYPE_CHECKING
 import click
 
 from mechsheet import __version__
+from mechsheet.said import say
 
 from .common import JSON, progress
 from .helping import Explained
+from .speaking import told
 
 if TYPE_CHECKING:
     from mechsheet.checking import Report
@@ -38,8 +40,8 @@ def doctor(as_json: bool) -> None:
     """
     from mechsheet.library.installed import installed, on_path
 
-    with progress("doctor") as say:
-        say(f"building and checking {TRIED}")
+    with progress("doctor") as tell:
+        tell(say("building and checking {template}", template=TRIED))
         report = _tried()
     parts = installed()
     about = {"mechsheet": __version__, "python": platform.python_version(), "system": platform.platform()}
@@ -48,19 +50,19 @@ def doctor(as_json: bool) -> None:
         click.echo(json.dumps({**about, "works": report.agrees, "command": on_path(), "parts": found}, indent=2))
     else:
         click.echo(f"mechsheet {__version__}, Python {about['python']}, {about['system']}")
-        works = "agrees with its numpy reference" if report.agrees else "DOES NOT AGREE: see mechsheet check"
-        click.echo(f"  a workbook of {TRIED}, built and checked: {works}")
+        works = say("agrees with its numpy reference" if report.agrees else "DOES NOT AGREE: see mechsheet check")
+        click.echo(told(say("  a workbook of {template}, built and checked: {works}", template=TRIED, works=works)))
         if not on_path():
             starter = "py" if sys.platform == "win32" else "python3"
-            click.echo(
-                f"  the command is not on the PATH: {starter} -m mechsheet does the same (or install it by pipx)"
-            )
+            pattern = "  the command is not on the PATH: {starter} -m mechsheet does the same (or install it by pipx)"
+            click.echo(told(say(pattern, starter=starter)))
         width = max(len(part.name) for part in parts)
-        for heading, rows in (("There", [p for p in parts if p.found]), ("Missing", [p for p in parts if not p.found])):
+        there, missing = [p for p in parts if p.found], [p for p in parts if not p.found]
+        for heading, rows in ((say("There"), there), (say("Missing"), missing)):
             if rows:
-                click.echo(f"\n{heading}")
+                click.echo(f"\n{told(heading)}")
             for part in rows:
-                click.echo(f"  {part.name:<{width}} {part.use}")
+                click.echo(f"  {part.name:<{width}} {told(part.use)}")
                 click.echo(f"  {'':<{width}} {part.found or part.get}")
     if not report.agrees:
         sys.exit(1)

@@ -9,8 +9,10 @@ from pathlib import Path
 import click
 
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
+from mechsheet.said import say
 
 from .helping import Explained
+from .speaking import told
 
 
 @click.command(cls=Explained, short_help="Draw a mechanism with the mouse, in the browser.")
@@ -33,18 +35,18 @@ def draw(description: Path | None, language: str | None, no_browser: bool) -> No
 
     if description is not None:
         if description.suffix.lower() != ".toml":
-            hint = "a workbook carries its description inside: mechsheet pull WORKBOOK -o mine.toml"
-            raise MechsheetError(Fault("name a description, a .toml file", readable_name(description), hint=hint))
+            hint = say("a workbook carries its description inside: mechsheet pull WORKBOOK -o mine.toml")
+            raise MechsheetError(Fault(say("name a description, a .toml file"), readable_name(description), hint=hint))
         if description.exists():
             read_text(description)  # a folder, or no text: said here, not on the page
         elif not description.parent.is_dir():
-            raise MechsheetError(Fault("its folder is not there", readable_name(description)))
+            raise MechsheetError(Fault(say("its folder is not there"), readable_name(description)))
     server = DrawingServer(Studio(description, Path.cwd(), language))
     server.start()
     click.echo(server.address)
-    click.echo("Close the page to end, or press Ctrl-C here.", err=True)
+    click.echo(told(say("Close the page to end, or press Ctrl-C here.")), err=True)
     if not no_browser and not webbrowser.open(server.address):
-        click.echo("No browser was found: open the address above in one on this machine.", err=True)
+        click.echo(told(say("No browser was found: open the address above in one on this machine.")), err=True)
     with contextlib.suppress(KeyboardInterrupt):
         server.wait()
     server.stop()

@@ -10,6 +10,7 @@ from mechsheet.diagnostics import MechsheetError
 
 from .common import Changes, at_lines_of, described, progress, say_written
 from .helping import Explained
+from .speaking import note
 
 
 @click.command(cls=Explained, short_help="Give each student in a list different dimensions.")
@@ -37,9 +38,9 @@ def exercise(description: Path, class_list: Path, output: Path, seed: int, langu
         mechanism = described(description, Changes(), language)
     except MechsheetError as error:  # all that is wrong at once, with the list as well
         raise MechsheetError([*error.faults, *faults_of_class(class_list)]) from error
-    with at_lines_of(mechanism, description), progress(class_list.name) as say:
-        say("drawing dimensions")
-        found = write_all(mechanism, class_list, output, seed, say)
+    with at_lines_of(mechanism, description), progress(class_list.name) as tell:
+        tell("drawing dimensions")
+        found = write_all(mechanism, class_list, output, seed, tell)
     for remark in found.remarks:
-        click.echo(f"note: {remark}", err=True)
+        note(remark)
     say_written(list(found.files))

@@ -9,6 +9,7 @@ import click
 
 from mechsheet.arguments.outputs import folder_ready
 from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.said import say
 
 from .common import (
     STANDARD_OUTPUT,
@@ -77,14 +78,14 @@ def export(
     wanted = kind_of(kind)
     mechanism = described(description, Changes(**changes), language)
     if output == STANDARD_OUTPUT and frames is not None:
-        raise MechsheetError(Fault("several files are not printed", key="-o", hint="name a folder"))
+        raise MechsheetError(Fault(say("several files are not printed"), key="-o", hint=say("name a folder")))
     if output == STANDARD_OUTPUT:
         with at_lines_of(mechanism, description):
             content = exported(mechanism, wanted.name, at)
         print_file(content)
         return
     file = None if frames is not None else output_file(output, default_name(mechanism, wanted), (description,))
-    with progress(description.name) as say, at_lines_of(mechanism, description), folder_ready(output):
-        say(f"writing {wanted.name}")
+    with progress(description.name) as tell, at_lines_of(mechanism, description), folder_ready(output):
+        tell(say("writing {what}", what=wanted.name))
         written = write(mechanism, wanted.name, output if file is None else file, at, frames)
     say_written(written)

@@ -12,8 +12,10 @@ from typing import TYPE_CHECKING, TypeVar
 import click
 
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
+from mechsheet.said import say
 
 from .common import Command, doubts_told, in_file, progress, with_options
+from .speaking import note, wrote
 
 if TYPE_CHECKING:
     from mechsheet.checking import Baseline, Report, Rules
@@ -78,7 +80,7 @@ class Gate:
         if self.baseline is None:
             if self.update_baseline:
                 raise MechsheetError(
-                    Fault("--update-baseline goes with --baseline FILE", hint="which file is it to write?")
+                    Fault(say("--update-baseline goes with --baseline FILE"), hint=say("which file is it to write?"))
                 )
             return None
         return read_baseline(self.baseline, must_exist=not self.update_baseline)
@@ -93,12 +95,14 @@ def workbooks(paths: Sequence[Path]) -> list[Path]:
     faults = []
     for path in paths:
         if path.name.startswith(LOCKS):
-            click.echo(f"note: {path.as_posix()} only marks a workbook that is open: passed over", err=True)
+            note(say("{file} only marks a workbook that is open: passed over", file=path.as_posix()))
         elif path.is_dir():
             inside = list(_inside(path))
             found += inside
             if not inside:
-                faults.append(Fault(f"no workbook ({', '.join(SUFFIXES)}) in this folder", readable_name(path)))
+                faults.append(
+                    Fault(say("no workbook ({names}) in this folder", names=", ".join(SUFFIXES)), readable_name(path))
+                )
         else:
             found.append(path)
     if faults:
@@ -121,12 +125,12 @@ def of_each(
     """What `judge` finds in each file; a file that cannot be judged does not keep the others from it."""
     found = []
     for number, file in enumerate(files, 1):
-        with progress(file.name) as say:
+        with progress(file.name) as tell:
             if len(files) > 1:
-                say(f"{number} of {len(files)}")
+                tell(f"{number} of {len(files)}")
             try:
                 with doubts_told(in_file(file)):
-                    found.append(judge(file, say))
+                    found.append(judge(file, tell))
             except MechsheetError as error:
                 faults += error.faults
     return found
@@ -173,8 +177,8 @@ def why_not_strict(report: Report) -> list[str]:
         return []
     found = [fault.message for fault in stored.doubts]
     if stored.nothing_stored:
-        found.append("no value is stored: nothing was compared")
-    return found + (["cells were saved without being computed"] if stored.uncomputed else [])
+        found.append(say("no value is stored: nothing was compared"))
+    return found + ([say("cells were saved without being computed")] if stored.uncomputed else [])
 
 
 def _conclude_baseline(gate: Gate, baseline: Baseline) -> None:
@@ -184,9 +188,10 @@ def _conclude_baseline(gate: Gate, baseline: Baseline) -> None:
     if gate.update_baseline:
         replace_file(baseline.path, baseline.updated().encode())
         count = sum(map(len, baseline.checked.values()))
-        click.echo(f"wrote {name}: {count} accepted", err=True)
+        wrote(say("{name}: {count} accepted", name=name, count=count))
         return
     for entry in baseline.unused:
-        click.echo(f"note: {name}: {entry.file} {entry.cell} is no longer needed", err=True)
+        note(say("{name}: {file} {cell} is no longer needed", name=name, file=entry.file, cell=entry.cell))
     if baseline.unused:
-        click.echo(f"note: --update-baseline takes out what is no longer needed: {len(baseline.unused)}", err=True)
+        count = len(baseline.unused)
+        note(say("--update-baseline takes out what is no longer needed: {count}", count=count))

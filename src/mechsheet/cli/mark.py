@@ -8,9 +8,11 @@ from pathlib import Path
 import click
 
 from mechsheet.diagnostics import readable_name
+from mechsheet.said import say
 
 from .common import JSON, at_lines_of, progress, same_file, say_written
 from .helping import Explained
+from .speaking import speak_of
 
 FILE = click.Path(path_type=Path)
 
@@ -48,9 +50,10 @@ def mark(
     from mechsheet.homework.classroom.marks_book import marks_csv, marks_workbook, pages
 
     _refuse(output, csv_file, books, files_of(books))
+    speak_of(against)
     key = key_of_file(against)
-    with at_lines_of(key.mechanism, against), progress("marks") as say:
-        found = mark_all(books, key, assembly or "", say)
+    with at_lines_of(key.mechanism, against), progress("marks") as tell:
+        found = mark_all(books, key, assembly or "", tell)
     files = []
     if output is not None:
         write(marks_workbook(found), output)
@@ -78,11 +81,11 @@ def _refuse(output: Path | None, csv_file: Path | None, books: tuple[Path, ...],
     from mechsheet.diagnostics import Fault, OutputError
 
     faults = [
-        Fault("is read here: it is not overwritten", readable_name(file), hint="name another file")
+        Fault(say("is read here: it is not overwritten"), readable_name(file), hint=say("name another file"))
         for file in (output, csv_file)
         if file is not None and any(same_file(file, other) for other in read)
     ]
     if output is not None and output.suffix.lower() not in (".xlsx", ".ods"):
-        faults.append(Fault("a workbook ends with .xlsx or .ods", readable_name(output), key="-o"))
+        faults.append(Fault(say("a workbook ends with .xlsx or .ods"), readable_name(output), key="-o"))
     if faults:
         raise OutputError(faults)

@@ -5,9 +5,11 @@ from __future__ import annotations
 import click
 
 from mechsheet.arguments.outputs import folder_ready, is_there
+from mechsheet.said import say
 
 from .common import STANDARD_OUTPUT, completing, output_file, output_option, refuse_existing
 from .helping import Explained
+from .speaking import spoken, told, wrote
 from .streams import print_file
 
 
@@ -35,11 +37,11 @@ def new(template: str | None, output: str | None, show_list: bool) -> None:
 
     if show_list or template is None:
         if output is not None:
-            raise click.UsageError("-o needs a template: mechsheet new four-bar -o mine.toml")
+            raise click.UsageError(told(say("-o needs a template: mechsheet new four-bar -o mine.toml")))
         titles = template_titles()
         width = max(len(name) for name in titles)
         for name, title in titles.items():
-            click.echo(f"{name:<{width}}  {title.en}")
+            click.echo(f"{name:<{width}}  {title.tr if spoken() == 'tr' else title.en}")
         return
     first_line = f"#:schema {FILE}\n"
     text = template_text(template).removeprefix(first_line)
@@ -54,4 +56,4 @@ def new(template: str | None, output: str | None, show_list: bool) -> None:
     text = first_line + text if is_there(file.parent / FILE) else text
     with folder_ready(output):
         replace_file(file, text.encode())
-    click.echo(f"wrote {file.as_posix()}", err=True)
+    wrote(file.as_posix())

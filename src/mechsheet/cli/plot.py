@@ -38,7 +38,7 @@ def plot(
 
     mechanism = described(description, Changes(**changes), language)
     path = output_file(output, f"{mechanism.stem}.svg", (description,))
-    with progress(description.name) as say, at_lines_of(mechanism, description), folder_ready(output):
-        say("drawing")
+    with progress(description.name) as tell, at_lines_of(mechanism, description), folder_ready(output):
+        tell("drawing")
         draw(mechanism, path, at, vectors=vectors)
     say_written([path])

@@ -10,6 +10,9 @@ from mechsheet.checking.mutate import by_kind, by_sheet
 from mechsheet.checking.remark_lines import grouped
 from mechsheet.checking.report_lines import focused, report_lines
 from mechsheet.counted import counted
+from mechsheet.said import say
+
+from .speaking import told
 
 WIDTH = 80
 """Signs of a line on a terminal."""
@@ -22,18 +25,20 @@ def print_line(report: Any) -> None:
     """A check of many: all in one line."""
     worst = max((item.worst for item in report.comparisons), default=0.0)
     count = len(report.remarks) + (len(grouped(report.stored.remarks)) if report.stored is not None else 0)
-    notes = f"; notes: {count}" if count else ""
-    judges = ", ".join(item.judge for item in report.comparisons)
-    line = f"{report.file}: all agree, worst {worst:.0e} ({judges}){notes}"
-    if len(line) > WIDTH:
-        line = line.replace(judges, f"{len(report.comparisons)} judges")
-    click.echo(line)
+    notes = say("; notes: {count}", count=count) if count else ""
+
+    def line(judges: str) -> str:
+        pattern = "{file}: all agree, worst {worst:.0e} ({judges}){notes}"
+        return told(say(pattern, file=report.file, worst=worst, judges=judges, notes=notes))
+
+    whole = line(", ".join(told(say(item.judge)) for item in report.comparisons))
+    click.echo(whole if len(whole) <= WIDTH else line(say("{count} judges", count=len(report.comparisons))))
 
 
 def print_report(report: Any) -> None:
     """A check: a line for each judge, the edits, the remarks."""
     for line in report_lines(report):
-        click.echo(line)
+        click.echo(told(line))
 
 
 def print_perturbation(found: Any) -> None:

@@ -7,9 +7,11 @@ from pathlib import Path
 import click
 
 from mechsheet.arguments.outputs import folder_ready
+from mechsheet.said import say
 
 from .common import STANDARD_OUTPUT, output_file, output_option, progress, refuse_existing, same_file
 from .helping import Explained
+from .speaking import told, wrote
 from .streams import print_file
 
 
@@ -31,17 +33,17 @@ def pull(workbook: Path, output: str | None, into: Path | None) -> None:
 
     file = None if output in (None, STANDARD_OUTPUT) else output_file(output, f"{workbook.stem}.toml", (workbook,))
     if file is not None and not (into is not None and same_file(file, into)):
-        refuse_existing(file, "choose another name, or name the same file with --into")
-    with progress(workbook.name) as say:
-        say("comparing")
+        refuse_existing(file, say("choose another name, or name the same file with --into"))
+    with progress(workbook.name) as tell:
+        tell("comparing")
         result = pulled_from(workbook, into)
     for change in result.changes:
-        click.echo(change, err=True)
+        click.echo(told(change), err=True)
     if not result.changes:
-        click.echo("nothing was changed", err=True)
+        click.echo(told(say("nothing was changed")), err=True)
     if file is None:
         print_file(result.text)
         return
     with folder_ready(output):
         replace_file(file, result.text.encode())
-    click.echo(f"wrote {file.as_posix()}", err=True)
+    wrote(file.as_posix())

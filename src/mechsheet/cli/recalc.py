@@ -14,10 +14,12 @@ import click
 
 from mechsheet.arguments.outputs import folder_ready, names_folder
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
+from mechsheet.said import say
 
 from .common import JSON, output_file, output_option, progress, settings_of
 from .gate import Gate, concluded, gate_options, of_each, workbooks
 from .helping import Explained
+from .speaking import note, told, wrote
 
 if TYPE_CHECKING:
     from mechsheet.checking import Baseline, Report, Rules
@@ -62,15 +64,17 @@ def recalc(
     gate = Gate(**options)
     if check:
         if settings:
-            raise MechsheetError(Fault("--check compares with the stored values, which know nothing of --set"))
+            raise MechsheetError(Fault(say("--check compares with the stored values, which know nothing of --set")))
         if ranges or output is not None:
-            raise MechsheetError(Fault("--check compares: it goes without --print and -o"))
+            raise MechsheetError(Fault(say("--check compares: it goes without --print and -o")))
         _check(workbooks(files), gate, as_json)
         return
     if gate.given():
-        raise MechsheetError(Fault(f"{', '.join(gate.given())}: only with --check"))
+        raise MechsheetError(Fault(say("{names}: only with --check", names=", ".join(gate.given()))))
     if len(files) > 1:
-        raise MechsheetError(Fault(f"{len(files)} workbooks: one at a time is recalculated, several only with --check"))
+        raise MechsheetError(
+            Fault(say("{count} workbooks: one at a time is recalculated, several only with --check", count=len(files)))
+        )
     _recalculate(files[0], settings, ranges, output, as_json, gate.strict)
 
 
@@ -80,15 +84,15 @@ def _recalculate(
     """Set, compute, print, write."""
     from mechsheet.library.recalculation import recalc as recalculate
 
-    with progress(workbook.name) as say:
-        say("recalculating")
+    with progress(workbook.name) as tell:
+        tell("recalculating")
         result = recalculate(workbook, settings_of(settings))
     areas = [result.area(text) for text in ranges]
     if output is not None:
         file = output_file(output, workbook.name, (workbook,) if names_folder(output) else ())
         with folder_ready(output):
             result.write(file)
-        click.echo(f"wrote {file.as_posix()}", err=True)
+        wrote(file.as_posix())
     _print_notes("", result.remarks)
     if areas:
         _print_areas(result, areas, as_json)
@@ -107,25 +111,25 @@ def _check(files: Sequence[Path], gate: Gate, as_json: bool) -> None:
 
     rules, baseline = gate.rules(), gate.accepted()
     faults: list[Fault] = []
-    reports = of_each(files, faults, lambda file, say: _judged(file, say, rules, baseline))
+    reports = of_each(files, faults, lambda file, tell: _judged(file, tell, rules, baseline))
     for report in reports:
         assert report.stored is not None
         head = f"{report.file}: " if len(files) > 1 else ""
         _print_notes(head, report.stored.remarks)
         if not as_json:
-            click.echo(head + "\n".join(stored_lines(report.stored)))
+            click.echo(head + "\n".join(map(told, stored_lines(report.stored))))
     if as_json:
         found = [{"file": report.file, **report.stored.as_dict()} for report in reports if report.stored is not None]
         click.echo(json.dumps(found, indent=2))
     concluded(gate, reports, baseline, faults)
 
 
-def _judged(file: Path, say: Callable[[str], None], rules: Rules, baseline: Baseline | None) -> Report:
+def _judged(file: Path, tell: Callable[[str], None], rules: Rules, baseline: Baseline | None) -> Report:
     from mechsheet.checking import Report
     from mechsheet.checking.stored import judge_stored
     from mechsheet.formats import read
 
-    say("recalculating")
+    tell("recalculating")
     stored, _ = judge_stored(read(file), rules)
     if baseline is not None:
         stored = baseline.accept(file, stored)
@@ -137,7 +141,7 @@ def _print_notes(head: str, remarks: Iterable[Fault]) -> None:
     from mechsheet.checking.remark_lines import remark_lines
 
     for line in remark_lines(remarks):
-        click.echo(f"note: {head}{line}", err=True)
+        note(say("{head}{line}", head=head, line=line))
 
 
 def _print_areas(result: Result, areas: Iterable[Any], as_json: bool) -> None:

@@ -5,9 +5,11 @@ from __future__ import annotations
 import click
 
 from mechsheet.arguments.outputs import folder_ready
+from mechsheet.said import say
 
 from .common import STANDARD_OUTPUT, output_file, output_option
 from .helping import Explained
+from .speaking import wrote
 from .streams import print_file
 
 
@@ -32,4 +34,6 @@ def schema(output: str | None) -> None:
     file = output_file(output, FILE)
     with folder_ready(output):
         replace_file(file, text.encode())
-    click.echo(f"wrote {file.as_posix()}; first line of a description beside it: #:schema {file.name}", err=True)
+    wrote(
+        say("{name}; first line of a description beside it: #:schema {schema}", name=file.as_posix(), schema=file.name)
+    )

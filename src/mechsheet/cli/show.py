@@ -54,8 +54,8 @@ def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **cha
     from mechsheet.library import show as shows
 
     mechanism = described(description, Changes(**changes))
-    with at_lines_of(mechanism, description), progress(description.name) as say:
-        say("solving")
+    with at_lines_of(mechanism, description), progress(description.name) as tell:
+        tell("solving")
         if what == "equations":
             text = shows.equations_json(mechanism) if as_json else shows.equations_text(mechanism)
         elif what == "cells":

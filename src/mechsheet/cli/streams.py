@@ -17,6 +17,11 @@ from typing import NoReturn
 
 import click
 
+from mechsheet.diagnostics import system_reason
+from mechsheet.said import say
+
+from .speaking import told
+
 STOPPED = 130
 """Exit code after Ctrl-C, as shells have it: 128 and the number of the signal."""
 CLOSED = 141
@@ -75,14 +80,14 @@ def ending_well() -> Iterator[None]:
     try:
         yield
     except KeyboardInterrupt:
-        _leave(STOPPED, "stopped")
+        _leave(STOPPED, told(say("stopped")))
     except OSError as error:
         # Everything that has to do with a file of the user's names it, or has become a MechsheetError.
         if error.filename is not None:
             raise
         if error.errno == errno.EPIPE or (os.name == "nt" and error.errno == errno.EINVAL):
             _leave(CLOSED)
-        _leave(2, f"the output cannot be written: {error.strerror or error}")
+        _leave(2, told(say("the output cannot be written: {reason}", reason=system_reason(error))))
 
 
 def _leave(code: int, words: str = "") -> NoReturn:

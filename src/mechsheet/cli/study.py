@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from mechsheet.counted import counted
 from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.said import Said, say
 
 from .common import FORMATS_COMPLETED, Changes, at_lines_of, bar_of, change_options, described
 from .helping import Explained
+from .speaking import told
 
 if TYPE_CHECKING:
     from mechsheet.studies.run import Progress, Studied
@@ -77,19 +78,28 @@ def study(
 def _tell(found: Studied) -> None:
     """The counts; where nothing is kept they are an error."""
     result = found.result
-    lines = [f"{count:>16,} fail {text}" for text, count in result.failed]
+    lines = [say("{count:>16,} fail {condition}", count=count, condition=text) for text, count in result.failed]
     if not result.kept and result.failed:
-        hint = "each design is counted once, by the first condition that it fails:\n" + "\n".join(lines)
-        raise MechanismError(
-            Fault(
-                f"none of {counted(result.designs, 'design', spec=',')} meets all conditions",
-                key="study.keep",
-                hint=hint,
-            )
-        )
+        hint = say("each design is counted once, by the first condition that it fails:{lines}", lines=_below(lines))
+        message = say("none of {designs} meets all conditions", designs=_designs(result.designs))
+        raise MechanismError(Fault(message, key="study.keep", hint=hint))
     share = 100 * result.kept / result.designs
-    kept = f"{result.kept:>16,} kept of {counted(result.designs, 'design', spec=',')} ({share:.3g} %)"
-    click.echo("\n".join([*lines, kept]), err=True)
+    kept = say(
+        "{kept:>16,} kept of {designs} ({share:.3g} %)", kept=result.kept, designs=_designs(result.designs), share=share
+    )
+    click.echo("\n".join(map(told, [*lines, kept])), err=True)
+
+
+def _designs(count: int) -> Said:
+    return say("{count:,} design" if count == 1 else "{count:,} designs", count=count)
+
+
+def _below(lines: Sequence[Said]) -> Said:
+    """Each on a line of its own, to be said as a whole."""
+    whole = say("")
+    for line in lines:
+        whole = say("{above}\n{line}", above=whole, line=line)
+    return whole
 
 
 def _table(found: Studied) -> str:
@@ -121,13 +131,14 @@ def _bar() -> Iterator[Callable[[Progress], None]]:
     def tell(progress: Progress) -> None:
         passed = max(time.monotonic() - begun, 1e-9)
         rate = (progress.done - progress.earlier) / passed
-        words = (
-            f"{bar_of(progress.done, progress.all)} {progress.done:,} of {counted(progress.all, 'design', spec=',')}"
+        words = f"{bar_of(progress.done, progress.all)} " + told(
+            say("{done:,} of {designs}", done=progress.done, designs=_designs(progress.all))
         )
         if progress.done:
-            words += f", {100 * progress.kept / progress.done:.3g} % kept"
+            words += told(say(", {share:.3g} % kept", share=100 * progress.kept / progress.done))
         if rate:
-            words += f", {rate:,.0f}/s, {_duration((progress.all - progress.done) / rate)} left"
+            left = _duration((progress.all - progress.done) / rate)
+            words += told(say(", {rate:,.0f}/s, {left} left", rate=rate, left=left))
         click.echo(f"\r\033[K{words}", nl=False, err=True)
 
     try:

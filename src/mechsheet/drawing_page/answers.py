@@ -11,7 +11,7 @@ from typing import Any
 from mechsheet.description.templates import template_names, template_text, template_titles
 from mechsheet.description.text.file_names import is_file_name
 from mechsheet.description.text.source import read_text
-from mechsheet.diagnostics import Fault, OutputError, readable_name
+from mechsheet.diagnostics import Fault, OutputError, readable_name, system_reason
 from mechsheet.drawing_page.editing.orders import edited
 from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.questions import Refusal, number_in, places_in, text_in
@@ -168,7 +168,9 @@ def _mark(path: Path) -> str:
     try:
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError as error:
-        raise OutputError(Fault(say("cannot be read: {reason}", reason=error.strerror), readable_name(path))) from error
+        raise OutputError(
+            Fault(say("cannot be read: {reason}", reason=system_reason(error)), readable_name(path))
+        ) from error
 
 
 def _as_on_disk(text: str, path: Path) -> bytes:

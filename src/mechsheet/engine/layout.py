@@ -16,6 +16,7 @@ import numpy as np
 from ..diagnostics import Fault, WorkbookError
 from ..formula.book import Block, Book
 from ..formula.references import cell_address
+from ..said import say
 from .values.cells import Cells, Codes, Numbers, Texts
 
 _MOST_KNOWN = 20_000
@@ -259,7 +260,7 @@ def _fill_columns(layout: Layout, book: Book) -> None:
             for above, below in zip(column.pieces, column.pieces[1:], strict=False):
                 if above.row + above.rows > below.row:
                     place = cell_address(book.sheets[index].title, below.row, col)
-                    faults.append(Fault("a cell that is filled twice", file=book.source, key=place))
+                    faults.append(Fault(say("a cell that is filled twice"), file=book.source, key=place))
         ends = (column.pieces[-1].row + column.pieces[-1].rows for column in columns.values())
         layout.used_rows.append(max(ends, default=1))
     if faults:

@@ -44,6 +44,7 @@ from ..formula.parser import parse_formula
 from ..formula.printer import quote_sheet
 from ..formula.references import area_name, parse_r1c1
 from ..formula.tables import cells_of_table
+from ..said import Said, say
 from .graph import ANYWHERE, reads_anywhere
 from .interpreter.deep import deeply
 from .interpreter.intersections import intersected
@@ -72,7 +73,18 @@ ELSEWHERE = frozenset(
 
 def _with_kept(fault: Fault) -> Fault:
     """What is remarked of a function when its cells keep their stored values."""
-    return replace(fault, message=f"{fault.message}: stored values are kept") if fault.about == "function" else fault
+    if fault.about != "function":
+        return fault
+    return replace(fault, message=say("{message}: stored values are kept", message=fault.message))
+
+
+def _arguments(least: int, most: int) -> Said:
+    """How many arguments a function takes."""
+    if most == MANY:
+        return say("at least 1 argument") if least == 1 else say("at least {least} arguments", least=least)
+    if least == most:
+        return say("1 argument") if least == 1 else say("{least} arguments", least=least)
+    return say("{least} to {most} arguments", least=least, most=most)
 
 
 def _is_unsteady(name: str) -> bool:
@@ -203,7 +215,9 @@ class Resolver:
         names = dict.fromkeys(part.name for part in parts if isinstance(part, Call)) if Call in kinds else {}
         for name in names:
             if _is_unsteady(name):
-                self.remark(place, f"{name} gives another value at every recalculation", about="volatile")
+                self.remark(
+                    place, say("{name} gives another value at every recalculation", name=name), about="volatile"
+                )
         number = len(self.found.formulas)
         if any(map(_is_unsteady, names)) or not kinds.isdisjoint((Foreign, FunctionRef)):
             self._note_strangers(number, node, block, sheet)
@@ -234,7 +248,7 @@ class Resolver:
                 case FunctionRef(name, "") if name not in FUNCTIONS or lacks_scipy(name):
                     return self.unknown_function(place, name)
                 case Foreign(text, why) if why != UNKNOWN_FUNCTION:
-                    self.remark(place, f"{why}, {text}: stored values are kept")
+                    self.remark(place, say("{why}, {text}: stored values are kept", why=why, text=text))
                     return part
                 case Symbol() | Previous():
                     raise TypeError(f"{place}: {part} is not bound to a cell")
@@ -259,7 +273,7 @@ class Resolver:
             return cells_of_table(TableRef(part.name), self.book.tables, sheet, block.row, block.col)
         if defined is None:
             known = [each.name for each in self.book.names]
-            return self.unknown(place, f"unknown name {part.name}", near_miss(part.name, known))
+            return self.unknown(place, say("unknown name {name}", name=part.name), near_miss(part.name, known))
         home = defined.sheet or sheet
         match defined.formula:
             case CellRef(_, _, True, True):  # what most names are: one cell, wherever they are used
@@ -269,9 +283,11 @@ class Resolver:
             return self.function_name(defined, formula, block, sheet, place)
         if defined.name in inside:
             circle = " -> ".join((*inside, defined.name))
-            return self.unknown(place, f"the name {defined.name} stands for itself: {circle}")
+            return self.unknown(
+                place, say("the name {name} stands for itself: {circle}", name=defined.name, circle=circle)
+            )
         if len(inside) >= MAX_NESTING:
-            return self.unknown(place, f"names that stand for one another, more than {MAX_NESTING} deep")
+            return self.unknown(place, say("names that stand for one another, more than {most} deep", most=MAX_NESTING))
         moved = shifted(formula, block.row, block.col, wrap=True)
         found = self.named(moved, block, home, place, (*inside, defined.name))
         if gives_region(found) or not any(isinstance(each, RangeRef | ArrayLiteral) for each in walk(found)):
@@ -309,10 +325,10 @@ class Resolver:
             return self.unknown_function(place, part.name)
         if row.least <= len(part.args) <= row.most:
             return _same_size(part)
-        at_least = "at least " if row.most == MANY else ""
-        many = f"{row.least}" if row.most in (row.least, MANY) else f"{row.least} to {row.most}"
-        takes = f"{part.name} takes {at_least}{many} argument{'s' * (many != '1')}, found {len(part.args)}"
-        self.remark(place, takes)
+        takes = _arguments(row.least, row.most)
+        self.remark(
+            place, say("{text} takes {takes}, found {count}", text=part.name, takes=takes, count=len(part.args))
+        )
         return ErrorValue("#VALUE!")
 
     def through_sheets(self, first: str, last: str, area: Node) -> Node:
@@ -365,11 +381,11 @@ class Resolver:
     def unknown_function(self, place: str, name: str) -> Foreign:
         """Remark a function that is not known, or not without SciPy. Its cells keep what is stored; else they are #NAME?."""
         if name in FUNCTIONS:
-            message, hint = f"{name} needs scipy, which is not installed", command_for("statistics")
+            message, hint = say("{name} needs scipy, which is not installed", name=name), command_for("statistics")
         elif self.book.macros and name not in ELSEWHERE:
-            message, hint = f"{name} is defined in this file's {self.book.macros}", ""
+            message, hint = say("{name} is defined in this file's {macros}", name=name, macros=self.book.macros), ""
         else:
-            message, hint = f"unknown function {name}", near_miss(name, FUNCTIONS)
+            message, hint = say("unknown function {name}", name=name), near_miss(name, FUNCTIONS)
         self.remark(place, message, hint, "function")
         return Foreign(name, UNKNOWN_FUNCTION)
 

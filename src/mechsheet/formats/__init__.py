@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from mechsheet.diagnostics import Fault, OutputError, readable_name
+from mechsheet.said import say
 
 if TYPE_CHECKING:
     from mechsheet.formula.book import Book
@@ -29,7 +30,11 @@ def write(workbook: Workbook, path: Path, form: str = "") -> None:
     suffix = f".{form}" if form else path.suffix.lower()
     if suffix not in WRITTEN:
         raise OutputError(
-            Fault(f'no format is called "{path.suffix}"', readable_name(path), hint=f"formats: {', '.join(WRITTEN)}")
+            Fault(
+                say('no format is called "{suffix}"', suffix=path.suffix),
+                readable_name(path),
+                hint=say("formats: {formats}", formats=", ".join(WRITTEN)),
+            )
         )
     _function(FORMATS[suffix], "write")(workbook, path)
 

@@ -19,7 +19,8 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, BinaryIO, TextIO
 
-from mechsheet.diagnostics import Fault, OutputError, readable_name
+from mechsheet.diagnostics import Fault, OutputError, readable_name, system_reason
+from mechsheet.said import say
 
 if TYPE_CHECKING:
     from _typeshed import ReadableBuffer
@@ -34,17 +35,17 @@ _LARGE = 1 << 30
 _SMALL = 4 << 20
 """Parts of so many bytes are packed as tightly as zlib can: hundredths of a second more."""
 _REASONS = {
-    errno.ENOSPC: "the disk is full",
-    errno.EDQUOT: "the disk quota is used up",
-    errno.EACCES: "no permission to write here (or the file is open in another program)",
-    errno.EPERM: "no permission to write here (or the file is open in another program)",
-    errno.EROFS: "the disk is read-only",
-    errno.ENOENT: "there is no such folder",
-    errno.ENOTDIR: "there is no such folder",
-    errno.EISDIR: "this is a folder",
-    errno.EEXIST: "this is a file, not a folder",
-    errno.ENAMETOOLONG: "the file name is too long",
-    errno.ELOOP: "the link leads round to itself",
+    errno.ENOSPC: say("the disk is full"),
+    errno.EDQUOT: say("the disk quota is used up"),
+    errno.EACCES: say("no permission to write here (or the file is open in another program)"),
+    errno.EPERM: say("no permission to write here (or the file is open in another program)"),
+    errno.EROFS: say("the disk is read-only"),
+    errno.ENOENT: say("there is no such folder"),
+    errno.ENOTDIR: say("there is no such folder"),
+    errno.EISDIR: say("this is a folder"),
+    errno.EEXIST: say("this is a file, not a folder"),
+    errno.ENAMETOOLONG: say("the file name is too long"),
+    errno.ELOOP: say("the link leads round to itself"),
 }
 
 
@@ -274,7 +275,7 @@ def make_folder(path: Path) -> None:
 
 def _output_error(path: Path, error: OSError | ValueError) -> OutputError:
     if isinstance(error, OSError):
-        reason = _REASONS.get(error.errno or 0) or error.strerror or str(error)
+        reason = _REASONS.get(error.errno or 0) or system_reason(error)
     else:
-        reason = "a null character in the name"
-    return OutputError(Fault(f"cannot be written: {reason}", file=readable_name(path)))
+        reason = say("a null character in the name")
+    return OutputError(Fault(say("cannot be written: {reason}", reason=reason), file=readable_name(path)))

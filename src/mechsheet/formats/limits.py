@@ -10,6 +10,7 @@ from mechsheet.formula.names import folded, name_fault
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import cell_address
+from mechsheet.said import say
 from mechsheet.sheet.workbook import Sheet, Workbook
 
 MAX_TEXT = 32767
@@ -42,16 +43,17 @@ def _title_faults(workbook: Workbook) -> Iterator[Fault]:
     for sheet in workbook.sheets:
         reason = title_fault(sheet.title)
         if not reason and sheet.title.casefold() in seen:
-            reason = "is the name of two sheets (large and small letters are the same)"
+            reason = say("is the name of two sheets (large and small letters are the same)")
         seen.add(sheet.title.casefold())
         if reason:
-            yield Fault(f'the sheet name "{sheet.title}" {reason}')
+            yield Fault(say('the sheet name "{title}" {reason}', title=sheet.title, reason=reason))
 
 
 def _taken(name: str, seen: dict[str, str]) -> str:
     """Why a name cannot be one beside those `seen`, to which it is added; "" where it can."""
     other = seen.setdefault(folded(name), name)
-    return name_fault(name) or (f'is the same name as "{other}" to some programs' if other is not name else "")
+    alike = say('is the same name as "{other}" to some programs', other=other) if other is not name else ""
+    return name_fault(name) or alike
 
 
 def _name_faults(workbook: Workbook) -> Iterator[Fault]:
@@ -60,46 +62,59 @@ def _name_faults(workbook: Workbook) -> Iterator[Fault]:
     for function in workbook.functions:
         reason = _taken(function.name, seen)
         if not reason and (length := len(print_formula(function.formula))) > MAX_FORMULA:
-            reason = f"stands for a formula of {length} characters, {MAX_FORMULA} are allowed"
+            reason = say(
+                "stands for a formula of {length} characters, {most} are allowed", length=length, most=MAX_FORMULA
+            )
         if reason:
-            yield Fault(f'the name of a function "{function.name}" {reason}')
+            yield Fault(say('the name of a function "{name}" {reason}', name=function.name, reason=reason))
     for name in workbook.names:
         reason = _taken(name.name, seen)
         if not reason and name.sheet not in titles:
-            reason = f'stands on a sheet "{name.sheet}" that does not exist'
+            reason = say('stands on a sheet "{sheet}" that does not exist', sheet=name.sheet)
         if reason:
-            yield Fault(f'the cell name "{name.name}" {reason}')
+            yield Fault(say('the cell name "{name}" {reason}', name=name.name, reason=reason))
 
 
 def _cell_faults(sheet: Sheet) -> Iterator[Fault]:
     for cell in sheet.cells:
         text = cell.value
         if isinstance(text, str) and len(text) > MAX_TEXT:
-            message = f"a text of {len(text)} characters, a cell holds {MAX_TEXT}"
+            message = say("a text of {count} characters, a cell holds {most}", count=len(text), most=MAX_TEXT)
             yield Fault(message, key=cell_address(sheet.title, cell.row, cell.col))
     last_row = max([cell.row + 1 for cell in sheet.cells] + [f.row + f.rows for f in sheet.fills], default=0)
     last_col = max([cell.col + 1 for cell in sheet.cells] + [f.col + f.cols for f in sheet.fills], default=0)
     if last_row > MAX_ROWS:
-        yield Fault(f"{last_row} rows, a sheet holds {MAX_ROWS}", key=sheet.title)
+        yield Fault(say("{last_row} rows, a sheet holds {most}", last_row=last_row, most=MAX_ROWS), key=sheet.title)
     if last_col > MAX_COLUMNS:
-        yield Fault(f"{last_col} columns, a sheet holds {MAX_COLUMNS}", key=sheet.title)
+        yield Fault(
+            say("{last_col} columns, a sheet holds {most}", last_col=last_col, most=MAX_COLUMNS), key=sheet.title
+        )
 
 
 def _rule_faults(sheet: Sheet) -> Iterator[Fault]:
     for rule in sheet.validations:
         place = cell_address(sheet.title, rule.area.first_row, rule.area.first_col)
         if any("," in choice or not choice for choice in rule.choices):
-            yield Fault("a choice may neither be empty nor hold a comma", key=place)
+            yield Fault(say("a choice may neither be empty nor hold a comma"), key=place)
         elif len(",".join(rule.choices)) > MAX_CHOICES:
-            yield Fault(f"the choices have more than {MAX_CHOICES} characters together", key=place)
+            yield Fault(say("the choices have more than {most} characters together", most=MAX_CHOICES), key=place)
     for chart in sheet.charts:
         if not 1 <= len(chart.series) <= MAX_SERIES:
-            message = f'the chart "{chart.title}" has {len(chart.series)} series, 1 to {MAX_SERIES} are allowed'
+            message = say(
+                'the chart "{title}" has {count} series, 1 to {most} are allowed',
+                title=chart.title,
+                count=len(chart.series),
+                most=MAX_SERIES,
+            )
             yield Fault(message, key=sheet.title)
     for control in sheet.controls:
         if not 0 <= control.low <= control.high <= MAX_CONTROL:
-            message = (
-                f'the control "{control.name}" goes from {control.low} to {control.high}, 0 to {MAX_CONTROL} is allowed'
+            message = say(
+                'the control "{name}" goes from {low} to {high}, 0 to {most} is allowed',
+                name=control.name,
+                low=control.low,
+                high=control.high,
+                most=MAX_CONTROL,
             )
             yield Fault(message, key=sheet.title)
 
@@ -107,15 +122,15 @@ def _rule_faults(sheet: Sheet) -> Iterator[Fault]:
 def title_fault(title: str) -> str:
     """Why `title` cannot name a sheet, in words that complete "the sheet name X ..."; "" when it can."""
     if not title.strip():
-        return "is empty"
+        return say("is empty")
     if len(title.encode("utf-16-le")) // 2 > MAX_TITLE:
-        return f"is longer than {MAX_TITLE} characters"
+        return say("is longer than {most} characters", most=MAX_TITLE)
     if any(letter in _NOT_IN_TITLES for letter in title):
-        return f"holds one of {' '.join(_NOT_IN_TITLES)}"
+        return say("holds one of {names}", names=" ".join(_NOT_IN_TITLES))
     if any(unicodedata.category(letter) in ("Cc", "Cs") for letter in title):
-        return "holds a control character"
+        return say("holds a control character")
     if title.startswith("'") or title.endswith("'"):
-        return "begins or ends with an apostrophe"
+        return say("begins or ends with an apostrophe")
     if title.casefold() == "history":
-        return "is reserved by Excel"
+        return say("is reserved by Excel")
     return ""

@@ -10,6 +10,7 @@ from typing import Protocol
 from mechsheet.diagnostics import Fault, OutputError, readable_name
 from mechsheet.formula.book import Book, BookSheet
 from mechsheet.formula.nodes import ErrorValue, Scalar
+from mechsheet.said import say
 
 from .archive import new_archive
 from .reading.package import Package, part_key
@@ -98,8 +99,8 @@ def new_values(book: Book, values: CellValues, changes: Mapping[Place, Scalar]) 
 def check_output(source: Path, output: Path) -> None:
     """Raise OutputError when the file to write has another format than the one that was read."""
     if source.suffix.lower() != output.suffix.lower():
-        message = f"a recalculated {source.suffix} is written as {source.suffix}"
-        raise OutputError(Fault(message, readable_name(output), hint="only values are changed, not the format"))
+        message = say("a recalculated {suffix} is written as {suffix}", suffix=source.suffix)
+        raise OutputError(Fault(message, readable_name(output), hint=say("only values are changed, not the format")))
 
 
 def write_package(package: Package, output: Path, parts: Mapping[str, Rewrite]) -> None:

@@ -13,6 +13,8 @@ from itertools import chain, count
 
 from mechsheet.formula.functions import FUNCTIONS
 
+from ..said import say
+
 MAX_LENGTH = 255
 _SHAPE = re.compile(r"[^\W\d][\w.]*")
 _CELL = re.compile(r"[a-z]{1,3}\d+", re.IGNORECASE)
@@ -45,23 +47,25 @@ _FOLDED_TRUTHS = frozenset(folded(word) for word in _TRUTHS)
 def name_fault(name: str) -> str:
     """Why a name cannot be a cell's, in words that complete "the cell name X ..."; "" when it can."""
     if not name:
-        return "is empty"
+        return say("is empty")
     if len(name) > MAX_LENGTH:
-        return f"has {len(name)} characters; {MAX_LENGTH} are allowed"
+        return say("has {count} characters; {most} are allowed", count=len(name), most=MAX_LENGTH)
     if unicodedata.normalize("NFC", name) != name or any(unicodedata.combining(letter) for letter in name):
-        return "has combining marks: write accented letters as single characters"
+        return say("has combining marks: write accented letters as single characters")
     if not _SHAPE.fullmatch(name):
-        return "must begin with a letter or _ and go on with letters, digits, _ or ."
+        return say("must begin with a letter or _ and go on with letters, digits, _ or .")
     if _CELL.fullmatch(name):
-        return "looks like the address of a cell"
+        return say("looks like the address of a cell")
     if len(name) == 1:
-        return "is a single letter, and letters stand for a row or a column in some language's Excel: R and C, Z and S, ..."
+        return say(
+            "is a single letter, and letters stand for a row or a column in some language's Excel: R and C, Z and S, ..."
+        )
     if _R1C1.fullmatch(name):
-        return "looks like an address in R1C1 form, in some language"
+        return say("looks like an address in R1C1 form, in some language")
     if folded(name) in _FOLDED_TRUTHS or name.lower().startswith(("_xlnm", "_xlfn", "_xlpm")):
-        return "is reserved by spreadsheet programs"
+        return say("is reserved by spreadsheet programs")
     if name.upper() in _FUNCTIONS:
-        return "is the name of a function"
+        return say("is the name of a function")
     return ""
 
 

@@ -15,6 +15,8 @@ from dataclasses import dataclass
 from operator import is_
 from typing import Any, Literal, TypeAlias
 
+from ..said import say
+
 MAX_ROWS = 1_048_576
 MAX_COLUMNS = 16_384
 
@@ -198,10 +200,10 @@ class Foreign:
     """
 
     text: str
-    why: str = "a reference to another workbook"
+    why: str = say("a reference to another workbook")
 
 
-UNKNOWN_FUNCTION = "an unknown function"
+UNKNOWN_FUNCTION = say("an unknown function")
 """Why a `Foreign` stands for a call: the workbook's own macros may define the function."""
 
 

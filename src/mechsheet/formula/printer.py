@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import NamedTuple, TypeAlias
 
 from ..diagnostics import FormulaError
+from ..said import say
 from .dialects import DIALECTS, MAX_NESTING, Dialect
 from .functions import spelling
 from .nodes import (
@@ -122,7 +123,9 @@ class _Printer:
             del done[len(done) - len(below) :]
             done.append(self.piece(node, parts))
             if done[-1].depth > MAX_NESTING:
-                raise FormulaError(f"a formula nested deeper than {MAX_NESTING} levels cannot be written")
+                raise FormulaError(
+                    say("a formula nested deeper than {most} levels cannot be written", most=MAX_NESTING)
+                )
         return done[0].text
 
     def piece(self, node: Node, parts: list[_Printed]) -> _Printed:

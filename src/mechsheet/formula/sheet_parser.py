@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from ..said import say
 from .functions import canonical_name
 from .lexer import QUOTED, Token, fail
 from .nodes import (
@@ -69,7 +70,7 @@ class SheetParser(Parser):
         if op == ":" and isinstance(left, CellRef) and isinstance(right, CellRef) and right.sheet in (None, left.sheet):
             return RangeRef(left, CellRef(right.row, right.col, right.row_abs, right.col_abs, left.sheet))
         if op == ":" and any(isinstance(side, Number | Text | Boolean) for side in (left, right)):
-            raise fail(self.text, self.next.column, 'a constant beside ":", where references stand, before')
+            raise fail(self.text, self.next.column, say('a constant beside ":", where references stand, before'))
         return Binary(op, left, right)
 
     def operand(self) -> Node:
@@ -113,12 +114,12 @@ class SheetParser(Parser):
             case "table":
                 table = parse_table(self.take().text)
                 if table is None:
-                    raise fail(self.text, token.column, f"{token.text} is not a structured reference,")
+                    raise fail(self.text, token.column, say("{text} is not a structured reference,", text=token.text))
                 return table
             case "cell" | "columns" | "rows" | "name":
                 return self.reference(None)
             case _:
-                raise self.unexpected('a value, a reference, a function or "("')
+                raise self.unexpected(say('a value, a reference, a function or "("'))
 
     def parenthesised(self) -> Node:
         """What stands in parentheses; in OOXML commas there are unions."""
@@ -186,9 +187,9 @@ class SheetParser(Parser):
                 self.take()
                 break
             else:
-                raise self.unexpected('a separator or "}"')
+                raise self.unexpected(say('a separator or "}"'))
         if len({len(row) for row in rows}) > 1:
-            raise fail(self.text, self.next.column, "the rows of an array differ in length")
+            raise fail(self.text, self.next.column, say("the rows of an array differ in length"))
         return ArrayLiteral(tuple(tuple(row) for row in rows))
 
     def constant(self) -> Node:
@@ -207,7 +208,7 @@ class SheetParser(Parser):
                     self.deeper()
                     self.close()
                 return Boolean(value_text == "TRUE")
-        raise self.unexpected("a constant of an array")
+        raise self.unexpected(say("a constant of an array"))
 
     def qualified(self) -> Node:
         """What follows `Sheet1!` (in OpenFormula, `$Sheet1.` before a name)."""
@@ -220,7 +221,7 @@ class SheetParser(Parser):
         if self.next.kind == "error":
             return ErrorValue(self.take().text)
         if self.next.kind not in ("cell", "columns", "rows", "name"):
-            raise self.unexpected("a reference or a name")
+            raise self.unexpected(say("a reference or a name"))
         if ":" in sheet:
             first, _, last = sheet.partition(":")
             return SheetsRef(_unquote(first), _unquote(last), self.reference(None))
@@ -237,7 +238,7 @@ class SheetParser(Parser):
             if ref is not None:
                 return ref
             if "$" in token.text:
-                raise fail(self.text, token.column, f"{token.text} is outside the sheet,")
+                raise fail(self.text, token.column, say("{text} is outside the sheet,", text=token.text))
         word = token.text.lower()
         if sheet is None and word in ("true", "false"):
             return Boolean(word == "true")
@@ -272,7 +273,7 @@ def _strip(text: str, token: Token, first: str, second: str, sheet: str | None) 
             return RangeRef(
                 CellRef(top, 0, bool(abs1), True, sheet), CellRef(bottom, MAX_COLUMNS - 1, bool(abs2), True, sheet)
             )
-    raise fail(text, token.column, f"{token.text} is outside the sheet,")
+    raise fail(text, token.column, say("{text} is outside the sheet,", text=token.text))
 
 
 def _folded(written: str) -> str:
@@ -291,14 +292,14 @@ def _bracketed(text: str, token: Token) -> Node:
     if ":" not in rest:
         ref = parse_reference(rest, sheet)
         if ref is None:
-            raise fail(text, token.column, f"{token.text} is not a reference of a sheet,")
+            raise fail(text, token.column, say("{text} is not a reference of a sheet,", text=token.text))
         return ref
     first, _, second = rest.partition(":")
     second_sheet, second = _sheet_part(text, token, second)
     if second_sheet not in (None, sheet):
         corners = parse_reference(first), parse_reference(second)
         if sheet is None or second_sheet is None or corners[0] is None or corners[1] is None:
-            raise fail(text, token.column, f"{token.text} is not a reference of a sheet,")
+            raise fail(text, token.column, say("{text} is not a reference of a sheet,", text=token.text))
         area = corners[0] if corners[0] == corners[1] else RangeRef(corners[0], corners[1])
         return SheetsRef(sheet, second_sheet, area)
     start, end = parse_reference(first, sheet), parse_reference(second, sheet)
@@ -319,5 +320,5 @@ def _sheet_part(text: str, token: Token, part: str) -> tuple[str | None, str]:
         sheet, dot, rest = part.partition(".")
         rest = dot + rest
     if not rest.startswith("."):
-        raise fail(text, token.column, f"{token.text} is not a reference of a sheet,")
+        raise fail(text, token.column, say("{text} is not a reference of a sheet,", text=token.text))
     return (_unquote(sheet) or None), rest[1:]

@@ -52,6 +52,7 @@ class Solved:
     transmission: str = ""
     sides: tuple[Node, ...] = ()
     system: System | None = None
+    degenerate: Node | None = None
 
 
 ONE_ASSEMBLY = (NOTHING,)

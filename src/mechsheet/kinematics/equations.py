@@ -188,6 +188,8 @@ class Group:
     determinant   that of the closure's derivatives by the unknowns, in their order: w1 x w2, where w is the derivative of
                   left minus right by one of them; None where there is no `closure`
     dead          what must hold for derivatives to be numbers; None where the determinant never vanishes
+    degenerate    TRUE in a row where the links can be joined but their position is undetermined (pins coincide, so that a
+                  link can turn about them; lines coincide); None where that cannot be
     """
 
     number: int
@@ -209,6 +211,7 @@ class Group:
     follows: Node | None = None
     determinant: Node | None = None
     dead: Condition | None = None
+    degenerate: Node | None = None
 
     @property
     def mode_value(self) -> int:

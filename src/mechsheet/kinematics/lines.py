@@ -31,8 +31,8 @@ PARALLEL = 1e-12
 
 def meet(
     ledger: Ledger, e: tuple[Node, Node], delta1: Angle, delta2: Angle, names: tuple[str, str]
-) -> tuple[Node, Node, Node, str]:
-    """(k1, k2, D, symbol that is a number where the lines meet).
+) -> tuple[Node, Node, Node, str, Node | None]:
+    """(k1, k2, D, symbol that is a number where the lines meet, condition for lines that coincide).
 
     Raises MechanismError for lines that are parallel whatever the dimensions.
     """
@@ -40,6 +40,7 @@ def meet(
     e_x = ledger.hoist("e_x", e[0], LENGTH, phrase("between_lines", axis="x"))
     e_y = ledger.hoist("e_y", e[1], LENGTH, phrase("between_lines", axis="y"))
     fixed = al.value_of(sine)
+    parallel: Node | None = None
     if fixed is not None and abs(fixed) < PARALLEL:
         raise MechanismError(
             Fault(
@@ -59,10 +60,12 @@ def meet(
         sine = ledger.hoist("D_0", sine, NUMBER, phrase("sine_between_lines"))
         crossing = Condition(Call("ABS", (sine,)), al.number(PARALLEL))
         column = ledger.column("D", sine, NUMBER, phrase("sine_where_they_meet"), [crossing])
+        ahead = al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2)))
+        parallel = Call("AND", (crossing.fails, al.less(Call("ABS", (ahead,)), ledger.tolerance)))
         d, closes = column, column.name
     k1 = al.div(al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2))), d)
     k2 = al.div(al.sub(al.mul(e_x, al.sin(delta1)), al.mul(e_y, al.cos(delta1))), d)
-    return k1, k2, d, closes
+    return k1, k2, d, closes, parallel
 
 
 def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
@@ -76,7 +79,9 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
         for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True)
     ]
     e = (al.sub(starts[1][0], starts[0][0]), al.sub(starts[1][1], starts[0][1]))
-    k1, k2, sine, closes = meet(poses.ledger, e, guides[0].delta, guides[1].delta, (guides[0].symbol, guides[1].symbol))
+    k1, k2, sine, closes, parallel = meet(
+        poses.ledger, e, guides[0].delta, guides[1].delta, (guides[0].symbol, guides[1].symbol)
+    )
     for guide, k in zip(guides, (k1, k2), strict=True):
         poses.displacement(guide.symbol, k if guide.sign > 0 else al.neg(k))
     for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True):
@@ -86,7 +91,7 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
         "", ONE_ASSEMBLY, closes or guides[0].symbol, None, (inner.point,),
         (guides[0].symbol, guides[1].symbol),
         phrase("group_two_slides", links=poses.both(dyad), pin=inner.point, slides=symbols),
-        lines_cross(sine, turned=guides[0].sign == guides[1].sign),
+        lines_cross(sine, turned=guides[0].sign == guides[1].sign), degenerate=parallel,
     )  # fmt: skip
 
 
@@ -126,7 +131,7 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     xp, yp = poses.xy[p]
     e = (al.sub(al.add(xp, x1), al.add(guide.x, x2)), al.sub(al.add(yp, y1), al.add(guide.y, y2)))
     # guide + k1 d1 + (fixed) + sign s d2 = P + (own):  k1 d1 = e - k2 d2 with k2 = sign s, so k2 enters with a minus.
-    k1, k2, sine, closes = meet(ledger, e, guide.delta, delta, (guide.symbol, joint.symbol))
+    k1, k2, sine, closes, parallel = meet(ledger, e, guide.delta, delta, (guide.symbol, joint.symbol))
     poses.displacement(guide.symbol, k1 if guide.sign > 0 else al.neg(k1))
     poses.displacement(joint.symbol, al.neg(k2) if sign > 0 else k2)
     poses.fix_on_guide(dyad.second, guide, Symbol(guide.symbol))
@@ -135,5 +140,5 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     return Solved(
         "", ONE_ASSEMBLY, closes or guide.symbol, None, (p,), (guide.symbol, joint.symbol),
         phrase("group_two_slides", links=poses.both(dyad), pin=p, slides=symbols),
-        lines_cross(sine, turned=guide.sign != sign),
+        lines_cross(sine, turned=guide.sign != sign), degenerate=parallel,
     )  # fmt: skip

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Node
+from mechsheet.formula.nodes import Binary, Call, Node
 from mechsheet.kinematics.assur import Dyad
 from mechsheet.kinematics.dyads import Solved, half_turn_unless, known_way, leg, leg_left
 from mechsheet.kinematics.equations import Condition
@@ -68,6 +68,9 @@ def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
         label=phrase("group_slide", links=poses.both(dyad), pins=f"{p}, {q}", slide=joint.symbol),
         determinant=leg_left(mode, w, r, turned=True),
         sides=(r, h),
+        degenerate=separate.fails
+        if al.is_zero(h)
+        else Call("AND", (separate.fails, Binary(">=", r, Call("ABS", (h,))))),
     )
 
 

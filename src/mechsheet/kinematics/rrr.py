@@ -14,10 +14,11 @@ from dataclasses import replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call, Node, Symbol, TriangleAngle
+from mechsheet.formula.nodes import Binary, Call, Node, Symbol, TriangleAngle
 from mechsheet.kinematics.assur import Dyad
 from mechsheet.kinematics.dyads import DEAD, Determinant, Solved, known_way
 from mechsheet.kinematics.equations import Condition
+from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.places import triangle_closes
 from mechsheet.kinematics.poses import Poses
 from mechsheet.units import ANGLE
@@ -33,9 +34,7 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
     b, line_b = poses.arm(dyad.second, q, r)
     mode = ledger.mode()
     s, phi = known_way(ledger, "s", (q, xq, yq), (p, xp, yp))
-    # pins that coincide leave a link free to turn about them
-    separate, reaches = Condition(al.smallest((a, b, s)), ledger.tolerance), triangle_closes(ledger, a, b, s)
-    exists = (separate, reaches)
+    exists = triangle_exists(ledger, (a, b, s))
     psi = ledger.column("psi", TriangleAngle(a, b, s), ANGLE, phrase("angle", name=f"{p}{q}{r}"), exists)
     mu = ledger.column(
         "mu", TriangleAngle(s, a, b), ANGLE,
@@ -48,6 +47,11 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
     poses.fix(dyad.first, second - Angle(al.mul(mode, mu)) - line_a, poses.place(dyad.first, p), xp, yp)
     unknowns = (poses.angle_unknown(dyad.first), poses.angle_unknown(dyad.second))
     return replace(three_pins(poses, dyad, mode, (psi, mu), (a, b, s), unknowns), transmission=mu.name)
+
+
+def triangle_exists(ledger: Ledger, sides: tuple[Node, Node, Node]) -> tuple[Condition, Condition]:
+    """The pins are apart (those that coincide leave a link free to turn about them), and the sides form a triangle."""
+    return Condition(al.smallest(sides), ledger.tolerance), triangle_closes(ledger, *sides)
 
 
 def three_pins(
@@ -65,6 +69,7 @@ def three_pins(
     p, q, r = dyad.pins
     corner, between = angles
     a, b, _ = sides
+    separate, reaches = triangle_exists(poses.ledger, sides)
     sine = al.sin(Angle(between))
     return Solved(
         mode.name,
@@ -78,4 +83,5 @@ def three_pins(
             al.mul(al.mul(al.mul(mode, a), b), sine), 2, True, Condition(Call("ABS", (sine,)), al.number(DEAD))
         ),
         sides=sides,
+        degenerate=Call("AND", (separate.fails, Binary(">=", reaches.margin, reaches.least))),
     )

@@ -245,7 +245,9 @@ class Search:
 
     @cached_property
     def holes(self) -> list[float]:
-        """Places between two neighbouring rows that close, where it does not."""
+        """Places between two neighbouring rows that close, where it does not; none where nothing is between the rows."""
+        if not self.stepped:
+            return []
         return [float(u) for u in (*self.dips, *self.edges) if self._between_closed(float(u))]
 
     def limits(self) -> list[tuple[int, list[float]]]:

@@ -119,7 +119,8 @@ def _sketched(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
     equations = equations.positions
     driver = driver_values(mechanism, dimension_values(mechanism))
     if any(group.system for group in equations.groups):  # its assembly is that of the first position alone
-        return tuple(step_doubts(mechanism, equations, driver, sweep))
+        doubts = step_doubts(mechanism, equations, driver, sweep)
+        return (*doubts, *_phases_there(mechanism, equations, driver))
     fixed = [point for point in mechanism.sketch.points if point in mechanism.ground.points]
     found = [
         Fault(
@@ -147,6 +148,65 @@ def _sketched(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
     return tuple(found)
 
 
+def _phases_there(mechanism: Mechanism, equations: Equations, driver: Array) -> list[Fault]:
+    """As `_phases`, where a phase may decide more than one wheel: the phase that the sketched angles of all three links
+    make is held against the one that is given. A gear of which the sketch leaves one open is not asked.
+    """
+    gears = [relation for relation in mechanism.relations if isinstance(relation, Gear)]
+    dimensions = dimension_values(mechanism)
+    sketched = {entry.name: entry.wanted for entry in _entries(mechanism, dimensions)}
+    if not gears or not sketched:
+        return []
+    at = mechanism.sketch.at
+    values, row = _position(mechanism, equations, driver if at is None else np.array([number(at, dimensions)]))
+    if row is None:
+        return []
+    there = {name: float(column[row]) for name, column in values.items()}
+    iterated = {name for group in equations.groups if group.system for name in group.links}
+    found = []
+    for gear in gears:
+        link, on, arm = (
+            _turned(mechanism, name, sketched, there, name in iterated) for name in (gear.link, gear.on, gear.arm)
+        )
+        if link is None or on is None or arm is None:
+            continue
+        off = math.remainder(link - arm - number(gear.ratio, dimensions) * (on - arm), math.tau)
+        if abs(off) > OUT_OF_PHASE:
+            found.append(_out_of_phase(mechanism, gear, gear.link, off))
+    return found
+
+
+def _turned(
+    mechanism: Mechanism,
+    name: str,
+    sketched: Mapping[str, tuple[float, ...]],
+    there: Mapping[str, float],
+    iterated: bool,
+) -> float | None:
+    """By how much a link is sketched away from where it is found; 0 where the sketch says nothing and need not, None where
+    it leaves open what Newton's method is to find.
+
+    sketched  places and angles by name;  there: every symbol's value
+    """
+    link = next(link for link in mechanism.links if link.name == name)
+    if link is mechanism.ground:
+        return 0.0
+    if link.angle_symbol in sketched:
+        return math.remainder(sketched[link.angle_symbol][0] - there[link.angle_symbol], math.tau)
+    places = {point: (there[f"{point}.x"], there[f"{point}.y"]) for point in link.points}
+    known = [point for point in link.points if point in sketched or point in mechanism.ground.points]
+    if len(known) < 2:
+        return None if iterated else 0.0
+    found, drawn = (
+        portable.arctan2(end[1] - start[1], end[0] - start[0])
+        for start, end in (
+            (places[known[0]], places[known[1]]),
+            (sketched.get(known[0], places[known[0]]), sketched.get(known[1], places[known[1]])),
+        )
+    )
+    return math.remainder(float(drawn - found), math.tau)
+
+
 def _phases(mechanism: Mechanism, entries: Sequence[Entry], values: Mapping[str, Array], row: int) -> list[Fault]:
     """Gears whose wheel is sketched at another angle than their phase makes."""
     links = {link.name: link for link in mechanism.links}
@@ -167,16 +227,20 @@ def _phases(mechanism: Mechanism, entries: Sequence[Entry], values: Mapping[str,
                 continue
             off = math.remainder(off, math.tau)
             if abs(off) > OUT_OF_PHASE:
-                unit = mechanism.angle_unit
-                written = round(unit.to_shown(number(gear.phase, dimension_values(mechanism)) + off), 9) + 0.0  # no -0
-                message = say(
-                    "{name} is sketched {angle:.3g} degrees away from where the phase puts it",
-                    name=entry.name,
-                    angle=abs(math.degrees(off)),
-                )
-                hint = say("write phase = {phase:.4g}, or sketch {name} elsewhere", phase=written, name=entry.name)
-                found.append(Fault(message, key=f"joints.{gear.order}", hint=hint))
+                found.append(_out_of_phase(mechanism, gear, entry.name, off))
     return found
+
+
+def _out_of_phase(mechanism: Mechanism, gear: Gear, name: str, off: float) -> Fault:
+    unit = mechanism.angle_unit
+    written = round(unit.to_shown(number(gear.phase, dimension_values(mechanism)) + off), 9) + 0.0  # no -0
+    message = say(
+        "{name} is sketched {angle:.3g} degrees away from where the phase puts it",
+        name=name,
+        angle=abs(math.degrees(off)),
+    )
+    hint = say("write phase = {phase:.4g}, or sketch {name} elsewhere", phase=written, name=name)
+    return Fault(message, key=f"joints.{gear.order}", hint=hint)
 
 
 @dataclass(frozen=True, slots=True)

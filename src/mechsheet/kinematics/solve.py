@@ -10,12 +10,15 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.mobility import MobilityError
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError
+from mechsheet.kinematics.newton.beginning import DeadStartError, with_neighbour
 from mechsheet.kinematics.redundancy import redundancy_faults
 from mechsheet.kinematics.sketched import with_position
-from mechsheet.kinematics.writing import Further, write_equations, write_stepped
+from mechsheet.kinematics.writing import Further, standing, write_equations, write_stepped
 from mechsheet.model import Mechanism
 from mechsheet.said import say
 
@@ -31,6 +34,11 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None, further:
         return write_stepped(mechanism, modes, further)
     except MobilityError as error:
         raise _with_redundant(error, mechanism) from error
+    except DeadStartError as error:
+        rows = [float(row) for row in driver_values(mechanism, dimension_values(mechanism))]
+        raise with_neighbour(
+            error, mechanism, rows, lambda at: write_equations(standing(mechanism, at), modes or {}, outputs=False)
+        ) from error
     except (BetweenModesError, NeverClosesError) as error:
         if mechanism.sketch.at is not None or modes:
             raise

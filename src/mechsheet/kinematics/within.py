@@ -20,10 +20,9 @@ from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import TriangleAngle, symbols
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads import Solved
-from mechsheet.kinematics.equations import Condition
-from mechsheet.kinematics.places import Place, arm_of, cartesian, number, triangle_closes
+from mechsheet.kinematics.places import Place, arm_of, cartesian, number
 from mechsheet.kinematics.poses import Assembly, Member, Poses
-from mechsheet.kinematics.rrr import three_pins
+from mechsheet.kinematics.rrr import three_pins, triangle_exists
 from mechsheet.model import Sketch
 from mechsheet.units import ANGLE
 from mechsheet.words.equations import phrase
@@ -42,8 +41,7 @@ def solve_within(poses: Poses, dyad: Dyad) -> Solved:
     label = phrase("length_in_link", start=p, end=q, link=poses.name(dyad.frame))
     s, line_s = arm_of(ledger, at_q - at_p, None, f"{p}{q}", label)
     mode = ledger.mode()
-    separate, reaches = Condition(al.smallest((a, b, s)), ledger.tolerance), triangle_closes(ledger, a, b, s)
-    exists = (separate, reaches)
+    exists = triangle_exists(ledger, (a, b, s))
     psi = ledger.column("psi", TriangleAngle(b, a, s), ANGLE, phrase("angle", name=f"{q}{p}{r}"), exists)
     mu = ledger.column("mu", TriangleAngle(s, a, b), ANGLE, phrase("angle", name=f"{p}{r}{q}"), exists)
     (first,), (second,) = dyad.first, dyad.second

@@ -265,14 +265,19 @@ def _at_rest(mechanism: Mechanism, values: tuple[Quantity, ...]) -> Mechanism:
 
 def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
     """The groups, with their modes, as the sketch shows them at the driver value `at`, which need not be a row."""
-    drivers = _listed_at(mechanism, np.array([number(at, dimension_values(mechanism))]))
-    there = replace(_at_rest(mechanism, (at,)), drivers=drivers, sketch=replace(mechanism.sketch, at=None))
+    there = standing(mechanism, number(at, dimension_values(mechanism)))
+    there = replace(there, sketch=replace(mechanism.sketch, at=None))
     try:
         return write_equations(there, {}, outputs=False).groups
     except NeverClosesError as error:
         message = say("the sketch cannot show this position: there {links} cannot be joined", links=error.links)
         hint = say("check `at`, which is in the driver's unit, and the lengths of these links")
         raise MechanismError(Fault(message, key="assembly.at", hint=hint)) from error
+
+
+def standing(mechanism: Mechanism, at: float) -> Mechanism:
+    """The mechanism with one row, at this value of the driver; positions are all that is asked for."""
+    return replace(_at_rest(mechanism, (at,)), drivers=_listed_at(mechanism, np.array([at])))
 
 
 def _listed_at(mechanism: Mechanism, path: Array) -> tuple[FurtherDriver, ...]:
@@ -370,6 +375,7 @@ def _groups(
             solved.assemblies, assembly, solved.closes, solved.apart, is_open, solved.label,
             solved.transmission, solved.sides, solved.system, _mode_of_task(mechanism, solved),
             None if solved.system else _determinant(dyad, solved.determinant), solved.determinant.dead,
+            solved.degenerate,
         )
         for index, ((dyad, solved, assembly, is_open), loop) in enumerate(zip(found, loops, strict=True), 1)
     )  # fmt: skip

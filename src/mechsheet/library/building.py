@@ -200,7 +200,7 @@ def _format_of(path: Path, given: Sequence[str] | None) -> str:
     return given[0] if given else FORMATS[0]
 
 
-_FOLDER_HINT = "for several formats name a folder, with a slash at its end"
+_FOLDER_HINT = say("for several formats name a folder, with a slash at its end")
 
 
 def _ending(stem: Path, suffix: str) -> Path:

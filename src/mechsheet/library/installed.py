@@ -9,6 +9,7 @@ from importlib import metadata
 
 from mechsheet.checking.programs import libreoffice_command
 from mechsheet.extras import EXTRAS, command_for, how_to_get
+from mechsheet.said import say
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,8 +32,8 @@ def installed() -> list[Part]:
         for extra, (packages, use) in EXTRAS.items()
     ]
     programs = [
-        ("LibreOffice", "opens workbooks; mechsheet check --with libreoffice", libreoffice_command()),
-        ("gnumeric", "mechsheet check --with gnumeric", shutil.which("ssconvert")),
+        ("LibreOffice", say("opens workbooks; mechsheet check --with libreoffice"), libreoffice_command()),
+        ("gnumeric", say("mechsheet check --with gnumeric"), shutil.which("ssconvert")),
     ]
     parts = [Part(name, use, found or "", how_to_get(name)) for name, use, found in programs]
     return extras + [part for part in parts if part.found or part.get]

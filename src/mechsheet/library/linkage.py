@@ -107,7 +107,7 @@ class Linkage(Mechanism):
     def solve(self) -> Motion:
         """The whole sweep: driver, variables, points and outputs by name; the equations of the workbook, in numpy.
 
-        Velocities and accelerations, too, where the driver has a speed: `omega13`, `alpha13`, `s14.v`, `C.v`.
+        If the driver has a speed, velocities and accelerations as well: `omega13`, `alpha13`, `s14.v`, `C.v`.
 
         Raises MechanismError when the linkage cannot be solved.
         """

@@ -5,9 +5,12 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 
+import numpy as np
+
 from mechsheet.compiled import Compiled
 from mechsheet.formula.nodes import Scalar
 from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import Search
 from mechsheet.library.building import told
@@ -35,6 +38,7 @@ def verdict(compiled: Compiled) -> str:
         last = compiled.value(plan.at.spots[mechanism.driver.symbol], plan.rows - 1)
         shown = {"stop": _shown(missed, unit), "last": _shown(last, unit)}
         said.append(say("the step misses the stop ({stop}): the last row is {last}", **shown))
+    said += _undetermined(compiled)
     said += [
         say(
             "the sketch says nothing about group {group}: mode +1 was taken, {mode}; a point under [assembly] decides",
@@ -45,6 +49,29 @@ def verdict(compiled: Compiled) -> str:
         if group.open
     ]
     return "; ".join(text_in(each, mechanism.language) for each in said)
+
+
+def _undetermined(compiled: Compiled) -> list[str]:
+    """Of each group the rows in which its links could be joined and are still free to move: how many, and the first."""
+    found: list[str] = []
+    for group in compiled.equations.groups:
+        if group.degenerate is None:
+            continue
+        with np.errstate(all="ignore"):
+            free = np.broadcast_to(value(group.degenerate, compiled.values), compiled.closed.shape)
+        rows = np.flatnonzero(free & ~compiled.closed)
+        if not len(rows):
+            continue
+        driver = compiled.mechanism.driver
+        place = _shown(driver.unit.to_shown(compiled.values[driver.symbol][rows[0]]), driver.unit.text)
+        if len(rows) == 1:
+            found.append(say("undetermined at {place}: {links}", place=place, links=group.label))
+        else:
+            found.append(
+                say("undetermined in {count} positions, the first at {place}: {links}", count=len(rows), place=place,
+                    links=group.label)
+            )  # fmt: skip
+    return found
 
 
 def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:

@@ -13,6 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet.said import say
+
 from ..diagnostics import MechanismError
 from ..formula.nodes import Binary, Call, Node, Number, Symbol, Unary
 from ..model import Quantity
@@ -70,7 +72,7 @@ def evaluate(quantity: Quantity, values: Mapping[str, Value]) -> Value:
             case Symbol(name) if name in values:
                 return np.asarray(values[name], dtype=float)[()]
             case Symbol(name):
-                raise MechanismError(f'"{name}" is not defined')
+                raise MechanismError(say('"{name}" is not defined', name=name))
             case Unary("-", operand):
                 return -compute(operand)
             case Unary("+", operand):
@@ -79,7 +81,7 @@ def evaluate(quantity: Quantity, values: Mapping[str, Value]) -> Value:
                 return _OPERATORS[operator](compute(left), compute(right))
             case Call(name, args) if name in _FUNCTIONS:
                 return _FUNCTIONS[name](*map(compute, args))
-        raise MechanismError(f"{node} is no expression of a description")
+        raise MechanismError(say("{node} is no expression of a description", node=node))
 
     with np.errstate(all="ignore"):
         return compute(quantity)

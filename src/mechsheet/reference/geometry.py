@@ -10,6 +10,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet.said import say
+
 from ..diagnostics import MechanismError, near_miss
 from ..formula.nodes import symbols
 from ..model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
@@ -38,7 +40,11 @@ def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | Non
     known = {dimension.symbol: dimension for dimension in mechanism.dimensions}
     unknown = [symbol for symbol in given if symbol not in known]
     if unknown:
-        raise MechanismError(f'"{unknown[0]}" is no dimension; {near_miss(unknown[0], known)}'.rstrip("; "))
+        raise MechanismError(
+            say(
+                '"{unknown}" is no dimension; {near_miss}', unknown=unknown[0], near_miss=near_miss(unknown[0], known)
+            ).rstrip("; ")
+        )
     values: dict[str, float] = {}
     task = mechanism.synthesis
     found = frozenset[str]() if task is None else frozenset(task.results.values()) & frozenset(task.steps)
@@ -47,9 +53,11 @@ def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | Non
         if symbol in values:
             return
         if symbol in asked:
-            raise MechanismError(f"dimensions in a circle: {' → '.join((*asked, symbol))}")
+            raise MechanismError(say("dimensions in a circle: {names}", names=" → ".join((*asked, symbol))))
         if symbol not in known:
-            raise MechanismError(f'"{asked[-1]}" needs "{symbol}", which is no dimension')
+            raise MechanismError(
+                say('"{asked}" needs "{symbol}", which is no dimension', asked=asked[-1], symbol=symbol)
+            )
         quantity = known[symbol].value
         if symbol in given:
             values[symbol] = float(given[symbol])
@@ -85,7 +93,14 @@ def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Arra
         return np.array([start])
     steps = (stop - start) / step if step else np.nan
     if not np.isfinite(steps) or steps < 0:
-        raise MechanismError(f"the driver does not get from {start:g} to {stop:g} in steps of {step:g}")
+        raise MechanismError(
+            say(
+                "the driver does not get from {start:g} to {stop:g} in steps of {step:g}",
+                start=start,
+                stop=stop,
+                step=step,
+            )
+        )
     return np.asarray(start + np.arange(int(np.floor(steps + STEP_TOLERANCE)) + 1) * step)
 
 
@@ -100,7 +115,9 @@ def link_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Array]
 
     def locate(point: str, asked: tuple[str, ...]) -> Array:
         if point in asked:
-            raise MechanismError(f'points of "{link.name}" in a circle: {" → ".join((*asked, point))}')
+            raise MechanismError(
+                say('points of "{name}" in a circle: {names}', name=link.name, names=" → ".join((*asked, point)))
+            )
         if point not in found:
             place: Place = link.points[point]
             match place:

@@ -8,6 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from mechsheet.said import say
+
 from ..diagnostics import MechanismError
 from ..model import Joint, Link, Mechanism
 from . import geometry
@@ -52,7 +54,7 @@ class Sketched:
         found = []
         for name, (x, y, theta) in start.items():
             if name not in self.system.bodies:
-                raise MechanismError(f'the start names "{name}", which is no link')
+                raise MechanismError(say('the start names "{name}", which is no link', name=name))
             body = self.system.bodies[name]
             if body:
                 target = ((x - origin[0]) / scale, (y - origin[1]) / scale, theta)
@@ -78,7 +80,7 @@ class Sketched:
                 block = max(self._settled(self._owner(joint.point)), self._settled(joint.on))
                 found.append(Entry("displacement", symbol, (value / system.scale,), block))
             elif symbol not in mechanism.driven_symbols:
-                raise MechanismError(f'the sketch names "{symbol}", which is no variable')
+                raise MechanismError(say('the sketch names "{symbol}", which is no variable', symbol=symbol))
         return found + self._side()
 
     def _side(self) -> list[Entry]:
@@ -99,7 +101,7 @@ class Sketched:
         """The link of a point whose position is known first."""
         owners = [link.name for link in self.system.mechanism.links if point in link.points]
         if not owners:
-            raise MechanismError(f'the sketch names "{point}", which is no point')
+            raise MechanismError(say('the sketch names "{point}", which is no point', point=point))
         return min(owners, key=self._settled)
 
     def _settled(self, link: str) -> int:

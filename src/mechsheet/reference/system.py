@@ -15,6 +15,8 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
+from mechsheet.said import say
+
 from ..diagnostics import MechanismError
 from ..model import FurtherDriver, Gear, Joint, Mechanism, Rack
 from . import geometry
@@ -151,13 +153,17 @@ def system(mechanism: Mechanism, dimensions: Mapping[str, float]) -> System:
     unknown = [c for c in range(3, 3 * count) if c < 3 * len(bodies) or c % 3 != 2]
     if len(equations) != len(unknown):
         raise MechanismError(
-            f"{len(unknown)} unknown coordinates of links and {len(equations)} conditions from joints and drivers: "
-            "the mobility is not the number of drivers"
+            say(
+                "{unknown} unknown coordinates of links and {conditions} conditions from joints and drivers: "
+                "the mobility is not the number of drivers",
+                unknown=len(unknown),
+                conditions=len(equations),
+            )
         )
     pattern = [[c for c in _columns(e) if c in set(unknown)] for e in equations]
     parts = blocks(pattern)
     if parts is None:
-        raise MechanismError("joints and driver hold some links more than once and leave others loose")
+        raise MechanismError(say("joints and driver hold some links more than once and leave others loose"))
     return System(
         mechanism=mechanism,
         dimensions=dimensions,

@@ -28,6 +28,7 @@ FORMULA_TEXT = Style(
 )  # fmt: skip
 SYMBOL = Style("mechsheet symbol", color=INK, align="left", border="thin", border_color=RULE)
 LABEL = Style("mechsheet label", color=INK, align="left", indent=1, border="thin", border_color=RULE)
+LABEL_LINES = replace(LABEL, name="mechsheet label lines", wrap=True)
 UNIT = Style("mechsheet unit", color=QUIET, align="left", indent=1, border="thin", border_color=RULE)
 NOTE = Style("mechsheet note", color=QUIET, italic=True, valign="top", wrap=True)
 NOTE_TEXT = Style("mechsheet text", color=INK, align="left", valign="top", wrap=True)

@@ -3,8 +3,54 @@
 from __future__ import annotations
 
 import math
+import unicodedata
 
 from mechsheet.sheet.workbook import Content, plain_text
+
+_WIDTHS = {
+    191: "'", 222: "ijl", 260: "|", 278: " !,./:;I[\\]ft\N{LATIN SMALL LETTER DOTLESS I}",
+    333: "()-`r₀₁₂₃₄₅₆₇₈₉", 355: '"', 400: "°",
+    500: "Jcksvxyz", 556: "0123456789abdeghnopqu?_", 584: "+<=>~−±·", 611: "FTZ",
+    667: "&ABEKPSVXY", 722: "CDHNRUw", 778: "GOQ", 833: "Mm", 889: "%", 944: "W", 1000: "→…—", 1015: "@",
+}  # fmt: skip
+_WIDTH = {sign: width for width, signs in _WIDTHS.items() for sign in signs}
+"""Widths of signs in thousandths of the font's size: Arial's, and its substitutes'. Accents add nothing."""
+
+_OTHER = 620
+"""Of a sign that is not listed: most are narrower."""
+
+_FONT_PIXELS = 10 * 96 / 72
+
+_INDENT = 16
+"""Pixels that a column needs besides its text: the indent of a label and the padding of cells."""
+
+HEIGHT, FURTHER = 20, 14
+"""Pixels of a row with one line of text, and of each further line."""
+
+
+def label_lines(text: str, columns: float) -> int:
+    """How many lines a label takes in so many pixels, broken between words as spreadsheet programs do it."""
+    room = columns - _INDENT
+    lines, used = 1, 0.0
+    for word in text.split(" "):
+        wide = _pixels(word)
+        if used and used + _pixels(" ") + wide > room:
+            lines, used = lines + 1, 0.0
+        used += wide + (_pixels(" ") if used else 0.0)
+        if used > room:  # a word that is longer than a line is broken anywhere
+            lines += math.ceil(used / room) - 1
+            used = used % room
+    return lines
+
+
+def height_of(lines: int) -> float:
+    """Pixels of a row whose label takes so many lines."""
+    return float(HEIGHT + (lines - 1) * FURTHER)
+
+
+def _pixels(text: str) -> float:
+    letters = (sign for sign in unicodedata.normalize("NFD", text) if not unicodedata.combining(sign))
+    return sum(_WIDTH.get(sign, _OTHER) for sign in letters) * _FONT_PIXELS / 1000
 
 
 def wrapped_lines(content: Content, width: float) -> int:

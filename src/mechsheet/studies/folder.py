@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name
+from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name, system_reason
 from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.said import say
 from mechsheet.studies.designs import Designs
@@ -159,7 +159,9 @@ def read_manifest(folder: Path) -> dict[str, Any]:
         found = json.loads(path.read_bytes())
     except OSError as error:
         hint = say("the folder that mechsheet study wrote")
-        raise MechsheetError(Fault(say("cannot be read: {reason}", reason=error.strerror), shown, hint=hint)) from error
+        raise MechsheetError(
+            Fault(say("cannot be read: {reason}", reason=system_reason(error)), shown, hint=hint)
+        ) from error
     except ValueError as error:
         raise MechsheetError(Fault(say("is no manifest of a study"), shown)) from error
     if not isinstance(found, dict) or found.get("format") != FORMAT or not isinstance(found.get("description"), str):

@@ -15,7 +15,7 @@ GEARS: dict[str, tuple[str, str]] = {
     "gears.rack.radius": ("pitch radius of {link} on the rack {on}", "{link}: {on} kremayeri üzerinde yuvarlanma yarıçapı"),
     "gears.gear.phase": ("angle of {link} where that of {on} is 0", "{on} açısı 0 iken {link} açısı"),
     "gears.belt.phase": ("angle of {link} where that of {on} is 0", "{on} açısı 0 iken {link} açısı"),
-    "gears.rack.phase": ("displacement {on} where the angle of {link} is 0", "{link} açısı 0 iken {on} ötelenmesi"),
+    "gears.rack.phase": ("{on} where the angle of {link} is 0", "{link} açısı 0 iken {on} ötelenmesi"),
     "drawing.wheels": ("Wheels", "Çarklar"),
     "drawing.radius": ("radius", "yarıçap"),
     "drawing.angle": ("angle", "açı"),

@@ -247,7 +247,7 @@ def test_pins_that_coincide_leave_no_position():
     )  # it begins anew after such a row
     assert np.nanmax(np.abs(apart)) < DISTANT
     assert np.flatnonzero([word != "" for word in page.said()]).tolist() == [0, 24, 48]
-    assert page.said()[24] == "does not close: coupler, rocker"
+    assert page.said()[24] == "undetermined: coupler, rocker"
 
 
 def test_dead_centre_is_a_position():

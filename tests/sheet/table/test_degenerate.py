@@ -3,6 +3,8 @@
 Engine and reference agree on which rows exist, to the last row at a limit, and on rows to which the mechanism leaps.
 """
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -13,6 +15,9 @@ from leaping import leaps
 from chosen import examples, part
 from degenerate_cases import cases
 from judging import judged
+from mechsheet.checking.searched.against_search import against_search
+from mechsheet.compiled import Compiled
+from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.description.grammar import MOST_ROWS
 from mechsheet.diagnostics import MechsheetError
@@ -36,6 +41,7 @@ def test_what_must_happen(case):
     assert {row for row, there in enumerate(exists) if not there} == case.missing
     for row in case.missing:
         assert case.says in status[row]
+        assert ("undetermined" in status[row]) == (row in case.undetermined)
     assert laid.spot("#rows_closed") == laid.plan.rows - len(case.missing)
     if not case.undetermined:  # a link that turned round while it could turn freely has made no leap that all see
         assert laid.spot("#leaps") == len(case.leaps)
@@ -44,6 +50,21 @@ def test_what_must_happen(case):
         shown = laid.column(symbol)
         for row, value in rows.items():
             assert shown[row] == pytest.approx(value, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("case", [param for param in BUILT if param.values[0].undetermined])
+def test_the_search_agrees_where_links_can_turn_freely(case):
+    """Such a row ends a stretch: its limit has a number, known to a step, and `check` finds nothing wrong with it."""
+    laid = Laid(case.description)
+    comparison = against_search(book_of(laid.workbook), laid.values, laid.plan, case.name)
+    assert comparison.agrees, comparison
+
+
+@pytest.mark.parametrize("case", [param for param in BUILT if param.values[0].undetermined])
+def test_on_one_sheet_too(case):
+    compiled = Compiled(replace(loads(case.description), layout="page"))
+    status = compiled.column(compiled.plan.status_column)
+    assert {row for row, said in enumerate(status) if "undetermined" in str(said)} == case.undetermined
 
 
 @pytest.mark.parametrize("case", BUILT)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from mechsheet.checking.edited.edits import same
@@ -36,28 +36,36 @@ class Change:
         """What a person calls it."""
         match self.key:
             case ("tolerance", symbol):
-                return f"tolerance of {symbol}"
+                return say("tolerance of {symbol}", symbol=symbol)
             case ("driver", "values", int(index)):
-                return f"driver value {index + 1}"
+                return say("driver value {index}", index=index + 1)
             case ("drivers", int(order), "values", int(index)):
-                return f"value {index + 1} of driver {order + 2}"
+                return say("value {index} of driver {order}", index=index + 1, order=order + 2)
             case ("drivers", int(order), str(key)):
-                return f"{key} of driver {order + 2}"
+                return say("{key} of driver {order}", key=key, order=order + 2)
             case ("joints", int(order), str(key)):
-                return f"{key} of joint {order + 1}"
+                return say("{key} of joint {order}", key=key, order=order + 1)
             case ("driver", str(key), int(index)):
-                return f"{key} {index + 1} of the driver"
+                return say("{key} {index} of the driver", key=key, index=index + 1)
             case ("tables", int(table), str(heads), int(index)):
-                return f"{heads.removesuffix('s')} {index + 1} of table {table + 1}"
+                return say(
+                    "{key} {index} of table {table}", key=heads.removesuffix("s"), index=index + 1, table=table + 1
+                )
             case ("synthesised", symbol):
-                return f"{symbol}, taken out of the synthesis"
+                return say("{symbol}, taken out of the synthesis", symbol=symbol)
             case ("synthesis", *place):
-                return "the task's " + " ".join(str(part + 1) if isinstance(part, int) else str(part) for part in place)
+                named = " ".join(str(part + 1) if isinstance(part, int) else str(part) for part in place)
+                return say("the task's {named}", named=named)
             case ("links", str(link), str(key), *part):
-                return f"{key} of {link}" + "".join(f", {'xy'[int(axis)]}" for axis in part)
+                return say("{key} of {link}{axis}", key=key, link=link, axis=_axis(part))
             case ("loads", int(number), str(key), *part):
-                return f"{key} of load {number + 1}" + "".join(f", {'xy'[int(axis)]}" for axis in part)
-        return str(self.key[1]) if self.key[0] != "driver" else f"{self.key[-1]} of the driver"
+                return say("{key} of load {number}{axis}", key=key, number=number + 1, axis=_axis(part))
+        return str(self.key[1]) if self.key[0] != "driver" else say("{key} of the driver", key=self.key[-1])
+
+
+def _axis(part: Sequence[object]) -> str:
+    """`, x` or `, y` of a coordinate; "" of what has none."""
+    return "".join(f", {'xy'[int(str(axis))]}" for axis in part)
 
 
 def changes_in(book: Book, expected: Expected, shown: str) -> list[Change]:

@@ -15,6 +15,7 @@ from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.formula.names import folded
 from mechsheet.formula.nodes import Call, Local, NameRef, Node, Number, Scalar, Unary, shifted, transform
 from mechsheet.formula.printer import print_formula
+from mechsheet.said import say
 
 SAME = 1e-13
 """Numbers this near (relatively) are one: programs write 15 to 17 digits."""
@@ -59,10 +60,18 @@ def edits_of(book: Book, expected: Expected) -> Edits:
         differing += sum(change.rows * change.cols for change in found)
     known = {sheet.title.casefold() for sheet in expected.book.sheets}
     remarks += [
-        f'the sheet "{sheet.title}" is your own' for sheet in book.sheets if sheet.title.casefold() not in known
+        say('the sheet "{title}" is your own', title=sheet.title)
+        for sheet in book.sheets
+        if sheet.title.casefold() not in known
     ]
     if formulas and differing > MANY * formulas:
-        remarks.append(f"{differing} of {formulas} formulas differ: was it built by another version of mechsheet?")
+        remarks.append(
+            say(
+                "{differing} of {formulas} formulas differ: was it built by another version of mechsheet?",
+                differing=differing,
+                formulas=formulas,
+            )
+        )
     return Edits(tuple(edits), tuple(remarks), moves, book)
 
 
@@ -185,7 +194,7 @@ def _edit(change: _Change, sheet: BookSheet, other: BookSheet, moves: Moves) -> 
         return Edit("overwritten", where, was, shown)
     run = sheet.formula_at(change.row, change.col)
     if run is not None and (run.rows > change.rows or run.cols > change.cols):
-        around = f" (filled over {moves.area(sheet.title, run.row, run.col, run.rows, run.cols)})"
+        around = say(" (filled over {area})", area=moves.area(sheet.title, run.row, run.col, run.rows, run.cols))
         return Edit("out of its run", where, was, _printed(change.now), around)
     return Edit("changed", where, was, _printed(change.now))
 
@@ -240,16 +249,18 @@ def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Exp
             continue
         if place in inputs:
             symbol = inputs[place] or moves.area(*place)
-            yield f"{symbol} is {_number(now)}, was {_number(value)}"
+            yield say("{symbol} is {now}, was {was}", symbol=symbol, now=_number(now), was=_number(value))
         elif isinstance(value, str):
             texts.append((row, col))
     for place, symbol in inputs.items():  # tolerances that were not given
         if place[0] == sheet.title and sheet.constants.get(*place[1:]) is None:
             now = other.constants.get(*place[1:])
             if now is not None and theirs.at(*place[1:]) is None:
-                yield f"{symbol} is {_number(now)}, was not given"
+                yield say("{symbol} is {now}, was not given", symbol=symbol, now=_number(now))
     if texts:
-        yield f"{moves.now(sheet.title)}: texts changed in {_listed(sheet.title, texts, moves)}"
+        yield say(
+            "{sheet}: texts changed in {cells}", sheet=moves.now(sheet.title), cells=_listed(sheet.title, texts, moves)
+        )
 
 
 def _added(sheet: BookSheet, other: BookSheet, inputs: Inputs, moves: Moves) -> Iterator[str]:
@@ -265,15 +276,19 @@ def _added(sheet: BookSheet, other: BookSheet, inputs: Inputs, moves: Moves) -> 
         if theirs.block(start, col) is not None and ours.block(start, col) is None:
             cells |= {(row, col) for row in range(start, stop) if is_free(row, col)}
     if cells:
-        yield f"{moves.now(sheet.title)}: cells of your own in {_listed(sheet.title, sorted(cells), moves)}"
+        yield say(
+            "{sheet}: cells of your own in {cells}",
+            sheet=moves.now(sheet.title),
+            cells=_listed(sheet.title, sorted(cells), moves),
+        )
 
 
 def _listed(title: str, cells: list[tuple[int, int]], moves: Moves) -> str:
     shown = ", ".join(moves.area(title, *cell).rpartition("!")[2] for cell in cells[:8])
-    return shown + (f" and {len(cells) - 8} more" if len(cells) > 8 else "")
+    return say("{places} and {count} more", places=shown, count=len(cells) - 8) if len(cells) > 8 else shown
 
 
 def _number(value: Scalar) -> str:
     if isinstance(value, float) and value == int(value) and abs(value) < 1e15:
         return str(int(value))
-    return text_of(value) or "empty"
+    return text_of(value) or say("empty")

@@ -16,6 +16,7 @@ from mechsheet.checking.report import Edit
 from mechsheet.formula.book import Block, Book, BookSheet, CellStore
 from mechsheet.formula.nodes import CellRef, ErrorValue, Node, RangeRef, Scalar, shifted, transform
 from mechsheet.formula.references import area_name, column_letters
+from mechsheet.said import say
 
 MOST = 50
 """So many rows or columns at most are looked for; with more the sheet is another one."""
@@ -100,27 +101,36 @@ class Moves:
         """What a person should know of it."""
         for move in self.moves:
             if move.title != move.now:
-                yield f'the sheet "{move.title}" is called "{move.now}" now'
+                yield say('the sheet "{title}" is called "{now}" now', title=move.title, now=move.now)
             for shift, axis in ((move.rows, "row"), (move.cols, "column")):
                 if shift.count > 0:
-                    yield f"{move.now}: {_places(shift, axis)} inserted"
+                    yield say("{sheet}: {places} inserted", sheet=move.now, places=_places(shift, axis))
 
     def edits(self, expected: Book) -> Iterator[Edit]:
         """What is a fault: rows or columns that are gone, or that tear a filled range apart."""
         for move in self.moves:
             sheet = expected.sheet(move.title)
             for shift, axis in ((move.rows, "row"), (move.cols, "column")):
-                where = f"{move.now} {_places(shift, axis)}"
+                where = say("{sheet} {places}", sheet=move.now, places=_places(shift, axis))
                 if shift.count < 0:
-                    yield Edit("deleted", f"{move.title} {_places(shift, axis)}", "", "missing")
+                    yield Edit(
+                        "deleted",
+                        say("{sheet} {places}", sheet=move.title, places=_places(shift, axis)),
+                        "",
+                        say("missing"),
+                    )
                 elif shift.count > 0 and sheet is not None and any(_torn(block, shift, axis) for block in sheet.blocks):
-                    yield Edit("inserted", where, "", "", " inside a filled range")
+                    yield Edit("inserted", where, "", "", say(" inside a filled range"))
 
 
 def _places(shift: Shift, axis: str) -> str:
     first, last = shift.at, shift.at + abs(shift.count) - 1
     names = [column_letters(place) if axis == "column" else str(place + 1) for place in (first, last)]
-    return f"{axis} {names[0]}" if first == last else f"{axis}s {names[0]} to {names[1]}"
+    if first == last:
+        return say("column {first}" if axis == "column" else "row {first}", first=names[0])
+    return say(
+        "columns {first} to {last}" if axis == "column" else "rows {first} to {last}", first=names[0], last=names[1]
+    )
 
 
 def _torn(block: Block, shift: Shift, axis: str) -> bool:

@@ -64,9 +64,9 @@ def pull(workbook: str | Path, into: str | Path | None = None) -> Pulled:
 
 
 def _words(change: Change) -> str:
-    was = "not given" if change.was is None else number_text(change.was)
-    now = "taken away" if change.now is None else number_text(change.now)
-    return f"{change.name}: {was} -> {now}"
+    was = say("not given") if change.was is None else number_text(change.was)
+    now = say("taken away") if change.now is None else number_text(change.now)
+    return say("{name}: {was} -> {now}", name=change.name, was=was, now=now)
 
 
 # --- another description -------------------------------------------------------------------------------------------
@@ -153,7 +153,7 @@ def _held(mine: Expected, place: tuple[str, int, int]) -> Scalar:
 
 
 def _text(value: Scalar) -> str:
-    return number_text(value) if isinstance(value, float | int) else "not given"
+    return number_text(value) if isinstance(value, float | int) else say("not given")
 
 
 def _what(expected: Expected, change: Change) -> object:

@@ -17,7 +17,8 @@ from mechsheet.checking.report import Comparison
 from mechsheet.checking.rules import Rules
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Scalar, Symbol, symbols
+from mechsheet.formula.nodes import Direction, Scalar, Symbol
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import BLOCKS, Plan
 from mechsheet.sheet.table.lowering import FITS
 from mechsheet.sheet.table.requested import tables_of
@@ -77,11 +78,13 @@ class Searched:
 
 
 class Astray:
-    """Cells of passes of Newton's method that arrive nowhere, since the links do not meet in their row."""
+    """Cells of rows in which links do not meet: of passes of Newton's method, which arrive nowhere, and of directions from
+    pin to pin, which are none where the pins coincide (ATAN2(0, 0) is 0 in LibreOffice, else an error)."""
 
     def __init__(self, plan: Plan, values: Any, moves: Moves) -> None:
         self.cells: set[tuple[str, int, int]] = set()
         there, found = MovedValues(values, moves), plan.iterations
+        self._directions(plan, there, moves)
         for group in plan.equations.groups if found else ():
             if group.system is None:
                 continue
@@ -93,23 +96,33 @@ class Astray:
             ]
             last = (Symbol(group.system.residual), Symbol(group.system.determinant))
             beside = [column.col for column in plan.columns if column.equation and column.equation.expression in last]
-            divisor = [  # by which the coefficients of velocities are divided
-                column.col
-                for column in plan.rates
-                if column.equation and group.system.determinant in symbols(column.equation.expression)
-            ]
-            shown = there.column(closes.sheet, closes.col, plan.at.first, plan.at.last)
-            rows = [row for row, value in enumerate(shown, plan.at.first) if not isinstance(value, float)]
+            rows = _open(plan, there, closes)
             self._add(moves, title, rows, passes)
             self._add(moves, plan.table, rows, beside)
-            if divisor:  # a driver without a speed has no such sheet
-                self._add(moves, plan.at.titles["rates"], rows, divisor)
+
+    def _directions(self, plan: Plan, there: MovedValues, moves: Moves) -> None:
+        spots = plan.at.spots
+        for group in plan.equations.groups:
+            own = {
+                equation.symbol
+                for equation in plan.equations.equations.columns
+                if equation.group == group.number and isinstance(equation.expression, Direction)
+            }
+            cols = [column.col for column in plan.columns if column.symbol in own]
+            if cols and group.closes in spots and spots[group.closes].column:
+                self._add(moves, plan.table, _open(plan, there, spots[group.closes]), cols)
 
     def _add(self, moves: Moves, title: str, rows: list[int], cols: list[int]) -> None:
         """Rows of some columns of a sheet, where they are now."""
         move = moves.by_title.get(title, Move(title, title))
         places = [(move.rows.now(row), move.cols.now(col)) for row in rows for col in cols]
         self.cells |= {(move.now, row, col) for row, col in places if row is not None and col is not None}
+
+
+def _open(plan: Plan, there: MovedValues, closes: Spot) -> list[int]:
+    """The rows in which a group does not close."""
+    shown = there.column(closes.sheet, closes.col, plan.at.first, plan.at.last)
+    return [row for row, value in enumerate(shown, plan.at.first) if not isinstance(value, float)]
 
 
 class _Answered:

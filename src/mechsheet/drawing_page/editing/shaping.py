@@ -33,6 +33,7 @@ from mechsheet.drawing_page.questions import Impossible
 from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.kinematics.places import number
 from mechsheet.library.modes_from_sketch import with_modes
+from mechsheet.said import say
 
 DIGITS = 5
 """Of the mechanism's size: a dragged length is rounded to so many."""
@@ -266,7 +267,9 @@ def _swept(source: Source, key: str, value: str) -> str:
     """The text with a number of the driver's sweep. Raises DescriptionError for what is no number."""
     number = typed_number(value)
     if number is None or number.unit:
-        raise DescriptionError(Fault(f"{quoted(value)} is no number", source.file, key=f"driver.{key}"))
+        raise DescriptionError(
+            Fault(say("{value} is no number", value=quoted(value)), source.file, key=f"driver.{key}")
+        )
     return with_value(source, ("driver", key), number.text).text
 
 

@@ -9,6 +9,7 @@ from ...diagnostics import Fault
 from ...formula.book import Book
 from ...formula.nodes import FunctionRef, Node
 from ...formula.references import cell_address
+from ...said import say
 from ..kernels.arithmetic import FAST, Arithmetic
 from ..layout import Area
 
@@ -55,7 +56,10 @@ class Environment:
         place = cell_address(self.book.sheets[sheet].title, row, col) if sheet < len(self.book.sheets) else ""
         said = self._said[message] = self._said.get(message, 0) + 1
         if said <= _MOST:
-            more = " (and more cells)" if said == _MOST else ""
-            fault = Fault(f"{message}{more}", file=self.book.source, key=place)
+            fault = Fault(
+                say("{message} (and more cells)", message=message) if said == _MOST else message,
+                file=self.book.source,
+                key=place,
+            )
             if fault not in self.remarks:
                 self.remarks.append(fault)

@@ -31,6 +31,7 @@ from ...formula.nodes import (
     Text,
     Unary,
 )
+from ...said import reason, say
 from ..kernels.math import OPERATORS, snapped
 from ..kernels.table import KERNELS
 from ..layout import Layout
@@ -106,7 +107,7 @@ class Evaluator(Reading):
         try:
             return deeply(lambda: self._unsafely(formula, frame, spread))
         except RecursionError:
-            message = "a formula nested too deeply"
+            message: str = say("a formula nested too deeply")
         except NotReadyError:
             raise
         except Exception as problem:
@@ -283,10 +284,14 @@ class Evaluator(Reading):
 def _reason(problem: Exception) -> str:
     """Why a cell cannot be computed. One formula that this program gets wrong must not take the others with it."""
     if isinstance(problem, UnsupportedError):
-        return str(problem)
+        return reason(problem)
     if isinstance(problem, VaryingSizeError | ArrayArgumentError):
-        return "an array where a single value is wanted"
-    return f"not computed, by a fault of this program: {type(problem).__name__}: {problem}"
+        return say("an array where a single value is wanted")
+    return say(
+        "not computed, by a fault of this program: {kind}: {problem}",
+        kind=type(problem).__name__,
+        problem=problem,
+    )
 
 
 def without_blanks(cells: Cells) -> Cells:

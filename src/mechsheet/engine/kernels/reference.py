@@ -11,6 +11,7 @@ from ...diagnostics import FormulaError
 from ...formula.nodes import Call, CellRef, Node, RangeRef, shifted
 from ...formula.printer import print_formula, quote_sheet
 from ...formula.references import column_letters
+from ...said import reason, say
 from ..interpreter.regions import gives_region, regions
 from ..layout import Area
 from ..values.cells import BLANK, NA, REF, TEXT, VALUE, Cells, boolean, codes_of, error
@@ -124,7 +125,9 @@ def formulatext(ev: Evaluator, args: Args, frame: Frame) -> Cells:
     try:
         text = "=" + print_formula(found[0]).replace("_xlfn.", "").replace("_xlws.", "").replace("_xlpm.", "")
     except (FormulaError, ValueError) as problem:
-        raise UnsupportedError(f"FORMULATEXT of a formula that cannot be written: {problem}") from problem
+        raise UnsupportedError(
+            say("FORMULATEXT of a formula that cannot be written: {problem}", problem=reason(problem))
+        ) from problem
     return ev.texts.constant(f"{{{text}}}" if found[1] else text)
 
 
@@ -166,9 +169,9 @@ def cell(ev: Evaluator, args: Args, frame: Frame) -> Cells:
         name = ev.around.book.source.replace("\\", "/").rpartition("/")[2]
         return ev.texts.constant(f"[{name}]{ev.layout.titles[span.sheet]}" if name else "")
     if what not in ("address", "row", "col", "contents", "type"):
-        raise UnsupportedError(f'CELL("{what[:40]}") is not supported')
+        raise UnsupportedError(say('CELL("{what}") is not supported', what=what[:40]))
     if len(args) < 2:
-        raise UnsupportedError(f'CELL("{what}") without a reference is not supported')
+        raise UnsupportedError(say('CELL("{what}") without a reference is not supported', what=what))
     span = _first(ev, args[1], frame)
     if not isinstance(span, Span):
         return span
@@ -199,7 +202,7 @@ def info(ev: Evaluator, args: Args, frame: Frame) -> Cells:
     if what == "numfile":
         return Cells(np.float64(len(ev.layout.titles)))
     if what not in _INFORMATION:
-        raise UnsupportedError(f'INFO("{what[:40]}") is not supported')
+        raise UnsupportedError(say('INFO("{what}") is not supported', what=what[:40]))
     return ev.texts.constant(_INFORMATION[what])
 
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from ...formula.nodes import CellRef, Node, RangeRef
 from ...formula.references import cell_address
+from ...said import say
 from ..fast.marks import Marks
 from ..graph import Functions, references
 from ..interpreter.evaluator import Evaluator
@@ -210,8 +211,11 @@ class Together:
         shown = names if len(names) <= _SHOWN else [*names[: _SHOWN - 1], "...", names[-1]]
         first_cell = self.layout.blocks[circle[0][0]]
         sheet = self.layout.block_sheets[circle[0][0]]
-        more = " (and more of them)" if self._circles == _MOST_CIRCLES else ""
-        message = f"circular reference: {' -> '.join(shown)}{more}"
+        last = self._circles == _MOST_CIRCLES
+        message = say(
+            "circular reference: {circle} (and more of them)" if last else "circular reference: {circle}",
+            circle=" -> ".join(shown),
+        )
         ev.around.remark(message, sheet, first_cell.row + circle[0][1], first_cell.col + circle[0][2])
 
     def _name(self, cell: Cell) -> str:

@@ -14,6 +14,7 @@ import numpy as np
 
 from ...formula.book import Block, BookSheet, CellStore
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, Scalar
+from ...said import say
 from ..fast.marks import Marks
 from ..interpreter.evaluator import Evaluator
 from ..layout import Area, Layout
@@ -49,7 +50,9 @@ def settled(plan: Plan, overrides: Mapping[tuple[str, int, int], Scalar]) -> Val
     ev = _driven(plan, overrides)
     number = plan.sizes[0][0]
     block = plan.layout.blocks[number]
-    ev.around.remark("dynamic arrays whose sizes do not settle", plan.layout.block_sheets[number], block.row, block.col)
+    ev.around.remark(
+        say("dynamic arrays whose sizes do not settle"), plan.layout.block_sheets[number], block.row, block.col
+    )
     return plan.values_of(ev)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from ...said import say
 from ..values.calling import Problem
 from ..values.frames import UnsupportedError
 
@@ -60,5 +61,5 @@ def expression(pattern: str, text: str, ignore_case: float = 0.0) -> re.Pattern[
     if found is None:
         raise Problem("#VALUE!")
     if repetitions < 0 or (repetitions > 1 and float(max(len(text), 2)) ** repetitions > _MOST_STEPS):
-        raise UnsupportedError("a regular expression that could take very long")
+        raise UnsupportedError(say("a regular expression that could take very long"))
     return found

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...formula.nodes import ErrorValue, Scalar
+from ...said import say
 from .frames import UnsupportedError
 
 Numbers: TypeAlias = NDArray[np.float64]
@@ -193,7 +194,7 @@ def fitted(*cells: Cells) -> tuple[Cells, ...]:
         return cells
     height, width = (max(size[axis] for size in sizes) for axis in (0, 1))
     if height * width > MOST_CELLS:
-        raise UnsupportedError(f"an array of {height} x {width} cells is not computed")
+        raise UnsupportedError(say("an array of {height} x {width} cells is not computed", height=height, width=width))
     if all(size[0] in (1, height) and size[1] in (1, width) for size in sizes):
         return cells
     return tuple(_padded(cell, height, width) for cell in cells)

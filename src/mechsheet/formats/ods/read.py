@@ -9,6 +9,7 @@ from mechsheet.diagnostics import Fault, FormulaError, WorkbookError
 from mechsheet.formula.book import Book, DefinedName
 from mechsheet.formula.nodes import CellRef, anchored, shifted, transform
 from mechsheet.formula.parser import parse_formula
+from mechsheet.said import say
 
 from ..reading.numbers import NULL_DATE, NULL_DATE_1904
 from ..reading.package import Package, local_name, open_package, part_key, saved_by
@@ -16,8 +17,8 @@ from .parts import SHEET_TYPE
 from .scan import CONTENT, ContentScan, NameText
 
 _MANIFEST = "META-INF/manifest.xml"
-_PASSWORD = "the workbook is protected by a password"
-_UNLOCK = "save it without a password"
+_PASSWORD = say("the workbook is protected by a password")
+_UNLOCK = say("save it without a password")
 
 
 def read_ods(path: Path) -> Book:
@@ -35,13 +36,17 @@ def _read(package: Package) -> Book:
     scan = ContentScan(package)
     scan.run()
     if scan.kind != "spreadsheet":
-        raise package.fault(f"an OpenDocument {scan.kind or 'file'}, not a spreadsheet", CONTENT)
+        raise package.fault(say("an OpenDocument {kind}, not a spreadsheet", kind=scan.kind or "file"), CONTENT)
     if scan.null_date not in (NULL_DATE, NULL_DATE_1904):
-        scan.faults.append(Fault(f"days are counted from {scan.null_date}, which is not supported", package.name))
+        scan.faults.append(
+            Fault(
+                say("days are counted from {null_date}, which is not supported", null_date=scan.null_date), package.name
+            )
+        )
     if scan.faults:
         raise WorkbookError(scan.faults)
     if not scan.sheets:
-        raise package.fault("the workbook has no sheet", CONTENT)
+        raise package.fault(say("the workbook has no sheet"), CONTENT)
     names = [defined for text in _all_names(scan) if (defined := _name(text)) is not None]
     date1904 = scan.null_date == NULL_DATE_1904
     macros = "Basic" if any(part_key(entry.filename).startswith("basic/") for entry in package.entries()) else ""
@@ -56,11 +61,13 @@ def _check_parts(package: Package) -> None:
     if CONTENT in package:
         kind = b"".join(package.pieces("mimetype"))[:200].decode("latin-1").strip() if "mimetype" in package else ""
         if kind and not kind.startswith(SHEET_TYPE):
-            raise WorkbookError(Fault(f"not a spreadsheet but {kind}", file=package.name))
+            raise WorkbookError(Fault(say("not a spreadsheet but {kind}", kind=kind), file=package.name))
         return
     if "xl/workbook.xml" in package:
-        raise WorkbookError(Fault("an .xlsx with another file's suffix", file=package.name))
-    raise WorkbookError(Fault(f"not a workbook: the zip file holds no part {CONTENT}", file=package.name))
+        raise WorkbookError(Fault(say("an .xlsx with another file's suffix"), file=package.name))
+    raise WorkbookError(
+        Fault(say("not a workbook: the zip file holds no part {content}", content=CONTENT), file=package.name)
+    )
 
 
 def _is_encrypted(package: Package) -> bool:

@@ -13,6 +13,7 @@ from mechsheet.formula.book import BookSheet
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
+from mechsheet.said import say
 
 from ..reading.array_areas import ArrayText, give_arrays
 from ..reading.cell_faults import CellFaults
@@ -87,7 +88,7 @@ class ContentScan:
         def root(tag: str, attributes: dict[str, str]) -> None:
             self.words = words_of(attributes)
             if tag != self.words.root:
-                raise self.fault("the part is no OpenDocument content")
+                raise self.fault(say("the part is no OpenDocument content"))
             _handlers(self, parser, texts)
 
         parser.StartElementHandler = root
@@ -104,9 +105,9 @@ class ContentScan:
     def table(self, title: str) -> Table:
         """Begin a sheet."""
         if title.casefold() in self.titles:
-            raise self.fault(f'two sheets are called "{title}"')
+            raise self.fault(say('two sheets are called "{title}"', title=title))
         if len(self.titles) == MAX_SHEETS:
-            raise self.fault(f"more than {MAX_SHEETS} sheets")
+            raise self.fault(say("more than {most} sheets", most=MAX_SHEETS))
         self.titles.add(title.casefold())
         sheet = BookSheet(title)
         self.sheets.append(sheet)
@@ -126,7 +127,7 @@ class ContentScan:
         if text is None:
             return 1
         if not text.isdecimal() or not text.strip("0"):
-            raise self.fault(f'"{text[:40]}" is no number of repetitions')
+            raise self.fault(say('"{text}" is no number of repetitions', text=text[:40]))
         return min(int(text), 2 * MAX_ROWS) if len(text) < 10 else 2 * MAX_ROWS
 
     def cell(
@@ -134,7 +135,7 @@ class ContentScan:
     ) -> None:
         """A cell with a type, a formula or a text, which stands `rows` x `cols` times."""
         if row + rows > MAX_ROWS or col + cols > MAX_COLUMNS:
-            raise self.fault(f'a cell outside the sheet "{table.sheet.title}"')
+            raise self.fault(say('a cell outside the sheet "{title}"', title=table.sheet.title))
         value = self.value(table, row, col, about, text)
         formula = self.formula(table, row, col, about)
         store = table.sheet.constants if formula is None else table.sheet.cached
@@ -148,7 +149,7 @@ class ContentScan:
             return
         self.repeated += rows * cols - 1
         if self.repeated > MAX_REPEATED:
-            raise self.fault(f"cells repeated more than {MAX_REPEATED} times: this is no workbook")
+            raise self.fault(say("cells repeated more than {most} times: this is no workbook", most=MAX_REPEATED))
         for right in range(col, col + cols):
             if value is not None:
                 store.extend(row, right, (value,) * rows)
@@ -161,10 +162,10 @@ class ContentScan:
         """An array formula with the cells that show its array."""
         rows, cols = (self.count(about[word]) for word in (self.words.matrix_rows, self.words.matrix_columns))
         if row + rows > MAX_ROWS or col + cols > MAX_COLUMNS:
-            raise self.fault(f'an array formula that leaves the sheet "{table.sheet.title}"')
+            raise self.fault(say('an array formula that leaves the sheet "{title}"', title=table.sheet.title))
         self.repeated += rows * cols
         if self.repeated > MAX_REPEATED:
-            raise self.fault(f"array formulas over more than {MAX_REPEATED} cells: this is no workbook")
+            raise self.fault(say("array formulas over more than {most} cells: this is no workbook", most=MAX_REPEATED))
         return ArrayText(row, col, rows, cols, formula, False)
 
     def formula(self, table: Table, row: int, col: int, about: Mapping[str, str]) -> str | None:
@@ -179,9 +180,12 @@ class ContentScan:
             return rest
         if notation != "msoxl":
             table.faults.remark(
-                f'a formula in the notation "{notation[:20]}", which is not read: stored values are kept',
+                say(
+                    'a formula in the notation "{notation}", which is not read: stored values are kept',
+                    notation=notation[:20],
+                ),
                 (row, col, 1, 1),
-                "save the file in LibreOffice",
+                say("save the file in LibreOffice"),
             )
             return None
         try:
@@ -209,7 +213,7 @@ class ContentScan:
         if kind == "time":
             return self.number(table, row, col, about.get(words.time_value, ""), time_number)
         if kind not in ("", "void"):
-            table.faults.note(f'there is no type of value called "{kind[:20]}"', row, col)
+            table.faults.note(say('there is no type of value called "{kind}"', kind=kind[:20]), row, col)
         return None
 
     def text(self, about: Mapping[str, str], text: str | None) -> str | ErrorValue:
@@ -230,14 +234,14 @@ class ContentScan:
         """A number by one of the spellings."""
         value = read(text)
         if value is None:
-            table.faults.note(f'"{text[:40]}" is no number, date or time', row, col)
+            table.faults.note(say('"{text}" is no number, date or time', text=text[:40]), row, col)
         return value
 
     def calendar(self, text: str) -> None:
         """The day that dates count from."""
         days = day_number(text, NULL_DATE)
         if days is None:
-            raise self.fault(f'"{text[:40]}" is no date')
+            raise self.fault(say('"{text}" is no date', text=text[:40]))
         self.null_date = date.fromordinal(NULL_DATE.toordinal() + int(days))
 
 

@@ -15,6 +15,7 @@ from xml.parsers import expat
 
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import MAX_ROWS, Scalar
+from mechsheet.said import say
 
 from ..new_values import CellValues, NewValues, Place, check_output, new_values, write_package
 from ..reading.numbers import NULL_DATE, NULL_DATE_1904
@@ -87,7 +88,7 @@ class _ContentUpdate:
             del tag
             words = words_of(attributes)
             if words != words_of({}):
-                message = "the part uses other namespace prefixes than usual: it can be read, but not written"
+                message = say("the part uses other namespace prefixes than usual: it can be read, but not written")
                 raise self.package.fault(message, CONTENT)
             self.declared = NAMESPACES["calcext"] in attributes.values()
             _handlers(self, parser, words, row)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 from mechsheet.formula.book import Block, BookSheet, CellStore, Kind
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
 from mechsheet.formula.references import parse_cell
+from mechsheet.said import say
 
 from .cell_faults import CellFaults
 
@@ -46,7 +47,11 @@ def give_arrays(sheet: BookSheet, arrays: Iterable[ArrayText], faults: CellFault
     for array in arrays:
         cells += array.rows * array.cols
         if cells > MOST_CELLS:
-            faults.note(f"array formulas over more than {MOST_CELLS} cells: this is no workbook", array.row, array.col)
+            faults.note(
+                say("array formulas over more than {most} cells: this is no workbook", most=MOST_CELLS),
+                array.row,
+                array.col,
+            )
             break
         area = array.row, array.col, array.rows, array.cols
         formula = faults.formula(array.text, area)
@@ -54,7 +59,7 @@ def give_arrays(sheet: BookSheet, arrays: Iterable[ArrayText], faults: CellFault
             sheet.keep([(array.row, array.col, 1, 1)])
             continue
         if array.row + array.rows > MAX_ROWS or array.col + array.cols > MAX_COLUMNS:
-            faults.note("an array formula that leaves the sheet", array.row, array.col)
+            faults.note(say("an array formula that leaves the sheet"), array.row, array.col)
             continue
         kind: Kind = "spill" if array.dynamic else "array"
         taken.append(Block(*area, formula, kind))

@@ -6,6 +6,7 @@ from mechsheet.diagnostics import Fault, FormulaError
 from mechsheet.formula.nodes import Node
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.references import area_name
+from mechsheet.said import say
 
 MAX_FAULTS = 100
 """Most faults that one sheet reports: a file of another kind would have one for each cell."""
@@ -45,7 +46,9 @@ class CellFaults:
     def formula(self, text: str, area: Area) -> Node | None:
         """The tree of a formula. None when it cannot be parsed, which is remarked: its cells keep their stored values."""
         if len(text) > MAX_FORMULA:
-            self.remark(f"a formula of {len(text)} characters, which is not read: stored values are kept", area)
+            self.remark(
+                say("a formula of {count} characters, which is not read: stored values are kept", count=len(text)), area
+            )
             return None
         try:
             return parse_formula(text, self.dialect)
@@ -53,5 +56,9 @@ class CellFaults:
             fault = problem.faults[0]
             text = text.removeprefix("=")
             shown = text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
-            self.remark(f"{fault.message} of ={shown}: stored values are kept", area, fault.hint)
+            self.remark(
+                say("{message} of ={shown}: stored values are kept", message=fault.message, shown=shown),
+                area,
+                fault.hint,
+            )
             return None

@@ -12,7 +12,8 @@ from pathlib import Path, PurePosixPath
 from typing import Any, NoReturn
 from xml.parsers import expat
 
-from mechsheet.diagnostics import Fault, WorkbookError, readable_name
+from mechsheet.diagnostics import Fault, WorkbookError, readable_name, system_reason
+from mechsheet.said import say
 
 from .repeated_rows import RepeatedRows
 
@@ -35,12 +36,14 @@ _OLE_HEAD = 512
 _ENCRYPTED = "EncryptedPackage".encode("utf-16-le")
 _KINDS = (
     (re.compile(rb"\A(?:" + re.escape(_OLE) + rb"|\x09[\x00\x02\x04\x08][\x04-\x10]\x00)"),
-     "an .xls of the old kind", "rename it to .xls, or save it as .xlsx"),
+     say("an .xls of the old kind"), say("rename it to .xls, or save it as .xlsx")),
     (re.compile(rb"urn:oasis:names:tc:opendocument:xmlns:office"),
-     "a flat OpenDocument file (.fods), which is not read", "save it as .ods"),
-    (re.compile(rb"urn:schemas-microsoft-com:office:spreadsheet"), "an XML spreadsheet of 2003", "save it as .xlsx"),
-    (re.compile(rb"\A\s*<(?:!doctype html|html|table)", re.IGNORECASE), "a web page, not a workbook", "save it as .xlsx"),
-    (re.compile(rb"\A%PDF"), "a PDF, not a workbook", ""),
+     say("a flat OpenDocument file (.fods), which is not read"), say("save it as .ods")),
+    (re.compile(rb"urn:schemas-microsoft-com:office:spreadsheet"), say("an XML spreadsheet of 2003"),
+     say("save it as .xlsx")),
+    (re.compile(rb"\A\s*<(?:!doctype html|html|table)", re.IGNORECASE), say("a web page, not a workbook"),
+     say("save it as .xlsx")),
+    (re.compile(rb"\A%PDF"), say("a PDF, not a workbook"), ""),
 )  # fmt: skip
 """What a file begins with that is no zip file, and what it is."""
 
@@ -60,7 +63,7 @@ class Package:
         for info in file.infolist():
             if self._parts.setdefault(part_key(info.filename), info) is not info:
                 # Two readers of such a file would see two workbooks.
-                raise self.fault("two parts have this name", info.filename[:100])
+                raise self.fault(say("two parts have this name"), info.filename[:100])
 
     def __contains__(self, part: str) -> bool:
         return part_key(part) in self._parts
@@ -77,15 +80,15 @@ class Package:
         """The bytes of a part, piece by piece."""
         info = self._parts.get(part_key(part))
         if info is None:
-            raise self.fault("the part is missing", part)
+            raise self.fault(say("the part is missing"), part)
         if info.flag_bits & 1:
-            raise self.fault("the part is encrypted with a password", part)
+            raise self.fault(say("the part is encrypted with a password"), part)
         try:
             with self._zip.open(info) as stream:
                 while piece := stream.read(_PIECE):
                     yield piece
         except (*DAMAGED, OSError) as problem:
-            raise self.fault(f"the file is damaged ({problem})", part) from problem
+            raise self.fault(say("the file is damaged ({problem})", problem=problem), part) from problem
 
     def entries(self) -> list[zipfile.ZipInfo]:
         """All entries of the zip file in the order of their data."""
@@ -102,12 +105,12 @@ class Package:
         later = [other.header_offset for other in self._zip.infolist() if other.header_offset > info.header_offset]
         left = min([*later, self._zip.start_dir]) - info.header_offset
         if file is None or left < info.compress_size:
-            raise self.fault("the file is damaged (parts overlap)", info.filename)
+            raise self.fault(say("the file is damaged (parts overlap)"), info.filename)
         file.seek(info.header_offset)
         while left > 0:
             piece = file.read(min(left, _PIECE))
             if not piece:
-                raise self.fault("the file is damaged (cut off)", info.filename)
+                raise self.fault(say("the file is damaged (cut off)"), info.filename)
             left -= len(piece)
             yield piece
 
@@ -141,28 +144,32 @@ class Package:
                 fed += len(piece)
                 long = len(texts) > MAX_VALUE / _PIECE and sum(map(len, texts)) > MAX_VALUE
                 if long or fed - parser.CurrentByteIndex > MAX_VALUE:
-                    raise self.fault(f"a value longer than {MAX_VALUE >> 20} MB: this is no workbook", part)
+                    raise self.fault(
+                        say("a value longer than {most} MB: this is no workbook", most=MAX_VALUE >> 20), part
+                    )
                 yield
             parser.Parse(b"", True)
         except expat.ExpatError as problem:
             # Where rows were taken out, the parser counts its lines and columns wrong.
             reason = expat.ErrorString(problem.code) if rows is not None and rows.taken else problem
-            raise self.fault(f"the part is no proper XML ({reason})", part) from problem
+            raise self.fault(say("the part is no proper XML ({reason})", reason=reason), part) from problem
         except (LookupError, ValueError) as problem:
             if "encoding" not in str(problem):
                 raise
-            raise self.fault(f"the part is written in an encoding that is not read ({problem})", part) from problem
+            raise self.fault(
+                say("the part is written in an encoding that is not read ({problem})", problem=problem), part
+            ) from problem
 
     def decoded(self, text: bytes, part: str) -> str:
         """A text that was taken from a part without its parser."""
         try:
             return text.decode()
         except UnicodeDecodeError as problem:
-            raise self.fault("the part is no proper XML (text that is not UTF-8)", part) from problem
+            raise self.fault(say("the part is no proper XML (text that is not UTF-8)"), part) from problem
 
     def _refuse_doctype(self, part: str) -> Callable[..., Any]:
         def refuse(*_: object) -> None:
-            raise self.fault("the part declares a document type, which no workbook does", part)
+            raise self.fault(say("the part declares a document type, which no workbook does"), part)
 
         return refuse
 
@@ -177,16 +184,19 @@ def open_package(path: Path) -> Iterator[Package]:
             _check_sizes(file, name)
             yield Package(file, name)
     except DAMAGED as problem:
-        raise WorkbookError(Fault(f"the file is damaged or cut off ({problem})", file=name)) from problem
+        raise WorkbookError(
+            Fault(say("the file is damaged or cut off ({problem})", problem=problem), file=name)
+        ) from problem
     except OSError as problem:
-        reason = problem.strerror or str(problem)
-        raise WorkbookError(Fault(f"cannot be read: {reason}", file=name)) from problem
+        raise WorkbookError(
+            Fault(say("cannot be read: {reason}", reason=system_reason(problem)), file=name)
+        ) from problem
 
 
 def _check_head(path: Path, name: str) -> None:
     """Say what a file is that is no zip."""
     if path.is_dir():
-        raise WorkbookError(Fault("this is a folder, not a workbook", file=name))
+        raise WorkbookError(Fault(say("this is a folder, not a workbook"), file=name))
     with path.open("rb") as stream:
         head = stream.read(1 << 16)
         if head.startswith(b"PK"):
@@ -198,31 +208,33 @@ def _check_head(path: Path, name: str) -> None:
             stream.seek((sector + 1) << power if power < 20 else 0)
             directory = stream.read(1 << 13)
     if head.startswith(_OLE) and _ENCRYPTED in head + directory:
-        message = "the workbook is protected by a password"
-        raise WorkbookError(Fault(message, file=name, hint="save it as .xlsx without a password"))
+        message = say("the workbook is protected by a password")
+        raise WorkbookError(Fault(message, file=name, hint=say("save it as .xlsx without a password")))
     refuse_what_it_is(head, name)
 
 
-def refuse_what_it_is(head: bytes, name: str, missing: str = "this is no zip file") -> NoReturn:
+def refuse_what_it_is(head: bytes, name: str, missing: str = say("this is no zip file")) -> NoReturn:
     """Say what a file is, by how it begins, that is no workbook of the format expected. Raises WorkbookError."""
     for mark, message, hint in _KINDS:
         if mark.search(head):
             raise WorkbookError(Fault(message, file=name, hint=hint))
-    message = "the file is empty" if not head else f"not a workbook: {missing}"
-    hint = "" if not head or b"\0" in head else "a table as text (.csv)? save it as .xlsx first"
+    message = say("the file is empty") if not head else say("not a workbook: {missing}", missing=missing)
+    hint = "" if not head or b"\0" in head else say("a table as text (.csv)? save it as .xlsx first")
     raise WorkbookError(Fault(message, file=name, hint=hint))
 
 
 def _check_sizes(file: zipfile.ZipFile, name: str) -> None:
     infos = file.infolist()
     if len(infos) > MAX_PARTS:
-        raise WorkbookError(Fault(f"{len(infos)} parts, at most {MAX_PARTS} are read", file=name))
+        raise WorkbookError(
+            Fault(say("{count} parts, at most {most} are read", count=len(infos), most=MAX_PARTS), file=name)
+        )
     # The reader of a part never gives more than the size declared here, so these sums hold.
     if sum(info.file_size for info in infos) > MAX_SIZE:
-        raise WorkbookError(Fault(f"unpacks to more than {MAX_SIZE >> 30} GiB", file=name))
+        raise WorkbookError(Fault(say("unpacks to more than {most} GiB", most=MAX_SIZE >> 30), file=name))
     for info in infos:
         if info.file_size > _SMALL and info.file_size > MAX_RATIO * max(info.compress_size, 1):
-            message = f"packed more than {MAX_RATIO} to 1: this is no workbook"
+            message = say("packed more than {most} to 1: this is no workbook", most=MAX_RATIO)
             raise WorkbookError(Fault(message, file=name, key=info.filename))
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import struct
 
 from mechsheet.diagnostics import Fault, WorkbookError
+from mechsheet.said import say
 
 SIGNATURE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 _LAST = 0xFFFFFFFA
@@ -25,10 +26,10 @@ class Compound:
     def __init__(self, data: bytes, name: str) -> None:
         self._data, self._name = data, name
         if len(data) < 512:
-            raise self.damaged("its head is cut off")
+            raise self.damaged(say("its head is cut off"))
         power, mini_power = struct.unpack_from("<HH", data, 30)
         if power not in (9, 12) or mini_power != 6:
-            raise self.damaged("sectors of no known size")
+            raise self.damaged(say("sectors of no known size"))
         self._size = 1 << power
         (first, _, self._cutoff, mini_table, _, more_tables, _) = struct.unpack_from("<7I", data, 48)
         self._table = self._sector_table(more_tables)
@@ -39,7 +40,7 @@ class Compound:
 
     def damaged(self, why: str) -> WorkbookError:
         """The error that refuses the file."""
-        return WorkbookError(Fault(f"the file is damaged or cut off ({why})", file=self._name))
+        return WorkbookError(Fault(say("the file is damaged or cut off ({why})", why=why), file=self._name))
 
     def __contains__(self, stream: str) -> bool:
         return any(name.casefold() == stream.casefold() for name, *_ in self._entries)
@@ -50,7 +51,7 @@ class Compound:
             if kind == _STREAM and found.casefold() == name.casefold():
                 data = self._small(first) if size < self._cutoff else b"".join(map(self._sector, self._chain(first)))
                 if len(data) < size:
-                    raise self.damaged(f"the stream {name} is shorter than it says")
+                    raise self.damaged(say("the stream {name} is shorter than it says", name=name))
                 return data[:size]
         return None
 
@@ -58,7 +59,7 @@ class Compound:
         start = (number + 1) * self._size
         data = self._data[start : start + self._size]
         if not data:
-            raise self.damaged("a sector that is not there")
+            raise self.damaged(say("a sector that is not there"))
         return data
 
     def _sector_table(self, more: int) -> list[int]:
@@ -67,13 +68,13 @@ class Compound:
         seen: set[int] = set()
         while more < _LAST:
             if more in seen:
-                raise self.damaged("its list of tables runs in a circle")
+                raise self.damaged(say("its list of tables runs in a circle"))
             seen.add(more)
             *found, more = self._numbers([more])
             numbers += found
         tables = [number for number in numbers if number < _LAST]
         if len(set(tables)) < len(tables):
-            raise self.damaged("a table that is named twice")
+            raise self.damaged(say("a table that is named twice"))
         return self._numbers(tables)
 
     def _numbers(self, sectors: list[int]) -> list[int]:
@@ -91,9 +92,9 @@ class Compound:
         seen = bytearray(len(table))
         while number < _LAST:
             if number >= len(table):
-                raise self.damaged("a sector that is not there")
+                raise self.damaged(say("a sector that is not there"))
             if seen[number]:
-                raise self.damaged("a stream that runs in a circle")
+                raise self.damaged(say("a stream that runs in a circle"))
             seen[number] = 1
             found.append(number)
             number = table[number]

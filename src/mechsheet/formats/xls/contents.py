@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from mechsheet.diagnostics import Fault, WorkbookError
+from mechsheet.said import say
 
 from .records import DamagedError, Kind, Reader, Record, records, shared_texts
 
@@ -68,11 +69,11 @@ def contents_of(stream: bytes, file: str) -> Contents:
         match record.kind:
             case Kind.BOF:
                 if record.at == 0 and struct.unpack_from("<H", record.data)[0] != BIFF8:
-                    message = "a workbook of Excel 95 or older, which is not read"
-                    raise WorkbookError(Fault(message, file=file, hint="save it as .xlsx"))
+                    message = say("a workbook of Excel 95 or older, which is not read")
+                    raise WorkbookError(Fault(message, file=file, hint=say("save it as .xlsx")))
             case Kind.PASSWORD:
-                message = "the workbook is protected by a password"
-                raise WorkbookError(Fault(message, file=file, hint="save it without a password"))
+                message = say("the workbook is protected by a password")
+                raise WorkbookError(Fault(message, file=file, hint=say("save it without a password")))
             case Kind.SHEET:
                 found.sheets.append(_sheet(record))
             case Kind.SHARED_TEXTS:
@@ -133,7 +134,7 @@ def _spans(record: Record) -> list[tuple[int, int, int]]:
     data = record.data
     count = struct.unpack_from("<H", data)[0]
     if len(data) < 2 + 6 * count:
-        raise DamagedError("a record ends in the middle")
+        raise DamagedError(say("a record ends in the middle"))
     return [struct.unpack_from("<HHH", data, 2 + 6 * number) for number in range(count)]
 
 

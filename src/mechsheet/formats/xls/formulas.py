@@ -27,6 +27,7 @@ from mechsheet.formula.nodes import (
     Text,
     Unary,
 )
+from mechsheet.said import say
 
 from .contents import Contents
 from .function_numbers import FUNCTION_NUMBERS
@@ -85,7 +86,7 @@ class _Decoding:
         for token, start, end in tokens(code):
             self.take(token, code, start, end)
         if len(self.stack) != 1:
-            raise UnreadableError("a formula that is not complete")
+            raise UnreadableError(say("a formula that is not complete"))
         return self.stack[0].node
 
     def take(self, token: int, code: bytes, start: int, end: int) -> None:
@@ -112,12 +113,12 @@ class _Decoding:
 
     def push(self, node: Node, depth: int = 0) -> None:
         if depth > MAX_NESTING:
-            raise UnreadableError(f"nested deeper than {MAX_NESTING} levels")
+            raise UnreadableError(say("nested deeper than {most} levels", most=MAX_NESTING))
         self.stack.append(_Part(node, depth))
 
     def pop(self, count: int) -> list[_Part]:
         if len(self.stack) < count:
-            raise UnreadableError("a formula that is not complete")
+            raise UnreadableError(say("a formula that is not complete"))
         found = self.stack[len(self.stack) - count :]
         del self.stack[len(self.stack) - count :]
         return found
@@ -130,10 +131,10 @@ class _Decoding:
             if isinstance(named.node, NameRef):
                 self.push(Call(canonical_name(named.node.name), tuple(part.node for part in args)), depth)
             else:
-                self.push(named.node if isinstance(named.node, Foreign) else Foreign("?", "an unknown function"))
+                self.push(named.node if isinstance(named.node, Foreign) else Foreign("?", say("an unknown function")))
             return
         if number not in FUNCTION_NUMBERS:
-            raise UnreadableError(f"the function number {number}, which is not known")
+            raise UnreadableError(say("the function number {number}, which is not known", number=number))
         name, least = FUNCTION_NUMBERS[number]
         args = self.pop(least if count is None else count)
         if name in ("TRUE", "FALSE") and not args:
@@ -173,10 +174,10 @@ class _Decoding:
                 area = self.area(*struct.unpack_from("<HHHH", code, start + 2))
                 return self.on_sheets(struct.unpack_from("<H", code, start)[0], area)
         if token == Token.LABEL:
-            raise UnreadableError("the words over a column in place of a reference")
+            raise UnreadableError(say("the words over a column in place of a reference"))
         if token in _LOST:
             return ErrorValue("#REF!")
-        raise UnreadableError(f"the token {token:#04x} of a formula is not known here")
+        raise UnreadableError(say("the token {token:#04x} of a formula is not known here", token=token))
 
     # --- references ---------------------------------------------------------------------------------------------------
 
@@ -199,10 +200,10 @@ class _Decoding:
     def on_sheets(self, number: int, area: CellRef | RangeRef) -> Node:
         """Cells of the sheets that a number stands for."""
         if number >= len(self.contents.spans):
-            raise UnreadableError("a reference to sheets that are not there")
+            raise UnreadableError(say("a reference to sheets that are not there"))
         book_number, first, last = self.contents.spans[number]
         if book_number >= len(self.contents.books):
-            raise UnreadableError("a reference to a workbook that is not there")
+            raise UnreadableError(say("a reference to a workbook that is not there"))
         book = self.contents.books[book_number]
         if book.kind == "other":
             sheet = book.sheets[first] if first < len(book.sheets) else "?"
@@ -220,14 +221,14 @@ class _Decoding:
     def name(self, number: int) -> Node:
         names = self.contents.names
         if not 1 <= number <= len(names):
-            raise UnreadableError("a name that is not there")
+            raise UnreadableError(say("a name that is not there"))
         return NameRef(names[number - 1].name)
 
     def name_elsewhere(self, span: int, number: int) -> Node:
         """A name of a sheet, of an add-in (a function), or of another workbook."""
         spans, books = self.contents.spans, self.contents.books
         if span >= len(spans) or spans[span][0] >= len(books):
-            raise UnreadableError("a reference to a workbook that is not there")
+            raise UnreadableError(say("a reference to a workbook that is not there"))
         book = books[spans[span][0]]
         if book.kind == "own":
             found = self.name(number)
@@ -236,7 +237,7 @@ class _Decoding:
                 return NameRef(found.name, self.contents.sheets[first].title)
             return found
         if not 1 <= number <= len(book.names):
-            raise UnreadableError("a name that is not there")
+            raise UnreadableError(say("a name that is not there"))
         if book.kind == "add-in":
             return NameRef(book.names[number - 1])
         return Foreign(f"[{book.file}]{book.names[number - 1]}")
@@ -262,7 +263,7 @@ class _Decoding:
                 return ErrorValue(ERRORS.get(data[0], "#N/A"))
             case 0x00:
                 return Text("")
-        raise DamagedError("a constant of an array that is none")
+        raise DamagedError(say("a constant of an array that is none"))
 
 
 def _two(code: bytes, at: int) -> tuple[int, int]:

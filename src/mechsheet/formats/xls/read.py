@@ -5,9 +5,10 @@ from __future__ import annotations
 import struct
 from pathlib import Path
 
-from mechsheet.diagnostics import Fault, WorkbookError, readable_name
+from mechsheet.diagnostics import Fault, WorkbookError, readable_name, system_reason
 from mechsheet.formula.book import Book, BookSheet, DefinedName
 from mechsheet.formula.nodes import Foreign, Node
+from mechsheet.said import reason, say
 
 from ..reading.package import MAX_SHEETS, refuse_what_it_is
 from .compound import SIGNATURE, Compound
@@ -35,19 +36,21 @@ def read_xls(path: Path) -> Book:
     try:
         return _read(stream, name, macros)
     except (DamagedError, struct.error) as problem:
-        why = str(problem) if isinstance(problem, DamagedError) else "a record ends in the middle"
-        raise WorkbookError(Fault(f"the file is damaged or cut off ({why})", file=name)) from problem
+        why = reason(problem) if isinstance(problem, DamagedError) else say("a record ends in the middle")
+        raise WorkbookError(Fault(say("the file is damaged or cut off ({why})", why=why), file=name)) from problem
 
 
 def _bytes(path: Path, name: str) -> bytes:
     try:
         if path.is_dir():
-            raise WorkbookError(Fault("this is a folder, not a workbook", file=name))
+            raise WorkbookError(Fault(say("this is a folder, not a workbook"), file=name))
         if path.stat().st_size > MAX_BYTES:
-            raise WorkbookError(Fault(f"larger than {MAX_BYTES >> 20} MB: this is no .xls", file=name))
+            raise WorkbookError(Fault(say("larger than {most} MB: this is no .xls", most=MAX_BYTES >> 20), file=name))
         return path.read_bytes()
     except OSError as problem:
-        raise WorkbookError(Fault(f"cannot be read: {problem.strerror or problem}", file=name)) from problem
+        raise WorkbookError(
+            Fault(say("cannot be read: {reason}", reason=system_reason(problem)), file=name)
+        ) from problem
 
 
 def _stream(data: bytes, name: str) -> tuple[bytes, str]:
@@ -55,34 +58,34 @@ def _stream(data: bytes, name: str) -> tuple[bytes, str]:
     if data.startswith(SIGNATURE):
         compound = Compound(data, name)
         if "EncryptedPackage" in compound:
-            message = "the workbook is protected by a password"
-            raise WorkbookError(Fault(message, file=name, hint="save it as .xlsx without a password"))
+            message = say("the workbook is protected by a password")
+            raise WorkbookError(Fault(message, file=name, hint=say("save it as .xlsx without a password")))
         stream = compound.stream("Workbook")
         if stream is None:
             if "Book" in compound:
                 raise _older(name)
-            raise WorkbookError(Fault("not a workbook: no stream in it is called Workbook", file=name))
+            raise WorkbookError(Fault(say("not a workbook: no stream in it is called Workbook"), file=name))
         return stream, "VBA" if _MACROS in compound else ""
     if data.startswith(_OLD):
         raise _older(name)
     if data.startswith(b"PK"):
         raise WorkbookError(
-            Fault("a zip file with the suffix of an .xls", file=name, hint="rename it to .xlsx or .ods")
+            Fault(say("a zip file with the suffix of an .xls"), file=name, hint=say("rename it to .xlsx or .ods"))
         )
     if not is_biff8(data):
-        refuse_what_it_is(data[: 1 << 16], name, "it does not begin as an .xls does")
+        refuse_what_it_is(data[: 1 << 16], name, say("it does not begin as an .xls does"))
     return data, ""
 
 
 def _older(name: str) -> WorkbookError:
     return WorkbookError(
-        Fault("a workbook of Excel 95 or older, which is not read", file=name, hint="save it as .xlsx")
+        Fault(say("a workbook of Excel 95 or older, which is not read"), file=name, hint=say("save it as .xlsx"))
     )
 
 
 def _read(stream: bytes, name: str, macros: str) -> Book:
     if not is_biff8(stream):
-        raise DamagedError("it does not begin as a workbook does")
+        raise DamagedError(say("it does not begin as a workbook does"))
     contents = contents_of(stream, name)
     book = Book([], date1904=contents.date1904, source=name, macros=macros, program=contents.program)
     formulas = Formulas(contents)
@@ -97,7 +100,7 @@ def _read(stream: bytes, name: str, macros: str) -> Book:
     if faults:
         raise WorkbookError(faults)
     if not book.sheets:
-        raise WorkbookError(Fault("the workbook has no sheet with cells", file=name))
+        raise WorkbookError(Fault(say("the workbook has no sheet with cells"), file=name))
     book.names = _names(contents, formulas)
     return book
 
@@ -105,19 +108,23 @@ def _read(stream: bytes, name: str, macros: str) -> Book:
 def _sheets(contents: Contents, stream: bytes, name: str) -> dict[int, tuple[BookSheet, int, int]]:
     """By number (sheet, where its records begin, where they have to be over); charts and macros are passed over."""
     if len(contents.sheets) > MAX_SHEETS:
-        raise WorkbookError(Fault(f"{len(contents.sheets)} sheets, at most {MAX_SHEETS} are read", file=name))
+        raise WorkbookError(
+            Fault(
+                say("{count} sheets, at most {most} are read", count=len(contents.sheets), most=MAX_SHEETS), file=name
+            )
+        )
     titles: set[str] = set()
     starts = sorted(entry.at for entry in contents.sheets)
     if len(set(starts)) < len(starts):
-        raise DamagedError("two sheets in the same place")
+        raise DamagedError(say("two sheets in the same place"))
     following = dict(zip(starts, [*starts[1:], len(stream)], strict=False))
     found = {}
     for number, entry in enumerate(contents.sheets):
         if entry.title.casefold() in titles:
-            raise WorkbookError(Fault(f'two sheets are called "{entry.title}"', file=name))
+            raise WorkbookError(Fault(say('two sheets are called "{title}"', title=entry.title), file=name))
         titles.add(entry.title.casefold())
         if not 0 < entry.at <= len(stream) - 4 or struct.unpack_from("<H", stream, entry.at)[0] != Kind.BOF:
-            raise DamagedError(f'the sheet "{entry.title}" is not where the workbook says')
+            raise DamagedError(say('the sheet "{title}" is not where the workbook says', title=entry.title))
         if entry.cells:
             found[number] = BookSheet(entry.title), entry.at, following[entry.at]
     return found
@@ -135,7 +142,7 @@ def _names(contents: Contents, formulas: Formulas) -> list[DefinedName]:
         try:
             formula = formulas.tree_of_name(entry.tokens, entry.extra)
         except (UnreadableError, DamagedError):
-            formula = Foreign(entry.name, "a name that cannot be read")
+            formula = Foreign(entry.name, say("a name that cannot be read"))
         found.append(
             DefinedName(entry.name, formula, None if entry.sheet is None else contents.sheets[entry.sheet].title)
         )

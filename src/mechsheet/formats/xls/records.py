@@ -7,6 +7,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import IntEnum
 
+from mechsheet.said import say
+
 
 class Kind(IntEnum):
     """The kinds of records that are read."""
@@ -85,7 +87,7 @@ def records(stream: bytes, at: int, end: int | None = None) -> Iterator[Record]:
                         yield pending
                     return
         at += 4 + length
-    raise DamagedError("the workbook ends in the middle")
+    raise DamagedError(say("the workbook ends in the middle"))
 
 
 class Reader:
@@ -132,7 +134,7 @@ class Reader:
         """The piece with the next byte."""
         while self._at >= len(self._pieces[self._piece]):
             if self._piece + 1 >= len(self._pieces):
-                raise DamagedError("a record ends in the middle")
+                raise DamagedError(say("a record ends in the middle"))
             self._piece += 1
             self._at = 0
         return self._pieces[self._piece]
@@ -148,7 +150,7 @@ class Reader:
             size = 2 if wide else 1
             step = min(count, left // size)
             if not step:
-                raise DamagedError("half a letter")
+                raise DamagedError(say("half a letter"))
             data = self.take(step * size)
             found.append(data.decode("utf-16-le" if wide else "latin-1", "replace"))
             count -= step

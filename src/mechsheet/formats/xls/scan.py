@@ -11,6 +11,7 @@ from mechsheet.diagnostics import Fault
 from mechsheet.formula.book import Block, BookSheet, Kind
 from mechsheet.formula.nodes import ErrorValue, Node, Scalar
 from mechsheet.formula.references import cell_name
+from mechsheet.said import reason, say
 
 from ..reading.array_areas import MOST_CELLS, move_values
 from ..reading.cell_faults import CellFaults
@@ -44,7 +45,7 @@ class SheetScan:
             try:
                 self.take(record)
             except struct.error:
-                raise DamagedError("a record ends in the middle") from None
+                raise DamagedError(say("a record ends in the middle")) from None
         self._give_members()
         self.sheet.blocks.extend(self._blocks())
         self._give_arrays()
@@ -97,7 +98,7 @@ class SheetScan:
     def inside(self, row: int, col: int) -> bool:
         """Whether there is such a cell; a fault where not."""
         if col >= COLUMNS:
-            self.faults.note("a cell outside the sheet", row, col)
+            self.faults.note(say("a cell outside the sheet"), row, col)
             return False
         return True
 
@@ -106,7 +107,7 @@ class SheetScan:
         if math.isfinite(value):
             self.constant(row, col, value)
         else:
-            self.faults.note(f"{value} is no number of a cell", row, col)
+            self.faults.note(say("{value} is no number of a cell", value=value), row, col)
 
     def numbers(self, data: bytes) -> None:
         """Several cells of a row side by side."""
@@ -120,7 +121,7 @@ class SheetScan:
         if number < len(self.texts):
             self.constant(row, col, self.texts[number])
         else:
-            self.faults.note(f"there is no shared text {number}", row, col)
+            self.faults.note(say("there is no shared text {number}", number=number), row, col)
 
     def row(self, data: bytes) -> None:
         """What is said of a row: whether it is shown."""
@@ -177,7 +178,7 @@ class SheetScan:
         top, bottom, left, right = struct.unpack_from("<HHBB", data)
         area = top, left, max(1, bottom - top + 1), max(1, right - left + 1)
         where = cell_name(top, left)
-        self.faults.remark(f"the what-if table {where} is not computed: stored values are kept", area)
+        self.faults.remark(say("the what-if table {where} is not computed: stored values are kept", where=where), area)
 
     def _give_members(self) -> None:
         """The cells of shared formulas; what belongs to an array formula is its result."""
@@ -192,7 +193,7 @@ class SheetScan:
             else:
                 lost.append((row, col, 1, 1))
         for area in lost:
-            self.faults.remark("a shared formula that is not in the file: stored values are kept", area)
+            self.faults.remark(say("a shared formula that is not in the file: stored values are kept"), area)
         self.sheet.keep(lost)
 
     def _blocks(self) -> Iterator[Block]:
@@ -222,7 +223,7 @@ class SheetScan:
         try:
             return self.formulas.tree(*key, *area[:2])
         except (UnreadableError, DamagedError) as problem:
-            self.faults.remark(f"{problem}: stored values are kept", area)
+            self.faults.remark(say("{message}: stored values are kept", message=reason(problem)), area)
             self.sheet.keep([area])
             return None
 
@@ -233,7 +234,7 @@ class SheetScan:
             top, left, rows, cols = area
             cells += max(rows, 0) * max(cols, 0)
             if rows < 1 or cols < 1 or cells > MOST_CELLS:
-                self.faults.note("an array formula without a proper area", top, left)
+                self.faults.note(say("an array formula without a proper area"), top, left)
                 return
             formula = self._formula((code, extra), area)
             if formula is not None:

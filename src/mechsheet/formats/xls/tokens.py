@@ -11,6 +11,8 @@ import struct
 from collections.abc import Iterator
 from enum import IntEnum
 
+from mechsheet.said import say
+
 from .records import DamagedError
 
 ROWS, COLUMNS = 1 << 16, 1 << 8
@@ -86,7 +88,7 @@ def tokens(code: bytes) -> Iterator[tuple[int, int, int]]:
             size = _size_of(token, code, start)
         at = start + size
         if at > len(code):
-            raise DamagedError("a formula that is cut off")
+            raise DamagedError(say("a formula that is cut off"))
         yield token, start, at
 
 
@@ -99,8 +101,8 @@ def _size_of(token: int, code: bytes, start: int) -> int:
             choices = struct.unpack_from("<H", code, start + 1)[0]
             return 3 + 2 * (choices + 1) if code[start] & ATTRIBUTE_CHOOSE else 3
     except (IndexError, struct.error):
-        raise DamagedError("a formula that is cut off") from None
-    raise DamagedError(f"the token {token:#04x} of a formula is not known")
+        raise DamagedError(say("a formula that is cut off")) from None
+    raise DamagedError(say("the token {token:#04x} of a formula is not known", token=token))
 
 
 _AWAY = {Token.CELL: Token.CELL_AWAY, Token.AREA: Token.AREA_AWAY}

@@ -9,10 +9,11 @@ from typing import Any
 from mechsheet.diagnostics import Fault, OutputError, readable_name
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
+from mechsheet.said import say
 
 
 def update_xls(source: Path, output: Path, book: Book, values: Any, changes: Mapping[Any, Scalar]) -> None:
     """Refuses to write. Raises OutputError."""
     del source, book, values, changes
-    message = "an .xls is read, not written"
-    raise OutputError(Fault(message, readable_name(output), hint="save it as .xlsx first, then recalculate that"))
+    message = say("an .xls is read, not written")
+    raise OutputError(Fault(message, readable_name(output), hint=say("save it as .xlsx first, then recalculate that")))

@@ -26,6 +26,7 @@ from mechsheet.formula.nodes import (
 )
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name, cell_address, column_letters
+from mechsheet.said import say
 from mechsheet.sheet.workbook import Area, Cell, Fill, Rich, Sheet, Style
 
 from ..bands import Band, bands, column_values
@@ -214,11 +215,20 @@ def formula_texts(sheet: Sheet) -> dict[tuple[int, int], str]:
         length = max(len(text), len(last))
         if length > MAX_FORMULA:
             place = cell_address(sheet.title, fill.row, fill.col)
-            faults.append(Fault(f"the formula has {length} characters, Excel allows {MAX_FORMULA}", key=place))
+            faults.append(
+                Fault(
+                    say("the formula has {length} characters, Excel allows {most}", length=length, most=MAX_FORMULA),
+                    key=place,
+                )
+            )
         longest = max((len(node.value) for node in walk(fill.formula) if isinstance(node, Text)), default=0)
         if longest > MAX_FORMULA_TEXT:
             place = cell_address(sheet.title, fill.row, fill.col)
-            message = f"the formula holds a text of {longest} characters, Excel allows {MAX_FORMULA_TEXT}"
+            message = say(
+                "the formula holds a text of {longest} characters, Excel allows {most}",
+                longest=longest,
+                most=MAX_FORMULA_TEXT,
+            )
             faults.append(Fault(message, key=place))
         texts[fill.row, fill.col] = ooxml_escaped(text)
     if faults:

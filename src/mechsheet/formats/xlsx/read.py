@@ -11,6 +11,7 @@ from mechsheet.diagnostics import Fault, FormulaError, WorkbookError
 from mechsheet.formula.book import Book, BookSheet, DefinedName
 from mechsheet.formula.nodes import Foreign, Node
 from mechsheet.formula.parser import parse_formula
+from mechsheet.said import say
 
 from ..reading.package import (
     MAX_SHEETS,
@@ -28,10 +29,10 @@ from .scan import SheetScan
 from .tables import tables_of
 
 _OTHERS = (
-    ("Index/Document.iwa", "a spreadsheet of Apple Numbers (.numbers), which is not read"),
-    ("Index.zip", "a spreadsheet of Apple Numbers (.numbers), which is not read"),
-    ("word/document.xml", "a text document (.docx), not a workbook"),
-    ("ppt/presentation.xml", "a presentation (.pptx), not a workbook"),
+    ("Index/Document.iwa", say("a spreadsheet of Apple Numbers (.numbers), which is not read")),
+    ("Index.zip", say("a spreadsheet of Apple Numbers (.numbers), which is not read")),
+    ("word/document.xml", say("a text document (.docx), not a workbook")),
+    ("ppt/presentation.xml", say("a presentation (.pptx), not a workbook")),
 )
 """Parts of zip files that are no workbooks, and what they are."""
 _SHOWN = 60
@@ -76,7 +77,7 @@ def _read(package: Package) -> Book:
     if faults:
         raise WorkbookError(faults)
     if not book.sheets:
-        raise package.fault("the workbook has no sheet with cells", part)
+        raise package.fault(say("the workbook has no sheet with cells"), part)
     book.names = _names(contents)
     return book
 
@@ -94,22 +95,26 @@ def _sheet_parts(
     package: Package, part: str, contents: _Workbook, links: Mapping[str, tuple[str, str]]
 ) -> list[tuple[str, str]]:
     if len(contents.sheets) > MAX_SHEETS:
-        raise package.fault(f"{len(contents.sheets)} sheets, at most {MAX_SHEETS} are read", part)
+        raise package.fault(
+            say("{count} sheets, at most {most} are read", count=len(contents.sheets), most=MAX_SHEETS), part
+        )
     found = []
     owners: dict[str, str] = {}
     titles: set[str] = set()
     for title, link in contents.sheets:
         if title.casefold() in titles:
-            raise package.fault(f'two sheets are called "{title}"', part)
+            raise package.fault(say('two sheets are called "{title}"', title=title), part)
         titles.add(title.casefold())
         kind, target = links.get(link, ("", ""))
         if not link or kind in _WITHOUT_CELLS:
             continue
         if target not in package:
-            raise package.fault(f'the sheet "{title}" has no part in the file', target or part)
+            raise package.fault(say('the sheet "{title}" has no part in the file', title=title), target or part)
         owner = owners.setdefault(part_key(target), title)
         if owner != title:
-            raise package.fault(f'the sheets "{owner}" and "{title}" have the same part', target)
+            raise package.fault(
+                say('the sheets "{owner}" and "{title}" have the same part', owner=owner, title=title), target
+            )
         found.append((title, target))
     return found
 
@@ -119,15 +124,15 @@ def _workbook_part(package: Package) -> str:
     if found and found in package and not found.endswith(".bin"):
         return found
     if found.endswith(".bin") or "xl/workbook.bin" in package:
-        raise WorkbookError(Fault("an .xlsb, which is not read", file=package.name, hint="save it as .xlsx"))
+        raise WorkbookError(Fault(say("an .xlsb, which is not read"), file=package.name, hint=say("save it as .xlsx")))
     if "xl/workbook.xml" in package:
         return "xl/workbook.xml"
     if "content.xml" in package:
-        raise WorkbookError(Fault("an OpenDocument file (.ods) with another file's suffix", file=package.name))
+        raise WorkbookError(Fault(say("an OpenDocument file (.ods) with another file's suffix"), file=package.name))
     for part, message in _OTHERS:
         if part in package:
-            raise WorkbookError(Fault(message, file=package.name, hint="save it as .xlsx"))
-    raise WorkbookError(Fault("not a workbook: the zip file holds no part xl/workbook.xml", file=package.name))
+            raise WorkbookError(Fault(message, file=package.name, hint=say("save it as .xlsx")))
+    raise WorkbookError(Fault(say("not a workbook: the zip file holds no part xl/workbook.xml"), file=package.name))
 
 
 class _Workbook:
@@ -173,7 +178,7 @@ def _names(contents: _Workbook) -> list[DefinedName]:
         try:
             formula = parse_formula(text)
         except FormulaError:
-            formula = Foreign(f"{name} = {text[:_SHOWN]}", "a name that cannot be read")
+            formula = Foreign(f"{name} = {text[:_SHOWN]}", say("a name that cannot be read"))
         found.append(DefinedName(name, formula, None if index is None else contents.sheets[index][0]))
     return found
 

@@ -10,6 +10,7 @@ from mechsheet.diagnostics import Fault
 from mechsheet.formula.book import BookSheet
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from mechsheet.formula.references import CELL, cell_name, column_index
+from mechsheet.said import say
 
 from ..reading.array_areas import ArrayText, array_text, give_arrays
 from ..reading.cell_faults import Area, CellFaults
@@ -74,7 +75,9 @@ class SheetScan:
         self.rows_begun += 1
 
     def _no_master(self, number: str, area: Area) -> None:
-        self.faults.remark(f"the shared formula {number[:20]} has no text: stored values are kept", area)
+        self.faults.remark(
+            say("the shared formula {number} has no text: stored values are kept", number=number[:20]), area
+        )
 
     def cell(
         self,
@@ -105,7 +108,7 @@ class SheetScan:
         elif sort == "array" and formula:
             found = array_text(row, col, about.get("ref", ""), formula, mark in self.dynamic)
             if found is None:
-                self.faults.note("an array formula without a proper area", row, col)
+                self.faults.note(say("an array formula without a proper area"), row, col)
             else:
                 self.arrays.append(found)
         elif sort == "dataTable":
@@ -118,7 +121,9 @@ class SheetScan:
         if value is not None:
             self.sheet.constants.put(row, col, value)
         where = about.get("ref", "")[:40] or cell_name(row, col)
-        self.faults.remark(f"the what-if table {where} is not computed: stored values are kept", (row, col, 1, 1))
+        self.faults.remark(
+            say("the what-if table {where} is not computed: stored values are kept", where=where), (row, col, 1, 1)
+        )
 
     def value(self, kind: str, text: str, row: int, col: int) -> Scalar:
         """What a cell's text means in its type, None for nothing."""
@@ -130,12 +135,12 @@ class SheetScan:
             number = finite(text)
             if number is not None:
                 return number
-            self.faults.note(f'"{text[:40]}" is no number', row, col)
+            self.faults.note(say('"{text}" is no number', text=text[:40]), row, col)
             return None
         if kind == "s":
             if text.isdecimal() and int(text) < len(self.strings):
                 return self.strings[int(text)]
-            self.faults.note(f"there is no shared text {text[:40]}", row, col)
+            self.faults.note(say("there is no shared text {text}", text=text[:40]), row, col)
             return None
         if kind == "b":
             return text.strip() in ("1", "true")
@@ -144,7 +149,7 @@ class SheetScan:
         if kind == "d":
             number = serial_number(text, self.date1904)
             if number is None:
-                self.faults.note(f'"{text[:40]}" is no date', row, col)
+                self.faults.note(say('"{text}" is no date', text=text[:40]), row, col)
             return number
         return text
 
@@ -224,7 +229,7 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
             formula = "".join(pieces)
         elif name == "c":
             if col >= MAX_COLUMNS:
-                raise scan.package.fault("a cell outside the sheet", scan.part)
+                raise scan.package.fault(say("a cell outside the sheet"), scan.part)
             if about is not None and kind == "n" and formula and not about:
                 # By far the most cells: a formula of its own with a number.
                 number = finite(value)
@@ -247,7 +252,7 @@ def _handlers(scan: SheetScan, parser: expat.XMLParserType) -> list[str]:
 
 def _row(scan: SheetScan, place: str) -> int:
     if not place.isdecimal() or not 1 <= int(place) <= MAX_ROWS:
-        raise scan.package.fault(f'"{place[:40]}" is no row of a sheet', scan.part)
+        raise scan.package.fault(say('"{place}" is no row of a sheet', place=place[:40]), scan.part)
     return int(place) - 1
 
 
@@ -255,6 +260,6 @@ def _column(scan: SheetScan, place: str, row: int, columns: dict[str, int]) -> i
     """The column of a cell's address, remembered; the address must be of the row at hand."""
     match = CELL.fullmatch(place)
     if match is None or match[1] or match[3] or int(match[4]) - 1 != row or column_index(match[2]) >= MAX_COLUMNS:
-        raise scan.package.fault(f'"{place[:40]}" is no cell of row {row + 1}', scan.part)
+        raise scan.package.fault(say('"{place}" is no cell of row {row}', place=place[:40], row=row + 1), scan.part)
     columns[match[2]] = column_index(match[2])
     return columns[match[2]]

@@ -10,6 +10,7 @@ from xml.parsers import expat
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import ErrorValue, Scalar
 from mechsheet.formula.references import area_name, cell_name, column_index
+from mechsheet.said import say
 
 from ..new_values import CellValues, NewValues, Place, Rewrite, check_output, new_values, write_package
 from ..reading.package import Package, local_name, open_package
@@ -60,12 +61,14 @@ class _SheetUpdate:
     def _declaration(self, version: str, encoding: str | None, standalone: int) -> None:
         del version, standalone
         if encoding is not None and encoding.lower() not in ("utf-8", "us-ascii"):
-            raise self.package.fault(f"the part is written in {encoding}, not in UTF-8", self.part)
+            raise self.package.fault(
+                say("the part is written in {encoding}, not in UTF-8", encoding=encoding), self.part
+            )
 
     def passes(self, place: tuple[int, int]) -> None:
         """A cell or row begins. New cells are put between others by their places, which must be in order for that."""
         if self.new.changes and place <= self.last:
-            message = "rows or cells out of order: the sheet can be read, but no other cells can be set in it"
+            message = say("rows or cells out of order: the sheet can be read, but no other cells can be set in it")
             raise self.package.fault(message, self.part)
         self.last = place
 

@@ -18,7 +18,7 @@ from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.text.file_names import is_device
-from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, readable_name
+from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, readable_name, system_reason
 from mechsheet.formats import write
 from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.formula.scalar import evaluate
@@ -138,7 +138,7 @@ def class_of(path: Path) -> list[tuple[str, str]]:
     try:
         text = path.read_bytes().decode("utf-8-sig")
     except OSError as error:
-        raise MechsheetError(Fault(say("cannot be read: {reason}", reason=error.strerror), shown)) from error
+        raise MechsheetError(Fault(say("cannot be read: {reason}", reason=system_reason(error)), shown)) from error
     except UnicodeDecodeError as error:
         raise MechsheetError(Fault(say("is no text in UTF-8"), shown, hint=say("save it as CSV UTF-8"))) from error
     head = text.split("\n", 1)[0]
@@ -204,7 +204,13 @@ def drawn(mechanism: Mechanism, people: Sequence[tuple[str, str]], seed: int) ->
         if chosen is None and spare is not None:
             chosen = spare
             if vary:
-                remarks.append(f"{identifier} has the same dimensions as {taken_by[spare]}: the grid has no others")
+                remarks.append(
+                    say(
+                        "{identifier} has the same dimensions as {other}: the grid has no others",
+                        identifier=identifier,
+                        other=taken_by[spare],
+                    )
+                )
         if chosen is None:
             raise _never(mechanism, needs)
         taken_by.setdefault(chosen, identifier)
@@ -224,7 +230,9 @@ def _all_alike(mechanism: Mechanism) -> str:
             step = 10.0 ** math.floor(math.log10(abs(value) / 20)) / 2
             low, high = (round(round(value * part / step) * step, 10) for part in (0.95, 1.05))
             ranges.append(f"{symbol} = [{min(low, high):g}, {max(low, high):g}, {step:g}]")
-    return f"everybody has the same dimensions; under [exercise] for example: vary = {{ {', '.join(ranges)} }}"
+    return say(
+        "everybody has the same dimensions; under [exercise] for example: vary = {{ {names} }}", names=", ".join(ranges)
+    )
 
 
 def _value(one: Vary, draw: random.Random) -> float:
@@ -234,9 +242,11 @@ def _value(one: Vary, draw: random.Random) -> float:
 def _never(mechanism: Mechanism, needs: Sequence[Need]) -> DescriptionError:
     from mechsheet.description.text.source import parse
 
-    message = f"no draw of {DRAWS} meets it: {' and '.join(need.text for need in needs)}"
+    message = say("no draw of {draws} meets it: {names}", draws=DRAWS, names=" and ".join(need.text for need in needs))
     shown = f"{mechanism.file}.toml" if mechanism.file else "<text>"
-    return DescriptionError(parse(mechanism.text, shown).fault(("exercise", "need"), message, "wider ranges in vary"))
+    return DescriptionError(
+        parse(mechanism.text, shown).fault(("exercise", "need"), message, say("wider ranges in vary"))
+    )
 
 
 def fulfils(mechanism: Mechanism, dimensions: Mapping[str, float], needs: Sequence[Need]) -> bool:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from mechsheet.description import load, loads
-from mechsheet.diagnostics import Fault, MechsheetError, readable_name
+from mechsheet.diagnostics import Fault, MechsheetError, readable_name, system_reason
 from mechsheet.formats import FORMATS, read
 from mechsheet.homework.audit import Audit, audited
 from mechsheet.homework.classroom.exercise import Student, safe, with_dimensions
@@ -109,7 +109,7 @@ def key_of_file(path: Path) -> Key:
             for one in data["students"]
         )
     except OSError as error:
-        raise MechsheetError(Fault(say("cannot be read: {reason}", reason=error.strerror), shown)) from error
+        raise MechsheetError(Fault(say("cannot be read: {reason}", reason=system_reason(error)), shown)) from error
     except (ValueError, KeyError, TypeError, AttributeError) as error:
         raise MechsheetError(Fault(say("is not the key that mechsheet exercise writes"), shown)) from error
     return Key(mechanism, students)

@@ -14,9 +14,10 @@ from mechsheet.formula.nodes import Symbol
 from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, difference, entries_of
+from mechsheet.kinematics.newton.beginning import DeadStartError, singular
 from mechsheet.kinematics.newton.carriers import Solution
 from mechsheet.kinematics.newton.leading import leading
-from mechsheet.kinematics.newton.starts import assemblies_in
+from mechsheet.kinematics.newton.starts import MOST_FOUND, assemblies_in
 from mechsheet.kinematics.newton.system import refined
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import Mechanism, Words
@@ -32,10 +33,6 @@ LOOKED_AT = 40
 DEGREES_SHOWN = 3
 DIGITS = 5
 """Start values have so many decimals [deg], or digits of the size."""
-
-
-class DeadStartError(BetweenModesError):
-    """Two assemblies meet in the first position: Newton's method has no direction there."""
 
 
 def pick_assembly(
@@ -68,6 +65,8 @@ def pick_assembly(
     )
     for name in system.unknowns:
         ledger.systems[name] = system
+    if len(found) > MOST_FOUND:  # no assemblies but a motion
+        raise DeadStartError(solution.label)
     _refuse_dead(system, ledger, row, found, solution)
     entries = entries_of(mechanism, ledger, start, dimensions)
     places: list[list[float]] = []
@@ -86,6 +85,9 @@ def pick_assembly(
     elif entries:
         is_open = False
     _take(ledger, system, start, index + 1)
+    known = {name: float(np.asarray(ledger.values[name])[row]) for name in system.given}
+    if singular(system, known, found[index].tolist(), [not turns for turns in turning], size):
+        raise DeadStartError(solution.label)
     return system, index, is_open
 
 
@@ -173,13 +175,7 @@ def _refuse_dead(system: System, ledger: Ledger, row: int, found: list[Array], s
         if np.max(np.abs(np.array([column[index] for column in reached]) - state)) > 1e-6 * max(
             1.0, np.abs(state).max()
         ):
-            raise DeadStartError(
-                Fault(
-                    say("two assemblies of {group} meet in the first position", group=solution.label),
-                    key="driver",
-                    hint=say("begin the sweep at another value of the driver, or walk it the other way"),
-                )
-            )
+            raise DeadStartError(solution.label)
 
 
 def _gap(state: Array, wanted: list[float], turning: tuple[bool, ...], size: float) -> float:

@@ -28,6 +28,10 @@ REACH = 2.5
 """Displacements are sought up to so many times the largest length."""
 
 
+MOST_FOUND = 100
+"""More assemblies than this are none: the group moves, and every start leads to another position of its motion."""
+
+
 def assemblies_in(system: System, known: Mapping[str, Any], turning: Sequence[bool], size: float) -> list[Array]:
     """Every solution in one position, each once, angles within half a turn of 0, in the order of their first unknown.
 
@@ -37,10 +41,11 @@ def assemblies_in(system: System, known: Mapping[str, Any], turning: Sequence[bo
     Of an angle-only group the determinants' signs add up to 0 (it can be deformed into one without assemblies): where they
     do not, some assembly was missed and more starts are tried. With gears an angle says in which of its turns it is: those
     up to a whole turn from 0 are looked through, and of what looks alike the one with the smallest angles is taken.
+    More than `MOST_FOUND` are not looked for.
     """
     count = STARTS[len(system.unknowns)]
     found = _from(system, known, turning, size, count if system.periodic else round(count * TURNS))
-    if all(turning) and system.periodic and abs(sum(sign for _, sign in found)) > 0.5:
+    if len(found) <= MOST_FOUND and all(turning) and system.periodic and abs(sum(sign for _, sign in found)) > 0.5:
         found = _from(system, known, turning, size, round(count * DENSER))
     return [state for state, _ in sorted(found, key=lambda each: tuple(each[0]))]
 
@@ -80,12 +85,14 @@ def _from(
         nearest = inside[np.argsort(np.abs(states[inside][:, angles]).max(axis=1).round(6), kind="stable")]
         states, signs = states[nearest], signs[nearest]
     for state, sign in zip(states, signs, strict=True):
-        if not any(_apart(state, other, angles, scale) < ALIKE for other, _ in found):
+        if not found or np.min(_apart(state, np.array([other for other, _ in found]), angles, scale)) >= ALIKE:
             found.append((state, float(sign)))
+            if len(found) > MOST_FOUND:
+                break
     return found
 
 
-def _apart(one: Array, other: Array, angles: Array, scale: Array) -> float:
-    gap = one - other
+def _apart(one: Array, others: Array, angles: Array, scale: Array) -> Array:
+    gap = one - others
     gap = np.where(angles, gap - math.tau * np.round(gap / math.tau), gap)
-    return float(np.max(np.abs(gap) / scale))
+    return np.asarray(np.max(np.abs(gap) / scale, axis=1))

@@ -19,8 +19,9 @@ from mechsheet.sheet.checks.fits import fit_columns
 from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.table.positions import heading, status_words
+from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.table.rates import dead_words
+from mechsheet.sheet.table.status import status_words
 from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Content, Fill, Merge, PrintSetup, Sheet, Style
 
 ROUNDING = 1e3
@@ -69,8 +70,8 @@ class Checks:
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
         self.title = plan.at.titles["checks"]
-        groups = len(plan.equations.groups)
-        self.dead_row = REASONS_ROW + groups + 1
+        self.reasons = [*status_words(plan), plan.text("status.ok")]
+        self.dead_row = REASONS_ROW + len(self.reasons)
         self.dead = dead_words(plan)
         self.group_row = self.dead_row + (len(self.dead) + 1 if self.dead else 0) + 1
         self.head_row, self.most_row, self.at_row, self.first = range(self.group_row + 1, self.group_row + 5)
@@ -97,7 +98,7 @@ class Checks:
         spots["#begun"] = Spot(self.title, self.first, COUNT_COL, column=True)
         spots["#typed"] = Spot(self.title, TYPED_ROW, VALUE)
         spots["#rounding"] = Spot(self.title, ROUNDING_ROW, VALUE)
-        for index in range(len(self.plan.equations.groups) + 1):
+        for index in range(len(self.reasons)):
             spots[f"#reason_{index}"] = Spot(self.title, REASONS_ROW + index, VALUE)
         for index in range(len(self.dead) + 1 if self.dead else 0):
             spots[f"#dead_{index}"] = Spot(self.title, self.dead_row + index, VALUE)
@@ -196,7 +197,7 @@ class _Writer:
         tolerance = plan.at.bind(Symbol(plan.equations.tolerance), self.at.title)
         rounding = formula("times*tolerance", times=ROUNDING, tolerance=tolerance)
         self._formula(ROUNDING_ROW, VALUE, rounding, styles.numbered(styles.RESULT, styles.ERROR.number_format))
-        for index, words_ in enumerate([*status_words(plan), plan.text("status.ok")]):
+        for index, words_ in enumerate(self.at.reasons):
             self._put(REASONS_ROW + index, VALUE, words_, styles.VERDICT)
         if self.at.dead:
             self._put(self.at.dead_row, 0, plan.text("checks.dead", rates=plan.at.titles["rates"]), styles.LABEL)

@@ -19,7 +19,7 @@ from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
-from mechsheet.sheet.table.positions import first_open
+from mechsheet.sheet.table.status import first_open
 from mechsheet.sheet.workbook import Name
 
 STRETCHES = 3
@@ -62,6 +62,9 @@ class Limits:
         self.stretch_rows = [row + 2 + number for number in range(STRETCHES)]
         stepped = not self.plan.mechanism.driver.values and self.plan.rows > 1
         self.count = LIMITS if self.plan.equations.margins and stepped else 0
+        # no margin says where a slot's pin comes to lie on its pivot, or where lines turn parallel
+        loose = self.plan.equations.crossings or any(group.only_undetermined for group in self.plan.equations.groups)
+        self.unprobed = bool(stepped and not self.count and not self.plan.newton and loose)
         start = row + 2 + STRETCHES + 1
         self.blocks = [Block(start + number * (PROBES + 2), PROBES) for number in range(self.count)]
         self.end = start + self.count * (PROBES + 2)
@@ -104,10 +107,11 @@ class Limits:
         for work, key in enumerate(("first", "last", "from", "to")):
             probes.put(self.row + 1, probes.side + work, plan.text(f"extremes.{key}"), styles.HEAD)
         rests = [self.plan.at.cell(f"#rest_{number}", probes.title, None) for number in range(1, self.count + 1)]
-        unsettled = probes.work(
-            self.row, 2, "rests>settled" if rests else "FALSE", rests=Call("MAX", tuple(rests)), settled=SETTLED
-        )
         first, last = (self.of_stretch(1, work) for work in (FIRST_ROW, LAST_ROW))
+        unsettled = probes.work(
+            self.row, 2, "rests>settled" if rests else "last-first+1<rows" if self.unprobed else "FALSE",
+            rests=Call("MAX", tuple(rests)), settled=SETTLED, first=first, last=last, rows=plan.rows,
+        )  # fmt: skip
         probes.work(
             self.row, 3, "OR(stretches>1,unsettled,AND(stretches=1,first=last))",
             stretches=stretches, first=first, last=last, unsettled=unsettled,
@@ -219,9 +223,12 @@ class Limits:
         # where the row itself is the limit, the probes coincide
         best = probes.work(row, side + 6, "IF(ISNUMBER(outside),IFERROR(zero,probed),NA())", outside=outside, zero=zero,
                            probed=three[0])  # fmt: skip
-        # a little inside, by a part of what the last step still changed
+        # a little inside, by a part of what the last step still changed; the row inside where there is no margin outside:
+        # a group is not apart there but undetermined
         found = probes.work(
-            row, side + 4, "MEDIAN(inside,outside,best+(inside-outside)*(ABS(best-probed)*part+inwards))",
+            row, side + 4,
+            "IF(ISNUMBER(outside),IFERROR(MEDIAN(inside,outside,best+(inside-outside)*(ABS(best-probed)*part+inwards)),"
+            "inside),NA())",
             best=best, inside=inside, outside=outside, probed=three[0], part=1e-4, inwards=INWARDS,
         )  # fmt: skip
         probes.work(row, side + 5, "driver", styles.RESULT, driver=driver_at(self.plan, found))

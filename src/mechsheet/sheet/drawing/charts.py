@@ -21,7 +21,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.mechanism import CHARTS, ROW_HEIGHT
-from mechsheet.sheet.plan import VALUE, Plan
+from mechsheet.sheet.plan import VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.bands import HIGH, LOW, part_of
 from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, Dash, PrintSetup, Series, SeriesRef, Sheet
@@ -299,6 +299,7 @@ def with_room(sheet: Sheet) -> Sheet:
     columns = Column(CHARTS, CHARTS + math.ceil((2 * SIZE + GAP) / COLUMN_WIDTH), COLUMN_CHARACTERS)
     sheet = replace(sheet, row_heights=sheet.row_heights + heights, columns=(*sheet.columns, columns))
     rows = max(row for row, _ in sheet.row_heights) + 1
+    rows += math.ceil(sum(height - ROW_HEIGHT for row, height in sheet.row_heights if row > VERDICT_ROW) / ROW_HEIGHT)
     return sheet if rows <= ROWS_OF_ONE_PAGE else replace(sheet, print_setup=_on_pages(sheet, rows, last))
 
 

@@ -8,11 +8,18 @@ from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Style, Validation
+from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit
+
+MEANING_WIDTH = 44
+"""Characters of the column that says what a line is; a longer label is broken into lines, it would run under the drawing."""
+
+COLUMN = 7
+"""Least pixels of a character of a column's width: Excel's."""
 
 
 class Writer:
-    """Collects the cells of the sheet."""
+    """Collects the cells of the sheet; `heights` of rows with a label of several lines."""
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
@@ -20,6 +27,7 @@ class Writer:
         self.fills: list[Fill] = []
         self.validations: list[Validation] = []
         self.conditionals: list[Conditional] = []
+        self.heights: dict[int, float] = {}
 
     def put(self, row: int, col: int, content: Content, style: Style) -> None:
         """A constant."""
@@ -33,8 +41,12 @@ class Writer:
         """The fixed parts of an entry: everything but its value (and its meaning, when that is a formula: None)."""
         self.put(row, SYMBOL, symbol, styles.SYMBOL)
         self.put(row, UNIT, unit, styles.UNIT)
-        if meaning is not None:
-            self.put(row, MEANING, meaning, styles.LABEL)
+        if meaning is None:
+            return
+        lines = label_lines(meaning, COLUMN * MEANING_WIDTH)
+        self.put(row, MEANING, meaning, styles.LABEL if lines == 1 else styles.LABEL_LINES)
+        if lines > 1:
+            self.heights[row] = height_of(lines)
 
     def heading(self, key: str, over_tolerance: str | None = None) -> None:
         """The heading of a block, across its columns; a block may use the tolerance's column for something else."""

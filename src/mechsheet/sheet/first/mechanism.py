@@ -10,7 +10,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.first.bands import band_here, write_bands
-from mechsheet.sheet.first.blocks import Writer, input_validation, shown_unit, value_style
+from mechsheet.sheet.first.blocks import MEANING_WIDTH, Writer, input_validation, shown_unit, value_style
 from mechsheet.sheet.first.given import given_words, words_of
 from mechsheet.sheet.first.inputs import gated_tolerance
 from mechsheet.sheet.first.summaries import write_summaries
@@ -44,6 +44,7 @@ from mechsheet.sheet.workbook import (
     Style,
     Validation,
 )
+from mechsheet.sheet.wrapping import HEIGHT
 
 MARGIN = MEANING + 1
 """The narrow column between the blocks and the charts."""
@@ -51,7 +52,7 @@ MARGIN = MEANING + 1
 CHARTS = MARGIN + 1
 """The first column of the charts."""
 
-ROW_HEIGHT = 20
+ROW_HEIGHT = HEIGHT
 """Pixels."""
 
 MOST_OF_CONTROL = 30_000
@@ -96,14 +97,14 @@ def mechanism_sheet(
             Column(VALUE, VALUE, 14),
             Column(UNIT, UNIT, 8),
             Column(TOLERANCE, TOLERANCE, 9),
-            Column(MEANING, MEANING, 40),
+            Column(MEANING, MEANING, MEANING_WIDTH),
             Column(MARGIN, MARGIN, 3),
         ),
         # given, not left to the program: rows with subscripts would be higher than others, and charts hang on rows
         row_heights=(
             (0, 26.0),
             (VERDICT_ROW, LINE_HEIGHT),
-            *((row, float(ROW_HEIGHT)) for row in range(LEGEND_ROW, _last_row(plan) + 1)),
+            *((row, writer.heights.get(row, float(ROW_HEIGHT))) for row in range(LEGEND_ROW, _last_row(plan) + 1)),
         ),
         merges=tuple(merges),
         charts=charts,

@@ -19,7 +19,7 @@ from mechsheet.sheet.page.drawing import PageDrawing
 from mechsheet.sheet.page.paper import GAP, NARROW, Paper, on_paper, pixels
 from mechsheet.sheet.page.plan import CHART_HEIGHT, FIRST_ROW, ROW_HEIGHT, PagePlan, plan_page
 from mechsheet.sheet.page.table import Table, note_last
-from mechsheet.sheet.page.top import LAST, UNIT, VALUE, Top
+from mechsheet.sheet.page.top import LAST, MEANING, UNIT, VALUE, Top
 from mechsheet.sheet.plan import VERDICT_ROW
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import (
@@ -56,14 +56,15 @@ def lay_out_page(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, 
 
 
 def _page(plan: PagePlan) -> Sheet:
-    top, table = Top(plan), Table(plan)
+    table = Table(plan)
     widths = _widths(table)
+    top = Top(plan, sum(map(pixels, widths[MEANING : LAST + 1])))
     requests = [request for request in chart_requests(plan) if request.y and _has_columns(plan, request)]
     hodographs = [request for request in chart_requests(plan) if request.hodographs and plan.drawn]
     squares = [CHART_HEIGHT] * (len(hodographs) + plan.drawn)
     note_lines = math.ceil(len(_note(table)) / (NOTE_CHARACTERS * sum(widths[: note_last(plan) + 1])))
     heights = {row: float(ROW_HEIGHT) for row in range(2, plan.at.first)}
-    heights |= {
+    heights |= top.heights | {
         0: TITLE_HEIGHT, VERDICT_ROW: VERDICT_HEIGHT, plan.note_row: NOTE_LINE * (note_lines + 1) - 8,
         plan.symbol_row: HEAD_HEIGHT, plan.symbol_row + 1: table.formula_height,
     }  # fmt: skip

@@ -30,14 +30,12 @@ from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded, pins_apart
+from mechsheet.sheet.table.status import NEAR
 from mechsheet.units import LENGTH
 from mechsheet.words.equations import phrase
 
 DIGITS = 12
 """Digits of a cosine or sine that count."""
-
-NEAR = 0.2
-"""Pins that come nearer than this part of the size, or lines whose directions' sine does, may coincide: it is asked for."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ import math
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform, walk
+from mechsheet.kinematics.equations import Group
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.degrees import degrees_together, in_degrees
@@ -18,12 +19,11 @@ from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import (
-    first_open,
     group_headings,
-    links_of,
     places,
     places_of,
 )
+from mechsheet.sheet.table.status import first_open, links_of, undetermined
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style, plain_text
 from mechsheet.units import SECONDS
 
@@ -216,25 +216,46 @@ def note_last(plan: PagePlan) -> int:
 
 
 def status(plan: PagePlan) -> Node:
-    """Nothing where every group closes, else the first that does not."""
+    """Nothing where every group closes, else the first that does not, or is undetermined."""
     groups = [group for group in plan.equations.groups if plan.page.closes[group.number]]
     values = [Symbol(f"{SHOWN}{plan.page.closes[group.number]}") for group in groups]
     closing = [formula("ISNUMBER(value)", value=value) for value in values]
     if not closing:
         return formula('IF(_inputs>0,words,"")', words=plan.text("status.inputs"))
+    free = [_undetermined(plan, group) for group in groups]
+    keys = ["undetermined" if group.only_undetermined else "open" for group in groups]
     if len(closing) == 1:
-        key = "page.undetermined" if groups[0].only_undetermined else "page.open"
-        words = plan.text(key, links=links_of(plan, groups[0]))
+        said, loose = (plan.text(f"page.{key}", links=links_of(plan, groups[0])) for key in (keys[0], "undetermined"))
+        words: Node = Text(said)
+        if free[0] is not None:
+            words = formula("IF(free,loose,said)", free=free[0], loose=loose, said=said)
         return formula('IF(closes,"",words)', closes=closing[0], words=words)
     numbers = [group.number for group in groups]
+    if "undetermined" in keys or any(each is not None for each in free):
+        tests, texts = list[Node](), list[str]()
+        for closes, turns, key, number in zip(closing, free, keys, numbers, strict=True):
+            if turns is not None:  # after a group that is open nothing is known of it
+                tests.append(formula("IFERROR(NOT(free),TRUE)", free=turns))
+                texts.append(f"{plan.text('page.undetermined.group')}{number}")
+            tests.append(closes)
+            texts.append(f"{plan.text(f'page.{key}.group')}{number}")
+        return Call("CHOOSE", (first_open(tests), *map(Text, texts), Text("")))
     first: Node = first_open(closing)
-    if any(group.only_undetermined for group in groups):
-        keys = ["page.undetermined.group" if group.only_undetermined else "page.open.group" for group in groups]
-        texts = [f"{plan.text(key)}{number}" for key, number in zip(keys, numbers, strict=True)]
-        return Call("CHOOSE", (first, *map(Text, texts), Text("")))
     if numbers != list(range(1, len(numbers) + 1)):
         first = Call("CHOOSE", (first, *(Number(float(number)) for number in numbers)))
     return formula(
         'IF(counted=count,"",words&first)',
         counted=Call("COUNT", tuple(values)), count=float(len(values)), words=plan.text("page.open.group"), first=first,
     )  # fmt: skip
+
+
+def _undetermined(plan: PagePlan, group: Group) -> Node | None:
+    """As `undetermined`, over what has cells."""
+    free = undetermined(plan, group)
+
+    def seen(node: Node) -> Node:
+        if isinstance(node, Symbol) and node.name in plan.page.plain:
+            return transform(plan.page.plain[node.name], seen)
+        return node
+
+    return None if free is None else transform(free, seen)

@@ -22,6 +22,7 @@ from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
+from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit
 from mechsheet.words.equations import link_words
 
@@ -32,10 +33,15 @@ SOURCE = replace(styles.SUBTITLE, name="", valign="center", indent=1)
 
 
 class Top:
-    """Collects the cells of the top; the table, the drawing and the charts have their own."""
+    """Collects the cells of the top; the table, the drawing and the charts have their own.
 
-    def __init__(self, plan: PagePlan) -> None:
-        self.plan = plan
+    room     pixels of the columns that say what a line is
+    heights  of rows in which that takes several lines
+    """
+
+    def __init__(self, plan: PagePlan, room: int) -> None:
+        self.plan, self.room = plan, room
+        self.heights: dict[int, float] = {}
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
         self.merges: list[Merge] = []
@@ -67,7 +73,10 @@ class Top:
         if unit is not None:
             self.put(row, UNIT, unit, styles.UNIT)
         if isinstance(meaning, str):
-            self.put(row, MEANING, meaning, styles.LABEL)
+            lines = label_lines(meaning, self.room)
+            self.put(row, MEANING, meaning, styles.LABEL if lines == 1 else styles.LABEL_LINES)
+            if lines > 1:
+                self.heights[row] = height_of(lines)
         else:
             self.fill(row, MEANING, meaning, styles.LABEL)
         for col in range(MEANING + 1, LAST + 1):

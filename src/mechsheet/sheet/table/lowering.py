@@ -166,6 +166,10 @@ class _Lowering:
                 self._add(equation, _next(system, unknown, system.passes), says=_step(system, unknown))
             case expression if any(equation.symbol in system.variables for system in self.systems):
                 self._iterated(equation, expression)
+            case expression if self._reads_passes_alone(equation):
+                # the last pass has numbers where the links do not meet, too
+                value = guarded(equation.exists, expression)
+                self._add(equation, formula("IF(fits,value,NA())", fits=Symbol(_fits(equation.group)), value=value))
             case TriangleAngle(opposite, beside, other):
                 self._triangle_angle(equation, opposite, beside, other)
             case expression:
@@ -215,10 +219,18 @@ class _Lowering:
                 own = replace(part, symbol=in_pass(part.symbol, number), group=equation.group)
                 self._add(own, in_this_pass(system, part.expression, number))
 
+    def _reads_passes_alone(self, equation: Equation) -> bool:
+        """Whether a coefficient follows from the last pass and what is the same in every row: of the Jacobian alone."""
+        system = next((group.system for group in self.equations.groups if group.number == equation.group), None)
+        if equation.role != "coefficient" or system is None:
+            return False
+        body, read = {each.symbol for each in system.body}, set(equation.reads)
+        return bool(read & body) and not (read - body) & {each.symbol for each in self.equations.columns}
+
     def _iterated(self, equation: Equation, expression: Node) -> None:
         """What the passes have arrived at, where it fits and the determinant has kept its sign."""
         system = next(each for each in self.systems if equation.symbol in each.variables)
-        fits = ITERATED.format(symbol=FITS if equation.group == 1 else f"{FITS}_{equation.group}")
+        fits = _fits(equation.group)
         if equation.symbol == system.variables[0]:
             test = formula(
                 "AND(MAX(residual,begun)<=closed,det*first>0)", residual=Symbol(system.residual), closed=CLOSED,
@@ -271,6 +283,11 @@ class _Lowering:
         turns = formula("IFERROR(ROUND((above-raw)/turn,0),0)", above=Previous(equation.symbol), raw=raw, turn=TURN)
         first, further = (guarded(apart, angle) for angle in (raw, al.add(raw, al.mul(TURN, turns))))
         self._add(equation, further, first=first)
+
+
+def _fits(group: int) -> str:
+    """The symbol that says of a group whether the passes have arrived."""
+    return ITERATED.format(symbol=FITS if group == 1 else f"{FITS}_{group}")
 
 
 def in_pass(symbol: str, number: int) -> str:

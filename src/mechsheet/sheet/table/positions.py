@@ -8,16 +8,13 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 
 from mechsheet import portable
-from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import (
     CellRef,
     Node,
-    RangeRef,
     Symbol,
     shifted,
     transform,
 )
-from mechsheet.kinematics.equations import Group
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses
@@ -29,6 +26,7 @@ from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, Tab
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.bands import HEADINGS, ROOT, WORST
+from mechsheet.sheet.table.status import status
 from mechsheet.sheet.workbook import (
     Area,
     Cell,
@@ -46,7 +44,6 @@ from mechsheet.sheet.workbook import (
 )
 from mechsheet.units import NUMBER as NUMBER_UNIT
 from mechsheet.units import Unit
-from mechsheet.words.equations import body_words
 
 GROUP_ROW, SYMBOL_ROW, FORMULA_ROW = range(HEADING_ROWS)
 COLUMNS_OF_A_PAGE = 19
@@ -152,52 +149,6 @@ def cell_formula(plan: Plan, at: Addresses, column: TableColumn, expression: Nod
     if column.symbol in plan.unguarded:
         value = while_inputs_can_be(plan, value, sheet)
     return in_degrees(value) if at.spots[column.symbol].degrees else value
-
-
-def status(plan: Plan) -> Node:
-    """ "ok", or the first group that cannot be joined."""
-    closing = [formula("ISNUMBER(value)", value=Symbol(group.closes)) for group in plan.equations.groups]
-    if not closing:
-        return formula("IF(_inputs=0,ok,inputs)", ok=plan.text("status.ok"), inputs=plan.text("status.inputs"))
-    if len(closing) == 1 and not plan.newton:  # whose words are long
-        return formula(
-            "IF(closes,ok,reason)", closes=closing[0], ok=plan.text("status.ok"), reason=status_words(plan)[0]
-        )
-    reasons = words_between(plan, "#reason_0", f"#reason_{len(closing)}")
-    return formula("INDEX(reasons,first_open)", reasons=reasons, first_open=first_open(closing))
-
-
-def words_between(plan: Plan, first: str, last: str) -> RangeRef:
-    """The cells from one that is found by its key to another below it."""
-    top, bottom = plan.at.spots[first], plan.at.spots[last]
-    return RangeRef(
-        CellRef(top.row, top.col, True, True, top.sheet), CellRef(bottom.row, bottom.col, True, True, top.sheet)
-    )
-
-
-def first_open(closing: Sequence[Node]) -> Node:
-    """The number of the first group that is open, from 1; one more than there are where all close.
-
-    1 + c1 (1 + c2 (1 + ...)), each c TRUE or FALSE.
-    """
-    count: Node = al.ONE
-    for closes in reversed(closing):
-        count = formula("1+closes*count", closes=closes, count=count)
-    return count
-
-
-def links_of(plan: Plan, group: Group) -> str:
-    """The links of a group in words."""
-    return ", ".join(body_words(plan.mechanism, name).of(plan.language) for name in group.links)
-
-
-def status_words(plan: Plan) -> list[str]:
-    """What the table says where a group cannot be joined, in order of solution."""
-    found = []
-    for group in plan.equations.groups:
-        key = "undetermined" if group.only_undetermined else "newton" if group.system is not None else "open"
-        found.append(plan.text(f"status.{key}", links=links_of(plan, group)))
-    return found
 
 
 def _listed(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:

@@ -18,17 +18,15 @@ from mechsheet.sheet.table.positions import (
     GROUP_ROW,
     SYMBOL_ROW,
     column_fills,
-    first_open,
     formula_height,
     group_headings,
     group_title,
     heading,
-    links_of,
     mathematics,
     style_of,
     width_for,
-    words_between,
 )
+from mechsheet.sheet.table.status import first_open, links_of, words_between
 from mechsheet.sheet.workbook import Area, Cell, Column, Comment, Conditional, Fill, Merge, PrintSetup, Rich, Sheet
 
 

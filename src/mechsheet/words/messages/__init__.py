@@ -9,12 +9,15 @@ from mechsheet.said import in_turkish
 
 from .asked import ASKED
 from .checks import CHECKS
+from .commands import COMMANDS
+from .files import FILES
+from .formulas import FORMULAS
 from .library import LIBRARY
 from .mechanism import MECHANISM
 from .studies import STUDIES
 from .text import TEXT
 
-TURKISH: dict[str, str] = TEXT | MECHANISM | ASKED | CHECKS | LIBRARY | STUDIES
+TURKISH: dict[str, str] = TEXT | MECHANISM | ASKED | CHECKS | LIBRARY | STUDIES | FILES | FORMULAS | COMMANDS
 
 
 def text_in(text: str, language: str) -> str:

@@ -18,6 +18,10 @@ CHECKS: dict[str, str] = {
     "  note: {remark}": "  not: {remark}",
     "  note: {message}: skipped": "  not: {message}: atlandı",
     "the step misses the stop ({stop}): the last row is {last}": "adım bitişe ({stop}) denk gelmiyor: son satır {last}",
+    "undetermined at {place}: {links}": "{place} konumunda belirsiz: {links}",
+    "undetermined in {count} positions, the first at {place}: {links}": (
+        "{count} konumda belirsiz, ilki {place}: {links}"
+    ),
     "the sketch says nothing about group {group}: mode +1 was taken, {mode}; a point under [assembly] decides": (
         "eskiz {group}. grup için bir şey söylemiyor: +1 alındı, {mode}; [assembly] altında bir nokta karar verir"
     ),
@@ -86,4 +90,137 @@ CHECKS: dict[str, str] = {
     "{value} cannot be the largest difference: expected a number from 0 on": (
         "{value} en büyük fark olamaz: 0 ya da daha büyük bir sayı beklenir"
     ),
+    # the stored values, and what is remarked of formulas
+    "{count} formula": "{count} formül",
+    "{count} formulas": "{count} formül",
+    "{count} differs": "{count} farklı",
+    "{count} differ": "{count} farklı",
+    "{formulas}: {equal} as stored, {differ}": "{formulas}: {equal} kayıtlı değerle aynı, {differ}",
+    "  no value is stored: nothing was compared": "  kayıtlı değer yok: hiçbir şey karşılaştırılmadı",
+    "  {count} has no stored value": "  {count} formülün kayıtlı değeri yok",
+    "  {count} have no stored value": "  {count} formülün kayıtlı değeri yok",
+    "  {count} more was not computed: its stored value was taken": (
+        "  {count} formül daha hesaplanmadı: kayıtlı değeri alındı"
+    ),
+    "  {count} more were not computed: their stored values were taken": (
+        "  {count} formül daha hesaplanmadı: kayıtlı değerleri alındı"
+    ),
+    "  {count} more changes by itself (NOW, RAND ...): left out, its stored value was taken": (
+        "  {count} formül daha kendiliğinden değişir (NOW, RAND ...): dışarıda bırakıldı, kayıtlı değeri alındı"
+    ),
+    "  {count} more change by themselves (NOW, RAND ...): left out, their stored values were taken": (
+        "  {count} formül daha kendiliğinden değişir (NOW, RAND ...): dışarıda bırakıldı, kayıtlı değerleri alındı"
+    ),
+    "  {count} more is ignored": "  {count} formül daha sayılmadı",
+    "  {count} more are ignored": "  {count} formül daha sayılmadı",
+    "  {count} more difference is accepted by the baseline": "  {count} fark daha baseline ile kabul edilmiş",
+    "  {count} more differences are accepted by the baseline": "  {count} fark daha baseline ile kabul edilmiş",
+    "  {count} more was {why}": "  {count} formül daha {why}",
+    "  {count} more were {why}": "  {count} formül daha {why}",
+    "saved by LibreOffice without being computed: open the file there, press Ctrl+Shift+F9, save it again": (
+        "LibreOffice tarafından hesaplanmadan kaydedilmiş: dosyayı orada açın, Ctrl+Shift+F9'a basın, yeniden kaydedin"
+    ),
+    "  {count} reads cells that differ themselves; the others, by their functions:": (
+        "  {count} tanesi kendileri farklı olan hücreleri okuyor; ötekiler, fonksiyonlarına göre:"
+    ),
+    "  {count} read cells that differ themselves; the others, by their functions:": (
+        "  {count} tanesi kendileri farklı olan hücreleri okuyor; ötekiler, fonksiyonlarına göre:"
+    ),
+    "  {cells:>7} {kind}{size}  {functions}": "  {cells:>7} {kind}{size}  {functions}",
+    " by {size:.1e}": ", fark {size:.1e}",
+    "number": "sayı",
+    "text": "metin",
+    "type": "tür",
+    "error": "hata",
+    "which error": "hangi hata",
+    "references": "başvurular",
+    "nothing": "boş",
+    "cannot be joined": "birleşemiyor",
+    "          computed {ours}, stored {theirs}": "          hesaplanan {ours}, kayıtlı {theirs}",
+    "  and {count} group more": "  ve {count} grup daha",
+    "  and {count} groups more": "  ve {count} grup daha",
+    "and {count} more": "ve {count} tane daha",
+    "{places} and {count} more": "{places} ve {count} tane daha",
+    "    {places}": "    {places}",
+    "  {line}": "  {line}",
+    "{line}": "{line}",
+    "{where}: {line}": "{where}: {line}",
+    "{message} ({hint})": "{message} ({hint})",
+    # who was asked, and what they say
+    "stored values": "kayıtlı değer",
+    "reference": "referans",
+    "search": "arama",
+    "                 {subject} {ours}, {judge} {theirs}": "                 {subject} {ours}, {judge} {theirs}",
+    "no description inside: only recalculated, not compared with the reference": (
+        "içinde tanım yok: yalnız yeniden hesaplandı, referansla karşılaştırılmadı"
+    ),
+    "with these dimensions and modes no row exists: there is no position to compare, only that none is shown": (
+        "bu boyutlar ve montajla hiçbir satır yok: karşılaştırılacak konum da yok, yalnız gösterilmediğine bakıldı"
+    ),
+    "the reference cannot be asked: compared is only that no number is shown of what depends on them": (
+        "referansa sorulamıyor: yalnız bunlara bağlı hiçbir sayının gösterilmediğine bakıldı"
+    ),
+    "{symbol} has no value with these dimensions: {why}": "bu boyutlarla {symbol} değersiz: {why}",
+    "{name} has no value": "{name} değersiz",
+    "{mode} is {now:+d}; the description's sketch means {meant:+d}": (
+        "{mode} şimdi {now:+d}; tanımdaki eskiz {meant:+d} diyor"
+    ),
+    "{name} does not carry the same description: not compared": "{name} aynı tanımı taşımıyor: karşılaştırılmadı",
+    "{program} was not asked: it cannot read names that begin with a letter beyond ASCII ({names})": (
+        "{program} programına sorulmadı: ASCII dışı bir harfle başlayan adları okuyamaz ({names})"
+    ),
+    "{program} was not asked: it does not know ranges like INDEX(…):INDEX(…); with the layout page it can be": (
+        "{program} programına sorulmadı: INDEX(…):INDEX(…) gibi aralıkları bilmez; page düzeninde sorulabilir"
+    ),
+    # what somebody has changed
+    "  edited: {where} {what}{note}": "  değiştirilmiş: {where} {what}{note}",
+    "          was {was}": "          önce {was}",
+    "          is  {now}": "          şimdi {now}",
+    "  edited: {count} more place (all with --json)": "  değiştirilmiş: {count} yer daha (hepsi --json ile)",
+    "  edited: {count} more places (all with --json)": "  değiştirilmiş: {count} yer daha (hepsi --json ile)",
+    "has another formula": "başka bir formül taşıyor",
+    "has a formula of its own": "sütunundan ayrı bir formül taşıyor",
+    "was overwritten": "üzerine yazılmış",
+    "was emptied": "boşaltılmış",
+    "holds a formula in place of a number": "sayı yerine formül içeriyor",
+    "holds another number": "başka bir sayı içeriyor",
+    "is a name that was changed": "adının yeri değiştirilmiş",
+    "is a sheet that is not as it was": "sayfası eskisi gibi değil",
+    "was deleted": "silinmiş",
+    "was inserted": "araya eklenmiş",
+    "empty": "boş",
+    "missing": "yok",
+    " (filled over {area})": " ({area} boyunca doldurulmuş)",
+    " inside a filled range": ", doldurulmuş bir aralığın içine",
+    'the sheet "{title}" is your own': '"{title}" sayfası sizin',
+    'the sheet "{title}" is called "{now}" now': '"{title}" sayfasının adı şimdi "{now}"',
+    "{sheet}: {places} inserted": "{sheet}: {places} eklenmiş",
+    "{sheet} {places}": "{sheet} {places}",
+    "column {first}": "{first} sütunu",
+    "columns {first} to {last}": "{first} ile {last} arası sütunlar",
+    "row {first}": "{first}. satır",
+    "rows {first} to {last}": "{first}-{last} satırları",
+    "{sheet}: texts changed in {cells}": "{sheet}: şu hücrelerde metin değişmiş: {cells}",
+    "{sheet}: cells of your own in {cells}": "{sheet}: sizin hücreleriniz: {cells}",
+    "{symbol} is {now}, was {was}": "{symbol} şimdi {now}, önce {was} idi",
+    "{symbol} is {now}, was not given": "{symbol} şimdi {now}, önce verilmemişti",
+    "{differing} of {formulas} formulas differ: was it built by another version of mechsheet?": (
+        "{formulas} formülden {differing} tanesi farklı: mechsheet'in başka bir sürümüyle mi kuruldu?"
+    ),
+    # what is pulled
+    "{name}: {was} -> {now}": "{name}: {was} -> {now}",
+    "not given": "verilmemiş",
+    "taken away": "kaldırıldı",
+    "tolerance of {symbol}": "{symbol} toleransı",
+    "driver value {index}": "tahrikin {index}. değeri",
+    "value {index} of driver {order}": "{order}. tahrikin {index}. değeri",
+    "{key} of driver {order}": "{order}. tahrikin {key} değeri",
+    "{key} of joint {order}": "{order}. mafsalın {key} değeri",
+    "{key} of the driver": "tahrikin {key} değeri",
+    "{key} {index} of the driver": "tahrikin {index}. {key} değeri",
+    "{key} {index} of table {table}": "{table}. tablonun {index}. {key} değeri",
+    "{symbol}, taken out of the synthesis": "{symbol}, sentezden çıkarıldı",
+    "the task's {named}": "görevdeki {named}",
+    "{key} of {link}{axis}": "{link}: {key}{axis}",
+    "{key} of load {number}{axis}": "{number}. yükün {key} değeri{axis}",
 }

@@ -294,6 +294,15 @@ MECHANISM: dict[str, str] = {
     "{hint}; {fits}: if it was drawn there, write at = {at}": "{hint}; {fits}: orada çizildiyse at = {at} yazın",
     "the sketch fits {positions}": "eskiz şuraya uyuyor: {positions}",
     "two assemblies of {group} meet in the first position": "ilk konumda iki montaj birleşiyor: {group}",
+    "at {place} they are apart: begin the sweep there, or walk it the other way": (
+        "{place} iken ayrıdırlar: taramayı orada başlatın ya da ters yönde yürütün"
+    ),
+    "{group} are free to move while the driver stands: the equations are singular at {first} and at {other}": (
+        "tahrik dururken serbestçe hareket edebiliyor: {group}; denklemler {first} iken de {other} iken de tekil"
+    ),
+    "legs that are equal and parallel hold nothing: give one of them another length or place": (
+        "eşit ve paralel ayaklar bir şey tutmaz: birine başka bir boy ya da yer verin"
+    ),
     "begin the sweep at another value of the driver, or walk it the other way": (
         "tahriki başka bir değerden başlatın ya da ters yönde yürütün"
     ),

@@ -1,0 +1,107 @@
+"""Which language the command line speaks: Turkish about a Turkish description and on a Turkish machine, else English.
+
+What other programs read (--json, --csv, --junit, the names of files) is the same everywhere.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+from collections.abc import Mapping
+from contextlib import suppress
+from pathlib import Path
+
+import click
+
+from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.said import say
+
+_KEY = "mechsheet.language"
+"""Where click's contexts, which share one mapping, keep the language of what is worked on."""
+
+_IN_DESCRIPTION = re.compile(r"""^[^#\n]*\blanguage\s*=\s*["'](\w+)["']""", re.MULTILINE)
+"""`language = "tr"`, also in a description that has other faults."""
+
+_TURKISH_WINDOWS = 0x1F
+"""Primary part of Windows' number of a language (winnt.h: LANG_TURKISH)."""
+
+
+def machine_language(environment: Mapping[str, str] = os.environ) -> str:
+    """ "en" or "tr": what the machine is set to, as other programs read it (LANGUAGE, LC_ALL, LC_MESSAGES, LANG).
+
+    On Windows, where these are seldom set, the language of its menus.
+    """
+    locale = next((value for name in ("LC_ALL", "LC_MESSAGES", "LANG") if (value := environment.get(name))), "")
+    if not locale:
+        return _menus()
+    plain = locale.partition(".")[0] in ("C", "POSIX")
+    wanted = locale if plain else environment.get("LANGUAGE") or locale
+    return "tr" if re.match(r"tr\b|tr_", wanted) else "en"
+
+
+def _menus() -> str:
+    """The language of Windows' menus; "en" elsewhere."""
+    if sys.platform != "win32":
+        return "en"
+    import ctypes
+
+    number: int = ctypes.windll.kernel32.GetUserDefaultUILanguage()
+    return "tr" if number & 0x3FF == _TURKISH_WINDOWS else "en"
+
+
+def language_of(text: str) -> str:
+    """The language that a description names, whatever else is wrong with it; "" when it names none."""
+    found = _IN_DESCRIPTION.search(text)
+    return found[1] if found else ""
+
+
+def speak(language: str | None) -> None:
+    """Say in which language what is worked on is: --language, or else the description's."""
+    context = click.get_current_context(silent=True)
+    if context is not None and language:
+        context.meta[_KEY] = language
+
+
+def speak_of(path: Path) -> None:
+    """The same of a description that is about to be read elsewhere."""
+    from mechsheet.description.text.source import read_text
+
+    if path.suffix.lower() == ".toml":
+        with suppress(MechsheetError):  # told by whoever reads it next
+            speak(language_of(read_text(path)))
+
+
+def spoken() -> str:
+    """ "en" or "tr": the language of messages."""
+    context = click.get_current_context(silent=True)
+    ours = None if context is None else context.meta.get(_KEY)
+    return "tr" if ours == "tr" else machine_language()
+
+
+def told(text: str) -> str:
+    """A text as it is printed: what was said, in the language that is spoken."""
+    if spoken() == "en":
+        return text
+    from mechsheet.words.messages import text_in
+
+    return text_in(text, "tr")
+
+
+def fault_told(fault: Fault) -> str:
+    """A fault as it is printed."""
+    if spoken() == "en":
+        return str(fault)
+    from mechsheet.words.messages import in_language
+
+    return str(in_language(fault, "tr"))
+
+
+def note(text: str) -> None:
+    """`note: …` on standard error."""
+    click.echo(told(say("note: {text}", text=text)), err=True)
+
+
+def wrote(name: str) -> None:
+    """`wrote mine.toml` on standard error."""
+    click.echo(told(say("wrote {name}", name=name)), err=True)
