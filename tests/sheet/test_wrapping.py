@@ -1,8 +1,10 @@
 """Labels stay in their column: they neither run under the drawing nor are cut off."""
 
+import zipfile
+
 import pytest
 
-from mechsheet.library.building import told
+from mechsheet.library.building import Target, told, write_all
 from mechsheet.library.changed import loads
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.blocks import MEANING_WIDTH
@@ -32,9 +34,7 @@ def test_lines_of_a_label(text, lines):
     assert label_lines(text, ROOM) == lines
 
 
-@pytest.mark.parametrize("layout", ["sheets", "page"])
-def test_the_row_of_a_long_label_is_higher(layout):
-    text = f"""format = 1
+CRANK = f"""format = 1
 [mechanism]
 name = "long"
 [dimensions]
@@ -49,9 +49,13 @@ start = 0
 stop = 30
 step = 15
 [workbook]
-layout = "{layout}"
+layout = "LAYOUT"
 """
-    sheet = told(loads(text)).workbook.sheets[0]
+
+
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+def test_the_row_of_a_long_label_is_higher(layout):
+    sheet = told(loads(CRANK.replace("LAYOUT", layout))).workbook.sheets[0]
     (label,) = (cell for cell in sheet.cells if cell.content == LONG)
     heights = dict(sheet.row_heights)
     assert label.style == styles.LABEL_LINES and label.style.wrap
@@ -61,3 +65,16 @@ layout = "{layout}"
     if layout == "sheets":
         (width,) = (column.width for column in sheet.columns if column.first == MEANING)
         assert width == MEANING_WIDTH
+
+
+@pytest.mark.parametrize(
+    ("ending", "part", "smaller"),
+    [("xlsx", "xl/styles.xml", b'shrinkToFit="1"'), ("ods", "content.xml", b'style:shrink-to-fit="true"')],
+)
+def test_a_text_that_a_formula_writes_becomes_smaller_rather_than_wider(ending, part, smaller, tmp_path):
+    """How long it will be depends on what is typed."""
+    workbook = told(loads(CRANK.replace("LAYOUT", "sheets")))
+    written = [fill.style for fill in workbook.workbook.sheets[0].fills if fill.col == MEANING]
+    assert written and set(written) == {styles.LABEL_SAID}
+    (path,) = write_all(workbook, [Target(tmp_path / f"x.{ending}", ending)])
+    assert smaller in zipfile.ZipFile(path).read(part)

@@ -29,6 +29,8 @@ FORMULA_TEXT = Style(
 SYMBOL = Style("mechsheet symbol", color=INK, align="left", border="thin", border_color=RULE)
 LABEL = Style("mechsheet label", color=INK, align="left", indent=1, border="thin", border_color=RULE)
 LABEL_LINES = replace(LABEL, name="mechsheet label lines", wrap=True)
+LABEL_SAID = replace(LABEL, name="mechsheet label said", shrink=True)
+"""A text that a formula writes: nobody knows how long it will be."""
 UNIT = Style("mechsheet unit", color=QUIET, align="left", indent=1, border="thin", border_color=RULE)
 NOTE = Style("mechsheet note", color=QUIET, italic=True, valign="top", wrap=True)
 NOTE_TEXT = Style("mechsheet text", color=INK, align="left", valign="top", wrap=True)

@@ -15,7 +15,10 @@ from mechsheet.formula.nodes import CellRef, Node, Scalar
 
 @dataclass(frozen=True, slots=True)
 class Style:
-    """How a cell looks. `name` makes it a named style of the file; equal styles are one style."""
+    """How a cell looks. `name` makes it a named style of the file; equal styles are one style.
+
+    wrap    a long text is broken into lines;  shrink  it is printed smaller until it fits
+    """
 
     name: str = ""
     bold: bool = False
@@ -29,6 +32,7 @@ class Style:
     align: Literal["", "left", "center", "right"] = ""
     valign: Literal["", "top", "center", "bottom"] = ""
     wrap: bool = False
+    shrink: bool = False
     indent: int = 0
     locked: bool = True
 

@@ -107,8 +107,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.ratio.symbol": ("ratio", "oran"),
     "verdict.ratio": ("time ratio of {symbol}, slow way : fast way", "{symbol} zaman oranı, yavaş : hızlı"),
     "verdict.ratio.gears": (
-        "time ratio of {symbol}: needs one whole turn, after which the gears are back",
-        "{symbol} zaman oranı: dişlilerin geri geldiği tek bir tam tur gerekir",
+        "ratio of {symbol}: needs a period of one turn", "{symbol} oranı: periyodu bir tur olmalıdır"
     ),
     "verdict.ratio.none": ("time ratio of {symbol}: needs a whole turn", "{symbol} zaman oranı: tam bir tur gerekir"),
     "verdict.fair": ("good transmission", "bağlama iyi"),
@@ -163,7 +162,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "hint.position": ("A whole number from 0 to {last}.", "0 ile {last} arasında bir tam sayı."),
     "hint.position.title": ("Position", "Konum"),
     "hint.step": ("Any number but 0.", "0 dışında bir sayı."),
-    "summary.part": ("{count} of {rows} positions", "{rows} konumun {count} tanesi"),
+    "summary.part": ("{count} of {rows} positions", "{count} / {rows} konum"),
     "take.max": ("largest {symbol}", "en büyük {symbol}"),
     "take.min": ("smallest {symbol}", "en küçük {symbol}"),
     "take.range": ("range of {symbol}", "{symbol} aralığı"),

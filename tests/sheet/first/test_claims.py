@@ -249,7 +249,7 @@ def test_random_mechanisms(seed):
 
 
 def test_words_fit_their_cells():
-    """Column E is 40 characters wide; letters of proportional type take less than the digits that the width counts."""
+    """Column E is 44 characters wide; letters of proportional type take less than the digits that the width counts."""
     free = ("verdict.line", "verdict.gap.open", "verdict.gap.typed")
     for key, both in WORDS.items():
         if key.startswith("verdict.") and not key.startswith(free):

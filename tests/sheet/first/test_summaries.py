@@ -44,7 +44,7 @@ def test_nothing_exists():
 
 @pytest.mark.parametrize(
     ("language", "words", "only"),
-    [("en", "{} of 25 positions", " (rows only)"), ("tr", "25 konumun {} tanesi", " (yalnız satırlar)")],
+    [("en", "{} of 25 positions", " (rows only)"), ("tr", "{} / 25 konum", " (yalnız satırlar)")],
 )
 def test_a_part_exists(language, words, only):
     """a1 = 110 leaves a part of the rows: the numbers are those of these rows, and the words say so."""

@@ -129,7 +129,7 @@ def test_no_time_ratio_of_several_turns_of_gears():
     )
     laid = Laid(text)
     assert laid.spot("#time_ratio_s14") == NA
-    assert laid.words("time_ratio_s14").endswith("needs one whole turn, after which the gears are back")
+    assert laid.words("time_ratio_s14").endswith("needs a period of one turn")
 
 
 def test_values_that_go_to_and_fro_reach_from_the_least_to_the_largest():

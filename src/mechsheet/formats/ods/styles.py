@@ -141,6 +141,8 @@ def _properties(style: Style) -> str:
         cell += f' style:vertical-align="{_VALIGN[style.valign]}"'
     if style.wrap:
         cell += ' fo:wrap-option="wrap"'
+    if style.shrink:
+        cell += ' style:shrink-to-fit="true"'
     align = style.align or ("left" if style.indent else "")
     paragraph = ""
     if align:

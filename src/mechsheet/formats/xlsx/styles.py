@@ -51,6 +51,7 @@ def cell_properties(style: Style) -> dict[str, Any]:
         "italic": style.italic,
         "num_format": style.number_format,
         "text_wrap": style.wrap,
+        "shrink": style.shrink,
         "indent": style.indent,
         "locked": style.locked,
     }

@@ -32,7 +32,7 @@ def _write(writer: Writer, tolerance: Tolerance, line: Line) -> None:
     for col, part in ((VALUE, WORST), (TOLERANCE, ROOT)):
         _band(writer, row, col, line.quantity, f"#{part} {line.key}")
     words = formula("IFERROR(words,none)", words=_words(tolerance, line), none=plan.text("bands.none"))
-    writer.formula(row, MEANING, plan.at.bind(words, plan.main), styles.LABEL)
+    writer.formula(row, MEANING, plan.at.bind(words, plan.main), styles.LABEL_SAID)
 
 
 def _words(tolerance: Tolerance, line: Line) -> Node:

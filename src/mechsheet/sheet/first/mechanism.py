@@ -273,7 +273,7 @@ def _assembly(writer: Writer) -> None:
             continue
         row = plan.blocks["assembly"].rows[group.mode]
         writer.line(row, rich(group.mode), "", None)
-        writer.formula(row, MEANING, _mode_words(plan, group, row), styles.LABEL)
+        writer.formula(row, MEANING, _mode_words(plan, group, row), styles.LABEL_SAID)
         if group.follows is not None:
             mode = formula("IF(_unsolved>0,NA(),mode)", mode=group.follows)
             writer.formula(row, VALUE, plan.at.bind(mode, plan.main), styles.RESULT)

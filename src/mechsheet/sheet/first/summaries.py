@@ -72,7 +72,7 @@ def _with_part(plan: Plan, label: str) -> Node:
 def _said(writer: Writer, row: int, words: Node) -> None:
     """The words of a line, amber where only a part of the sweep exists."""
     plan = writer.plan
-    writer.formula(row, MEANING, words, styles.LABEL)
+    writer.formula(row, MEANING, words, styles.LABEL_SAID)
     closed = plan.at.bind(Symbol("#rows_closed"), plan.main)
     partial = formula("closed<rows", closed=closed, rows=plan.rows)
     writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))

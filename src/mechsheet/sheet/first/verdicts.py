@@ -101,7 +101,7 @@ class _Block:
         self.writer.line(row, symbol, unit, None)
         style = styles.decimals(styles.RESULT, digits) if isinstance(digits, int) else digits
         self.writer.formula(row, VALUE, value, style)
-        self.writer.formula(row, MEANING, words, styles.VERDICT)
+        self.writer.formula(row, MEANING, words, styles.LABEL_SAID)
         return self.value(key)
 
     def where_it_closes(self, words: Node | str) -> Node:

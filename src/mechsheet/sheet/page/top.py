@@ -78,7 +78,7 @@ class Top:
             if lines > 1:
                 self.heights[row] = height_of(lines)
         else:
-            self.fill(row, MEANING, meaning, styles.LABEL)
+            self.fill(row, MEANING, meaning, styles.LABEL_SAID)
         for col in range(MEANING + 1, LAST + 1):
             self.put(row, col, None, styles.LABEL)
         self.merges.append(Merge(Area(row, MEANING, row, LAST)))
