@@ -63,20 +63,23 @@ def singular(
     state  the unknowns;  slides: which of them are displacements, which count by the size of the mechanism
     """
     scales = [size if slide else 1.0 for slide in slides]
-    here = _jacobian(system, known, state)
+    here, determinant = _jacobian(system, known, state)
     if len(scales) == 1:
-        bend = (_jacobian(system, known, [state[0] + ASIDE * scales[0]]) - here) / ASIDE
+        aside, _ = _jacobian(system, known, [state[0] + ASIDE * scales[0]])
+        bend = (aside - here) / ASIDE
         return bool(2 * abs(here[0, 0]) <= DEAD * abs(bend[0, 0]))
-    weighed = here * scales
-    return bool(abs(np.linalg.det(weighed)) <= DEAD * np.prod(np.abs(weighed).sum(axis=1)))
+    rows = np.abs(here * scales).sum(axis=1)
+    return bool(abs(determinant) * math.prod(scales) <= DEAD * math.prod(rows))
 
 
-def _jacobian(system: System, known: Mapping[str, float], state: Sequence[float]) -> Array:
+def _jacobian(system: System, known: Mapping[str, float], state: Sequence[float]) -> tuple[Array, float]:
+    """J and its determinant, as the pass has it."""
     there = {name: np.array(number) for name, number in known.items()}
     there |= {name: np.array(number) for name, number in zip(system.unknowns, state, strict=True)}
     for equation in system.body:
         there[equation.symbol] = evaluate_equation(equation, there, 1)[0]
-    return np.array([[float(value(part, there)) for part in row] for row in system.jacobian])
+    jacobian = np.array([[float(value(part, there)) for part in row] for row in system.jacobian])
+    return jacobian, float(there[system.determinant])
 
 
 def with_neighbour(
