@@ -91,7 +91,9 @@ def test_a_full_disk_is_told_in_one_line(folder, line):
         done = subprocess.run([*COMMAND, *line], cwd=folder, stdout=full, stderr=subprocess.PIPE, check=False)
     assert done.returncode == 2
     turkish = "mine.toml" in line  # the description that is shown is in Turkish
-    told = "çıktı yazılamıyor: diskte yer kalmadı" if turkish else "the output cannot be written: No space left on device"
+    told = (
+        "çıktı yazılamıyor: diskte yer kalmadı" if turkish else "the output cannot be written: No space left on device"
+    )
     assert done.stderr.decode().strip() == told
 
 
