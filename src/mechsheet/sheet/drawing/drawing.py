@@ -75,12 +75,14 @@ MOST_SERIES = 255
 class Drawing:
     """The sheet, the chart of the mechanism, those of paths and of hodographs, and where quantities stand.
 
+    points  the cells of every point at the position shown
     shown   cells with the value at the position shown, as people read it, of symbols that have none on the first sheet
     """
 
     sheet: Sheet
     chart: Chart
     paths: Mapping[ChartRequest, Chart]
+    points: Mapping[str, PointCells]
     shown: Mapping[str, SeriesRef]
 
 
@@ -114,7 +116,7 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     for request in requests:
         if request.hodographs:
             paths[request] = hodograph_chart(page, request, SIZE, PATH_INNER)
-    return Drawing(_sheet(page), chart, paths, shown)
+    return Drawing(_sheet(page), chart, paths, cells, shown)
 
 
 def _sheet(page: Page) -> Sheet:
