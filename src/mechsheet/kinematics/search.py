@@ -69,7 +69,7 @@ class Search:
     """The motion with the dimensions of `mechanism` and the assemblies of `equations`.
 
     given    of every row the driver's value [rad or length unit], and what is given beside it (`given_values`)
-    stepped  False where the values are listed: there is nothing between the rows
+    stepped  False where the values are listed, or each row follows from the row above: there is nothing between the rows
     u, at    the places looked at, and every symbol's values there;  there  where it closes
     last     the last place: the last row, or one more where that would be the first row again and all rows close
     dips     places off the grid where it does not close, between some where it does, to a part of the grid's distance where
@@ -77,10 +77,10 @@ class Search:
     doubt    places where it nearly comes apart, or where lines turn parallel or pins coincide between two places
     """
 
-    def __init__(
-        self, mechanism: Mechanism, equations: Equations, given: Mapping[str, Array], stepped: bool = True
-    ) -> None:
-        if any(group.system for group in equations.groups):  # each row from the row above: these are the rows
+    def __init__(self, mechanism: Mechanism, equations: Equations, given: Mapping[str, Array]) -> None:
+        from_row_to_row = any(group.system for group in equations.groups)
+        stepped = not (mechanism.driver.values or from_row_to_row)
+        if from_row_to_row:
             mechanism = replace(mechanism, driver=at_values(mechanism.driver, given[mechanism.driver.symbol]))
         self.mechanism = mechanism
         self.equations = equations

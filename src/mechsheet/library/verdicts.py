@@ -121,7 +121,7 @@ def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]
         spot = plan.at.spots[f"#summary {single.symbol}"]
         where, words = (compiled.value(replace(spot, col=col)) for col in (TOLERANCE, MEANING))
         found[spot.name] = line(compiled.value(spot), where, words)
-    search = Search(mechanism, compiled.equations, compiled.given, stepped=not mechanism.driver.values)
+    search = Search(mechanism, compiled.equations, compiled.given)
     for key, numbers in SearchedVerdicts(plan, search).numbers().items():
         name = plan.at.spots[f"#{key}"].name if f"#{key}" in plan.at.spots else key
         said = found.setdefault(name, line(None, None, None))

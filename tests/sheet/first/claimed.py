@@ -146,8 +146,7 @@ class Truth(Search):
         groups = tuple(self._as_typed(group, given, dimensions) for group in equations.groups)
         if given:
             raise ValueError(f"unknown inputs: {given}")
-        stepped = not (driver.values or self.plan.newton)
-        super().__init__(mechanism, replace(equations, groups=groups), {driver.symbol: listed}, stepped=stepped)
+        super().__init__(mechanism, replace(equations, groups=groups), {driver.symbol: listed})
 
     @staticmethod
     def _as_typed(group, given, dimensions):

@@ -80,10 +80,7 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
         dimensions = tuple(
             dim if dim.derived else replace(dim, value=given[dim.symbol]) for dim in mechanism.dimensions
         )
-        return Search(
-            replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), inputs.given,
-            stepped=not (mechanism.driver.values or plan.newton),
-        )  # fmt: skip
+        return Search(replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), inputs.given)
 
     found = search({})
     if found is None:
