@@ -194,8 +194,8 @@ def wanted(prints: Prints) -> Iterator[tuple[str, Callable[[], Image.Image]]]:
         yield template.stem, lambda name=template.stem: drawing(name)  # type: ignore[misc]
     yield "assemblies", assemblies
     yield "opened", prints.opened
-    yield "workbook-blocks", lambda: prints.sheet("Mechanism", 150, (0, 0, 0.385, 1))
-    yield "workbook-charts", lambda: prints.sheet("Mechanism", 120, (0.395, 0.06, 1, 0.75))
+    yield "workbook-blocks", lambda: prints.sheet("Mechanism", 150, (0, 0, 0.4, 1))
+    yield "workbook-charts", lambda: prints.sheet("Mechanism", 120, (0.405, 0.06, 1, 0.75))
     yield "workbook-positions", lambda: prints.sheet("Positions", 110)
     yield "workbook-checks", lambda: prints.sheet("Checks", 110)
     yield "workbook-notes", lambda: prints.sheet("Notes", 110)
