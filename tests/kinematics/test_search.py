@@ -6,7 +6,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.kinematics.dimensions import dimension_values
@@ -50,55 +49,6 @@ def test_listed_rows_have_nothing_between_them():
     search = Search(mechanism, solve(mechanism), given)
     assert search.row_there.tolist() == [True, True, False, True, True]
     assert search.holes == []
-
-
-STEPHENSON = """format = 1
-[mechanism]
-name = "stephenson"
-[dimensions]
-a2 = 50.0
-b2 = 136.0
-betab2 = { value = -36.0, unit = "deg" }
-a3 = 90.6
-b3 = 80.6
-betab3 = { value = 53.9, unit = "deg" }
-a4 = 63.2
-a5 = 70.7
-a6 = 133.4
-[links.bar3]
-points = { U = [-30, -40], W = [-70, 100] }
-[links.plate1]
-points = { U = [0, 0], P = ["a2", 0], Q = { r = "b2", angle = "betab2" } }
-[links.plate2]
-points = { R = [0, 0], S = ["a3", 0], V = { r = "b3", angle = "betab3" } }
-[links.bar1]
-points = { P = [0, 0], R = ["a4", 0] }
-[links.bar2]
-points = { Q = [0, 0], S = ["a5", 0] }
-[links.bar4]
-points = { V = [0, 0], W = ["a6", 0] }
-[driver]
-link = "plate1"
-start = 41.1
-stop = 65.1
-step = 1
-[assembly]
-at = 53.1
-P = [0, 0]
-Q = [100, 0]
-R = [20, 60]
-S = [110, 70]
-V = [60, 130]
-"""
-
-
-def test_where_rows_follow_from_one_another_they_are_what_is_searched():
-    """In smaller steps Newton's method goes two rows further: `show` counted 22 rows where the sheet has 20."""
-    mechanism = loads(STEPHENSON)
-    compiled = Compiled(mechanism)
-    search = Search(mechanism, compiled.equations, compiled.given)
-    assert search.count == compiled.closed.sum() == 20
-    assert not search.holes
 
 
 @pytest.mark.parametrize("starts", [True, False])

@@ -9,7 +9,7 @@ from mechsheet.library.changed import loads
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.blocks import MEANING_WIDTH
 from mechsheet.sheet.plan import MEANING
-from mechsheet.sheet.wrapping import HEIGHT, height_of, label_lines
+from mechsheet.sheet.wrapping import ROW_HEIGHT, height_of, label_lines
 
 ROOM = MEANING_WIDTH * 7 + 5
 """Pixels of the column in Excel."""
@@ -59,9 +59,9 @@ def test_the_row_of_a_long_label_is_higher(layout):
     (label,) = (cell for cell in sheet.cells if cell.content == LONG)
     heights = dict(sheet.row_heights)
     assert label.style == styles.LABEL_LINES and label.style.wrap
-    assert heights[label.row] >= height_of(3) > HEIGHT
+    assert heights[label.row] >= height_of(3) > ROW_HEIGHT
     others = {cell.row for cell in sheet.cells if cell.style == styles.LABEL and cell.row > label.row}
-    assert {heights[row] for row in others} == {HEIGHT}
+    assert {heights[row] for row in others} == {ROW_HEIGHT}
     if layout == "sheets":
         (width,) = (column.width for column in sheet.columns if column.first == MEANING)
         assert width == MEANING_WIDTH

@@ -80,47 +80,52 @@ def stored_lines(stored: Stored) -> list[Said]:
     lines = [say("{formulas}: {equal} as stored, {differ}", formulas=head, equal=stored.equal, differ=differ)]
     if stored.nothing_stored:
         lines.append(say("  no value is stored: nothing was compared"))
-    elif (count := stored.unstored) > 0:
-        lines.append(
-            say("  {count} has no stored value" if count == 1 else "  {count} have no stored value", count=count)
+    else:
+        lines += _counted(
+            stored.unstored,
+            say("  {count} has no stored value", count=stored.unstored),
+            say("  {count} have no stored value", count=stored.unstored),
         )
-    if (count := stored.kept) > 0:
-        lines.append(
-            say(
-                "  {count} more was not computed: its stored value was taken"
-                if count == 1
-                else "  {count} more were not computed: their stored values were taken",
-                count=count,
-            )
-        )
-    if (count := stored.volatile) > 0:
-        lines.append(
-            say(
-                "  {count} more changes by itself (NOW, RAND ...): left out, its stored value was taken"
-                if count == 1
-                else "  {count} more change by themselves (NOW, RAND ...): left out, their stored values were taken",
-                count=count,
-            )
-        )
-    if (count := stored.ignored) > 0:
-        lines.append(say("  {count} more is ignored" if count == 1 else "  {count} more are ignored", count=count))
-    if (count := stored.accepted) > 0:
-        lines.append(
-            say(
-                "  {count} more difference is accepted by the baseline"
-                if count == 1
-                else "  {count} more differences are accepted by the baseline",
-                count=count,
-            )
-        )
-    if (count := len(stored.uncomputed)) > 0:
-        lines.append(
-            say(
-                "  {count} more was {why}" if count == 1 else "  {count} more were {why}", count=count, why=COMPUTE_ANEW
-            )
-        )
+    lines += _counted(
+        stored.kept,
+        say("  {count} more was not computed: its stored value was taken", count=stored.kept),
+        say("  {count} more were not computed: their stored values were taken", count=stored.kept),
+    )
+    lines += _counted(
+        stored.volatile,
+        say(
+            "  {count} more changes by itself (NOW, RAND ...): left out, its stored value was taken",
+            count=stored.volatile,
+        ),
+        say(
+            "  {count} more change by themselves (NOW, RAND ...): left out, their stored values were taken",
+            count=stored.volatile,
+        ),
+    )
+    lines += _counted(
+        stored.ignored,
+        say("  {count} more is ignored", count=stored.ignored),
+        say("  {count} more are ignored", count=stored.ignored),
+    )
+    lines += _counted(
+        stored.accepted,
+        say("  {count} more difference is accepted by the baseline", count=stored.accepted),
+        say("  {count} more differences are accepted by the baseline", count=stored.accepted),
+    )
+    uncomputed = len(stored.uncomputed)
+    lines += _counted(
+        uncomputed,
+        say("  {count} more was {why}", count=uncomputed, why=COMPUTE_ANEW),
+        say("  {count} more were {why}", count=uncomputed, why=COMPUTE_ANEW),
+    )
+    if stored.uncomputed:
         lines.append(say("    {places}", places=_first(stored.uncomputed)))
     return lines + _difference_lines(stored)
+
+
+def _counted(count: int, one: Said, many: Said) -> list[Said]:
+    """A line about so many; none about nothing."""
+    return [one if count == 1 else many] if count > 0 else []
 
 
 def _difference_lines(stored: Stored) -> list[Said]:

@@ -24,7 +24,7 @@ _FONT_PIXELS = 10 * 96 / 72
 _INDENT = 16
 """Pixels that a column needs besides its text: the indent of a label and the padding of cells."""
 
-HEIGHT, FURTHER = 20, 14
+ROW_HEIGHT, FURTHER = 20, 14
 """Pixels of a row with one line of text, and of each further line."""
 
 
@@ -45,7 +45,7 @@ def label_lines(text: str, columns: float) -> int:
 
 def height_of(lines: int) -> float:
     """Pixels of a row whose label takes so many lines."""
-    return float(HEIGHT + (lines - 1) * FURTHER)
+    return float(ROW_HEIGHT + (lines - 1) * FURTHER)
 
 
 def _pixels(text: str) -> float:

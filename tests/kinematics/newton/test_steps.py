@@ -63,3 +63,13 @@ def test_a_law_with_too_few_rows_is_told_how_many_do():
     assert doubts(mechanism, equations) == ()
     given = given_values(mechanism, dimension_values(mechanism))
     assert Search(mechanism, equations, given).row_there.all()
+
+
+def test_where_rows_follow_from_one_another_they_are_what_is_searched():
+    """In smaller steps Newton's method goes further: `show` counted more rows than the sheet has."""
+    mechanism, equations = driven(41.1, 65.1, "step = 1")
+    dimensions = dimension_values(mechanism)
+    found = sweep(mechanism, equations, driver_values(mechanism, dimensions))
+    search = Search(mechanism, equations, given_values(mechanism, dimensions))
+    assert search.count == np.isfinite(found["theta13"]).sum() == 20
+    assert not search.holes

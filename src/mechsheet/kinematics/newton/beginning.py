@@ -14,15 +14,12 @@ from dataclasses import replace
 import numpy as np
 
 from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.kinematics.dyads import DEAD
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.modes import BetweenModesError
 from mechsheet.kinematics.numeric import Array, evaluate_equation, value
 from mechsheet.model import Mechanism, Words
 from mechsheet.said import say
-
-DEAD = 1e-5
-"""Below this part of the product of the sizes of its rows det J counts as 0, as in rates; so near to each other (radians, or
-parts of the size) two assemblies are one."""
 
 ASIDE = 1e-3
 """So far aside it is seen how an equation bends."""
@@ -59,6 +56,9 @@ def singular(
 ) -> bool:
     """Whether det J is 0 in a position: against the product of the sizes of its rows; of one equation, which has no other
     row to be parallel to, whether the other zero of the parabola that it is near by is as good as the same.
+
+    Below the part DEAD of that product det J counts as 0, as in rates; so near to each other (radians, or parts of the size)
+    two assemblies are one.
 
     state  the unknowns;  slides: which of them are displacements, which count by the size of the mechanism
     """

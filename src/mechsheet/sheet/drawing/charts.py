@@ -20,11 +20,12 @@ from mechsheet.model import ENERGY, TIME, ChartRequest, Mechanism, rate_symbols
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.first.blocks import shown_unit
-from mechsheet.sheet.first.mechanism import CHARTS, ROW_HEIGHT
+from mechsheet.sheet.first.mechanism import CHARTS
 from mechsheet.sheet.plan import VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.bands import HIGH, LOW, part_of
 from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, Dash, PrintSetup, Series, SeriesRef, Sheet
+from mechsheet.sheet.wrapping import ROW_HEIGHT
 
 GAP = 12
 ROWS_OF_ONE_PAGE = 64

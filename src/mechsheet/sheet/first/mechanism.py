@@ -44,16 +44,13 @@ from mechsheet.sheet.workbook import (
     Style,
     Validation,
 )
-from mechsheet.sheet.wrapping import HEIGHT
+from mechsheet.sheet.wrapping import ROW_HEIGHT
 
 MARGIN = MEANING + 1
 """The narrow column between the blocks and the charts."""
 
 CHARTS = MARGIN + 1
 """The first column of the charts."""
-
-ROW_HEIGHT = HEIGHT
-"""Pixels."""
 
 MOST_OF_CONTROL = 30_000
 """The highest number that a scroll bar or spin button reaches."""

@@ -17,7 +17,7 @@ from mechsheet.sheet.first.mechanism import position_controls
 from mechsheet.sheet.layout import description_sheet, properties_of
 from mechsheet.sheet.page.drawing import PageDrawing
 from mechsheet.sheet.page.paper import GAP, NARROW, Paper, on_paper, pixels
-from mechsheet.sheet.page.plan import CHART_HEIGHT, FIRST_ROW, ROW_HEIGHT, PagePlan, plan_page
+from mechsheet.sheet.page.plan import CHART_HEIGHT, FIRST_ROW, PagePlan, plan_page
 from mechsheet.sheet.page.table import Table, note_last
 from mechsheet.sheet.page.top import LAST, MEANING, UNIT, VALUE, Top
 from mechsheet.sheet.plan import VERDICT_ROW
@@ -35,6 +35,7 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Workbook,
 )
+from mechsheet.sheet.wrapping import ROW_HEIGHT
 
 TOP_WIDTHS = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0)
 """Least widths of the columns over which the top stands, in characters."""

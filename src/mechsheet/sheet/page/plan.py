@@ -22,13 +22,11 @@ from mechsheet.sheet.first.classification import FourBar, classification
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.plan import SHEETS, VALUE, VERDICT_ROW, Block, Plan, TableColumn
 from mechsheet.sheet.workbook import Name
+from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.workbook import words
 
 FIRST_ROW = 3
 """The row of the first dimension: its value is $B$4, as in the text."""
-
-ROW_HEIGHT = 20
-"""Pixels."""
 
 CHART_HEIGHT = 320
 """Pixels of the drawing, which is square, and of the charts beside it."""
