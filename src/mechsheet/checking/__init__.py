@@ -14,6 +14,7 @@ from mechsheet.checking.edited.edits import edits_of
 from mechsheet.checking.edited.expected import expected_for, functions_in, inside
 from mechsheet.checking.edited.inserted_rows import MovedValues
 from mechsheet.checking.inputs import description_in
+from mechsheet.checking.line_under_title import first_sheet, red_line
 from mechsheet.checking.mutate import Mutation, mutate
 from mechsheet.checking.perturb import Perturbation, perturb
 from mechsheet.checking.programs import answers, cannot_judge, names_of, refuse_unknown
@@ -128,6 +129,7 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
     remarks: list[str] = []
     edits: tuple[Edit, ...] = ()
     text = description_in(book)
+    red = red_line(book, values)
     if text is None:
         expected = None
         remarks.append(say("no description inside: only recalculated, not compared with the reference"))
@@ -166,4 +168,5 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
                 rules=work.rules, but=stored.unsure, moves=found.moves,
             )
         )  # fmt: skip
-    return Report(shown, tuple(comparisons), tuple(remarks), edits, stored, tuple(missing))
+    nameless = text is None and first_sheet(book) is not None
+    return Report(shown, tuple(comparisons), tuple(remarks), edits, stored, tuple(missing), red, nameless=nameless)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from mechsheet.formula.nodes import ErrorValue, Scalar
+from mechsheet.said import say
 
 if TYPE_CHECKING:
     from mechsheet.checking.stored import Stored
@@ -66,6 +67,8 @@ class Report:
     remarks  what a person should know (an input that was changed, a mode that was flipped …)
     stored   the stored values, cell by cell
     missing  programs that were asked for and are not there, with what to install: the check is not what was asked for
+    red_line   what the line under the title of a workbook of ours says where it is red
+    nameless   whether it is a workbook of ours without its description: there is nothing to compare it with
     """
 
     file: str
@@ -74,17 +77,47 @@ class Report:
     edits: tuple[Edit, ...] = ()
     stored: Stored | None = None
     missing: tuple[Fault, ...] = ()
+    red_line: str = ""
+    nameless: bool = False
+
+    @property
+    def values_agree(self) -> bool:
+        """True when all judges agree."""
+        return all(comparison.agrees for comparison in self.comparisons)
 
     @property
     def agrees(self) -> bool:
-        """True when all judges agree and nothing was edited but inputs."""
-        return not self.edits and all(comparison.agrees for comparison in self.comparisons)
+        """True when all judges agree, nothing was edited but inputs, and the workbook itself calls nothing wrong."""
+        return self.values_agree and not (self.edits or self.red_line)
+
+    @property
+    def compared(self) -> bool:
+        """Whether any judge has compared anything."""
+        return any(comparison.cells for comparison in self.comparisons)
+
+    @property
+    def unjudged(self) -> list[str]:
+        """What keeps an agreement from being one of the whole workbook."""
+        found: list[str] = [
+            say("no value is stored") if comparison.judge == "stored values" else
+            say("nothing was compared: {judge}", judge=say(comparison.judge))
+            for comparison in self.comparisons
+            if not comparison.cells
+        ]  # fmt: skip
+        if self.stored is not None and (count := self.stored.not_computed):
+            pattern = "{count} cell was not computed" if count == 1 else "{count} cells were not computed"
+            found.append(say(pattern, count=count))
+        if self.nameless:
+            found.append(say("it carries no description"))
+        return found
 
     def as_dict(self) -> dict[str, Any]:
         """The report as JSON data."""
         return {
             "file": self.file,
             "agrees": self.agrees,
+            "unjudged": list(map(str, self.unjudged)),
+            "red line": self.red_line,
             "remarks": list(self.remarks),
             "edits": [
                 {"kind": edit.kind, "where": edit.where, "was": edit.was, "now": edit.now} for edit in self.edits

@@ -25,6 +25,8 @@ def report_lines(report: Any) -> list[str]:
         pattern = "  {judge:<14} DIFFERS {worst:6.0e} in {cells:>6} {values:<6}  {where}"
         if item.agrees:
             pattern = "  {judge:<14} agrees  {worst:6.0e} in {cells:>6} {values:<6}  {where}"
+        if item.agrees and not item.cells:
+            pattern = "  {judge:<14} nothing was compared"
         values = say("value") if item.cells == 1 else say("values")
         parts = {
             "judge": say(item.judge),
@@ -48,6 +50,8 @@ def report_lines(report: Any) -> list[str]:
         if report.stored is not None and item is report.comparisons[0]:
             for line in stored_lines(report.stored)[1:]:
                 lines.append(say("  {line}", line=line))
+    if report.red_line:
+        lines.append(say("  the line under its title says: {line}", line=report.red_line))
     for edit in report.edits[:EDITS]:
         was, now = focused(edit.was, edit.now)
         lines.append(
@@ -94,9 +98,15 @@ _WORDS = {
 
 
 def _verdict(report: Any) -> str:
+    if report.agrees and not report.compared:
+        return say("{file}: NOTHING WAS COMPARED", file=report.file)
+    if report.agrees and report.unjudged:
+        return say("{file}: all compared agree; {but}", file=report.file, but=report.unjudged[0])
     if report.agrees:
         return say("{file}: all agree", file=report.file)
-    if all(item.agrees for item in report.comparisons):
+    if report.values_agree and not report.edits:
+        return say("{file}: all values agree, BUT IT SAYS ITSELF THAT SOMETHING IS WRONG", file=report.file)
+    if report.values_agree:
         return say("{file}: EDITED, all values agree", file=report.file)
     if report.edits:
         return say("{file}: EDITED, AND SOMETHING DIFFERS", file=report.file)

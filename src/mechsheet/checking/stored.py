@@ -119,6 +119,11 @@ class Stored:
         return self.unstored == self.formulas > 0
 
     @property
+    def not_computed(self) -> int:
+        """Cells of which nothing says whether they are right: those kept, and those saved without being computed."""
+        return self.kept + len(self.uncomputed)
+
+    @property
     def doubts(self) -> tuple[Fault, ...]:
         """What cannot be computed as it is meant; what changes by itself is computed as it is meant."""
         return tuple(fault for fault in self.remarks if fault.about != "volatile")

@@ -100,7 +100,7 @@ def _check(files: Sequence[Path], programs: str, gate: Gate, quiet: bool, verbos
         click.echo(json.dumps([report.as_dict() for report in reports], indent=2))
     else:
         for report in reports:
-            fine = report.agrees and not fails(report, gate) and not report.missing
+            fine = report.agrees and not report.unjudged and not fails(report, gate) and not report.missing
             if fine and quiet:
                 continue
             if fine and len(files) > 1 and not verbose:

@@ -133,6 +133,12 @@ def of_each(
                     found.append(judge(file, tell))
             except MechsheetError as error:
                 faults += error.faults
+            except (LookupError, ArithmeticError, TypeError, ValueError, AttributeError) as error:
+                # a fault of ours: it is told of its file, and the others are judged all the same
+                kind = type(error).__name__
+                message = say("mechsheet itself failed on this file, please report it: {kind}: {error}", kind=kind,
+                              error=str(error))  # fmt: skip
+                faults.append(Fault(message, readable_name(file)))
     return found
 
 
@@ -162,23 +168,18 @@ def concluded(gate: Gate, reports: Sequence[Report], baseline: Baseline | None, 
 
 def fails(report: Report, gate: Gate) -> bool:
     """Whether something differs in a file, or --strict has something to say; a baseline that is written accepts all."""
-    if gate.strict and report.stored is not None and why_not_strict(report):
+    if gate.strict and why_not_strict(report):
         return True
     if not gate.update_baseline:
         return not report.agrees
     others = report.comparisons[report.stored is not None :]
-    return bool(report.edits) or not all(item.agrees for item in others)
+    return bool(report.edits or report.red_line) or not all(item.agrees for item in others)
 
 
 def why_not_strict(report: Report) -> list[str]:
     """What --strict refuses in a file: nothing to compare with, cells that were not computed."""
-    stored = report.stored
-    if stored is None:
-        return []
-    found = [fault.message for fault in stored.doubts]
-    if stored.nothing_stored:
-        found.append(say("no value is stored: nothing was compared"))
-    return found + ([say("cells were saved without being computed")] if stored.uncomputed else [])
+    doubts = [] if report.stored is None else [fault.message for fault in report.stored.doubts]
+    return [*doubts, *report.unjudged]
 
 
 def _conclude_baseline(gate: Gate, baseline: Baseline) -> None:

@@ -54,7 +54,12 @@ def _cases(report: Report, doubtful: str) -> Iterator[tuple[str, Outcome]]:
         if report.stored is not None and item is report.comparisons[0]:
             continue  # told sheet by sheet
         text = f"{item.where}: {item.subject} {item.ours}, {item.judge} {item.theirs or 'nothing'}"
-        yield item.judge, PASSED if item.agrees else ("failure", f"worst {item.worst:.2e}", text)
+        fine: Outcome = PASSED if item.cells else (doubtful, "nothing was compared", "")
+        yield item.judge, fine if item.agrees else ("failure", f"worst {item.worst:.2e}", text)
+    if report.red_line:
+        yield "line under the title", ("failure", report.red_line, "")
+    if report.nameless:
+        yield "description", (doubtful, "it carries no description", "")
     for fault in report.missing:
         yield fault.message, ("skipped", fault.message, fault.hint)
     lines = [f"{edit.where} ({edit.kind}): was {edit.was}, is {edit.now}" for edit in report.edits]

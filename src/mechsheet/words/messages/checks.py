@@ -4,6 +4,21 @@ from __future__ import annotations
 
 CHECKS: dict[str, str] = {
     "{file}: all agree": "{file}: hepsi uyuşuyor",
+    "{file}: NOTHING WAS COMPARED": "{file}: HİÇBİR ŞEY KARŞILAŞTIRILMADI",
+    "{file}: all compared agree; {but}": "{file}: karşılaştırılanların hepsi uyuşuyor; {but}",
+    "{file}: all values agree, BUT IT SAYS ITSELF THAT SOMETHING IS WRONG": (
+        "{file}: bütün değerler uyuşuyor, AMA BİR ŞEYİN YANLIŞ OLDUĞUNU KENDİSİ SÖYLÜYOR"
+    ),
+    "  {judge:<14} nothing was compared": "  {judge:<14} hiçbir şey karşılaştırılmadı",
+    "  the line under its title says: {line}": "  başlığının altındaki satır: {line}",
+    "no value is stored": "kayıtlı değer yok",
+    "nothing was compared: {judge}": "hiçbir şey karşılaştırılmadı: {judge}",
+    "{count} cell was not computed": "{count} hücre hesaplanmadı",
+    "{count} cells were not computed": "{count} hücre hesaplanmadı",
+    "mechsheet itself failed on this file, please report it: {kind}: {error}": (
+        "mechsheet'in kendisi bu dosyada yanıldı, lütfen bildirin: {kind}: {error}"
+    ),
+    "it carries no description": "içinde tanımı yok",
     "{file}: EDITED, all values agree": "{file}: DEĞİŞTİRİLMİŞ, bütün değerler uyuşuyor",
     "{file}: EDITED, AND SOMETHING DIFFERS": "{file}: DEĞİŞTİRİLMİŞ VE BİR ŞEY FARKLI",
     "{file}: SOMETHING DIFFERS": "{file}: BİR ŞEY FARKLI",

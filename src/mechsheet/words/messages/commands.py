@@ -120,8 +120,6 @@ COMMANDS: dict[str, str] = {
     "--update-baseline takes out what is no longer needed: {count}": (
         "--update-baseline artık gerekmeyenleri çıkarır: {count}"
     ),
-    "cells were saved without being computed": "hücreler hesaplanmadan kaydedilmiş",
-    "no value is stored: nothing was compared": "kayıtlı değer yok: hiçbir şey karşılaştırılmadı",
     "; notes: {count}": "; notlar: {count}",
     "{count} judges": "{count} hakem",
     "{file}: all agree, worst {worst:.0e} ({judges}){notes}": (
