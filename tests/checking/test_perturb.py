@@ -135,7 +135,8 @@ def test_a_derived_dimension_that_does_not_exist(tmp_path):
     workbook, plan = laid_out("four-bar")
     path = saved(edited(workbook, **{f"Mechanism_B{plan.at.spots['c3'].row + 1}": 250.0}), tmp_path / "c3.xlsx")
     report = check(path)
-    assert report.agrees
+    assert report.values_agree
+    assert report.red_line == "look at the yellow cells: they do not fit"
     assert any("gamma3 has no value with these dimensions: the arc cosine" in remark for remark in report.remarks)
     reference = next(item for item in report.comparisons if item.judge == "reference")
     assert reference.cells == 2 * plan.rows  # C.x and C.y read it; nothing else is shown from it
