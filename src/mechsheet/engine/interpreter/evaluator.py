@@ -50,7 +50,7 @@ from ..values.cells import (
     first_error,
     fitted,
 )
-from ..values.coerce import compared, each, numbers_of, to_text
+from ..values.coerce import compared, each, joined, numbers_of
 from ..values.frames import ArrayArgumentError, Frame, NotReadyError, Span, UnsupportedError, VaryingSizeError
 from .closures import Bound, Scopes
 from .deep import deeply
@@ -183,7 +183,7 @@ class Evaluator(Reading):
             left, right = fitted(left, right)
             return compared(op, left, right, self.texts)
         if op == "&":
-            return each(lambda a, b: to_text(a) + to_text(b), (left, right), self.texts)
+            return each(joined, (left, right), self.texts)
         return self.mapped(self.around.arithmetic.functions.get(op, OPERATORS[op]), (left, right))
 
     def signed(self, op: str, operand: Cells) -> Cells:

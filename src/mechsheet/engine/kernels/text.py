@@ -19,7 +19,7 @@ from ..texts.number_formats import WIDE, formatted
 from ..texts.wildcards import pattern_of
 from ..values.calling import EPOCHS, Problem, to_number
 from ..values.cells import BLANK, Cells, codes_of
-from ..values.coerce import each, text_to_number, to_text
+from ..values.coerce import MOST_CHARACTERS, each, joined, text_to_number, to_text
 from ..values.frames import Frame
 
 if TYPE_CHECKING:
@@ -138,14 +138,10 @@ def concat(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
             for j in range(shape[1]):
                 tail = tuple(n for n in shape[2:] if n > 1) or ()
                 parts.append(Cells(numbers[i, j].reshape(tail), codes[i, j].reshape(tail)))
-    return each(lambda *values: "".join(map(to_text, values)), tuple(parts), ev.texts)
+    return each(joined, tuple(parts), ev.texts)
 
 
 # --- characters, searching, replacing, joining, splitting ------------------------------------------------------------
-
-
-MOST_CHARACTERS = 32767
-"""As many characters as a cell can hold."""
 
 
 def character(number: float) -> str:

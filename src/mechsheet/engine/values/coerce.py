@@ -66,6 +66,19 @@ def to_text(value: Scalar) -> str:
     return number_to_text(value) if isinstance(value, float) else str(value)
 
 
+MOST_CHARACTERS = 32767
+"""As many characters as a cell can hold."""
+
+
+def joined(*values: Scalar) -> str | ErrorValue:
+    """Scalars one after another, as & joins them; #VALUE! where that is more than a cell holds, as in Excel.
+
+    Without a limit, forty cells that each double the one above would take all memory.
+    """
+    text = "".join(map(to_text, values))
+    return text if len(text) <= MOST_CHARACTERS else ErrorValue("#VALUE!")
+
+
 def text_of(cells: Cells, texts: Texts) -> str | Cells:
     """The text of one value, or the error it is; of an array the first cell."""
     value = texts.decode(float(np.ravel(cells.numbers)[0]), int(np.ravel(codes_of(cells))[0]))
