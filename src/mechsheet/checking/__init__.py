@@ -22,6 +22,7 @@ from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally
 from mechsheet.checking.rules import Rules
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.checking.searched.probed_cells import compare_program
+from mechsheet.checking.stale import description_of, stale
 from mechsheet.checking.stored import Stored, judge_stored
 from mechsheet.checking.twins import with_twins
 from mechsheet.description.locate import located
@@ -81,8 +82,12 @@ def judge(
     progress: Callable[[str], None] | None = None,
     rules: Rules | None = None,
     baseline: Baseline | None = None,
+    descriptions: Sequence[Path] = (),
 ) -> Report:
-    """As `check`; cells to ignore that mean nothing in this file are left to the caller, who may have other files."""
+    """As `check`; cells to ignore that mean nothing in this file are left to the caller, who may have other files.
+
+    descriptions  files among which the workbook's own is looked for when none of its name is beside it
+    """
     asked = names_of(programs)
     refuse_unknown(asked)
     path = Path(path)
@@ -90,7 +95,7 @@ def judge(
     if path.suffix.lower() == ".toml":
         return _check_description(path, work)
     work.say("reading")
-    return _check_book(read(path), path, readable_name(path), work)
+    return _check_book(read(path), path, readable_name(path), work, description_of(path, descriptions))
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +125,8 @@ def _check_built(mechanism: Mechanism, shown: str, work: _Work) -> Report:
         return _check_book(read(built), built, shown, work)
 
 
-def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
+def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | None = None) -> Report:
+    """Judge a workbook; `file` is the description that it should have been built from, if there is one."""
     work.say("recalculating")
     stored, values = judge_stored(book, work.rules)
     if work.baseline is not None:
@@ -130,10 +136,13 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
     edits: tuple[Edit, ...] = ()
     text = description_in(book)
     red = red_line(book, values)
+    changed = ""
     if text is None:
         expected = None
         remarks.append(say("no description inside: only recalculated, not compared with the reference"))
     else:
+        if file is not None:
+            changed = stale(text, path, file)
         work.say("looking for edits")
         expected = expected_for(text, inside(shown), functions_in(book))
         found = edits_of(book, expected)
@@ -169,4 +178,4 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work) -> Report:
             )
         )  # fmt: skip
     nameless = text is None and first_sheet(book) is not None
-    return Report(shown, tuple(comparisons), tuple(remarks), edits, stored, tuple(missing), red, nameless=nameless)
+    return Report(shown, tuple(comparisons), tuple(remarks), edits, stored, tuple(missing), red, nameless, changed)

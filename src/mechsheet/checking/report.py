@@ -69,6 +69,7 @@ class Report:
     missing  programs that were asked for and are not there, with what to install: the check is not what was asked for
     red_line   what the line under the title of a workbook of ours says where it is red
     nameless   whether it is a workbook of ours without its description: there is nothing to compare it with
+    stale      what the description file of its name says otherwise than the description it was built from
     """
 
     file: str
@@ -79,6 +80,7 @@ class Report:
     missing: tuple[Fault, ...] = ()
     red_line: str = ""
     nameless: bool = False
+    stale: str = ""
 
     @property
     def values_agree(self) -> bool:
@@ -87,8 +89,9 @@ class Report:
 
     @property
     def agrees(self) -> bool:
-        """True when all judges agree, nothing was edited but inputs, and the workbook itself calls nothing wrong."""
-        return self.values_agree and not (self.edits or self.red_line)
+        """True when all judges agree, nothing was edited but inputs, the workbook itself calls nothing wrong, and it
+        is the one that its description builds."""
+        return self.values_agree and not (self.edits or self.red_line or self.stale)
 
     @property
     def compared(self) -> bool:
@@ -118,6 +121,7 @@ class Report:
             "agrees": self.agrees,
             "unjudged": list(map(str, self.unjudged)),
             "red line": self.red_line,
+            "stale": self.stale,
             "remarks": list(self.remarks),
             "edits": [
                 {"kind": edit.kind, "where": edit.where, "was": edit.was, "now": edit.now} for edit in self.edits

@@ -50,6 +50,8 @@ def report_lines(report: Any) -> list[str]:
         if report.stored is not None and item is report.comparisons[0]:
             for line in stored_lines(report.stored)[1:]:
                 lines.append(say("  {line}", line=line))
+    if report.stale:
+        lines.append(say("  stale: {what}", what=report.stale))
     if report.red_line:
         lines.append(say("  the line under its title says: {line}", line=report.red_line))
     for edit in report.edits[:EDITS]:
@@ -104,6 +106,8 @@ def _verdict(report: Any) -> str:
         return say("{file}: all compared agree; {but}", file=report.file, but=report.unjudged[0])
     if report.agrees:
         return say("{file}: all agree", file=report.file)
+    if report.values_agree and not (report.edits or report.red_line):
+        return say("{file}: STALE, all values agree", file=report.file)
     if report.values_agree and not report.edits:
         return say("{file}: all values agree, BUT IT SAYS ITSELF THAT SOMETHING IS WRONG", file=report.file)
     if report.values_agree:

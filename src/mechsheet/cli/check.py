@@ -14,7 +14,7 @@ from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.said import say
 
 from .common import JSON, completing
-from .gate import Gate, concluded, fails, gate_options, of_each, workbooks
+from .gate import Gate, concluded, descriptions_among, fails, gate_options, of_each, workbooks
 from .helping import Explained
 from .speaking import speak_of
 
@@ -79,12 +79,20 @@ def check(
     if len(found) == 1:
         speak_of(found[0])
     if mutate is None and perturb is None:
-        _check(found, programs, gate, quiet, verbose, as_json)
+        _check(found, descriptions_among(files), programs, gate, quiet, verbose, as_json)
     else:
         _try_out(found, programs, perturb, mutate, seed, quiet, as_json)
 
 
-def _check(files: Sequence[Path], programs: str, gate: Gate, quiet: bool, verbose: bool, as_json: bool) -> None:
+def _check(
+    files: Sequence[Path],
+    descriptions: Sequence[Path],
+    programs: str,
+    gate: Gate,
+    quiet: bool,
+    verbose: bool,
+    as_json: bool,
+) -> None:
     """The plain check."""
     from mechsheet.checking import judge, with_twins
     from mechsheet.checking.programs import names_of, refuse_unknown
@@ -95,7 +103,9 @@ def _check(files: Sequence[Path], programs: str, gate: Gate, quiet: bool, verbos
     refuse_unknown(asked)
     rules, baseline = gate.rules(), gate.accepted()
     faults: list[Fault] = []
-    reports = with_twins(of_each(files, faults, lambda file, tell: judge(file, asked, tell, rules, baseline)))
+    reports = with_twins(
+        of_each(files, faults, lambda file, tell: judge(file, asked, tell, rules, baseline, descriptions))
+    )
     if as_json:
         click.echo(json.dumps([report.as_dict() for report in reports], indent=2))
     else:

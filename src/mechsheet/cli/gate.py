@@ -25,6 +25,8 @@ Found = TypeVar("Found")
 SUFFIXES = (".xlsx", ".xlsm", ".ods", ".xls")
 """What is looked for in a folder."""
 
+DESCRIPTION = ".toml"
+
 LOCKS = ("~$", ".~lock.")
 """How the files begin that Excel and LibreOffice put beside a workbook that is open."""
 
@@ -110,12 +112,18 @@ def workbooks(paths: Sequence[Path]) -> list[Path]:
     return list(dict.fromkeys(found))
 
 
-def _inside(folder: Path) -> Iterable[Path]:
-    """Workbooks in a folder and below, but in folders whose names begin with a point."""
+def descriptions_among(paths: Sequence[Path]) -> list[Path]:
+    """The descriptions that are named, and those in the folders that are and below."""
+    found = [path for path in paths if path.suffix.lower() == DESCRIPTION]
+    return found + [inside for path in paths if path.is_dir() for inside in _inside(path, (DESCRIPTION,))]
+
+
+def _inside(folder: Path, suffixes: tuple[str, ...] = SUFFIXES) -> Iterable[Path]:
+    """Files in a folder and below that end so, but in folders whose names begin with a point."""
     for place, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if not name.startswith("."))
         for name in sorted(names):
-            if name.lower().endswith(SUFFIXES) and not name.startswith((".", *LOCKS)):
+            if name.lower().endswith(suffixes) and not name.startswith((".", *LOCKS)):
                 yield Path(place) / name
 
 
@@ -173,7 +181,7 @@ def fails(report: Report, gate: Gate) -> bool:
     if not gate.update_baseline:
         return not report.agrees
     others = report.comparisons[report.stored is not None :]
-    return bool(report.edits or report.red_line) or not all(item.agrees for item in others)
+    return bool(report.edits or report.red_line or report.stale) or not all(item.agrees for item in others)
 
 
 def why_not_strict(report: Report) -> list[str]:

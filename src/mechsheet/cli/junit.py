@@ -58,6 +58,8 @@ def _cases(report: Report, doubtful: str) -> Iterator[tuple[str, Outcome]]:
         yield item.judge, fine if item.agrees else ("failure", f"worst {item.worst:.2e}", text)
     if report.red_line:
         yield "line under the title", ("failure", report.red_line, "")
+    if report.stale:
+        yield "description", ("failure", "its description has been changed", report.stale)
     if report.nameless:
         yield "description", (doubtful, "it carries no description", "")
     for fault in report.missing:

@@ -222,6 +222,11 @@ CHECKS: dict[str, str] = {
     "{differing} of {formulas} formulas differ: was it built by another version of mechsheet?": (
         "{formulas} formülden {differing} tanesi farklı: mechsheet'in başka bir sürümüyle mi kuruldu?"
     ),
+    "{file}: STALE, all values agree": "{file}: ESKİ, bütün değerler uyuşuyor",
+    "  stale: {what}": "  eski: {what}",
+    "{file} says {key} = {now}, the workbook was built with {was}: build it anew, or use mechsheet pull": (
+        "{file} dosyasında {key} = {now}, çalışma kitabı ise {was} ile kuruldu: yeniden kurun ya da mechsheet pull kullanın"
+    ),
     # what is pulled
     "{name}: {was} -> {now}": "{name}: {was} -> {now}",
     "not given": "verilmemiş",

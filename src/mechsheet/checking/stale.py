@@ -1,0 +1,94 @@
+"""Whether the workbook beside a description is still the one that the description builds.
+
+The same description gives the same bytes, so a workbook whose own description says something else than the file of its
+name was not built anew after a change. What `build` may be told beside the description (language, layout, how cells are
+called) is not compared, nor are comments; and after `mechsheet pull` the file says what is typed in the workbook.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from mechsheet.checking.edited.pull import pull
+from mechsheet.description.text.index import Path as Place
+from mechsheet.description.text.source import dotted, parse, read_text
+from mechsheet.diagnostics import MechsheetError, readable_name
+from mechsheet.said import say
+
+_EXTRA = ("", "-basic", "-lambda")
+"""What the names of a description's workbooks have behind its own."""
+
+_OF_BUILD = ("layout", "language", "references")
+"""Keys of [workbook] that do not change a number, and that `build` has options for."""
+
+
+def description_of(workbook: Path, known: Iterable[Path] = ()) -> Path | None:
+    """The description file of a workbook: of its name beside it, else the only one of its name among `known`."""
+    names = {workbook.stem.removesuffix(extra) + ".toml" for extra in _EXTRA if workbook.stem.endswith(extra)}
+    beside = [path for name in sorted(names) if (path := workbook.with_name(name)).is_file()]
+    if beside:
+        return beside[-1]  # the longest name: it is the nearest
+    others = [path for path in dict.fromkeys(known) if path.name in names]
+    return others[0] if len(others) == 1 else None
+
+
+def stale(inside: str, workbook: Path, file: Path) -> str:
+    """What the description in `file` says otherwise than the one `inside` the workbook; "" where they say the same.
+
+    Raises MechsheetError when the file cannot be read.
+    """
+    shown = readable_name(file)
+    mine, built = _meant(read_text(file), shown), _meant(inside, shown)
+    place = _first_difference(mine, built)
+    if place is None:
+        return ""
+    try:
+        if _first_difference(mine, _meant(pull(workbook).text, shown)) is None:
+            return ""
+    except MechsheetError:
+        pass  # what cannot be pulled cannot be what the file says
+    return say(
+        "{file} says {key} = {now}, the workbook was built with {was}: build it anew, or use mechsheet pull",
+        file=shown,
+        key=dotted(place),
+        now=_said_at(mine, place),
+        was=_said_at(built, place),
+    )
+
+
+def _meant(text: str, shown: str) -> dict[str, Any]:
+    data = parse(text, shown).data
+    workbook = data.get("workbook")
+    if isinstance(workbook, dict):
+        data = {**data, "workbook": {key: value for key, value in workbook.items() if key not in _OF_BUILD}}
+    return {key: value for key, value in data.items() if value != {}}
+
+
+def _said_at(data: Any, place: Place) -> str:
+    """The value at a place, as a message shows it."""
+    for key in place:
+        try:
+            data = data[key]
+        except (LookupError, TypeError):
+            return say("nothing")
+    return "..." if isinstance(data, dict | list) else str(data)
+
+
+def _first_difference(one: Any, other: Any, place: Place = ()) -> Place | None:
+    """Where two descriptions' data differ first, in the order of the first."""
+    if isinstance(one, dict) and isinstance(other, dict):
+        keys: Iterable[Any] = dict.fromkeys([*one, *other])
+        known = one.keys() & other.keys()
+    elif isinstance(one, list) and isinstance(other, list):
+        keys = range(max(len(one), len(other)))
+        known = set(range(min(len(one), len(other))))
+    else:
+        return None if one == other else place
+    for key in keys:
+        if key not in known:
+            return (*place, key)
+        if (found := _first_difference(one[key], other[key], (*place, key))) is not None:
+            return found
+    return None
