@@ -5,7 +5,9 @@ from __future__ import annotations
 import itertools
 import re
 import unicodedata
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
 
 from mechsheet.formula.names import folded
 from mechsheet.homework.upright import Place, Work
@@ -51,6 +53,46 @@ def says(text: str, symbol: str) -> bool:
     words = tokens(text)
     joined = [one + other for one, other in itertools.pairwise(words)]
     return any(_spelled(word) in wanted or word in wanted for word in (*words, *joined))
+
+
+_UNITS = frozenset(
+    ("rad", "radian", "radians", "radyan", "deg", "degree", "degrees", "derece", "mm", "cm", "m", "n", "nm", "rpm", "s")
+)
+_FUNCTIONS = frozenset(("sin", "cos", "tan", "cot", "asin", "acos", "atan", "atan2", "arcsin", "arccos", "arctan"))
+
+
+@dataclass(frozen=True, slots=True)
+class Called:
+    """What a heading names: `symbols` of the mechanism; `alone` where it says nothing else but a unit."""
+
+    symbols: frozenset[str] = frozenset()
+    alone: bool = False
+
+
+def called(text: str, aliases: Mapping[str, str]) -> Called:
+    """The symbols that a heading names; none where it is of a sine or cosine (`cos theta14`).
+
+    aliases  symbols by the words that stand for them, see `aliases_of`
+    """
+    words = tokens(text)
+    if _FUNCTIONS.intersection(words):
+        return Called()
+    found: set[str] = set()
+    rest = set(range(len(words)))
+    for number, word in enumerate(words):
+        pair = word + words[number + 1] if number + 1 < len(words) else ""
+        for said, places in ((pair, {number, number + 1}), (word, {number})):
+            symbol = aliases.get(_spelled(said), aliases.get(said))
+            if symbol is not None and number in rest:
+                found.add(symbol)
+                rest -= places
+    return Called(frozenset(found), bool(found) and all(words[number] in _UNITS for number in rest))
+
+
+@lru_cache(maxsize=8)
+def aliases_of(symbols: tuple[str, ...]) -> Mapping[str, str]:
+    """The symbols by the words that stand for them."""
+    return {alias: symbol for symbol in symbols for alias in _aliases(symbol)}
 
 
 def _aliases(symbol: str) -> set[str]:

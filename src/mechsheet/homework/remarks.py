@@ -45,7 +45,9 @@ def remarks_of(judged: Judged, language: str) -> Iterator[str]:
             dead = ", ".join(finding.dead)
             key = "remark.dead" if dead else "remark.typed"
             yield said(language, key, symbol=symbol, dimensions=dead)
-        if finding.verdict == "wrong" and finding.series is not None and symbol in found.truth.columns:
+        if finding.instead:
+            yield said(language, "remark.instead", symbol=symbol, other=finding.instead)
+        elif finding.verdict == "wrong" and finding.series is not None and symbol in found.truth.columns:
             yield from _of_rows(symbol, finding, judged, language)
     if judged.mends:
         yield from _of_mend(judged, judged.mends[0], language)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from mechsheet import reference
 from mechsheet.diagnostics import Fault, WorkbookError
 from mechsheet.homework.agreement import DEGREE, POWERS, allowance, likely, reading_of
-from mechsheet.homework.headings import heading, names_over
+from mechsheet.homework.headings import Called, aliases_of, called, contains, heading, labels, names_over, tokens
 from mechsheet.homework.inputs import Input, inputs_of, is_length, unread_inputs
 from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, drivers, likely_runs
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
@@ -39,6 +39,7 @@ class Understanding:
     series: list[Series]
     tolerance: float
     headings: dict[tuple[str, int, int], str] = field(default_factory=dict)
+    names: dict[str, Called] = field(default_factory=dict)
 
     @property
     def work(self) -> Work:
@@ -71,6 +72,22 @@ class Understanding:
             names = names_over(self.work, series.places())
             self.headings[series.key] = " ".join([words, *names]).strip()
         return self.headings[series.key]
+
+    def called(self, series: Series) -> Called:
+        """Which columns of the mechanism a series is headed by: by their symbols, else by their labels."""
+        text = self.heading(series)
+        if text not in self.names:
+            found = called(text, aliases_of(tuple(self.truth.columns))) if text else Called()
+            if text and not found.symbols:
+                found = self._labelled(text)
+            self.names[text] = found
+        return self.names[text]
+
+    def _labelled(self, text: str) -> Called:
+        named = [(symbol, label) for symbol in self.truth.columns for label in labels(self.mechanism, symbol)]
+        found = [(symbol, label) for symbol, label in named if contains(text, label)]
+        alone = any(set(tokens(text)) <= set(tokens(label)) for _, label in found)
+        return Called(frozenset(symbol for symbol, _ in found), alone)
 
 
 def understand(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
@@ -12,6 +12,7 @@ import numpy as np
 from mechsheet.engine import Values
 from mechsheet.formula.nodes import Call, Number, walk
 from mechsheet.homework.agreement import Reading, gaps, reading_of
+from mechsheet.homework.claims import answers, claimed, exchanged, read_on
 from mechsheet.homework.headings import around, contains, labels, names_over, says
 from mechsheet.homework.inputs import is_length
 from mechsheet.homework.series import Series
@@ -37,6 +38,7 @@ class Finding:
     series   the cells that are it, or are meant for it; None where nothing is
     reading  how they say it, where they do
     dead     dimensions that they do not follow
+    instead  the quantity that they are, where each of the two stands under the other's heading
     """
 
     symbol: str
@@ -44,6 +46,7 @@ class Finding:
     series: Series | None = None
     reading: Reading | None = None
     dead: tuple[str, ...] = ()
+    instead: str = ""
 
 
 @dataclass
@@ -82,7 +85,9 @@ def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
         if symbol not in results:
             series = _headed(sheet, symbol, spare)
             if series is not None:
-                results[symbol] = Finding(symbol, "wrong", series)
+                others = [other for other in wanted if other != symbol]
+                instead = exchanged(found, symbol, others, series, _reader(sheet, truth))
+                results[symbol] = Finding(symbol, "wrong", series, instead=instead)
                 spare = [other for other in spare if other.key != series.key]
     _left_over(sheet, truth, results, spare)
     for summary in found.mechanism.summaries:
@@ -95,16 +100,18 @@ def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
 
 def agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] | None:
     """The series that is a quantity: read plainly before in another sense, headed so before not, computed before typed, in
-    the sheet's own unit before another. With a quantity that hardly moves many a column agrees: then the nearest."""
+    the sheet's own unit before another. With a quantity that hardly moves many a column agrees: then the nearest. Which
+    series are asked at all: see `claims`."""
     found = sheet.found
     quantity = truth.quantity(symbol)
     allowed = found.allowed(quantity)
     still = quantity.spread <= MOVING * allowed
     best: tuple[tuple[bool, bool, bool, bool, float], Series, Reading] | None = None
-    for series in found.series:
+    read_as = _reader(sheet, truth)
+    for series in answers(found, symbol, read_as)[0]:
         column = sheet.column(series)
-        reading = reading_of(column, quantity, allowed, found.zeros)
-        if reading is None or not _conventional(reading, series):
+        reading = read_as(series, symbol)
+        if reading is None:
             continue
         own = quantity.kind != "length" or reading.unit == found.length_unit
         apart = float(gaps(column, quantity, reading).max(initial=0.0)) if still else 0.0
@@ -112,6 +119,22 @@ def agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] 
         if best is None or rank > best[0]:
             best = rank, series, reading
     return None if best is None else best[1:]
+
+
+def _reader(sheet: Sheet, truth: Truth) -> Callable[[Series, str], Reading | None]:
+    """How a series says a column of the mechanism, None where it does not; each is looked at once."""
+    found = sheet.found
+    known: dict[tuple[tuple[str, int, int], str], Reading | None] = {}
+
+    def read_as(series: Series, symbol: str) -> Reading | None:
+        key = series.key, symbol
+        if key not in known:
+            quantity = truth.quantity(symbol)
+            reading = reading_of(sheet.column(series), quantity, found.allowed(quantity), found.zeros)
+            known[key] = reading if reading is not None and _conventional(reading, series) else None
+        return known[key]
+
+    return read_as
 
 
 def _conventional(reading: Reading, series: Series) -> bool:
@@ -124,8 +147,12 @@ def _conventional(reading: Reading, series: Series) -> bool:
 
 
 def _headed(sheet: Sheet, symbol: str, spare: Sequence[Series]) -> Series | None:
-    """The series that is called as a quantity, a computed one first."""
+    """The series that is called as a quantity: the one that claims to be it, else one whose heading says it among others,
+    a computed one first."""
     found = sheet.found
+    claims = [series for series in claimed(found, symbol) if series in spare]
+    if claims:
+        return claims[-1]
     words = labels(found.mechanism, symbol)
     named = [
         series
@@ -141,7 +168,7 @@ def _left_over(sheet: Sheet, truth: Truth, results: dict[str, Finding], spare: S
     open_symbols = [symbol for symbol in sheet.asked if symbol not in results and symbol in truth.columns]
     if len(open_symbols) != 1 or not spare:
         return
-    ends = [series for series in unexplained(sheet, truth, spare) if not _read_on(sheet.found, series)]
+    ends = [series for series in unexplained(sheet, truth, spare) if not read_on(sheet.found, series)]
     ends = [series for series in ends if not _called_otherwise(sheet, series, open_symbols[0])]
     if len(ends) == 1:
         results[open_symbols[0]] = Finding(open_symbols[0], "wrong", ends[0])
@@ -179,16 +206,6 @@ def _stands_in(series: Series, strip: Strip) -> bool:
 def _called_otherwise(sheet: Sheet, series: Series, symbol: str) -> bool:
     words = sheet.found.heading(series)
     return any(says(words, other) for other in sheet.found.truth.columns if other != symbol)
-
-
-def _read_on(found: Understanding, series: Series) -> bool:
-    graph = found.graph
-    readers = graph.readers_of(series.sheet, series.line, series.origin, series.origin + series.rows)
-    return any(
-        (graph.work.strips[number].sheet, graph.work.strips[number].line) != (series.sheet, series.line)
-        and graph.work.strips[number].length > 1
-        for number in readers
-    )
 
 
 def unexplained(sheet: Sheet, truth: Truth, spare: Sequence[Series]) -> list[Series]:

@@ -97,6 +97,10 @@ HOMEWORK: dict[str, tuple[str, str]] = {
         "the driver's values are computed from another column, of times for example",
         "tahrik değerleri başka bir sütundan, örneğin zamandan hesaplanmış",
     ),
+    "remark.instead": (
+        "the column headed {symbol} is {other}, and the other way round",
+        "{symbol} başlıklı sütun {other} büyüklüğüdür; başlıkları yer değiştirmiş",
+    ),
     "remark.rows": ("{symbol} is right in {right} of {rows} rows", "{symbol} {rows} satırın {right} tanesinde doğru"),
     "remark.suspect": (
         "{symbol} in {cell}: {found:.6g} found, {wanted:.6g} wanted",

@@ -67,11 +67,11 @@ class Suspect:
 
 def goals_of(sheet: Sheet, results: Mapping[str, Finding]) -> list[tuple[str, Series]]:
     """What is wrong, and the series (of a summary the cell) that should be it; for what is missing every series that nothing
-    is known of."""
+    is known of. Of what stands under another's heading the formulas are right."""
     goals = [
         (symbol, finding.series)
         for symbol, finding in results.items()
-        if finding.verdict == "wrong" and finding.series is not None
+        if finding.verdict == "wrong" and finding.series is not None and not finding.instead
     ]
     claimed = {finding.series.key for finding in results.values() if finding.series is not None}
     lost = [
