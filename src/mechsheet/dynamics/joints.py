@@ -2,7 +2,8 @@
 
 A pin belongs to the first link, in the description's order, that has its point; F34 is the force of link 3 on link 4. What
 all bodies at a pin are acted on by is 0 together. A sliding joint acts from `on` on `link`: F14.n along the left normal of
-its line, F14.c about its point.
+its line, F14.c about its point. So what the block of a pin-slot joint presses on the pin acts on the joint's link; where
+that is not the owner, the owner exerts on it what the pin exerts on both together.
 """
 
 from __future__ import annotations
@@ -34,6 +35,16 @@ class Joints:
         self.couples: dict[str, list[Node]] = {}
         self.pins: dict[str, dict[str, Vector]] = {}
         self.bearers = self._bearers()
+        self.slotted = self._slotted()
+        self._booked: set[tuple[str, str]] = set()
+
+    def _slotted(self) -> dict[str, dict[str, set[str]]]:
+        """By point the links, but its owner, that pin-slot joints name there: each with its blocks."""
+        found: dict[str, dict[str, set[str]]] = {}
+        for block, joint in self.poses.graph.blocks.items():
+            if joint.link in self._links_at(joint.point)[1:]:
+                found.setdefault(joint.point, {}).setdefault(joint.link, {joint.link}).add(block)
+        return found
 
     def _bearers(self) -> dict[str, str]:
         """The body with which each point is solved first: what hangs on the point is counted to it."""
@@ -66,8 +77,8 @@ class Joints:
         return self.columns.joint_force(pair_symbol("F", self._number(owner), self._number(other)), force, label)
 
     def _is_named(self, point: str, body: str) -> bool:
-        """Whether the force of the pin on a body has columns that people read: it is a link, and not the owner."""
-        return body in self._links_at(point)[1:]
+        """Whether the force of the pin on a body has columns that people read: no owner, no link with blocks."""
+        return body in self._links_at(point)[1:] and body not in self.slotted.get(point, {})
 
     def _hidden(self, point: str, body: str, force: Vector) -> Vector:
         """The force of a pin on its owner or on a block, in grey columns where it is no sum of two others."""
@@ -80,6 +91,20 @@ class Joints:
 
     def _settle(self, point: str, body: str, force: Vector) -> None:
         self.pins.setdefault(point, {})[body] = force
+
+    def _book_slotted(self, point: str) -> None:
+        """The owner's forces on links with blocks, as soon as all that they need is known."""
+        done = self.pins[point]
+        rest = {body for body in self.poses.graph.bodies_at(point) if body not in done}
+        for link, together_with in self.slotted.get(point, {}).items():
+            if (point, link) in self._booked or (len(rest) > 1 and rest & together_with):
+                continue
+            if rest & together_with:  # it bears the pin, and holds what all others leave
+                force = negative(together(each for body, each in done.items() if body not in together_with))
+            else:
+                force = together(done[body] for body in self.poses.graph.bodies_at(point) if body in together_with)
+            self._named(point, link, force)
+            self._booked.add((point, link))
 
     def outer(self, point: str, body: str, force: Vector) -> Vector:
         """The force of a pin on a body, whose place was known before the body's: it is handed on to who bears the pin.
@@ -101,6 +126,7 @@ class Joints:
         self._settle(point, body, force)
         if last:
             self._named(point, last, negative(self._known(point)))
+        self._book_slotted(point)
         at = self.poses.xy[point]
         self.contacts.setdefault(body, []).append(Force(force, at))
         bearer = self.bearers[point]
@@ -126,6 +152,7 @@ class Joints:
             on_one, on_other = minus(force, known), negative(force)
         self._settle(point, one, on_one)
         self._settle(point, other, on_other)
+        self._book_slotted(point)
         self.contacts.setdefault(one, []).append(Force(force, at))
         self.contacts.setdefault(other, []).append(Force(on_other, at))
         return force
