@@ -284,7 +284,7 @@ class _Chunk:
         if condition.kind == "compare":
             return holds(condition, self.known, len(self.numbers))
         lengths = [self.out[name] for name in self.designs.lengths[condition.name]]
-        fine = turns_fully(lengths, self.out[self.designs.equations.tolerance])
+        fine = turns_fully(lengths)
         return np.asarray(fine != condition.other, bool)
 
     def move(self) -> Numbers:

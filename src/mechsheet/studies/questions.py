@@ -16,9 +16,9 @@ from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import ENERGY, Condition, Mechanism, Study
 from mechsheet.said import say
-from mechsheet.sheet.checks.checks import ROUNDING
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.first.classification import FourBar, classification
+from mechsheet.sheet.first.grashof import SAME
 from mechsheet.sheet.table.lowering import lowered
 
 Mask = NDArray[np.bool_]
@@ -149,12 +149,12 @@ def _grounded_cranks(mechanism: Mechanism, keep: Iterable[Condition]) -> list[Fa
     ]
 
 
-def turns_fully(lengths: Sequence[Array], tolerance: Array) -> Mask:
+def turns_fully(lengths: Sequence[Array]) -> Mask:
     """Whether some link of a four-bar loop can turn fully: shortest + longest < the other two (Grashof); not at a change
     point, where they are equal but for rounding."""
     sides = np.array(np.broadcast_arrays(*lengths))
     excess = 2.0 * (sides.min(axis=0) + sides.max(axis=0)) - sides.sum(axis=0)
-    return np.asarray(excess < -ROUNDING * tolerance, bool)
+    return np.asarray(excess < -SAME * sides.max(axis=0), bool)
 
 
 def holds(condition: Condition, known: Mapping[str, Array], designs: int) -> Mask:

@@ -377,7 +377,7 @@ class _Judge:
         key = f"grashof_{loop.group}"
         tolerance = 1e-8 * truth.size
         self.say("grashof", close(sheets.of(key), excess, tolerance), sheets.of(key), excess)
-        near = 1e-9 * truth.size
+        near = 1e-9 * high
         index = lengths.index(low)
         ties = [i for i, length in enumerate(lengths) if abs(length - low) <= near]
         names = [None, loop.first, None, loop.last]

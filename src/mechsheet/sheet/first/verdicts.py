@@ -14,7 +14,7 @@ from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, RangeRef, Symb
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.checks import ROUNDING, Checks
+from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.efforts import AGREES
 from mechsheet.sheet.checks.extremes import Extremes, about, where_bounded
 from mechsheet.sheet.checks.gaps import misfits_of
@@ -23,6 +23,7 @@ from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
+from mechsheet.sheet.first.grashof import excess_of, turning_types, type_of
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
@@ -30,7 +31,6 @@ from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.start_table import assemblies_lost
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.units import turn as whole_turn
-from mechsheet.words.equations import link_words
 
 POOR = 40.0
 """Angles of transmission [deg] below this are poor: most of the force only loads the joints."""
@@ -307,36 +307,27 @@ class _Block:
 
     # --- four-bar loops ---------------------------------------------------------------------------------------
 
-    def _rounding(self) -> Node:
-        return formula("times*tolerance", times=ROUNDING,
-                       tolerance=self.plan.at.bind(Symbol(self.plan.equations.tolerance), self.plan.main))  # fmt: skip
-
     def grashof(self, loop: FourBar) -> None:
         """Shortest + longest - the other two: negative where some link turns fully; and the loop's type in words."""
         key = f"grashof_{loop.group}"
         lengths = self.extremes.lengths_of(loop)
-        cell = self.value(key)
+        shortest, longest, total = (Call(name, (lengths,)) for name in ("MIN", "MAX", "SUM"))
 
-        def named(word: str, turning: Link | None = None) -> str:
-            link = link_words(turning).of(self.plan.language) if turning else ""
-            return self.text(f"grashof.{word}", link=link)
+        def text(word: str, **parts: object) -> str:
+            return self.text(f"grashof.{word}", **parts)
 
         which = formula(
-            "CHOOSE(MATCH(MIN(lengths),lengths,0),both,crank,rockers,follower)", lengths=lengths,
-            both=named("both"), crank=named("one", loop.first), rockers=named("coupler"), follower=named("one", loop.last),
+            "CHOOSE(MATCH(shortest,lengths,0),both,crank,rockers,follower)", lengths=lengths, shortest=shortest,
+            **turning_types(loop, self.plan.language, text),
         )  # fmt: skip
-        words = formula(
-            'IFERROR(loop&": "&IF(excess-2*MIN(lengths)>rounding,open,'
-            "IF(ABS(excess)<=rounding,change,IF(excess>0,none,which))),\"\")",
-            lengths=lengths, rounding=self._rounding(), excess=cell, which=which, loop=loop.name,
-            open=named("open"), change=named("change"), none=named("none"),
-        )  # fmt: skip
-        excess = self.bound("IF(_inputs>0,NA(),2*(MIN(lengths)+MAX(lengths))-SUM(lengths))", lengths=lengths)
+        said = type_of(shortest, longest, self.value(key), which, text)
+        words = formula('IFERROR(loop&": "&said,"")', loop=loop.name, said=said)
+        excess = self.bound("excess", excess=excess_of(shortest, longest, total))
         self.line(
             key, self.text("grashof"), self.plan.mechanism.length_unit, excess, places(self.plan, "length"), words
         )
-        self.colour(key, "said=open", styles.BAD, said=self.words(key), open=f"{loop.name}: {named('open')}")
-        self.colour(key, "said=change", styles.WARN, said=self.words(key), change=f"{loop.name}: {named('change')}")
+        self.colour(key, "said=open", styles.BAD, said=self.words(key), open=f"{loop.name}: {text('open')}")
+        self.colour(key, "said=change", styles.WARN, said=self.words(key), change=f"{loop.name}: {text('change')}")
 
     def swing(self, link: Link) -> None:
         """By how much a link turns, and whether it is a crank or a rocker."""

@@ -14,6 +14,7 @@ from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import input_validation, unit_of_column, value_style
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
+from mechsheet.sheet.first.grashof import excess_of, turning_types, type_of
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
 from mechsheet.sheet.over_rows import LEAST, MEAN, MOST, at_end, over_rows
 from mechsheet.sheet.page.plan import PagePlan, sides_of
@@ -24,7 +25,6 @@ from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit
-from mechsheet.words.equations import link_words
 
 SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 """Columns of the top; the meaning has three of the table's columns."""
@@ -256,26 +256,19 @@ class Top:
         shortest, longest, total = (Call(name, lengths) for name in ("MIN", "MAX", "SUM"))
         excess = CellRef(row, VALUE, True, True)
 
-        def said(word: str, turning: str = "") -> str:
-            return plan.text(f"verdict.grashof.{word}", loop="", link=turning)
+        def text(word: str, **parts: object) -> str:
+            return plan.text(f"verdict.grashof.{word}", **parts)
 
-        turning = [link_words(link).of(plan.language) for link in (loop.first, loop.last)]
         others = [Call("MIN", (*lengths[:index], *lengths[index + 1 :])) for index in range(3)]
         which = formula(
             "IF(ground<=a,both,IF(first<=b,crank,IF(coupler<=c,rockers,follower)))",
-            ground=ground, first=first, coupler=coupler, a=others[0], b=others[1], c=others[2], both=said("both"),
-            crank=said("one", turning[0]), rockers=said("coupler"), follower=said("one", turning[1]),
+            ground=ground, first=first, coupler=coupler, a=others[0], b=others[1], c=others[2],
+            **turning_types(loop, plan.language, text),
         )  # fmt: skip
-        words = formula(
-            'IFERROR(IF(excess>2*shortest,open,IF(ABS(excess)<1E-12*coupler,change,IF(excess>0,none,which))),"")',
-            excess=excess, shortest=shortest, coupler=coupler, which=which,
-            open=said("open"), change=said("change"), none=said("none"),
-        )  # fmt: skip
+        words = formula('IFERROR(said,"")', said=type_of(shortest, longest, excess, which, text))
         self.line(row, loop.name, plan.mechanism.length_unit, words)
         self.comments.append(Comment(row, SYMBOL, plan.text("notes.use.grashof")))
-        value = formula(
-            "IF(_inputs>0,NA(),2*(shortest+longest)-total)", shortest=shortest, longest=longest, total=total
-        )
+        value = excess_of(shortest, longest, total)
         self.fill(row, VALUE, value, value_style(plan, "length"))
 
     def _length(self, key: str, length: Node) -> Node:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol, Text
+from mechsheet.formula.nodes import CellRef, Node, RangeRef, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
@@ -266,9 +266,9 @@ class Does:
         row = plan.blocks["verdicts"].rows[f"grashof_{loop.group}"]
         said = CellRef(row, FIRST_SHEET_WORDS, True, True, plan.main)
         opened = Text(f"{loop.name}: {plan.text('verdict.grashof.open')}")
-        rounding = plan.at.bind(Symbol(plan.equations.tolerance), page.title)
-        amber = "ABS(value)<=rounding"
-        over: dict[str, Node | float] = {"said": said, "opened": opened, "rounding": rounding}
+        change = Text(f"{loop.name}: {plan.text('verdict.grashof.change')}")
+        amber = "said=change"
+        over: dict[str, Node | float] = {"said": said, "opened": opened, "change": change}
         words: list[tuple[str, Node | str]] = []
         if page.rounds:
             over |= {"exact": page.exactly(page.kind.turns), "used": page.tree(page.kind.turns)}

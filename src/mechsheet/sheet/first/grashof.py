@@ -1,0 +1,47 @@
+"""The type of a four-bar loop by its lengths, live: one formula and one threshold for every layout."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from mechsheet.formula.nodes import Node
+from mechsheet.sheet.first.classification import FourBar
+from mechsheet.sheet.quoted import formula
+from mechsheet.words.equations import link_words
+from mechsheet.words.workbook import Language
+
+SAME = 1e-9
+"""Shortest + longest and the other two are equal (a change point) up to this part of the longest link of the loop: a
+micrometre in a kilometre, and far more than sums of lengths that were computed are off by rounding."""
+
+
+def excess_of(shortest: Node, longest: Node, total: Node) -> Node:
+    """Shortest + longest - the other two: below 0 some link turns fully (Grashof). #N/A where an input cannot be."""
+    return formula("IF(_inputs>0,NA(),2*(shortest+longest)-total)", shortest=shortest, longest=longest, total=total)
+
+
+def type_of(shortest: Node, longest: Node, excess: Node, which: Node, text: Callable[[str], str]) -> Node:
+    """The type in words.
+
+    which  what it is called where some link turns fully
+    text   the words of `open`, `change`, `none`
+    """
+    return formula(
+        "IF(excess-2*shortest>same*longest,open,IF(ABS(excess)<=same*longest,change,IF(excess>0,none,which)))",
+        excess=excess, shortest=shortest, longest=longest, same=SAME, which=which, open=text("open"),
+        change=text("change"), none=text("none"),
+    )  # fmt: skip
+
+
+def turning_types(loop: FourBar, language: Language, text: Callable[..., str]) -> dict[str, str]:
+    """What the loop is called when ground, first link, coupler or last link is the shortest, and some link turns fully."""
+
+    def one(link: str) -> str:
+        return text("one", link=link)
+
+    return {
+        "both": text("both"),
+        "crank": one(link_words(loop.first).of(language)),
+        "rockers": text("coupler"),
+        "follower": one(link_words(loop.last).of(language)),
+    }

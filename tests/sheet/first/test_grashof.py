@@ -1,0 +1,74 @@
+"""The type of a four-bar loop: the same words in both layouts and in a study, also beside a change point."""
+
+import re
+
+import numpy as np
+import pytest
+from laid import template_text
+
+from mechsheet.compiled import Compiled
+from mechsheet.compiled.evaluation import book_of
+from mechsheet.description import loads
+from mechsheet.engine import compile_book
+from mechsheet.studies.questions import turns_fully
+
+FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
+SYMBOLS = ("a1", "a2", "a3", "a4")
+
+
+class Book:
+    """A workbook of one layout, whose yellow cells are typed into."""
+
+    def __init__(self, text, layout, language="en"):
+        text = re.sub(r"\[workbook\]\n", "", text) + f'\n[workbook]\nlayout = "{layout}"\n'
+        made = Compiled(loads(text, language=language))
+        self.plan, self.book = made.plan, compile_book(book_of(made.layout))
+
+    def type(self, **inputs):
+        spots = self.plan.at.spots
+        cells = {(spots[key].sheet, spots[key].row, spots[key].col): float(value) for key, value in inputs.items()}
+        self.values = self.book.evaluate(cells)
+        return self
+
+    def words(self, key):
+        return self.values.get(self.plan.main, self.plan.blocks["verdicts"].rows[key], 3 if self.page else 4)
+
+    @property
+    def page(self):
+        return self.plan.mechanism.layout == "page"
+
+    @property
+    def line(self):
+        spot = self.plan.at.spots["#verdict"]
+        return self.values.get(spot.sheet, spot.row, spot.col)
+
+
+def near_change_points(count):
+    """Lengths that miss a change point by 1e-13 to 1e-5 of the longest, of every size, in any order."""
+    random = np.random.default_rng(31)
+    for _ in range(count):
+        sides = random.uniform(0.2, 1.0, 3) * 10.0 ** random.uniform(-3, 6)
+        short, long = min(sides), max(sides)
+        other = short + long - sum(sides) + short + long  # shortest + longest - the one between
+        off = random.choice([-1, 1]) * 10.0 ** random.uniform(-13, -5) * long
+        yield random.permutation([*sides, other + off]).tolist()
+
+
+@pytest.mark.parametrize("language", ["en", "tr"])
+def test_both_layouts_say_the_same_type(language):
+    sheets, page = (Book(FOUR_BAR, layout, language) for layout in ("sheets", "page"))
+    cases = [[60, 20, 49.9999999999, 30], [70, 35, 70, 35], [60, 20, 49.99, 30], *near_change_points(40)]
+    for lengths in cases:
+        typed = dict(zip(SYMBOLS, lengths, strict=True))
+        said = [book.type(**typed).words("grashof_1").removeprefix("A0ABB0: ") for book in (sheets, page)]
+        assert said[0] == said[1], lengths
+        fully = bool(turns_fully([np.array([length]) for length in lengths])[0])
+        stuck = [sheets.plan.text(f"verdict.grashof.{word}") for word in ("none", "change", "open")]
+        assert fully == (said[0] not in stuck), lengths
+
+
+def test_a_change_point_does_not_depend_on_lengths_outside_its_loop():
+    """A long arm of the coupler is none of the four lengths."""
+    book = Book(FOUR_BAR, "sheets")
+    lengths = {"a1": 60.0, "a2": 20.0, "a3": 50.0 - 4e-7, "a4": 30.0}
+    assert book.type(**lengths).words("grashof_1") == book.type(**lengths, b3=1e5, c3=1e5).words("grashof_1")
