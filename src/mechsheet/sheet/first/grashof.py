@@ -16,19 +16,24 @@ micrometre in a kilometre, and far more than sums of lengths that were computed 
 
 
 def excess_of(shortest: Node, longest: Node, total: Node) -> Node:
-    """Shortest + longest - the other two: below 0 some link turns fully (Grashof). #N/A where an input cannot be."""
-    return formula("IF(_inputs>0,NA(),2*(shortest+longest)-total)", shortest=shortest, longest=longest, total=total)
+    """Shortest + longest - the other two: below 0 some link turns fully (Grashof), 0 at a change point. #N/A where an
+    input cannot be.
+    """
+    return formula(
+        "IF(_inputs>0,NA(),IF(ABS(2*(shortest+longest)-total)<=same*longest,0,2*(shortest+longest)-total))",
+        shortest=shortest, longest=longest, total=total, same=SAME,
+    )  # fmt: skip
 
 
-def type_of(shortest: Node, longest: Node, excess: Node, which: Node, text: Callable[[str], str]) -> Node:
-    """The type in words.
+def type_of(shortest: Node, excess: Node, which: Node, text: Callable[[str], str]) -> Node:
+    """The type in words, by the excess as `excess_of` has it.
 
     which  what it is called where some link turns fully
     text   the words of `open`, `change`, `none`
     """
     return formula(
-        "IF(excess-2*shortest>same*longest,open,IF(ABS(excess)<=same*longest,change,IF(excess>0,none,which)))",
-        excess=excess, shortest=shortest, longest=longest, same=SAME, which=which, open=text("open"),
+        "IF(excess>open_from*shortest,open,IF(excess=0,change,IF(excess>0,none,which)))",
+        excess=excess, shortest=shortest, open_from=2 * (1 + SAME), which=which, open=text("open"),
         change=text("change"), none=text("none"),
     )  # fmt: skip
 

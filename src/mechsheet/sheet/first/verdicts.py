@@ -320,7 +320,7 @@ class _Block:
             "CHOOSE(MATCH(shortest,lengths,0),both,crank,rockers,follower)", lengths=lengths, shortest=shortest,
             **turning_types(loop, self.plan.language, text),
         )  # fmt: skip
-        said = type_of(shortest, longest, self.value(key), which, text)
+        said = type_of(shortest, self.value(key), which, text)
         words = formula('IFERROR(loop&": "&said,"")', loop=loop.name, said=said)
         excess = self.bound("excess", excess=excess_of(shortest, longest, total))
         self.line(

@@ -265,7 +265,7 @@ class Top:
             ground=ground, first=first, coupler=coupler, a=others[0], b=others[1], c=others[2],
             **turning_types(loop, plan.language, text),
         )  # fmt: skip
-        words = formula('IFERROR(said,"")', said=type_of(shortest, longest, excess, which, text))
+        words = formula('IFERROR(said,"")', said=type_of(shortest, excess, which, text))
         self.line(row, loop.name, plan.mechanism.length_unit, words)
         self.comments.append(Comment(row, SYMBOL, plan.text("notes.use.grashof")))
         value = excess_of(shortest, longest, total)
