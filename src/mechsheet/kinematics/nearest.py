@@ -70,7 +70,7 @@ class _Combination:
 
 @dataclass(frozen=True, slots=True)
 class Meant:
-    """The modes of the nearest combination, nothing where nothing is sketched or nothing closes.
+    """The modes of the nearest combination (of several that are as near the first), nothing where nothing closes.
 
     open     those that another one, which has all that is sketched in the same places, has otherwise together with more
     unasked  those of dyads that another such one has otherwise alone: a later row may tell, where the first is a dead centre
@@ -122,9 +122,7 @@ class Nearest:
             return self._nearest()
 
     def _nearest(self) -> Meant:
-        if not self._entries:
-            return NOTHING_MEANT
-        closing, broken = self._followed(1)
+        closing, broken = self._followed(1 if self._entries else self._ledger.rows)
         if not closing or math.sqrt(closing[0].missed) > FITS:
             closing, broken = self._followed(self._ledger.rows)
         if not closing:
@@ -136,7 +134,7 @@ class Nearest:
 
     def _decided(self, closing: Sequence[_Combination]) -> Meant:
         """The nearest combination, which every other one that has something elsewhere must miss clearly."""
-        alike = [each for each in closing if np.max(np.abs(self._apart(closing[0], each))) < SEPARATE]
+        alike = [each for each in closing if np.max(np.abs(self._apart(closing[0], each)), initial=0.0) < SEPARATE]
         best = min(alike, key=self._plain)
         for other in closing:
             apart = self._apart(best, other)

@@ -144,8 +144,8 @@ def _sketched(
 
     given  modes that are given
     """
-    sketch, task = mechanism.sketch, mechanism.synthesis
-    if sketch.at is not None or not (sketch.points or sketch.symbols):
+    task = mechanism.synthesis
+    if mechanism.sketch.at is not None:
         return NOTHING_MEANT
     if task is not None and any(isinstance(group, Chain) for group in order.groups):
         return NOTHING_MEANT  # the task knows
