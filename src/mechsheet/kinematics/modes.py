@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,8 @@ from mechsheet.model import Mechanism, Words
 from mechsheet.said import say
 
 BETWEEN = 0.1
-"""A sketch whose distances to the two assemblies differ by less than this part of their separation lies between them."""
+"""A sketch lies between two assemblies where the squares of its distances to them differ by less than this part of the
+square of their separation: half as far from the middle of the way from one to the other."""
 
 SEPARATE = 1e-6
 """Assemblies closer than this part of the size (or radians) are one: a dead centre."""
@@ -80,8 +81,8 @@ def pick_mode(
         distance[-1] += difference(minus, wanted, scale) ** 2
     if separation == 0:
         return 1, True
-    apart = math.sqrt(distance[1]) - math.sqrt(distance[-1])
-    if abs(apart) < BETWEEN * math.sqrt(separation):
+    apart = distance[1] - distance[-1]
+    if abs(apart) < BETWEEN * separation:
         if row != first:  # a good sketch of a dead centre: it is as near to the one as to the other
             return 1, True
         raise BetweenModesError(_between(entries, positions, solved))
@@ -133,17 +134,21 @@ def _take(ledger: Ledger, mode: str, sign: int, start: int) -> None:
     ledger.recompute(start)
 
 
-def _between(entries: list[Entry], positions: dict[int, list[float]], solved: Solved) -> Fault:
-    def shown(sign: int) -> str:
-        pairs = zip(entries, positions[sign], strict=True)
-        return ", ".join(f"{name} = {math.degrees(x) if scale == 0 else x:.4g}" for (name, _, scale), x in pairs)
+def shown_entries(entries: Sequence[Entry], found: Sequence[float]) -> str:
+    """What is sketched as an assembly has it: `B.x = 62.61, B.y = 55.51`."""
+    return ", ".join(
+        f"{name} = {math.degrees(x) if scale == 0 else x:.4g}"
+        for (name, _, scale), x in zip(entries, found, strict=True)
+    )
 
+
+def _between(entries: list[Entry], positions: dict[int, list[float]], solved: Solved) -> Fault:
     return Fault(
         say("the sketch lies between the two assemblies of {group}", group=solved.label),
         key="assembly",
         hint=say(
             "+1 is at {plus}; -1 is at {minus}: sketch a point nearer to the one that is meant",
-            plus=shown(1),
-            minus=shown(-1),
+            plus=shown_entries(entries, positions[1]),
+            minus=shown_entries(entries, positions[-1]),
         ),
     )

@@ -18,8 +18,8 @@ from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values, given_values, listed_values
 from mechsheet.kinematics.dyads import Determinant, Solved
-from mechsheet.kinematics.equations import Equation, Equations, Group, assembly_of, validate
-from mechsheet.kinematics.graph import graph_of
+from mechsheet.kinematics.equations import Equation, Equations, Group, System, assembly_of, validate
+from mechsheet.kinematics.graph import Graph, graph_of
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.lengths import largest_given
 from mechsheet.kinematics.lines import solve_prp, solve_rpp
@@ -27,6 +27,7 @@ from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility
 from mechsheet.kinematics.modes import NeverClosesError, pick_mode
 from mechsheet.kinematics.naming import given_names
+from mechsheet.kinematics.nearest import NOTHING_MEANT, Choice, Meant, Nearest
 from mechsheet.kinematics.newton.carriers import ChainWriter, Solution
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.newton.picking import pick_assembly, words_of
@@ -94,11 +95,11 @@ def write_equations(
     check_mobility(mechanism, graph)
     order = order_of(mechanism, graph)
     dimensions = dimension_values(mechanism)
-    ledger = _ledger(mechanism, dimensions)
-    poses = Poses(mechanism, graph, ledger)
-    _further_drivers(mechanism, ledger)
-    _pairs(poses, order)
+    poses = _begun(mechanism, graph, order, dimensions)
+    ledger = poses.ledger
     groups = _Groups(poses, order, dimensions, modes)
+    if modes is not None:
+        groups.take(_sketched(mechanism, graph, order, dimensions, modes))
     groups.write()
     _note_lengths(poses)
     rates = Written({}, {})
@@ -128,20 +129,56 @@ def write_equations(
     return result
 
 
+def _begun(mechanism: Mechanism, graph: Graph, order: Order, dimensions: dict[str, float]) -> Poses:
+    """Where the groups are to be written: what is driven is known."""
+    poses = Poses(mechanism, graph, _ledger(mechanism, dimensions))
+    _further_drivers(mechanism, poses.ledger)
+    _pairs(poses, order)
+    return poses
+
+
+def _sketched(
+    mechanism: Mechanism, graph: Graph, order: Order, dimensions: dict[str, float], given: Mapping[str, int]
+) -> Meant:
+    """The modes that the sketch decides for several groups together; a group that is alone decides by itself.
+
+    given  modes that are given
+    """
+    task = mechanism.synthesis
+    if mechanism.sketch.at is not None:
+        return NOTHING_MEANT
+    if task is not None and any(isinstance(group, Chain) for group in order.groups):
+        return NOTHING_MEANT  # the task knows
+    if len(order.groups) < 2 and not any(dyad.frame for dyad in order.dyads):
+        return NOTHING_MEANT
+    poses = _begun(mechanism, graph, order, dimensions)
+    groups = _Groups(poses, order, dimensions, given, choosing=False)
+    groups.write()
+    return Nearest(mechanism, poses.ledger, groups.choices, dimensions).modes()
+
+
 class _Groups:
     """The groups of a mechanism in order of solution: their equations, and the assembly of each.
 
-    modes  as of `write_equations`
+    modes     as of `write_equations`
+    choosing  False: the equations alone are asked for, and between which assemblies there is a choice (`choices`)
     """
 
     def __init__(
-        self, poses: Poses, order: Order, dimensions: dict[str, float], modes: Mapping[str, int] | None
+        self,
+        poses: Poses,
+        order: Order,
+        dimensions: dict[str, float],
+        modes: Mapping[str, int] | None,
+        choosing: bool = True,
     ) -> None:
         self.poses = poses
         self.order = order
         self.dimensions = dimensions
+        self.choosing = choosing
         self.picked = modes is not None
-        self.given = modes or {}
+        self.given = dict(modes or {})
+        self.choices: list[Choice] = []
         self.found: list[tuple[Dyad | Chain, Solved, int, bool]] = []
         """Each with its assembly, and whether that was left open."""
         self.chains: dict[int, Solution] = {}
@@ -161,6 +198,11 @@ class _Groups:
                 case Dyad():
                     self._dyad(step)
 
+    def take(self, meant: Meant) -> None:
+        """Take the modes that the whole sketch means, but for those that a later row may tell."""
+        self._opened = [*meant.open]
+        self.given |= {mode: value for mode, value in meant.modes.items() if mode not in meant.unasked}
+
     def with_loops(self) -> tuple[Group, ...]:
         """All groups, each with its loop closure."""
         loops = loops_of(self.poses, self.order.steps)
@@ -172,6 +214,9 @@ class _Groups:
         ledger.group += 1
         start = len(ledger.columns)
         solution = self.chains[ledger.group] = ChainWriter(self.poses, chain).write()
+        if not self.choosing:
+            self._choice(solution.system.mode, solution.system.variables[0], None, solution.label, solution.system)
+            return
         mode, at = self.given.get(solution.system.mode), mechanism.sketch.at
 
         def near(home: float) -> Mapping[str, float]:
@@ -191,13 +236,17 @@ class _Groups:
             solution.pins, system.variables, solution.label,
             Determinant(Symbol(system.determinant), 0, False, None), system=system,
         )  # fmt: skip
-        self.found.append((chain, solved, assembly, is_open))
+        self.found.append((chain, solved, assembly, is_open or system.mode in self._opened))
 
     def _dyad(self, dyad: Dyad) -> None:
         mechanism, ledger = self.poses.mechanism, self.poses.ledger
         ledger.group += 1
         start = len(ledger.columns)
         solved = _solve_dyad(self.poses, dyad)
+        if not self.choosing:
+            leaning = sketched_mode(mechanism.sketch, dyad, self.dimensions) if dyad.frame else None
+            self._choice(solved.mode, solved.closes, self._known_mode(dyad, solved), solved.label, leaning=leaning)
+            return
         value, is_open = 1, True
         if self.picked:
             self._look_at_sketch(solved)
@@ -206,6 +255,20 @@ class _Groups:
             is_open = is_open or solved.mode in self._opened
         self.poses.settle_turns()
         self.found.append((dyad, solved, assembly_of(value), is_open))
+
+    def _choice(
+        self,
+        mode: str,
+        closes: str,
+        known: int | None,
+        label: Words,
+        system: System | None = None,
+        leaning: int | None = None,
+    ) -> None:
+        """Note that there is one, where `known` does not say which; whole turns are taken out as always."""
+        self.poses.settle_turns()
+        given = self.given.get(mode, known)
+        self.choices.append(Choice(self.poses.ledger.group, mode, closes, given, system, label, leaning))
 
     def _look_at_sketch(self, solved: Solved) -> None:
         """Where the sketch says at which driver value it was drawn, it gives the modes of all groups there."""
@@ -223,8 +286,6 @@ class _Groups:
         mode = self.given.get(solved.mode, _found_mode(mechanism, solved, self.dimensions))
         if mode is None and self._left_out.intersection(dyad.bodies):
             return 1  # its length, from the first pin to the second, is no negative number
-        if mode is None and dyad.frame:
-            return sketched_mode(mechanism.sketch, dyad, self.dimensions)
         return mode
 
 

@@ -41,13 +41,15 @@ def with_modes(source: Source, wanted: Mapping[str, int]) -> Source:
 
     Raises MechanismError when no sketch says so (the assemblies are the same over the whole sweep, or nothing closes).
     """
-    for _ in range(ROUNDS):
+    for again in range(ROUNDS):
         mechanism = loads(source.text, source.file)
         groups = _wrong(mechanism, wanted)
         if not groups:
             return source
         for group in groups:
             source = _sketched(source, mechanism, wanted, group)
+        if again:  # what stands on these groups is sketched where it was, and says so
+            source = _all_sketched(source, wanted)
     left = ", ".join(
         f"{group.mode} = {wanted[group.mode]}" for group in _wrong(loads(source.text, source.file), wanted)
     )
@@ -106,6 +108,30 @@ def _sketched(source: Source, mechanism: Mechanism, wanted: Mapping[str, int], g
             source = _with_point(source, name, pair)
         else:
             source = with_number(source, ("assembly", name), _symbol_value(mechanism, equations, name, right, row, gap))
+    return source
+
+
+def _all_sketched(source: Source, wanted: Mapping[str, int]) -> Source:
+    """With everything that is sketched where it is in these modes, in the first row in which it is anywhere."""
+    mechanism = loads(source.text, source.file)
+    dimensions = dimension_values(mechanism)
+    at = mechanism.sketch.at
+    driver = driver_values(mechanism, dimensions) if at is None else np.array([number(at, dimensions)])
+    equations = solve(mechanism, wanted)
+    values = sweep(mechanism, equations, driver)
+    size = max([abs(value) for value in dimensions.values()], default=1.0) or 1.0
+    solved = {equation.symbol for equation in equations.columns if equation.group > 0}
+    for name in (*mechanism.sketch.points, *mechanism.sketch.symbols):
+        symbols = [name] if name in mechanism.sketch.symbols else [f"{name}.x", f"{name}.y"]
+        rows = np.flatnonzero(np.isfinite(values.get(symbols[0], np.array([]))))
+        if not solved.issuperset(symbols) or not len(rows):
+            continue
+        row = int(rows[0])
+        if len(symbols) == 2:
+            source = _with_point(source, name, [_rough(float(values[each][row]), ENOUGH * size) for each in symbols])
+        else:
+            shown = _symbol_value(mechanism, equations, name, values, row, ENOUGH)
+            source = with_number(source, ("assembly", name), shown)
     return source
 
 
@@ -188,9 +214,10 @@ def _gaps(
     """What a sketch may say of a group -> how far its assemblies are apart there, row by row: as a part of the size,
     angles as the chord of an arc of radius 1."""
     found: dict[str, Array] = {}
-    for equation in equations.columns:
-        if equation.group != group.number:
-            continue
+    own = [equation for equation in equations.columns if equation.group == group.number]
+    if not any(equation.role in ("point", "variable") for equation in own):  # its links are placed by later groups
+        own = [equation for equation in equations.columns if equation.group > group.number]
+    for equation in own:
         apart = np.abs(right[equation.symbol] - left[equation.symbol])
         if equation.role == "point":
             point = equation.symbol.rpartition(".")[0]

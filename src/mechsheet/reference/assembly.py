@@ -13,6 +13,7 @@ _BEAM = 16
 _TOGETHER = 32
 _FLAT = 1e-6
 _ASIDE = 1e-3
+_OPEN = 1e6
 
 
 def start_row(sketched: Sketched, block: Block, state: Array, value: Array) -> tuple[int | None, Array]:
@@ -92,34 +93,35 @@ def _side(built: System, sketched: Sketched, index: int, centre: Array, value: A
 def choose(built: System, sketched: Sketched, index: int, candidates: Array, value: float) -> Array:
     """The candidate (1, columns) nearest to the sketch; of equals the one of positive determinant.
 
-    Where the sketch says nothing about this block, it may say something about those that stand on it.
+    The sketch may say something about this block, and about those that stand on it: of these the best assemblies count.
     """
     if len(candidates) == 1:
         return candidates
     block = built.blocks[index]
     last = max((wish.block for wish in sketched.entries), default=-1)
-    if sketched.about(index) or last < index:
-        costs = sketched.cost(index, candidates)
-    else:
-        costs = np.array(
-            [
-                _cost_further(built, sketched, candidates[i : i + 1], value, index + 1, last + 1)
-                for i in range(len(candidates))
-            ]
-        )
+    costs = sketched.cost(index, candidates)
+    if last > index:
+        further = [
+            _further(built, sketched, candidates[i : i + 1], value, index + 1, last + 1) for i in range(len(candidates))
+        ]
+        depths = np.array([depth for depth, _ in further])
+        if not sketched.about(index):
+            costs = np.array([cost for _, cost in further]) + _OPEN * (last + 1 - depths)
+        elif depths.min() == depths.max():
+            costs = costs + np.array([cost for _, cost in further])
     dets = newton.determinant(block, candidates, np.full(len(candidates), value))
     nearest = np.flatnonzero(costs <= np.min(costs) * (1 + 1e-9) + 1e-20)
     best = nearest[np.argmax(dets[nearest])]
     return candidates[best : best + 1]
 
 
-def _cost_further(built: System, sketched: Sketched, state: Array, value: float, index: int, stop: int) -> float:
-    """Distance from the sketch of the best assembly of blocks `index` to `stop` - 1; what closes further is nearer."""
+def _further(built: System, sketched: Sketched, state: Array, value: float, index: int, stop: int) -> tuple[int, float]:
+    """(the block up to which blocks from `index` to before `stop` close, how far the best assembly is from the sketch)."""
     depth, states = assembled(built, state, value, index, stop, sketched, _BEAM)
     cost = np.zeros(len(states))
     for i in range(index, depth):
         cost += sketched.cost(i, states)
-    return float(np.min(cost)) + 1e6 * (stop - depth)
+    return depth, float(np.min(cost))
 
 
 def assembled(

@@ -50,19 +50,15 @@ def pick_assembly(
     a value of the driver
     """
     system = solution.system
-    turning = tuple(_turns(ledger, name) for name in system.variables)
+    turning = tuple(turns(ledger, name) for name in system.variables)
     size = ledger.number(ledger.tolerance) / CLOSING
-    row, found = _first_position(system, ledger, turning, size)
-    if row is None:
+    there = listed(system, ledger.values, min(ledger.following, ledger.rows), turning, size, mechanism.angle_unit)
+    if there is None:
         raise NeverClosesError(solution.label)
-    unit = mechanism.angle_unit
-    starts = tuple(
-        tuple(_rounded(x, turns, size, unit) for x, turns in zip(state, turning, strict=True)) for state in found
-    )
+    system, found = there
+    row = system.row
     described, way = _described(ledger, system, row)
-    system = replace(
-        system, starts=starts, home=float(ledger.values[system.driver][row]), row=row, described=described, way=way
-    )
+    system = replace(system, described=described, way=way)
     for name in system.unknowns:
         ledger.systems[name] = system
     if len(found) > MOST_FOUND:  # no assemblies but a motion
@@ -91,22 +87,39 @@ def pick_assembly(
     return system, index, is_open
 
 
+def listed(
+    system: System, values: Mapping[str, Array], rows: int, turning: tuple[bool, ...], size: float, unit: Unit
+) -> tuple[System, list[Array]] | None:
+    """The system with the start values of all assemblies in the first row that has one, and these; None where none has.
+
+    values  of what the system reads, row by row;  turning: which unknowns are angles;  size: of the mechanism
+    """
+    row, found = _first_position(system, values, rows, turning, size)
+    if row is None:
+        return None
+    starts = tuple(
+        tuple(_rounded(x, angle, size, unit) for x, angle in zip(state, turning, strict=True)) for state in found
+    )
+    return replace(system, starts=starts, home=float(values[system.driver][row]), row=row), found
+
+
 def words_of(mechanism: Mechanism, system: System, ledger: Ledger) -> tuple[Words, ...]:
     """What tells each assembly: its unknowns in the first position."""
     found = []
     for start in system.starts:
         parts = []
         for name, number in zip(system.variables, start, strict=True):
-            turns = _turns(ledger, name)
+            angle = turns(ledger, name)
             unit = mechanism.angle_unit
-            shown = unit.to_shown(number) if turns else number
-            parts.append(f"{name} = {float(shown):.4g}{unit.text if turns else ''}")
+            shown = unit.to_shown(number) if angle else number
+            parts.append(f"{name} = {float(shown):.4g}{unit.text if angle else ''}")
         text = ", ".join(parts)
         found.append(Words(text, text))
     return tuple(found)
 
 
-def _turns(ledger: Ledger, symbol: str) -> bool:
+def turns(ledger: Ledger, symbol: str) -> bool:
+    """Whether an unknown is an angle."""
     return next(each for each in ledger.columns if each.symbol == symbol).unit.kind == "angle"
 
 
@@ -120,13 +133,12 @@ def _rounded(number: float, turns: bool, size: float, unit: Unit) -> float:
 
 
 def _first_position(
-    system: System, ledger: Ledger, turning: tuple[bool, ...], size: float
+    system: System, values: Mapping[str, Array], rows: int, turning: tuple[bool, ...], size: float
 ) -> tuple[int | None, list[Array]]:
     """The first row in which there is an assembly, with all that there are."""
-    rows = min(ledger.following, ledger.rows)
 
     def there(row: int) -> list[Array]:
-        known = {name: float(np.asarray(ledger.values[name])[row]) for name in system.given}
+        known = {name: float(np.asarray(values[name])[row]) for name in system.given}
         if not all(map(math.isfinite, known.values())):
             return []
         return assemblies_in(system, known, turning, size)

@@ -282,6 +282,10 @@ MECHANISM: dict[str, str] = {
         "bu uzuvların boylarını ve dış mafsallarının uzaklığını gözden geçirin"
     ),
     "the sketch lies between the two assemblies of {group}": "eskiz, şunun iki montajının arasında: {group}",
+    "the sketch lies between two assemblies of {group}": "eskiz, şunun iki montajının arasında: {group}",
+    "{first} has {plus}; {second} has {minus}: sketch a point nearer to the one that is meant": (
+        "{first} iken {plus}; {second} iken {minus}; eskizde bir noktayı istenene daha yakın çizin"
+    ),
     "+1 is at {plus}; -1 is at {minus}: sketch a point nearer to the one that is meant": (
         "+1: {plus}; -1: {minus}; eskizde bir noktayı istenene daha yakın çizin"
     ),
