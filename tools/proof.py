@@ -28,7 +28,7 @@ from functools import partial
 from pathlib import Path
 
 from mechsheet.checking import Mutation, Perturbation, mutate, perturb
-from mechsheet.checking.mutate import by_kind, by_sheet
+from mechsheet.checking.mutation import by_kind, by_sheet
 from mechsheet.compiled import Compiled
 from mechsheet.description import load
 

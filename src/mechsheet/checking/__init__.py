@@ -2,37 +2,38 @@
 
 from __future__ import annotations
 
-import tempfile
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from mechsheet.checking.against_reference import against_plan
-from mechsheet.checking.baseline import Baseline, read_baseline
-from mechsheet.checking.cells import compare_cells
-from mechsheet.checking.edited.edits import edits_of
-from mechsheet.checking.edited.expected import expected_for, functions_in, inside
-from mechsheet.checking.edited.inserted_rows import MovedValues
-from mechsheet.checking.inputs import description_in
-from mechsheet.checking.line_under_title import first_sheet, red_line
-from mechsheet.checking.mutate import Mutation, mutate
-from mechsheet.checking.perturb import Perturbation, perturb
-from mechsheet.checking.programs import answers, cannot_judge, names_of, refuse_unknown
-from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
-from mechsheet.checking.rules import Rules
-from mechsheet.checking.searched.against_search import against_search
-from mechsheet.checking.searched.probed_cells import compare_program
-from mechsheet.checking.stale import description_of, stale
-from mechsheet.checking.stored import Stored, judge_stored
-from mechsheet.checking.twins import with_twins
-from mechsheet.description.locate import located
-from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
-from mechsheet.formats import read
-from mechsheet.formula.book import Book
-from mechsheet.library.building import build
-from mechsheet.library.changed import load
-from mechsheet.model import Mechanism
-from mechsheet.said import say
+if TYPE_CHECKING:
+    from mechsheet.checking.baseline import Baseline, read_baseline
+    from mechsheet.checking.judging import check, judge
+    from mechsheet.checking.mutation import Mutation, mutate
+    from mechsheet.checking.perturbation import Perturbation, perturb
+    from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
+    from mechsheet.checking.rules import Rules
+    from mechsheet.checking.stored import Stored
+    from mechsheet.checking.twins import with_twins
+
+_HOMES = {
+    "Baseline": "baseline",
+    "read_baseline": "baseline",
+    "check": "judging",
+    "judge": "judging",
+    "Mutation": "mutation",
+    "mutate": "mutation",
+    "Perturbation": "perturbation",
+    "perturb": "perturbation",
+    "TOLERANCE": "report",
+    "Comparison": "report",
+    "Edit": "report",
+    "Report": "report",
+    "Tally": "report",
+    "difference": "report",
+    "Rules": "rules",
+    "Stored": "stored",
+    "with_twins": "twins",
+}
+"""Name -> module: imported when first used, so that `recalc --check` loads nothing of mechanisms."""
 
 __all__ = [
     "TOLERANCE",
@@ -55,127 +56,9 @@ __all__ = [
 ]
 
 
-def check(
-    path: str | Path,
-    programs: str | Sequence[str] = (),
-    progress: Callable[[str], None] | None = None,
-    rules: Rules | None = None,
-    baseline: Baseline | None = None,
-) -> Report:
-    """Check a description (.toml) or a workbook: engine against stored values, reference, and the programs named.
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'mechsheet.checking' has no attribute {name!r}")
+    from importlib import import_module
 
-    programs  names, or one text with commas: "libreoffice,ironcalc"
-    rules     tolerances, and cells that are left out;  baseline  differences of stored values that are accepted
-
-    A program that is not installed or cannot read the file is in `Report.missing`. Raises MechsheetError when the file
-    cannot be read, and MissingProgramError for a name that is no program's.
-    """
-    report = judge(path, programs, progress, rules, baseline)
-    if report.stored is not None and report.stored.unmeant:
-        raise WorkbookError(report.stored.unmeant.values())
-    return report
-
-
-def judge(
-    path: str | Path,
-    programs: str | Sequence[str] = (),
-    progress: Callable[[str], None] | None = None,
-    rules: Rules | None = None,
-    baseline: Baseline | None = None,
-    descriptions: Sequence[Path] = (),
-) -> Report:
-    """As `check`; cells to ignore that mean nothing in this file are left to the caller, who may have other files.
-
-    descriptions  files among which the workbook's own is looked for when none of its name is beside it
-    """
-    asked = names_of(programs)
-    refuse_unknown(asked)
-    path = Path(path)
-    work = _Work(asked, progress or (lambda _: None), rules or Rules(), baseline)
-    if path.suffix.lower() == ".toml":
-        return _check_description(path, work)
-    work.say("reading")
-    return _check_book(read(path), path, readable_name(path), work, description_of(path, descriptions))
-
-
-@dataclass(frozen=True, slots=True)
-class _Work:
-    """What was asked for."""
-
-    programs: Sequence[str]
-    say: Callable[[str], None]
-    rules: Rules
-    baseline: Baseline | None
-
-
-def _check_description(path: Path, work: _Work) -> Report:
-    """Build the workbook aside and judge that file."""
-
-    mechanism = load(path)
-    try:
-        return _check_built(mechanism, readable_name(path), work)
-    except MechanismError as error:
-        raise located(error, mechanism.text, readable_name(path)) from error
-
-
-def _check_built(mechanism: Mechanism, shown: str, work: _Work) -> Report:
-    with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
-        work.say("building")
-        (built,) = build(mechanism, folder)
-        return _check_book(read(built), built, shown, work)
-
-
-def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | None = None) -> Report:
-    """Judge a workbook; `file` is the description that it should have been built from, if there is one."""
-    work.say("recalculating")
-    stored, values = judge_stored(book, work.rules)
-    if work.baseline is not None:
-        stored = work.baseline.accept(Path(shown), stored)
-    comparisons = [stored.comparison()]
-    remarks: list[str] = []
-    edits: tuple[Edit, ...] = ()
-    text = description_in(book)
-    red = red_line(book, values)
-    changed = ""
-    if text is None:
-        expected = None
-        remarks.append(say("no description inside: only recalculated, not compared with the reference"))
-    else:
-        if file is not None:
-            changed = stale(text, path, file)
-        work.say("looking for edits")
-        expected = expected_for(text, inside(shown), functions_in(book))
-        found = edits_of(book, expected)
-        edits = found.edits
-        work.say("solving")
-        placed = MovedValues(values, found.moves) if found.moves else values
-        comparison, of_inputs = against_plan(found.book, placed, expected.plan, shown)
-        comparisons.append(comparison)
-        searched = against_search(found.book, placed, expected.plan, shown)
-        comparisons += [] if searched is None else [searched]
-        remarks += [*found.remarks, *of_inputs]
-    missing: list[Fault] = []
-    for program in work.programs:
-        work.say(program)
-        if reason := cannot_judge(program, book):
-            remarks.append(reason)
-            continue
-        try:
-            theirs = answers(program, path).get
-        except (
-            MissingProgramError,
-            WorkbookError,
-        ) as error:  # the other judges' answers are worth something without it
-            missing += error.faults
-            continue
-        if expected is None:
-            comparisons.append(compare_cells(program, book, values, theirs, None, work.rules, stored.unsure))
-            continue
-        comparisons.append(
-            compare_program(
-                program, book, values, theirs, expected.plan, shown,
-                rules=work.rules, but=stored.unsure, moves=found.moves,
-            )
-        )  # fmt: skip
-    nameless = text is None and first_sheet(book) is not None
-    return Report(shown, tuple(comparisons), tuple(remarks), edits, stored, tuple(missing), red, nameless, changed)
+    return getattr(import_module(f"mechsheet.checking.{_HOMES[name]}"), name)

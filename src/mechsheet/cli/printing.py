@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from mechsheet.checking.mutate import by_kind, by_sheet
+from mechsheet.checking.mutation import by_kind, by_sheet
 from mechsheet.checking.remark_lines import grouped
 from mechsheet.checking.report_lines import focused, report_lines
 from mechsheet.counted import counted

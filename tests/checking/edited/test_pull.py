@@ -11,7 +11,7 @@ from mechsheet.checking.edited.changes import input_places
 from mechsheet.checking.edited.edits import same
 from mechsheet.checking.edited.expected import expected_for
 from mechsheet.checking.edited.pull import pull
-from mechsheet.checking.perturb import drawn
+from mechsheet.checking.perturbation import drawn
 from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError

@@ -11,7 +11,7 @@ from mechsheet.checking.edited.changes import Change, changes_in, input_places
 from mechsheet.checking.edited.edits import same
 from mechsheet.checking.edited.expected import Expected, expected_for, inside
 from mechsheet.checking.edited.inserted_rows import moves_between, undone
-from mechsheet.checking.perturb import description_or_fault
+from mechsheet.checking.perturbation import description_or_fault
 from mechsheet.description import loads
 from mechsheet.description.driving.driver import LANDS
 from mechsheet.description.locate import located

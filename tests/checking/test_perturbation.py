@@ -9,7 +9,7 @@ import mechsheet
 from chosen import IN_CI, part
 from mechsheet.checking import check, perturb
 from mechsheet.checking.against_reference import against_plan
-from mechsheet.checking.perturb import drawn
+from mechsheet.checking.perturbation import drawn
 from mechsheet.checking.programs import PROGRAMS, stored_values
 from mechsheet.compiled.evaluation import book_of, computed
 from mechsheet.diagnostics import MechsheetError, MissingProgramError

@@ -15,7 +15,7 @@ from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.cells import Angles, angles_in
 from mechsheet.checking.edited.edits import edits_of
 from mechsheet.checking.edited.expected import Expected, expected_for, inside
-from mechsheet.checking.perturb import description_or_fault, workbook_of
+from mechsheet.checking.perturbation import description_or_fault, workbook_of
 from mechsheet.checking.report import TOLERANCE
 from mechsheet.diagnostics import readable_name
 from mechsheet.engine import compile_book
