@@ -1,0 +1,41 @@
+"""Which rooms of the house a command loads: none that it does not use, so that it starts at once."""
+
+import subprocess
+import sys
+
+import pytest
+
+LINE = {"arguments", "cli", "diagnostics", "formats", "said"}
+"""What the command line itself is made of."""
+
+DESCRIPTIONS = LINE | {"description", "formula", "model", "portable", "synthesis", "units", "words"}
+WORKBOOKS = LINE | {"checking", "engine", "extras", "formula", "library", "portable"}
+MECHANISMS = DESCRIPTIONS | {"compiled", "dynamics", "kinematics", "library", "sheet"}
+
+RUN = """
+import sys
+from mechsheet.cli import main
+try:
+    main()
+finally:
+    print({name.split(".")[1] for name in sys.modules if name.startswith("mechsheet.")}, file=sys.stderr)
+"""
+
+
+@pytest.mark.parametrize(
+    ("command", "allowed"),
+    [
+        (["--help"], LINE),
+        (["build", "--help"], LINE),
+        (["schema"], DESCRIPTIONS),
+        (["recalc", "generated/four-bar.xlsx", "--print", "Mechanism!B5"], WORKBOOKS),
+        (["recalc", "--check", "generated/four-bar.xlsx"], WORKBOOKS),
+        (["show", "--equations", "templates/four-bar.toml"], MECHANISMS),
+        (["show", "--dimensions", "templates/four-bar.toml"], MECHANISMS),
+    ],
+    ids=" ".join,
+)
+def test_a_command_loads_no_room_that_it_does_not_use(command, allowed):
+    found = subprocess.run([sys.executable, "-c", RUN, *command], capture_output=True, text=True, check=True)
+    loaded = set(eval(found.stderr.splitlines()[-1]))
+    assert loaded <= allowed
