@@ -336,11 +336,18 @@ class _Judge:
         elif truth.count == truth.rows:
             self.say("verdict", line.startswith(closes_in_all(self.plan)), line)
             if not truth.doubtful:
-                self.say("verdict colour", colour == ("amber" if truth.holes else "green"), colour, truth.holes)
+                poor = self.some_poor()
+                self.say("verdict colour", colour == ("amber" if truth.holes or poor else "green"), colour, truth.holes)
         else:
             said = numbers_in(line.split(";")[0])
             self.say("verdict", sorted(said[:2]) == sorted([truth.count, truth.rows]), line, truth.count)
             self.say("verdict colour", colour == "amber", colour)
+
+    def some_poor(self):
+        """Whether an angle of transmission on the sheet is below 40 degrees; the angles themselves are judged elsewhere."""
+        shown = [self.sheets.of(f"transmission_{group.number}") for group in self.found.transmission]
+        limit = 40.0 if self.plan.mechanism.angle_unit.in_degrees else 0.698
+        return any(isinstance(angle, float) and angle < limit for angle in shown)
 
     def rows_off_their_trend(self):
         """Rows in which an unknown of Newton's method leaves its trend by more than 45 degrees, or behind a gap."""
@@ -543,25 +550,19 @@ class _Judge:
             )
         else:
             self.say("transmission at", False, at)
-        if degrees and abs(least * scale - 40) > 1e-3 and not several:
-            word = self.verdict("poor" if least * scale < 40 else "fair")
-            self.say("transmission words", word in words, words, word)
-        low, _, high, _ = truth.extremes(
-            symbol, (lambda x: x) if group.kind == "RRR" else (lambda x: math.pi / 2 - np.abs(x)), several
-        )
+        if degrees and abs(least * scale - 40) > 1e-3:
+            poor = least * scale < 40
+            self.say("transmission words", (self.verdict("poor") in words) == poor, words)
+            self.say("transmission words", (self.verdict("fair") in words) == (not poor and not several), words)
+            colour = sheets.colour(self.plan.blocks["verdicts"].rows[key], MEANING)
+            self.say("transmission colour", colour == ("amber" if poor else "" if several else "green"), colour, words)
         said = numbers_in(words)
         digits = 0.051 if degrees else 0.0051
         if self.verdict("about") in words:
             digits += 0.02 * scale
-        self.say(
-            "transmission range",
-            len(said) >= 2
-            and abs(said[0] - low * scale) <= digits
-            and ((several and group.kind != "RRR") or abs(said[1] - high * scale) <= digits),
-            words,
-            low * scale,
-            high * scale,
-        )
+        right = len(said) >= 2 and 0 <= said[0] <= said[1] <= 90.0
+        right = right and abs(said[0] - least * scale) <= digits and abs(said[1] - most * scale) <= digits
+        self.say("transmission range", right, words, least * scale, most * scale)
 
     def summary(self, summary):
         truth, sheets = self.truth, self.sheets

@@ -1,46 +1,14 @@
 """The type of a four-bar loop: the same words in both layouts and in a study, also beside a change point."""
 
-import re
-
 import numpy as np
 import pytest
+from both_layouts import Book
 from laid import template_text
 
-from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
-from mechsheet.description import loads
-from mechsheet.engine import compile_book
 from mechsheet.studies.questions import turns_fully
 
 FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
 SYMBOLS = ("a1", "a2", "a3", "a4")
-
-
-class Book:
-    """A workbook of one layout, whose yellow cells are typed into."""
-
-    def __init__(self, text, layout, language="en"):
-        text = re.sub(r"\[workbook\]\n", "", text) + f'\n[workbook]\nlayout = "{layout}"\n'
-        made = Compiled(loads(text, language=language))
-        self.plan, self.book = made.plan, compile_book(book_of(made.layout))
-
-    def type(self, **inputs):
-        spots = self.plan.at.spots
-        cells = {(spots[key].sheet, spots[key].row, spots[key].col): float(value) for key, value in inputs.items()}
-        self.values = self.book.evaluate(cells)
-        return self
-
-    def words(self, key):
-        return self.values.get(self.plan.main, self.plan.blocks["verdicts"].rows[key], 3 if self.page else 4)
-
-    @property
-    def page(self):
-        return self.plan.mechanism.layout == "page"
-
-    @property
-    def line(self):
-        spot = self.plan.at.spots["#verdict"]
-        return self.values.get(spot.sheet, spot.row, spot.col)
 
 
 def near_change_points(count):

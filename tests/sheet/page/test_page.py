@@ -283,7 +283,7 @@ def test_verdict_says_rows_only():
     assert next(cell for cell in page.sheet.cells if (cell.row, cell.col) == (note.row, note.col)).content == "A0ABB0"
     said = page.cell("#verdict")
     assert said.startswith("closes in all 25 positions; crank-rocker, crank can turn fully; ")
-    assert said.endswith("transmission angle at least 33.9° in these rows")
+    assert said.endswith("transmission angle at least 33.9° in these rows: poor below 40°")
     assert Page(text_of("four-bar"), "tr").cell("#verdict").startswith("bütün konumlarda kapanıyor: 25; krank-sarkaç")
 
 

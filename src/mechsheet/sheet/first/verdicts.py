@@ -6,7 +6,6 @@ there, rows that exist only; whether these make a whole turn is asked of the cel
 
 from __future__ import annotations
 
-import math
 from typing import Literal
 
 from mechsheet.formula import algebra as al
@@ -24,6 +23,7 @@ from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.grashof import excess_of, turning_types, type_of
+from mechsheet.sheet.first.transmission import acute, poor_limit, some_poor
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
@@ -31,9 +31,6 @@ from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.start_table import assemblies_lost
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.units import turn as whole_turn
-
-POOR = 40.0
-"""Angles of transmission [deg] below this are poor: most of the force only loads the joints."""
 
 
 def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[Merge]:
@@ -403,28 +400,18 @@ class _Block:
         key = f"transmission_{group.number}"
         low, high = Symbol(f"#min_{group.transmission}"), Symbol(f"#max_{group.transmission}")
         at = [Symbol(f"#{way}_at_{group.transmission}") for way in ("min", "max")]
-        if group.kind == "RRR":  # the angle between coupler and follower itself, 0 to 180 degrees
-            folded: tuple[Node, Node] = (low, formula("PI()-high", high=high))
-            largest: Node = high
-        else:  # the rod against the guide: the angle of transmission is what is missing to 90 degrees
-            folded = (formula("PI()/2+low", low=low), formula("PI()/2-high", high=high))
-            largest = formula("PI()/2-MAX(0,low,-high)", low=low, high=high)
-        degrees = self.plan.mechanism.angle_unit.in_degrees
-        unit = self.plan.mechanism.angle_unit.text
+        folded, best = acute(low, high, from_right=group.kind != "RRR")
+        degrees, unit = self.plan.mechanism.angle_unit.in_degrees, self.plan.mechanism.angle_unit.text
         cell = self.value(key)
-        smallest = formula("DEGREES(low)" if degrees else "low", low=low) if group.kind == "RRR" else cell
-        poor = formula("value<limit", value=cell, limit=POOR if degrees else round(math.radians(POOR), 3))
-        grade = formula(
-            'IF(_rows_only,"",IF(poor,bad,good))',
-            poor=poor,
-            bad=f": {self.text('poor')}",
-            good=f": {self.text('fair')}",
-        )
+        poor = formula("value<limit", value=cell, limit=poor_limit(self.plan.mechanism))
+        bad, good = self.text("poor"), self.text("fair")
+        # of rows only there may be worse between them: that it is good is not known
+        grade = formula('IF(poor,bad,IF(_rows_only,"",good))', poor=poor, bad=f": {bad}", good=f": {good}")
         after, digits = _after_number(unit), 1 if degrees else 2
         words = self.bound(
             'IFERROR(range&grade&about,"")', grade=grade, about=self.about(group.transmission),
-            range=joined(formula("ROUND(low,digits)", low=smallest, digits=digits), f"{after} … ",
-                         formula("ROUND(high,digits)", high=_in(largest, degrees), digits=digits), after),
+            range=joined(formula("ROUND(worst,digits)", worst=cell, digits=digits), f"{after} … ",
+                         formula("ROUND(best,digits)", best=_in(best, degrees), digits=digits), after),
         )  # fmt: skip
         node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), degrees))
         self.line(key, f"μ{group.number}", unit, node, places(self.plan, "angle"), words)
@@ -433,7 +420,7 @@ class _Block:
         )
         self.at(key, self.bound("IFERROR(place,NA())", place=at_low))
         self.colour(key, "AND(ISNUMBER(value),poor)", styles.WARN, value=cell, poor=poor)
-        self.colour(key, "ISNUMBER(value)", styles.GOOD, value=cell)
+        self.colour(key, "ISNUMBER(FIND(good,said))", styles.GOOD, said=self.words(key), good=good)
 
     # --- velocities -------------------------------------------------------------------------------------------
 
@@ -565,11 +552,20 @@ class _Block:
         doubts = formula("count<rows", count=count, rows=rows)
         if plan.found.limits:
             doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=self.value("passes"))
+        if plan.found.transmission:
+            doubts = formula(
+                "OR(doubts,poor)", doubts=doubts, poor=some_poor(plan.mechanism, self._transmissions(VALUE))
+            )
         if lost is not None:
             doubts = formula("OR(doubts,lost=begun)", doubts=doubts, lost=lost, begun=self.text("same_assembly.begun"))
         self.writer.conditionals.append(Conditional(area, bad, styles.BAD))
         self.writer.conditionals.append(Conditional(area, doubts, styles.WARN))
         self.writer.conditionals.append(Conditional(area, formula("count=rows", count=count, rows=rows), styles.GOOD))
+
+    def _transmissions(self, col: int) -> RangeRef:
+        """The cells of a column in the lines of all angles of transmission."""
+        rows = [self.rows[f"transmission_{group.number}"] for group in self.plan.found.transmission]
+        return RangeRef(CellRef(rows[0], col, True, True), CellRef(rows[-1], col, True, True))
 
     def _worst_transmission(self) -> Node:
         """The words of the group with the least angle of transmission; of several with its symbol."""
@@ -578,10 +574,7 @@ class _Block:
         if len(keys) == 1:
             return formula('IF(ISNUMBER(value),what&words,"")', value=self.value(keys[0]), what=what,
                            words=self.words(keys[0]))  # fmt: skip
-        symbols, said = (
-            RangeRef(*(CellRef(self.rows[key], col, True, True) for key in (keys[0], keys[-1])))
-            for col in (SYMBOL, MEANING)
-        )
+        symbols, said = self._transmissions(SYMBOL), self._transmissions(MEANING)
         return formula(
             'IFERROR(what&INDEX(symbols,_worst_group)&" "&INDEX(said,_worst_group),"")', what=what, symbols=symbols,
             said=said,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
+from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
@@ -16,6 +16,7 @@ from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.first.grashof import excess_of, turning_types, type_of
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
+from mechsheet.sheet.first.transmission import poor_limit, some_poor
 from mechsheet.sheet.over_rows import LEAST, MEAN, MOST, at_end, over_rows
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
@@ -287,7 +288,14 @@ class Top:
             least = formula("MIN(low,half-high)", low=low, high=high, half=half)
         else:  # the rod against the guide: the angle of transmission is what is missing to a right one
             least = formula("half/2-MAX(high,-low)", low=low, high=high, half=half)
-        self.line(row, f"μ{group.number}", plan.mechanism.angle_unit.text, plan.text("page.transmission"))
+        cell, limit = CellRef(row, VALUE, True, True), poor_limit(plan.mechanism)
+        poor = formula(
+            'IFERROR(IF(value<limit,words,""),"")', value=cell, limit=limit, words=f": {plan.text('verdict.poor')}"
+        )
+        words = joined(plan.text("page.transmission"), poor)
+        self.line(row, f"μ{group.number}", plan.mechanism.angle_unit.text, words)
+        poor = formula("AND(ISNUMBER(value),value<limit)", value=cell, limit=limit)
+        self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=self.cell("#rows_closed"), least=least)
         self.fill(row, VALUE, value, value_style(plan, "angle"))
 
@@ -308,20 +316,29 @@ class Top:
                 "MIN", tuple(self.cell(f"#transmission_{each.number}") for each in plan.found.transmission)
             )
             unit = plan.mechanism.angle_unit.text
+            poor = formula('IF(value<limit,words,"")', value=value, limit=poor_limit(plan.mechanism),
+                           words=f": {text('verdict.poor')}")  # fmt: skip
             parts += [text("page.verdict.transmission"), formula("ROUND(value,1)", value=value),
-                      f"{'' if unit == '°' else ' '}{unit}{text('page.verdict.rows')}"]  # fmt: skip
+                      f"{'' if unit == '°' else ' '}{unit}{text('page.verdict.rows')}", poor]  # fmt: skip
         wrong, there = self.cell("#inputs"), self._there()
         good = formula("IF(n=0,nowhere,good)", n=count, good=joined(*parts), nowhere=text("page.verdict.nowhere"))
         words = inputs.words(plan, wrong, there, good)
         self.fill(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))
+        any_poor: Node = Boolean(False)
+        if plan.found.transmission:
+            lines = [plan.blocks["verdicts"].rows[f"transmission_{each.number}"] for each in plan.found.transmission]
+            angles = RangeRef(CellRef(lines[0], VALUE, True, True), CellRef(lines[-1], VALUE, True, True))
+            any_poor = some_poor(plan.mechanism, angles)
         for test, style in (
             ("OR(wrong>0,NOT(there),n=0)", styles.BAD),
-            ("n<rows", styles.WARN),
+            ("OR(n<rows,poor)", styles.WARN),
             ("n=rows", styles.GOOD),
         ):
-            condition = plan.at.bind(formula(test, wrong=wrong, there=there, n=count, rows=rows), plan.main)
+            condition = plan.at.bind(
+                formula(test, wrong=wrong, there=there, n=count, rows=rows, poor=any_poor), plan.main
+            )
             self.conditionals.append(Conditional(area, condition, style))
 
     def _summaries(self) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, RangeRef, Text
 from mechsheet.sheet import styles
+from mechsheet.sheet.first.transmission import POOR
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
 from mechsheet.sheet.quoted import formula, joined
@@ -26,9 +27,6 @@ SOLVED, WRONG_INPUT, NO_SOLUTION = 0, 1, 2
 
 EXACT = 1e-6
 """Errors below it, in the units shown, are none."""
-
-POOR = 40.0
-"""Degrees: a transmission angle below is poor."""
 
 DEAD = 0.01
 """Degrees from a dead centre that count as one."""

@@ -1,0 +1,38 @@
+"""What is said of angles of transmission: one angle between 0 and 90 degrees for each group, the worst first."""
+
+from __future__ import annotations
+
+import math
+
+from mechsheet.formula.nodes import Node, RangeRef
+from mechsheet.model import Mechanism
+from mechsheet.sheet.quoted import formula
+
+POOR = 40.0
+"""Angles of transmission [deg] below this are poor: most of the force only loads the joints."""
+
+
+def poor_limit(mechanism: Mechanism) -> float:
+    """`POOR` in the unit that the mechanism's angles are shown in."""
+    return POOR if mechanism.angle_unit.in_degrees else round(math.radians(POOR), 3)
+
+
+def some_poor(mechanism: Mechanism, angles: RangeRef) -> Node:
+    """Whether one of the angles is poor; those that there are none of do not count."""
+    return formula('COUNTIF(angles,"<"&limit)>0', angles=angles, limit=poor_limit(mechanism))
+
+
+def acute(low: Node, high: Node, from_right: bool) -> tuple[tuple[Node, Node], Node]:
+    """An angle of transmission in radians, folded to 0 to 90 degrees, of an angle that goes from `low` to `high`.
+
+    from_right  the angle is what is missing to a right one (a rod against its guide); else it is the angle between two
+                links, up to 180 degrees
+
+    What it is at `low` and at `high`, of which the smaller is the worst of all; and the best of all, a right angle where
+    one lies between them.
+    """
+    if from_right:
+        return (formula("PI()/2+low", low=low), formula("PI()/2-high", high=high)), formula(
+            "PI()/2-MAX(0,low,-high)", low=low, high=high
+        )
+    return (low, formula("PI()-high", high=high)), formula("PI()/2-MAX(0,low-PI()/2,PI()/2-high)", low=low, high=high)
