@@ -10,12 +10,15 @@ from numpy.typing import NDArray
 
 from mechsheet.homework.agreement import Reading, allowance, units_of
 from mechsheet.homework.truth import Array, Kind, Quantity, Truth, truth_of
+from mechsheet.kinematics.numeric import mean_of_motion
 from mechsheet.model import Summary
 
 FINER = 20
 """Positions between two rows that are looked at for an extreme."""
 MOST_ROWS = 5000
 """With more rows an extreme between two of them is no other number."""
+CLOSED = 1e-6
+"""So much of a turn the rows may lack that go around."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,8 +40,8 @@ class Span:
         return Quantity("", self.kind, np.array([self.low, self.high]))
 
 
-def taken(column: Array, take: str, kind: Kind) -> float:
-    """The number that a summary takes from a column."""
+def taken(column: Array, take: str, kind: Kind, alike: bool = False) -> float:
+    """The number that a summary takes from a column; `alike`: in a mean all rows count alike."""
     known = column[np.isfinite(column)]
     if not len(known):
         return math.nan
@@ -50,7 +53,7 @@ def taken(column: Array, take: str, kind: Kind) -> float:
     if take == "min":
         return float(known.min())
     if take == "mean":
-        return float(known.mean())
+        return float(mean_of_motion(column, np.isfinite(column), alike))
     return float(known[0] if take == "first" else known[-1])
 
 
@@ -64,8 +67,14 @@ def span_of(truth: Truth, symbol: str) -> Span:
 def _span(truth: Truth, summary: Summary) -> Span:
     kind = truth.kinds.get(summary.of, "number")
     column = truth.columns[summary.of]
+    if summary.take == "mean":
+        turns = float(truth.driver[-1] - truth.driver[0]) / math.tau
+        closed = truth.mechanism.driver.link and round(turns) != 0 and abs(turns - round(turns)) < CLOSED
+        # over a part of a turn the mean of the rows is an answer too, over a turn it counts the closing row twice
+        means = [taken(column, "mean", kind, alike) for alike in ((False,) if closed else (False, True))]
+        return Span(kind, min(means), max(means))
     plain = taken(column, summary.take, kind)
-    if summary.take in ("first", "last", "mean"):
+    if summary.take in ("first", "last"):
         return Span(kind, plain, plain)
     rows = len(truth.driver)
     if rows > MOST_ROWS:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Call, Direction, Node
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.driving import at_values, given_between
+from mechsheet.kinematics.driving import at_values, given_between, rows_count_alike
 from mechsheet.kinematics.equations import Condition, Equations
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array, runs_of, value
@@ -79,7 +79,9 @@ class Search:
 
     def __init__(self, mechanism: Mechanism, equations: Equations, given: Mapping[str, Array]) -> None:
         from_row_to_row = any(group.system for group in equations.groups)
-        stepped = not (mechanism.driver.values or from_row_to_row)
+        self._listed = bool(mechanism.driver.values)
+        self._alike = rows_count_alike(mechanism, given[mechanism.driver.symbol], bool(equations.tied))
+        stepped = not (self._listed or from_row_to_row)
         if from_row_to_row:
             mechanism = replace(mechanism, driver=at_values(mechanism.driver, given[mechanism.driver.symbol]))
         self.mechanism = mechanism
@@ -277,6 +279,11 @@ class Search:
         turns = abs(self.step) * self.rows / TURN
         evenly = self.mechanism.driver.law is None and not self.equations.tied
         return evenly and abs(round(turns) - turns) < 1e-9 and round(turns) > 0
+
+    @cached_property
+    def counts_alike(self) -> bool:
+        """Whether all rows count alike in a mean (`rows_count_alike`)."""
+        return self._alike and bool(self._listed or self.row_there.all())
 
     def _ties_are_back(self) -> bool:
         """Whether what gears and further drivers decide is after the last row what it was in the first."""

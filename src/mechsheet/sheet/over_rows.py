@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Call, Node, Text
+from collections.abc import Sequence
+from dataclasses import replace
+
+from mechsheet.formula.nodes import Call, Node, RangeRef, Text
+from mechsheet.model import Driver
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 
-LEAST, MOST, MEAN = "MINIFS", "MAXIFS", "AVERAGEIF"
+LEAST, MOST = "MINIFS", "MAXIFS"
 
 NUMBERS = "<1E+300"
 """What numbers are, and errors are not: rows without a position are left out."""
@@ -20,13 +25,56 @@ comparison, and is passed over. gnumeric knows no ISNUMBER of many cells, LibreO
 
 
 def over_rows(function: str, column: Node, *besides: Node) -> Node:
-    """The least, the largest or the mean of the numbers of a column, of rows in which those `besides` have numbers too."""
-    tests = tuple(part for each in (column, *besides) for part in (each, Text(NUMBERS)))
-    if function == MEAN:
-        if besides:
-            return Call("AVERAGEIFS", (column, *tests))
-        return formula("AVERAGEIF(column,numbers)", column=column, numbers=NUMBERS)
-    return Call(function, (column, *tests))
+    """The least or the largest of the numbers of a column, of rows in which those `besides` have numbers too."""
+    return Call(function, (column, *(part for each in (column, *besides) for part in (each, Text(NUMBERS)))))
+
+
+Test = tuple[RangeRef, str]
+"""A column beside the one a number is taken of, and what stands there in rows that count."""
+
+
+def mean_of_motion(driver: Driver, column: RangeRef, tests: Sequence[Test], turns: Node | None) -> Node:
+    """The mean of a column over the motion: by the trapezoidal rule between neighbouring rows that both count.
+
+    So the row that closes a turn is not counted twice. All rows count alike where the driver's values are listed, where no
+    two that count are neighbours, and where the rows are a whole turn without the one that closes it.
+
+    tests  what rows that count have beside the column;  turns: whether they are such a turn; None where they cannot be
+    """
+    alike = Call("AVERAGEIFS", (column, *(part for each, text in tests for part in (each, Text(text)))))
+    if driver.values or column.start.row == column.end.row:
+        return alike
+    upper, lower = _but_last(column), _but_first(column)
+    both = tuple(
+        part for each, text in tests for half in (_but_last(each), _but_first(each)) for part in (half, Text(text))
+    )
+    mean = formula("(one+other)/2", one=Call("AVERAGEIFS", (upper, *both)), other=Call("AVERAGEIFS", (lower, *both)))
+    if turns is not None:
+        mean = formula("IF(turns,NA(),mean)", turns=turns, mean=mean)
+    return formula("IFERROR(mean,alike)", mean=mean, alike=alike)
+
+
+def mean_of_rows(plan: Plan, symbol: str, sheet: str) -> Node:
+    """That of a column of the tables, over rows in which the mechanism closes, for a formula on a sheet."""
+    said = plan.at.column("#status", sheet)
+    turns = formula("AND(_whole=2,_rows_closed=rows)", rows=plan.rows) if may_leave_out(plan) else None
+    column = plan.at.column(symbol, sheet)
+    return mean_of_motion(plan.mechanism.driver, column, [(said, plan.text("status.ok"))], turns)
+
+
+def may_leave_out(plan: Plan) -> bool:
+    """Whether rows may be a whole turn without the one that closes it: the driver turns by steps, and no gear is on its
+    way."""
+    driver, tied = plan.mechanism.driver, plan.equations.equations.tied
+    return bool(driver.link) and not driver.values and driver.law is None and not tied
+
+
+def _but_last(column: RangeRef) -> RangeRef:
+    return replace(column, end=replace(column.end, row=column.end.row - 1))
+
+
+def _but_first(column: RangeRef) -> RangeRef:
+    return replace(column, start=replace(column.start, row=column.start.row + 1))
 
 
 def at_end(end: str, column: Node, *besides: Node) -> Node:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Node, Symbol, symbols
-from mechsheet.kinematics.numeric import OPERATORS, Array, value
+from mechsheet.kinematics.numeric import OPERATORS, Array, mean_of_motion, value
 from mechsheet.model import Condition
 from mechsheet.sheet.checks.turning import derivatives
 from mechsheet.studies.extremes import (
@@ -101,7 +101,7 @@ class Motion:
             for quantity in designs.questions.quantities:
                 if not quantity.ways:
                     means.setdefault(quantity.name, []).append(
-                        taken(quantity.take, rows.column(quantity.of), rows.there, rows.stretches)
+                        taken(quantity.take, rows.column(quantity.of), rows.there, rows.stretches, rows.alike)
                     )
         stretches = joined(parts)
         anchors = {key: joined(each) for key, each in found_anchors.items()}
@@ -221,6 +221,13 @@ class _Rows:
         columns = {symbol: self.column(symbol) for symbol in self.designs.equations.tied}
         return self.designs.whole(columns, self.count)
 
+    @property
+    def alike(self) -> Mask:
+        """Where all rows count alike in a mean: of listed values, and of a whole turn without the row that closes it."""
+        if self.designs.mechanism.driver.values:
+            return np.ones(self.count, bool)
+        return np.asarray((self._covered == 2) & self.closes)
+
     def _whole(self, column: Array) -> Array:
         return np.broadcast_to(column, (self.count, self.designs.rows))
 
@@ -315,11 +322,11 @@ def _bounds(designs: Designs, known: Mapping[str, Array]) -> dict[int, list[_Bou
     return found
 
 
-def taken(take: str, column: Array, there: Mask, stretches: Stretches) -> Array:
-    """The mean of the rows that exist, or the value of the first or the last of them."""
+def taken(take: str, column: Array, there: Mask, stretches: Stretches, alike: Mask) -> Array:
+    """The mean over the motion (`mean_of_motion`), or the value of the first or the last row that exists."""
     designs = np.arange(len(column))
     if take == "first":
         return np.asarray(column[designs, stretches.first - 1])
     if take == "last":
         return np.asarray(column[designs, stretches.last_row - 1])
-    return np.asarray(np.where(there, column, 0.0).sum(axis=1) / np.maximum(stretches.count, 1))
+    return mean_of_motion(column, there, alike)

@@ -6,13 +6,12 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from mechsheet.checking.report import Tally
 from mechsheet.checking.searched.verdicts import SearchedVerdicts
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
 from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics.numeric import mean_of_motion
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.model import Output, Summary
 from mechsheet.sheet.first.blocks import unit_of_column
@@ -149,10 +148,12 @@ def expected_of(judged: SearchedVerdicts, summary: Summary) -> Expected | None:
     reach, of_all = inner[2] - inner[0], outer[2] - outer[0]
     if not math.isfinite(of_all) or (reach > 0 and of_all > POLE * reach):
         return None
-    column = search.in_rows(summary.of)[search.row_there]
+    in_rows = search.in_rows(summary.of)
+    column = in_rows[search.row_there]
     rows = {"min": inner[0], "max": inner[2], "range": reach}
     motion = {"min": outer[0], "max": outer[2], "range": of_all}
-    plain = {"first": float(column[0]), "last": float(column[-1]), "mean": float(np.mean(column))}
+    mean = float(mean_of_motion(in_rows, search.row_there, search.counts_alike))
+    plain = {"first": float(column[0]), "last": float(column[-1]), "mean": mean}
     value, of_rows = ({**found, **plain}[summary.take] * scale for found in (motion, rows))
     whole = search.count == search.rows
     unit = 1.0 if angle else search.size

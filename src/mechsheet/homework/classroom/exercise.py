@@ -26,6 +26,7 @@ from mechsheet.homework.classroom.task_sheet import task_sheet
 from mechsheet.homework.recognition import deciding
 from mechsheet.homework.summaries import taken
 from mechsheet.homework.truth import truth_of
+from mechsheet.kinematics.driving import rows_count_alike
 from mechsheet.model import Mechanism, Need, Vary
 from mechsheet.said import say
 
@@ -260,7 +261,8 @@ def fulfils(mechanism: Mechanism, dimensions: Mapping[str, float], needs: Sequen
     values = {symbol: float(units[symbol].to_shown(number)) for symbol, number in numbers.items()}
     for summary in mechanism.summaries:
         kind = truth.kinds.get(summary.of, "number")
-        number = taken(truth.columns[summary.of], summary.take, kind)
+        alike = rows_count_alike(mechanism, truth.driver, False)
+        number = taken(truth.columns[summary.of], summary.take, kind, alike)
         own = next((output.unit for output in mechanism.outputs if output.symbol == summary.of), mechanism.angle_unit)
         values[summary.symbol] = math.degrees(number) if kind == "angle" and own.in_degrees else number
     return all(_holds(need, values, bool(truth.exists.all())) for need in needs)

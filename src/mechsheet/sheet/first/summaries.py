@@ -10,6 +10,7 @@ from mechsheet.sheet.checks.extremes import about, where_bounded
 from mechsheet.sheet.checks.limits import STRETCHES
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.first.blocks import Writer, shown_unit, unit_of_column, value_style
+from mechsheet.sheet.over_rows import mean_of_rows
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import plain, rich
@@ -138,7 +139,7 @@ def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
         case "range":
             return formula("high-low", high=extremes["max"], low=extremes["min"]), None
         case "mean":
-            return _mean(plan, column), None
+            return mean_of_rows(plan, summary.of, plan.main), None
         case "first":
             return (
                 formula("INDEX(column,_first_1)", column=column),
@@ -155,9 +156,3 @@ def _ends(plan: Plan, key: str) -> RangeRef:
     """The column in which Checks keeps an end of every stretch: one range, so that it reads back as it was written."""
     top, bottom = (plan.at.spots[f"#{key}_{number}"] for number in (1, STRETCHES))
     return RangeRef(*(CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in (top, bottom)))
-
-
-def _mean(plan: Plan, column: Node) -> Node:
-    """The mean of the rows that exist."""
-    said, ok = Symbol(f"{ALL}#status"), plan.text("status.ok")
-    return formula("AVERAGEIF(said,ok,column)", said=said, ok=ok, column=column)

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
+from mechsheet.kinematics.driving import LEAST_OF_TURN
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Summary
 from mechsheet.sheet import styles
@@ -17,7 +18,7 @@ from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.first.grashof import excess_of, turning_types, type_of
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
 from mechsheet.sheet.first.transmission import poor_limit, some_poor
-from mechsheet.sheet.over_rows import LEAST, MEAN, MOST, at_end, over_rows
+from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, over_rows
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
@@ -25,7 +26,7 @@ from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.sheet.wrapping import height_of, label_lines
-from mechsheet.units import Unit
+from mechsheet.units import Unit, turn
 
 SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 """Columns of the top; the meaning has three of the table's columns."""
@@ -363,9 +364,24 @@ class Top:
         if not self.plan.at.spots[summary.of].column:
             return formula("0*value", value=self.cell(summary.of)) if summary.take == "range" else self.cell(summary.of)
         match summary.take:
-            case "min" | "max" | "mean":
-                return self.over_rows(summary.of, {"min": LEAST, "max": MOST, "mean": MEAN}[summary.take])
+            case "min" | "max" as way:
+                return self.over_rows(summary.of, LEAST if way == "min" else MOST)
+            case "mean":
+                return self._mean(summary.of)
             case "range":
                 return Binary("-", self.over_rows(summary.of, MOST), self.over_rows(summary.of, LEAST))
             case "first" | "last" as end:
                 return at_end(end, self.column(summary.of), *self._closing(summary.of))
+
+    def _mean(self, symbol: str) -> Node:
+        """The mean over the motion; of a turn without the row that closes it, all rows count alike."""
+        plan = self.plan
+        turns: Node | None = None
+        if may_leave_out(plan) and "sweep" in plan.blocks:
+            step = CellRef(plan.blocks["sweep"].rows["step"], VALUE, True, True)
+            turns = formula(
+                "AND(n=rows,n>=least,ABS(ROUND(step*rows/turn,0)*turn-step*rows)<1E-7)", n=self.cell("#rows_closed"),
+                least=LEAST_OF_TURN, rows=self._rows, step=step, turn=turn(plan.mechanism.driver.unit.in_degrees),
+            )  # fmt: skip
+        tests = [(each, NUMBERS) for each in (self.column(symbol), *self._closing(symbol))]
+        return mean_of_motion(plan.mechanism.driver, self.column(symbol), tests, turns)

@@ -26,9 +26,9 @@ from itertools import cycle
 
 from mechsheet.formula.nodes import Call, CellRef, Node
 from mechsheet.sheet import styles
+from mechsheet.sheet.first.transmission import POOR
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.synthesis.does import POOR
 from mechsheet.sheet.synthesis.naming import Naming
 from mechsheet.sheet.workbook import (
     Anchor,

@@ -18,7 +18,7 @@ from mechsheet.sheet.checks.extremes import SETTLED, Way
 from mechsheet.sheet.checks.parabolas import BESIDE, PROBES, vertex_of
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.blocks import input_validation, shown_unit
-from mechsheet.sheet.over_rows import ENDS, NUMBERS
+from mechsheet.sheet.over_rows import ENDS, NUMBERS, may_leave_out, mean_of_motion
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import plain, rich
@@ -190,7 +190,7 @@ class Helpers:
         """The row of what the table shows."""
         match self.table.summary.take:
             case "mean":
-                return self._line("result", "IFERROR(AVERAGEIF(column,numbers),NA())", self.shown, numbers=NUMBERS)
+                return self._line("result", "IFERROR(mean,NA())", self.shown, mean=self._mean())
             case "first" | "last" as end:
                 return self._line("result", f"IF(COUNT(column)=0,NA(),{ENDS[end]})", self.shown)
             case "range":
@@ -199,6 +199,13 @@ class Helpers:
                 return self._line("result", "high-low", self.shown, high=high, low=low)
             case "min" | "max" as way:
                 return self._extreme(way, self._wraps(), self.shown)
+
+    def _mean(self) -> Node:
+        plan = self.plan
+        turns: Node | None = None
+        if may_leave_out(plan):
+            turns = formula("AND(_whole=2,COUNT(column)=rows)", column=self.column, rows=plan.rows)
+        return mean_of_motion(plan.mechanism.driver, self.column, [(self.column, NUMBERS)], turns)
 
     def _wraps(self) -> CellRef | None:
         """Whether the rows at the ends are neighbours, as on the sheet of extremes: nothing is missing, and an angle has not

@@ -17,7 +17,7 @@ from mechsheet.model import Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.limits import STRETCHES
-from mechsheet.sheet.over_rows import MOST, over_rows
+from mechsheet.sheet.over_rows import MOST, mean_of_rows, over_rows
 from mechsheet.sheet.plan import RATES_DRIVER, RATES_STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.symbols import plain, rich
@@ -173,8 +173,7 @@ class Tolerance:
                 ends = RangeRef(*(CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in spots))
                 return formula("INDEX(column,MAX(ends))", column=column, ends=ends)
             case "mean":
-                said, ok = Symbol(f"{ALL}#status"), self.plan.text("status.ok")
-                return formula("AVERAGEIF(said,ok,column)", said=said, ok=ok, column=column)
+                return mean_of_rows(self.plan, symbol, self.title)
 
     def _of_extreme(self, quantity: str, way: Literal["min", "max"], symbol: str) -> Node:
         """Where the quantity is smallest or largest: by a probe, or in the row where nothing is known between rows."""
