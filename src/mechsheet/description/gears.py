@@ -175,7 +175,7 @@ class _Reader:
         if not self._carries_pinion(arm, link, sides, path, "arm" in entry):
             return None
         angle, still = self.shown.of(link), self.shown.of(arm)
-        slid = self.shown.symbols.get(slide.symbol)
+        slid = self.shown.displacement(slide)
         phase = 0.0
         if angle is not None and still is not None and slid is not None:
             phase = float(f"{slid - self.scope.number(radius) * (angle - still):.4g}")

@@ -60,6 +60,25 @@ class SketchedAngles:
                 elif slide.link in self.angles:
                     self.angles.setdefault(slide.on, self.angles[slide.link] - kept)
 
+    def displacement(self, slide: Joint) -> float | None:
+        """That of a sliding joint, as it is given or as its point is sketched beside a guide that is known; else None."""
+        if slide.symbol in self.symbols:
+            return self.symbols[slide.symbol]
+        spot, angle, on = self.sketched.get(slide.point), self.of(slide.on), self.links[slide.on]
+        if spot is None or angle is None:
+            return None
+        through = self._place(on, slide.through) if isinstance(slide.through, str) else self._pair(slide.through)
+        c, s = portable.cos(angle), portable.sin(angle)
+        for point in on.points:
+            own, there = self._place(on, point), self._spot(point)
+            if through and own and there:
+                u, v = through[0] - own[0], through[1] - own[1]
+                x, y = spot[0] - there[0] - u * c + v * s, spot[1] - there[1] - u * s - v * c
+                direction = angle + self.scope.number(slide.angle)
+                along = float(x * portable.cos(direction) + y * portable.sin(direction))
+                return along if math.isfinite(along) else None
+        return None
+
     def of(self, name: str) -> float | None:
         """The angle [rad] of a link, as it is given or as two of its points are sketched; None where neither is."""
         link = self.links[name]

@@ -14,6 +14,7 @@ from mechsheet.description.reader import loads, with_layout
 from mechsheet.diagnostics import MechanismError
 from mechsheet.drawing_page.questions import Refusal
 from mechsheet.library.building import build
+from mechsheet.library.phases_from_sketch import with_phases
 from mechsheet.library.redundant_links import with_redundant
 from mechsheet.library.verdicts import verdict
 from mechsheet.model import Mechanism
@@ -51,7 +52,7 @@ def file_of(text: str, file: str, kind: str, at: float | None, layout: str, lang
 def _mechanism(text: str, file: str, layout: str, language: str) -> Mechanism:
     if language not in ("", "en", "tr") or layout not in ("", "sheets", "page"):
         raise Refusal("no such language or layout")
-    mechanism = with_redundant(loads(text, file, None, language or None), file)
+    mechanism = with_phases(with_redundant(loads(text, file, None, language or None), file), file)
     mechanism = replace(mechanism, file=Path(file).stem)
     return with_layout(mechanism, layout or None)
 

@@ -17,6 +17,7 @@ from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
+from mechsheet.library.phases_from_sketch import with_phases
 from mechsheet.library.redundant_links import with_redundant
 from mechsheet.model import Cartesian, Distances, Driver, Joint, Link, Mechanism, Polar, Quantity, Words
 from mechsheet.words.messages import text_in
@@ -56,7 +57,7 @@ def read(text: str, file: str) -> Reading:
     parts = parts_of(source)
     count, loose = _counted(parts)
     try:
-        mechanism = with_redundant(loads(text, file), file)
+        mechanism = with_phases(with_redundant(loads(text, file), file), file)
     except MechsheetError as error:
         told = [*error.faults, *(fault for fault in located(MechanismError(loose), text, file).faults)]
         return Reading(text, source, parts, None, tuple(told), count)

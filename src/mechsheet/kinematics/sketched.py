@@ -24,11 +24,12 @@ from mechsheet.kinematics.lengths import extent
 from mechsheet.kinematics.mobility import listed_names
 from mechsheet.kinematics.newton.elsewhere import assembly_doubts
 from mechsheet.kinematics.newton.steps import step_doubts
+from mechsheet.kinematics.newton.tracing import way
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.kinematics.writing import write_equations
-from mechsheet.model import Gear, Mechanism
+from mechsheet.model import Gear, Mechanism, Rack, Relation
 from mechsheet.said import say
 
 FAR, NOWHERE = 0.25, 0.5
@@ -139,7 +140,7 @@ def _sketched(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
     values, row = _position(mechanism, equations, shown)
     if row is None:
         return tuple(found)
-    found += _phases(mechanism, entries, values, row)
+    found += [_out_of_phase(mechanism, each) for each in out_of_phase(mechanism, equations)]
     size = extent(mechanism, {name: column[row : row + 1] for name, column in values.items()})
     missed = _missed(entries, values, size)
     here = float(missed[row])
@@ -172,7 +173,7 @@ def _phases_there(mechanism: Mechanism, equations: Equations, driver: Array) -> 
             continue
         off = math.remainder(link - arm - number(gear.ratio, dimensions) * (on - arm), math.tau)
         if abs(off) > OUT_OF_PHASE:
-            found.append(_out_of_phase(mechanism, gear, gear.link, off))
+            found.append(_out_of_phase(mechanism, OutOfPhase(gear, gear.link, off)))
     return found
 
 
@@ -207,40 +208,115 @@ def _turned(
     return math.remainder(float(drawn - found), math.tau)
 
 
-def _phases(mechanism: Mechanism, entries: Sequence[Entry], values: Mapping[str, Array], row: int) -> list[Fault]:
-    """Gears whose wheel is sketched at another angle than their phase makes."""
-    links = {link.name: link for link in mechanism.links}
+@dataclass(frozen=True, slots=True)
+class OutOfPhase:
+    """A gear or rack, what is sketched of it, and by how much [rad or length unit] that is off where the phase puts it."""
+
+    relation: Relation
+    name: str
+    off: float
+
+    def meant(self, mechanism: Mechanism) -> float:
+        """The phase, as people write it, that puts it where it is sketched."""
+        phase = number(self.relation.phase, dimension_values(mechanism)) + self.off
+        if isinstance(self.relation, Rack):
+            return float(f"{phase:.4g}")
+        return round(mechanism.angle_unit.to_shown(phase), 9) + 0.0  # no -0
+
+
+def out_of_phase(mechanism: Mechanism, equations: Equations) -> list[OutOfPhase]:
+    """Gears whose wheel, and racks whose bar, is sketched elsewhere than their phase puts it, where no group decides it.
+
+    Turns count: where the sketch says at which value of the driver it was drawn, the mechanism is followed there.
+    """
+    entries = _entries(mechanism, dimension_values(mechanism))
+    place = _followed(mechanism, equations) if mechanism.relations and entries else None
+    if place is None:
+        return []
     found = []
-    for gear in (relation for relation in mechanism.relations if isinstance(relation, Gear)):
-        link = links[gear.link]
-        pivot = next(point for point in link.points if point in links[gear.arm].points)
+    for relation in mechanism.relations:
         for entry in entries:
-            if entry.columns == (link.angle_symbol,):
-                off = entry.wanted[0] - float(values[link.angle_symbol][row])
-            elif entry.name in link.points and entry.name != pivot:
-                here, there = (
-                    portable.arctan2(y - float(values[f"{pivot}.y"][row]), x - float(values[f"{pivot}.x"][row]))
-                    for x, y in (tuple(float(values[column][row]) for column in entry.columns), entry.wanted)
-                )
-                off = there - here
+            if isinstance(relation, Gear):
+                off = _turned_off(mechanism, relation, entry, place)
+                far = abs(off) > OUT_OF_PHASE
             else:
-                continue
-            off = math.remainder(off, math.tau)
-            if abs(off) > OUT_OF_PHASE:
-                found.append(_out_of_phase(mechanism, gear, entry.name, off))
+                off = _slid_off(mechanism, relation, entry, place)
+                radius = abs(number(relation.radius, dimension_values(mechanism)))
+                far = abs(off) > max(OUT_OF_PHASE * radius, SUSPICIOUS * _extent(mechanism, place))
+            if far:
+                found.append(OutOfPhase(relation, entry.name, off))
     return found
 
 
-def _out_of_phase(mechanism: Mechanism, gear: Gear, name: str, off: float) -> Fault:
-    unit = mechanism.angle_unit
-    written = round(unit.to_shown(number(gear.phase, dimension_values(mechanism)) + off), 9) + 0.0  # no -0
-    message = say(
-        "{name} is sketched {angle:.3g} degrees away from where the phase puts it",
-        name=name,
-        angle=abs(math.degrees(off)),
-    )
-    hint = say("write phase = {phase:.4g}, or sketch {name} elsewhere", phase=written, name=name)
-    return Fault(message, key=f"joints.{gear.order}", hint=hint)
+def _extent(mechanism: Mechanism, place: Mapping[str, float]) -> float:
+    """The size of a position."""
+    return extent(mechanism, {name: np.array([value]) for name, value in place.items()})
+
+
+def _followed(mechanism: Mechanism, equations: Equations) -> Mapping[str, float] | None:
+    """The position that the sketch shows, followed to from the first one; None where the links come apart on the way."""
+    equations = equations.positions
+    dimensions = dimension_values(mechanism)
+    driver = driver_values(mechanism, dimensions)
+    values, row = _position(mechanism, equations, driver)
+    if row is None:
+        return None
+    if mechanism.sketch.at is not None:
+        path = way(float(driver[row]), number(mechanism.sketch.at, dimensions), not mechanism.driver.joint)
+        values, row = sweep(mechanism, equations, path), len(path) - 1
+        if not equations.closed(values).all():
+            return None
+    return {name: float(column[row]) for name, column in values.items()}
+
+
+def _turned_off(mechanism: Mechanism, gear: Gear, entry: Entry, place: Mapping[str, float]) -> float:
+    """By which angle a wheel is sketched elsewhere than it is; 0 where the entry is none of it."""
+    links = {link.name: link for link in mechanism.links}
+    link = links[gear.link]
+    pivot = next(point for point in link.points if point in links[gear.arm].points)
+    if entry.columns == (link.angle_symbol,):
+        off = entry.wanted[0] - place[link.angle_symbol]
+    elif entry.name in link.points and entry.name != pivot:
+        here, there = (
+            portable.arctan2(y - place[f"{pivot}.y"], x - place[f"{pivot}.x"])
+            for x, y in (tuple(place[column] for column in entry.columns), entry.wanted)
+        )
+        off = float(there - here)
+    else:
+        return 0.0
+    return math.remainder(off, math.tau)
+
+
+def _slid_off(mechanism: Mechanism, rack: Rack, entry: Entry, place: Mapping[str, float]) -> float:
+    """How far along its guide a rack's bar is sketched from where it is; 0 where the entry is none of it."""
+    joint = next(joint for joint in mechanism.joints if joint.symbol == rack.joint)
+    if entry.name == joint.symbol:
+        return entry.wanted[0] - place[joint.symbol]
+    if entry.name != joint.point:
+        return 0.0
+    on = next(link for link in mechanism.links if link.name == joint.on)
+    turned = 0.0 if on is mechanism.ground else place[on.angle_symbol]
+    direction = turned + number(joint.angle, dimension_values(mechanism))
+    x, y = (wanted - place[column] for wanted, column in zip(entry.wanted, entry.columns, strict=True))
+    return float(x * portable.cos(direction) + y * portable.sin(direction))
+
+
+def _out_of_phase(mechanism: Mechanism, found: OutOfPhase) -> Fault:
+    if isinstance(found.relation, Rack):
+        message = say(
+            "{name} is sketched {length:.4g} {unit} away from where the phase puts it",
+            name=found.name,
+            length=abs(found.off),
+            unit=mechanism.length_unit,
+        )
+    else:
+        message = say(
+            "{name} is sketched {angle:.3g} degrees away from where the phase puts it",
+            name=found.name,
+            angle=abs(math.degrees(found.off)),
+        )
+    hint = say("write phase = {phase:.4g}, or sketch {name} elsewhere", phase=found.meant(mechanism), name=found.name)
+    return Fault(message, key=f"joints.{found.relation.order}", hint=hint)
 
 
 @dataclass(frozen=True, slots=True)

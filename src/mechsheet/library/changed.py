@@ -20,6 +20,7 @@ from mechsheet.description.report import suggestion
 from mechsheet.description.text.numbers import typed_number
 from mechsheet.description.text.source import parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, MechsheetError, readable_name
+from mechsheet.library.phases_from_sketch import with_phases
 from mechsheet.library.redundant_links import with_redundant
 from mechsheet.model import Mechanism
 from mechsheet.said import say
@@ -64,12 +65,16 @@ def loads(
     pairs = in_order(overrides or ())
     modes = _modes_in(pairs, text, file)
     if not modes:
-        found = with_redundant(description.loads(text, file, pairs, language, rows=rows, step=step), file)
+        found = with_phases(
+            with_redundant(description.loads(text, file, pairs, language, rows=rows, step=step), file), file
+        )
         return replace(found, before=_unchanged(text, file)) if pairs else found
     faults = [fault for name, value in modes if (fault := _value_fault(name, value, file)) is not None]
     rest = [pair for pair in pairs if pair not in modes]
     try:
-        mechanism = with_redundant(description.loads(text, file, rest, language, rows=rows, step=step), file)
+        mechanism = with_phases(
+            with_redundant(description.loads(text, file, rest, language, rows=rows, step=step), file), file
+        )
         faults += _name_faults(modes, mechanism, file)
     except MechsheetError as error:
         with suppress(MechsheetError):  # wrong names are told beside what else is wrong

@@ -356,6 +356,9 @@ MECHANISM: dict[str, str] = {
     "{name} is sketched {angle:.3g} degrees away from where the phase puts it": (
         "{name} eskizde, faz açısının koyduğu yerden {angle:.3g} derece ötede"
     ),
+    "{name} is sketched {length:.4g} {unit} away from where the phase puts it": (
+        "{name} eskizde, fazın koyduğu yerden {length:.4g} {unit} ötede"
+    ),
     "write phase = {phase:.4g}, or sketch {name} elsewhere": (
         "phase = {phase:.4g} yazın ya da eskizde {name} başka yerde olsun"
     ),
