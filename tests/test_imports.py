@@ -9,11 +9,12 @@ import pytest
 
 SOURCE = Path(__file__).parent.parent / "src" / "mechsheet"
 
-EVERYBODY = {"diagnostics", "extras", "arguments.numbers", "said", "counted"}
+EVERYBODY = {"diagnostics", "extras", "arguments.numbers", "said", "counted", "time_limit"}
 ALLOWED = {
     "diagnostics": set(),
     "said": set(),
     "counted": set(),
+    "time_limit": {"diagnostics", "said"},
     "extras": {"said"},
     "arguments": {"formula", "formats.archive"},
     "units": set(),

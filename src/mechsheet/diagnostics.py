@@ -89,6 +89,23 @@ class MissingProgramError(MechsheetError):
     """A program or package that was asked for is not installed; the message says what to install."""
 
 
+OWN_FAILURES = (
+    LookupError, ArithmeticError, TypeError, ValueError, AttributeError, RuntimeError, AssertionError, StopIteration,
+    MemoryError,
+)  # fmt: skip
+"""What a fault of mechsheet itself raises: among many files it is told of its file, and the others are judged."""
+
+
+def own_fault(error: BaseException, file: str) -> Fault:
+    """What is said of a file on which mechsheet itself failed."""
+    message = say(
+        "mechsheet itself failed on this file, please report it: {kind}: {error}",
+        kind=type(error).__name__,
+        error=str(error),
+    )
+    return Fault(message, file)
+
+
 def near_miss(word: str, allowed: Iterable[str]) -> Said:
     """`did you mean "crank"?`, or "" when nothing in `allowed` resembles `word`."""
     found = difflib.get_close_matches(word, list(allowed), n=1, cutoff=0.6)

@@ -252,6 +252,11 @@ class _Comparing:
         first, last = block.row, block.row + block.rows - 1
         ours: list[Scalar] = self.values.column(sheet.title, col, first, last)
         theirs = _values(sheet.cached.columns.get(col, ()), first, last)
+        for title, row, at in self.values.kept:  # not computed: nothing says whether what is stored is right
+            if (title, at) == (sheet.title, col) and first <= row <= last and theirs[row - first] is not None:
+                ours[row - first] = theirs[row - first] = 0.0
+                self.counts["formulas"] -= 1
+                self.counts["kept"] += 1
         if self.ignored.areas:
             left_out = [row for row in range(first, last + 1) if self.ignored.has(sheet.title, row, col)]
             self.counts["ignored"] += len(left_out)

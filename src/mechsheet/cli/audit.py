@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 from mechsheet.said import say
+from mechsheet.time_limit import limited
 
-from .common import JSON, Changes, at_lines_of, described, progress, say_written
+from .common import JSON, MOST_SECONDS, Changes, at_lines_of, described, progress, say_written, seconds_option
 from .helping import Explained
 from .speaking import spoken
 
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
     help="Without --against: write a description to start from.",
 )  # fmt: skip
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Of the words, in place of the description's.")
+@seconds_option(MOST_SECONDS)
 @JSON
 def audit(
     workbook: Path,
@@ -39,6 +41,7 @@ def audit(
     assembly: str | None,
     describe: Path | None,
     language: str | None,
+    seconds: float,
     as_json: bool,
 ) -> None:
     """Find the quantities of a mechanism, and the faults, in a workbook of any layout.
@@ -57,7 +60,8 @@ def audit(
     Exit code 0: all right, or recognised; 1: something is not; 2: cannot be read or judged.
     """
     if description is None:
-        _recognised(workbook, describe, language, as_json)
+        with limited(seconds, readable_name(workbook)):
+            _recognised(workbook, describe, language, as_json)
         return
     if describe is not None:
         raise MechsheetError(Fault(say("with --against there is a description already"), key="--describe"))
@@ -65,7 +69,8 @@ def audit(
     from mechsheet.homework.words_of import lines
 
     mechanism = described(description, Changes(), language)
-    with at_lines_of(mechanism, description), progress(workbook.name) as tell:
+    named = readable_name(workbook)
+    with at_lines_of(mechanism, description), progress(workbook.name) as tell, limited(seconds, named):
         tell("auditing")
         found = judge(workbook, mechanism, assembly or "")
     click.echo(json.dumps(found.as_dict(), indent=2, ensure_ascii=False) if as_json else "\n".join(lines(found)))

@@ -13,7 +13,7 @@ import click
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.said import say
 
-from .common import JSON, completing
+from .common import JSON, completing, seconds_option
 from .gate import Gate, concluded, descriptions_among, fails, gate_options, of_each, workbooks
 from .helping import Explained
 from .speaking import speak_of
@@ -39,6 +39,7 @@ def _programs() -> tuple[str, ...]:
 @click.option("--seed", default=0, show_default=True, help="Another seed: other random sets, other damages.")
 @gate_options
 @click.option("--strict", is_flag=True, help="Exit code 1 even if something just cannot be computed or compared.")
+@seconds_option()
 @click.option("-q", "--quiet", is_flag=True, help="Say only what is wrong.")
 @click.option("-v", "--verbose", is_flag=True, help="Say everything about each file, even if there are many.")
 @JSON
@@ -48,6 +49,7 @@ def check(
     perturb: int | None,
     mutate: int | None,
     seed: int,
+    seconds: float | None,
     quiet: bool,
     verbose: bool,
     as_json: bool,
@@ -79,9 +81,9 @@ def check(
     if len(found) == 1:
         speak_of(found[0])
     if mutate is None and perturb is None:
-        _check(found, descriptions_among(files), programs, gate, quiet, verbose, as_json)
+        _check(found, descriptions_among(files), programs, gate, seconds, quiet, verbose, as_json)
     else:
-        _try_out(found, programs, perturb, mutate, seed, quiet, as_json)
+        _try_out(found, programs, perturb, mutate, seed, seconds, quiet, as_json)
 
 
 def _check(
@@ -89,6 +91,7 @@ def _check(
     descriptions: Sequence[Path],
     programs: str,
     gate: Gate,
+    seconds: float | None,
     quiet: bool,
     verbose: bool,
     as_json: bool,
@@ -103,9 +106,8 @@ def _check(
     refuse_unknown(asked)
     rules, baseline = gate.rules(), gate.accepted()
     faults: list[Fault] = []
-    reports = with_twins(
-        of_each(files, faults, lambda file, tell: judge(file, asked, tell, rules, baseline, descriptions))
-    )
+    judged = of_each(files, faults, lambda file, tell: judge(file, asked, tell, rules, baseline, descriptions), seconds)
+    reports = with_twins(judged)
     if as_json:
         click.echo(json.dumps([report.as_dict() for report in reports], indent=2))
     else:
@@ -126,6 +128,7 @@ def _try_out(
     perturb: int | None,
     mutate: int | None,
     seed: int,
+    seconds: float | None,
     quiet: bool,
     as_json: bool,
 ) -> None:
@@ -137,10 +140,12 @@ def _try_out(
     faults: list[Fault] = []
     reports: list[Any]
     if perturb is not None:
-        reports = of_each(files, faults, lambda file, tell: checking.perturb(file, perturb, seed, programs, tell))
+        reports = of_each(
+            files, faults, lambda file, tell: checking.perturb(file, perturb, seed, programs, tell), seconds
+        )
     else:
         count = mutate or 1
-        reports = of_each(files, faults, lambda file, tell: checking.mutate(file, count, seed, tell))
+        reports = of_each(files, faults, lambda file, tell: checking.mutate(file, count, seed, tell), seconds)
     if as_json:
         click.echo(json.dumps([report.as_dict() for report in reports], indent=2))
     else:

@@ -187,6 +187,18 @@ def change_options(command: Command) -> Command:
 
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
+MOST_SECONDS = 120.0
+"""A workbook made by hand is judged in a few seconds. One with an endless formula is evaluated hundreds of times."""
+
+
+def seconds_option(default: float | None = None) -> Callable[[Any], Any]:
+    """The option --seconds: how long a file may take."""
+    usual = "" if default is None else f", {default:g} if not given"
+    return click.option(
+        "--seconds", type=click.FloatRange(min=0, min_open=True), default=default, metavar="X",
+        help=f"Give up on a file after X seconds{usual}.",
+    )  # fmt: skip
+
 
 # --- what the library calls its arguments, and how the command line spells them ---------------------------------------
 

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, TypeVar
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError, readable_name
+from mechsheet.diagnostics import OWN_FAILURES, Fault, MechsheetError, own_fault, readable_name
 from mechsheet.said import say
+from mechsheet.time_limit import in_time, limited
 
 from .common import Command, doubts_told, in_file, progress, with_options
 from .speaking import note, wrote
@@ -128,25 +129,25 @@ def _inside(folder: Path, suffixes: tuple[str, ...] = SUFFIXES) -> Iterable[Path
 
 
 def of_each(
-    files: Sequence[Path], faults: list[Fault], judge: Callable[[Path, Callable[[str], None]], Found]
+    files: Sequence[Path],
+    faults: list[Fault],
+    judge: Callable[[Path, Callable[[str], None]], Found],
+    seconds: float | None = None,
 ) -> list[Found]:
-    """What `judge` finds in each file; a file that cannot be judged does not keep the others from it."""
+    """What `judge` finds in each file; a file that cannot be judged, or not in so many seconds, does not keep the others
+    from it."""
     found = []
     for number, file in enumerate(files, 1):
         with progress(file.name) as tell:
             if len(files) > 1:
                 tell(f"{number} of {len(files)}")
             try:
-                with doubts_told(in_file(file)):
-                    found.append(judge(file, tell))
+                with limited(seconds, readable_name(file)), doubts_told(in_file(file)):
+                    found.append(judge(file, in_time(tell)))
             except MechsheetError as error:
                 faults += error.faults
-            except (LookupError, ArithmeticError, TypeError, ValueError, AttributeError) as error:
-                # a fault of ours: it is told of its file, and the others are judged all the same
-                kind = type(error).__name__
-                message = say("mechsheet itself failed on this file, please report it: {kind}: {error}", kind=kind,
-                              error=str(error))  # fmt: skip
-                faults.append(Fault(message, readable_name(file)))
+            except OWN_FAILURES as error:
+                faults.append(own_fault(error, readable_name(file)))
     return found
 
 

@@ -10,7 +10,7 @@ import click
 from mechsheet.diagnostics import readable_name
 from mechsheet.said import say
 
-from .common import JSON, at_lines_of, progress, same_file, say_written
+from .common import JSON, MOST_SECONDS, at_lines_of, progress, same_file, say_written, seconds_option
 from .helping import Explained
 from .speaking import speak_of
 
@@ -24,6 +24,7 @@ FILE = click.Path(path_type=Path)
 @click.option("--csv", "csv_file", metavar="FILE", type=FILE, help="id, mark and words as CSV.")
 @click.option("--html", "html_folder", metavar="FOLDER", type=FILE, help="A page for each student.")
 @click.option("--assembly", type=click.Choice(["any"]), help="any: accept assemblies other than the sketch's.")
+@seconds_option(MOST_SECONDS)
 @JSON
 def mark(
     books: tuple[Path, ...],
@@ -32,6 +33,7 @@ def mark(
     csv_file: Path | None,
     html_folder: Path | None,
     assembly: str | None,
+    seconds: float,
     as_json: bool,
 ) -> None:
     """Audit the workbooks of a class and write the marks.
@@ -53,7 +55,7 @@ def mark(
     speak_of(against)
     key = key_of_file(against)
     with at_lines_of(key.mechanism, against), progress("marks") as tell:
-        found = mark_all(books, key, assembly or "", tell)
+        found = mark_all(books, key, assembly or "", tell, seconds)
     files = []
     if output is not None:
         write(marks_workbook(found), output)

@@ -15,8 +15,9 @@ import click
 from mechsheet.arguments.outputs import folder_ready, names_folder
 from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 from mechsheet.said import say
+from mechsheet.time_limit import limited
 
-from .common import JSON, output_file, output_option, progress, settings_of
+from .common import JSON, output_file, output_option, progress, seconds_option, settings_of
 from .gate import Gate, concluded, gate_options, of_each, workbooks
 from .helping import Explained
 from .speaking import note, told, wrote
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
 @click.option("--strict", is_flag=True, help="Exit code 1 even if something just cannot be computed or compared.")
 @click.option("--check", is_flag=True, help="Compare with the stored values instead, of files and whole folders.")
 @gate_options
+@seconds_option()
 @JSON
 def recalc(
     files: tuple[Path, ...],
@@ -45,6 +47,7 @@ def recalc(
     ranges: tuple[str, ...],
     check: bool,
     output: str | None,
+    seconds: float | None,
     as_json: bool,
     **options: Any,
 ) -> None:
@@ -67,7 +70,7 @@ def recalc(
             raise MechsheetError(Fault(say("--check compares with the stored values, which know nothing of --set")))
         if ranges or output is not None:
             raise MechsheetError(Fault(say("--check compares: it goes without --print and -o")))
-        _check(workbooks(files), gate, as_json)
+        _check(workbooks(files), gate, seconds, as_json)
         return
     if gate.given():
         raise MechsheetError(Fault(say("{names}: only with --check", names=", ".join(gate.given()))))
@@ -75,7 +78,8 @@ def recalc(
         raise MechsheetError(
             Fault(say("{count} workbooks: one at a time is recalculated, several only with --check", count=len(files)))
         )
-    _recalculate(files[0], settings, ranges, output, as_json, gate.strict)
+    with limited(seconds, readable_name(files[0])):
+        _recalculate(files[0], settings, ranges, output, as_json, gate.strict)
 
 
 def _recalculate(
@@ -105,13 +109,13 @@ def _recalculate(
         sys.exit(1)
 
 
-def _check(files: Sequence[Path], gate: Gate, as_json: bool) -> None:
+def _check(files: Sequence[Path], gate: Gate, seconds: float | None, as_json: bool) -> None:
     """The stored values of each file."""
     from mechsheet.checking.remark_lines import stored_lines
 
     rules, baseline = gate.rules(), gate.accepted()
     faults: list[Fault] = []
-    reports = of_each(files, faults, lambda file, tell: _judged(file, tell, rules, baseline))
+    reports = of_each(files, faults, lambda file, tell: _judged(file, tell, rules, baseline), seconds)
     for report in reports:
         assert report.stored is not None
         head = f"{report.file}: " if len(files) > 1 else ""

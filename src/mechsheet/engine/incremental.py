@@ -9,6 +9,7 @@ import numpy as np
 
 from ..diagnostics import Fault
 from ..formula.nodes import Scalar
+from ..time_limit import check_time
 from .interpreter.evaluator import Evaluator
 from .layout import Area
 from .plan import Plan
@@ -186,8 +187,10 @@ class Live:
             if len(self._orders) < _MOST_KNOWN:
                 self._orders[todo] = order
         marks, layout, around = self._marks, self.plan.layout, self._evaluator.around
+        around.budget.called = 0
         with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
             for index in order:
+                check_time()
                 step = self.plan.steps[index]
                 for number in step.producers:
                     if number in marks.dirty:

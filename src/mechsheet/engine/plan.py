@@ -10,6 +10,7 @@ import numpy as np
 
 from ..formula.book import Block, Book, BookSheet, CellStore
 from ..formula.nodes import Scalar
+from ..time_limit import check_time
 from .fast.marks import Marks, marks_of_constants
 from .graph import dependencies, dependents
 from .interpreter.environment import Environment
@@ -117,6 +118,7 @@ class Plan:
         ev, marks = self.begin(overrides or {})
         with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
             for step in self.steps:
+                check_time()
                 step.run(ev, marks)
         return self.values_of(ev)
 
@@ -143,7 +145,8 @@ class Plan:
 
     def values_of(self, ev: Evaluator) -> Values:
         """The values that an evaluator has computed, with what it remarked."""
-        return Values(self.layout, ev.numbers, ev.codes, ev.texts, (*self.remarks, *ev.around.remarks))
+        remarks = (*self.remarks, *ev.around.remarks)
+        return Values(self.layout, ev.numbers, ev.codes, ev.texts, remarks, ev.around.kept)
 
     def is_constant(self, cell: tuple[str, int, int]) -> bool:
         """Whether a constant stands in a cell."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -17,12 +17,20 @@ class Values:
 
     remarks  what is not as it is meant, with its cells: unknown functions, references to other workbooks, volatile
              functions, circles (#REF! in their cells)
+    kept     formulas that could not be computed, (sheet's title, row, column): they show what the file holds, else #VALUE!
     """
 
     def __init__(
-        self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts, remarks: Sequence[Fault] = ()
+        self,
+        layout: Layout,
+        numbers: Numbers,
+        codes: Codes,
+        texts: Texts,
+        remarks: Sequence[Fault] = (),
+        kept: Iterable[tuple[int, int, int]] = (),
     ) -> None:
         self.remarks = tuple(remarks)
+        self.kept = frozenset((layout.titles[sheet], row, col) for sheet, row, col in kept)
         self._layout = layout
         self._numbers = numbers
         self._codes = codes

@@ -17,6 +17,7 @@ import numpy as np
 
 from ...formula.book import Block
 from ...formula.nodes import Binary, Call, CellRef, FunctionRef, Node, Number, walk
+from ...time_limit import TimeLimitError
 from ..graph import area_read, reads_anywhere, references
 from ..interpreter.evaluator import Evaluator
 from ..kernels.math import rounded
@@ -127,10 +128,10 @@ def _value(ev: Evaluator, node: Node, frame: Frame) -> Cells:
     """The value of a part of the formula; cell by cell where that is asked for, or where some cells cannot be computed."""
     try:
         return ev.value(node, frame)
-    except NotReadyError:
+    except (NotReadyError, TimeLimitError):
         raise
     except Exception:  # said of each cell that cannot be computed
-        return ev.cell_by_cell(lambda cell: ev.result(node, cell), frame)
+        return ev.cell_by_cell(lambda cell: ev.result(node, cell, part=True), frame)
 
 
 def _held(kind: Held, above: Cells, ev: Evaluator, frame: Frame) -> Cells:

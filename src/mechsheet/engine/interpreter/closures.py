@@ -17,6 +17,7 @@ from ...formula.nodes import Apply, Call, FunctionRef, Local, Missing, Node
 from ..values.cells import NAME, NUM, VALUE, Cells, error
 from ..values.coerce import truths_of
 from ..values.frames import Frame
+from .budget import CELLS_A_STEP, Budget
 from .regions import Regions, regions
 
 if TYPE_CHECKING:
@@ -73,12 +74,13 @@ class Scopes:
 
     functions  what the workbook's names for functions mean
     reference  the reference that a text says (text, in A1 form, sheet, row, column), None when it says none
+    budget     what calls of functions cost
     """
 
-    def __init__(self, functions: Mapping[FunctionRef, Node], reference: Reader) -> None:
+    def __init__(self, functions: Mapping[FunctionRef, Node], reference: Reader, budget: Budget) -> None:
         self.functions = functions
         self.reference = reference
-        self.depth = 0
+        self.budget = budget
 
     def let(self, args: Sequence[Node], frame: Frame) -> tuple[Node, Frame]:
         """The last argument of LET and the frame with its names."""
@@ -93,7 +95,12 @@ class Scopes:
         bound = (frame.names or {}).get(name)
         if bound is None:
             return error(NAME)
-        return ev.texts.constant(None) if bound.omitted else bound.value(ev, frame, spread)
+        if bound.omitted:
+            return ev.texts.constant(None)
+        found = bound.value(ev, frame, spread)
+        if self.budget.depth:
+            self.budget.spend(1 + np.size(found.numbers) // CELLS_A_STEP)
+        return found
 
     def regions(self, ev: Evaluator, name: str, frame: Frame) -> Regions:
         """The reference that a name stands for."""
@@ -116,21 +123,23 @@ class Scopes:
 
     def body_value(self, ev: Evaluator, body: Node, frame: Frame, spread: bool) -> Cells:
         """The value of a function's body, #NUM! when functions call each other too deep."""
-        if self.depth >= MOST_CALLS:
+        budget = self.budget
+        if budget.depth >= MOST_CALLS:
             return error(NUM)
-        self.depth += 1
+        budget.depth += 1
         try:
+            budget.spend(1)
             return ev.value(body, frame, spread)
         finally:
-            self.depth -= 1
+            budget.depth -= 1
 
     def applied(self, ev: Evaluator, node: Apply, frame: Frame) -> tuple[Node, Frame] | Cells:
         """The body of the function that is called, in the frame with its arguments; or why it cannot be called."""
+        self.budget.spend(1)
         closure = self.function(ev, node.function, frame, len(node.args))
         if closure is None:
             return error(VALUE)
-        args = [Bound(omitted=True) if isinstance(arg, Missing) else Bound(arg, frame.names) for arg in node.args]
-        scope = closure.given(args)
+        scope = closure.given([_argument(arg, frame.names) for arg in node.args])
         return error(VALUE) if scope is None else (closure.body, frame.within(scope))
 
     def function(self, ev: Evaluator, node: Node, frame: Frame, count: int) -> Closure | None:
@@ -166,6 +175,15 @@ class Scopes:
         """The value of a function for arguments at hand."""
         scope = closure.given(args)
         return error(VALUE) if scope is None else self.body_value(ev, closure.body, frame.within(scope), spread)
+
+
+def _argument(node: Node, scope: Scope | None) -> Bound:
+    """What an argument stands for. A name stands for what it stood for: a function that hands itself on to itself would else
+    be looked up through all its calls."""
+    if isinstance(node, Missing):
+        return Bound(omitted=True)
+    known = (scope or {}).get(node.name) if isinstance(node, Local) else None
+    return known if known is not None and not known.omitted else Bound(node, scope)
 
 
 def _builtin(name: str, count: int) -> Closure | None:

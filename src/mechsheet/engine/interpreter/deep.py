@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextvars
 import sys
 import threading
 from collections.abc import Callable
@@ -50,7 +51,8 @@ def _in_deep_thread(compute: Callable[[], Found], size: int) -> Found:
     limit, usual = sys.getrecursionlimit(), threading.stack_size(size)
     try:
         sys.setrecursionlimit(max(limit, size // _BYTES_A_LEVEL))
-        thread = threading.Thread(target=run, name=_NAME)
+        # A thread begins without what its maker was given, such as the time it may take.
+        thread = threading.Thread(target=contextvars.copy_context().run, args=(run,), name=_NAME)
         try:
             thread.start()
         except RuntimeError as problem:

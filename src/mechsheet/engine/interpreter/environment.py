@@ -7,11 +7,12 @@ from dataclasses import dataclass, field
 
 from ...diagnostics import Fault
 from ...formula.book import Book
-from ...formula.nodes import FunctionRef, Node
+from ...formula.nodes import FunctionRef, Node, Scalar
 from ...formula.references import cell_address
 from ...said import say
 from ..kernels.arithmetic import FAST, Arithmetic
 from ..layout import Area
+from .budget import Budget
 
 _MOST = 100
 """Cells of which the same is remarked."""
@@ -35,6 +36,8 @@ class Environment:
     closely  whether every cell that is read is checked, not only those that no formula names
     sizes    the size that each dynamic array has, by its block
     remarks  what could not be computed as it is meant, with its cell
+    budget   how much work formulas have been
+    kept     formulas that could not be computed, (sheet, row, column)
     """
 
     book: Book = field(default_factory=lambda: Book([]))
@@ -45,11 +48,17 @@ class Environment:
     closely: bool = False
     sizes: dict[int, tuple[int, int]] = field(default_factory=dict)
     remarks: list[Fault] = field(default_factory=list)
+    budget: Budget = field(default_factory=Budget)
+    kept: set[tuple[int, int, int]] = field(default_factory=set)
     _said: dict[str, int] = field(default_factory=dict)
 
     def need(self, area: Area) -> None:
         """Raise NotReadyError when not all cells of an area have been computed."""
         self.check(area, ())
+
+    def stored(self, sheet: int, row: int, col: int) -> Scalar:
+        """The value that the file holds for a formula, None where it holds none."""
+        return self.book.sheets[sheet].cached.get(row, col) if sheet < len(self.book.sheets) else None
 
     def remark(self, message: str, sheet: int, row: int, col: int) -> None:
         """Note what could not be computed in a cell."""

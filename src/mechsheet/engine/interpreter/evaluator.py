@@ -32,6 +32,7 @@ from ...formula.nodes import (
     Unary,
 )
 from ...said import reason, say
+from ...time_limit import TimeLimitError
 from ..kernels.math import OPERATORS, snapped
 from ..kernels.table import KERNELS
 from ..layout import Layout
@@ -52,6 +53,7 @@ from ..values.cells import (
 )
 from ..values.coerce import compared, each, joined, numbers_of
 from ..values.frames import ArrayArgumentError, Frame, NotReadyError, Span, UnsupportedError, VaryingSizeError
+from .budget import CELLS_A_STEP, LIFTED_STEPS
 from .closures import Bound, Scopes
 from .deep import deeply
 from .environment import Environment
@@ -74,23 +76,35 @@ class Evaluator(Reading):
         self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts, around: Environment | None = None
     ) -> None:
         super().__init__(layout, numbers, codes, texts, around)
-        self.scopes = Scopes(self.around.functions, self.around.reference)
+        self.scopes = Scopes(self.around.functions, self.around.reference, self.around.budget)
 
-    def result(self, formula: Node, frame: Frame) -> Cells:
-        """What the cells of a frame show: of an array its first cell, with the last + or - snapped and a blank as 0."""
+    def result(self, formula: Node, frame: Frame, part: bool = False) -> Cells:
+        """What the cells of a frame show: of an array its first cell, with the last + or - snapped and a blank as 0.
+
+        What cannot be computed shows what the file holds; `part`: a part of the cells' formula, which shows #VALUE! then.
+        """
         try:
             found = self._safely(formula, frame, False)
         except VaryingSizeError:
-            return self.cell_by_cell(lambda cell: self.result(formula, cell), frame)
+            return self.cell_by_cell(lambda cell: self.result(formula, cell, part), frame)
+        if found is None:
+            return error(VALUE) if part else self.stored(frame)
         if np.ndim(found.numbers) > 2:
             found = Cells(found.numbers[0, 0], None if found.codes is None else codes_of_all(found)[0, 0])
             if frame.rows == frame.cols == 1:
                 found = Cells(np.ravel(found.numbers)[0], None if found.codes is None else np.ravel(found.codes)[0])
         return without_blanks(found)
 
-    def array(self, formula: Node, frame: Frame) -> Cells:
-        """What an array formula gives, as cells of two axes (height, width)."""
+    def stored(self, frame: Frame) -> Cells:
+        """The value that the file holds for a cell that cannot be computed, #VALUE! where it holds none."""
+        value = self.around.stored(frame.sheet, frame.row, frame.col)
+        return error(VALUE) if value is None else self.texts.constant(value)
+
+    def array(self, formula: Node, frame: Frame) -> Cells | None:
+        """What an array formula gives, as cells of two axes (height, width); None where it cannot be computed."""
         found = self._safely(formula, frame, True)
+        if found is None:
+            return None
         shape = found.shape
         if len(shape) > 2:
             numbers = np.broadcast_to(found.numbers, shape)[:, :, 0, 0]
@@ -99,23 +113,27 @@ class Evaluator(Reading):
             numbers, codes = np.reshape(found.numbers, (1, 1)), np.reshape(codes_of(found), (1, 1))
         return without_blanks(Cells(numbers, codes))
 
-    def _safely(self, formula: Node, frame: Frame, spread: bool) -> Cells:
-        """The value; of a single cell #VALUE! with a remark where it cannot be computed.
+    def _safely(self, formula: Node, frame: Frame, spread: bool) -> Cells | None:
+        """The value; of a single cell None with a remark where it cannot be computed.
 
         Raises VaryingSizeError for several cells of which some cannot be: each of them by itself may do better.
         """
         try:
+            self.around.budget.begin()
             return deeply(lambda: self._unsafely(formula, frame, spread))
         except RecursionError:
             message: str = say("a formula nested too deeply")
-        except NotReadyError:
+        except (NotReadyError, TimeLimitError):
             raise
         except Exception as problem:
             if frame.rows > 1 or frame.cols > 1:
                 raise VaryingSizeError from problem
             message = _reason(problem)
+        if self.around.stored(frame.sheet, frame.row, frame.col) is not None:
+            message = say("{message}: the stored value is kept", message=message)
         self.around.remark(message, frame.sheet, frame.row, frame.col)
-        return error(VALUE)
+        self.around.kept.add((frame.sheet, frame.row, frame.col))
+        return None
 
     def _unsafely(self, formula: Node, frame: Frame, spread: bool) -> Cells:
         with np.errstate(all="ignore"):
@@ -137,7 +155,12 @@ class Evaluator(Reading):
             case Call():
                 return self.call(node, frame, spread)
             case RangeRef():
-                return self.range(node, frame) if spread else self.beside(node, frame)
+                if not spread:
+                    return self.beside(node, frame)
+                found = self.range(node, frame)
+                if self.around.budget.depth:
+                    self.around.budget.spend(np.size(found.numbers) // CELLS_A_STEP)
+                return found
             case Text(text):
                 return self.texts.constant(text)
             case Boolean(flag):
@@ -183,7 +206,7 @@ class Evaluator(Reading):
             left, right = fitted(left, right)
             return compared(op, left, right, self.texts)
         if op == "&":
-            return each(joined, (left, right), self.texts)
+            return each(joined, (left, right), self.texts, self.around.budget.spend)
         return self.mapped(self.around.arithmetic.functions.get(op, OPERATORS[op]), (left, right))
 
     def signed(self, op: str, operand: Cells) -> Cells:
@@ -241,6 +264,7 @@ class Evaluator(Reading):
         height, width = np.broadcast_shapes(*((1, 1, *cells.shape)[-4:][:2] for cells in values))
         names = [f"argument {slot} of {node.name}" for slot in singles]
         call = with_slots(node, dict(zip(singles, (Local(name) for name in names), strict=True)))
+        self.around.budget.spend(LIFTED_STEPS * height * width)
         numbers, codes = np.empty((height, width, 1, 1)), np.zeros((height, width, 1, 1), np.uint8)
         for down in range(height):
             for right in range(width):

@@ -9,11 +9,16 @@ from typing import Any
 
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from ..values.calling import Problem, to_number, to_truth
-from ..values.cells import error_code
+from ..values.cells import MOST_LISTED, error_code, too_large
 
 Grid = list[list[Scalar]]
 NA = ErrorValue("#N/A")
-_MOST_CELLS = 4_000_000
+
+
+def _need_room(height: int, width: int) -> None:
+    """Raise UnsupportedError for an array that would take too much memory."""
+    if height * width > MOST_LISTED:
+        raise too_large(height, width)
 
 
 def _turned(grid: Grid) -> Grid:
@@ -131,8 +136,9 @@ def sequence(*sizes: Scalar) -> Grid:
     """SEQUENCE(rows, columns, start, step): what is left out is 1."""
     given = [1.0 if value is None else to_number(value) for value in (*sizes, None, None, None)[:4]]
     height, width, start, step = math.trunc(given[0]), math.trunc(given[1]), given[2], given[3]
-    if height < 0 or width < 0 or height > MAX_ROWS or width > MAX_COLUMNS or height * width > _MOST_CELLS:
+    if height < 0 or width < 0 or height > MAX_ROWS or width > MAX_COLUMNS:
         raise Problem("#VALUE!")
+    _need_room(height, width)
     if not height or not width:
         raise Problem("#CALC!")
     return [[start + step * (row * width + col) for col in range(width)] for row in range(height)]
@@ -169,6 +175,7 @@ def to_row(grid: Grid, ignore: float = 0.0, by_column: bool = False) -> Grid:
 def below_each_other(*grids: Grid) -> Grid:
     """VSTACK: narrower arrays are filled with #N/A."""
     width = max(len(grid[0]) for grid in grids)
+    _need_room(sum(map(len, grids)), width)
     return [row + [NA] * (width - len(row)) for grid in grids for row in grid]
 
 
@@ -222,8 +229,9 @@ def expanded(grid: Grid, rows: Scalar, cols: Scalar = None, pad: Scalar = NA) ->
     """EXPAND: to a size not smaller than its own."""
     height = len(grid) if rows is None else math.trunc(to_number(rows))
     width = len(grid[0]) if cols is None else math.trunc(to_number(cols))
-    if height < len(grid) or width < len(grid[0]) or height * width > _MOST_CELLS:
+    if height < len(grid) or width < len(grid[0]):
         raise Problem("#VALUE!")
+    _need_room(height, width)
     wide = [row + [pad] * (width - len(row)) for row in grid]
     return wide + [[pad] * width for _ in range(height - len(grid))]
 
@@ -237,6 +245,7 @@ def wrap_rows(values: Grid, count: float, pad: Scalar = NA) -> Grid:
         raise Problem("#NUM!")
     line = [value for row in values for value in row]
     width = min(width, len(line)) if len(line) < width else width
+    _need_room(math.ceil(len(line) / width), width)
     rows = [line[start : start + width] for start in range(0, len(line), width)]
     return [row + [pad] * (width - len(row)) for row in rows]
 

@@ -11,7 +11,7 @@ from ...formula.nodes import CellRef, Local, Missing, Node, RangeRef
 from ..interpreter.closures import Bound, Closure
 from ..interpreter.regions import gives_region, regions
 from ..layout import Area
-from ..values.cells import CALC, NA, VALUE, Cells, boolean, codes_of, error
+from ..values.cells import CALC, MOST_LISTED, NA, VALUE, Cells, boolean, codes_of, error, too_large
 from ..values.coerce import numbers_of
 from ..values.frames import Frame, Span, VaryingSizeError
 
@@ -19,8 +19,6 @@ if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
 
 Args = tuple[Node, ...]
-_MOST = 1 << 22
-"""Cells of an array that MAKEARRAY makes."""
 
 
 def let(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
@@ -184,8 +182,10 @@ def makearray(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
             return error(int(np.ravel(errors)[0]))
         sizes.append(int(np.ravel(number)[0]))
     closure = ev.scopes.function(ev, args[2], frame, 2)
-    if closure is None or min(sizes) < 1 or sizes[0] * sizes[1] > _MOST:
+    if closure is None or min(sizes) < 1:
         return error(VALUE)
+    if sizes[0] * sizes[1] > MOST_LISTED:
+        raise too_large(*sizes)
     found = Collected(*sizes)
     for down in range(sizes[0]):
         for right in range(sizes[1]):

@@ -9,7 +9,10 @@ from typing import Any
 import numpy as np
 
 from ..values.calling import Problem
-from ..values.cells import Cells, Numbers
+from ..values.cells import MOST_CELLS, Cells, Numbers, too_large
+
+_MOST_EXACT = 100
+"""Rows of a matrix whose determinant is found in whole numbers: their time grows with the cube, a second for 150."""
 
 
 def _square(matrix: Numbers) -> None:
@@ -21,6 +24,8 @@ def product(left: Numbers, right: Numbers) -> Numbers:
     """MMULT."""
     if left.shape[1] != right.shape[0]:
         raise Problem("#VALUE!")
+    if left.shape[0] * right.shape[1] > MOST_CELLS:
+        raise too_large(left.shape[0], right.shape[1])
     return np.asarray(left @ right, np.float64)
 
 
@@ -37,7 +42,8 @@ def determinant(matrix: Numbers) -> float:
     """MDETERM: exact for matrices of small whole numbers, else by elimination."""
     _square(matrix)
     found = float(np.linalg.det(matrix))
-    if np.all(matrix == np.rint(matrix)) and abs(found) < 2.0**50 and np.abs(matrix).max() < 2.0**40:
+    small = len(matrix) <= _MOST_EXACT
+    if small and np.all(matrix == np.rint(matrix)) and abs(found) < 2.0**50 and np.abs(matrix).max() < 2.0**40:
         return float(_whole_determinant([[int(item) for item in row] for row in matrix.tolist()]))
     return found
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import Missing, Node
-from ..values.cells import NUM, VALUE, Cells, error, finished, first_error
+from ..values.cells import MOST_LISTED, NUM, VALUE, Cells, error, finished, first_error, too_large
 from ..values.coerce import numbers_of, truths_of
 from ..values.frames import Frame, VaryingSizeError
 
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 Args = tuple[Node, ...]
 _GENERATOR = np.random.default_rng(1900)
-_MOST_CELLS = 4_000_000
 
 
 def rand(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
@@ -52,8 +51,10 @@ def randarray(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         found.append(float(number))
     whole = len(args) > 4 and bool(np.all(truths_of(ev.value(args[4], frame), ev.texts)[0]))
     height, width, low, high = math.trunc(found[0]), math.trunc(found[1]), found[2], found[3]
-    if height < 1 or width < 1 or height * width > _MOST_CELLS or low > high:
+    if height < 1 or width < 1 or low > high:
         return error(VALUE)
+    if height * width > MOST_LISTED:
+        raise too_large(height, width)
     numbers = _GENERATOR.random((height, width, 1, 1))
     return Cells(np.floor(numbers * (high - low + 1)) + low if whole else numbers * (high - low) + low)
 

@@ -118,7 +118,7 @@ def _each(function: Callable[..., Scalar]) -> Any:
             Cells(np.float64(0), np.uint8(BLANK)) if isinstance(arg, Missing) else ev.value(arg, frame, spread)
             for arg in args
         )
-        return each(function, cells, ev.texts)
+        return each(function, cells, ev.texts, ev.around.budget.spend)
 
     return kernel
 
@@ -133,12 +133,13 @@ def concat(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
             parts.append(cells)
             continue
         shape = cells.shape
+        ev.around.budget.spend(shape[0] * shape[1])
         numbers, codes = np.broadcast_to(cells.numbers, shape), np.broadcast_to(codes_of(cells), shape)
         for i in range(shape[0]):
             for j in range(shape[1]):
                 tail = tuple(n for n in shape[2:] if n > 1) or ()
                 parts.append(Cells(numbers[i, j].reshape(tail), codes[i, j].reshape(tail)))
-    return each(joined, tuple(parts), ev.texts)
+    return each(joined, tuple(parts), ev.texts, ev.around.budget.spend)
 
 
 # --- characters, searching, replacing, joining, splitting ------------------------------------------------------------
@@ -291,12 +292,15 @@ def text_join(delimiters: list[Scalar] | None, skip_empty: Any, *lists: list[Sca
     """TEXTJOIN: with one delimiter, or several in turn."""
     between = _texts(delimiters)
     parts = [part for values in lists for part in _texts(values) if part or not skip_empty]
-    out = ""
+    pieces: list[str] = []
+    length = 0
     for place, part in enumerate(parts):
-        out += (between[(place - 1) % len(between)] if place else "") + part
-    if len(out) > MOST_CHARACTERS:
-        raise Problem("#CALC!")
-    return out
+        piece = (between[(place - 1) % len(between)] if place else "") + part
+        length += len(piece)
+        if length > MOST_CHARACTERS:
+            raise Problem("#CALC!")
+        pieces.append(piece)
+    return "".join(pieces)
 
 
 def _any_of(delimiters: list[Scalar] | None, ignore_case: Any) -> re.Pattern[str]:

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from ...formula.book import CellStore
+from ...formula.book import Block, CellStore
 from ...formula.nodes import Node
 from ..fast.marks import Marks
 from ..interpreter.evaluator import Evaluator
 from ..layout import Layout
-from ..values.cells import NA, REF, SPILL, Codes
+from ..values.cells import NA, REF, SPILL, Cells, Codes
 from ..values.frames import Frame
 
 
@@ -39,6 +39,8 @@ def fill_array(layout: Layout, number: int, formula: Node, blocked: bool, ev: Ev
     """Compute the cells of an array formula; their codes."""
     block = layout.blocks[number]
     found = ev.array(formula, Frame(layout.block_sheets[number], block.row, block.col, 1, 1))
+    if found is None:
+        found = _stored(ev, layout.block_sheets[number], block)
     height, width = np.shape(found.numbers)
     if block.kind == "spill":
         ev.around.sizes[number] = height, width
@@ -56,6 +58,15 @@ def fill_array(layout: Layout, number: int, formula: Node, blocked: bool, ev: Ev
     ev.numbers[place] = numbers.T.ravel()
     ev.codes[place] = codes.T.ravel()
     return ev.codes[place]
+
+
+def _stored(ev: Evaluator, sheet: int, block: Block) -> Cells:
+    """What the file holds for an array that cannot be computed, as (rows, columns)."""
+    rows, cols = range(block.row, block.row + block.rows), range(block.col, block.col + block.cols)
+    ev.around.kept.update((sheet, row, col) for row in rows for col in cols)
+    cells = [[ev.stored(Frame(sheet, row, col, 1, 1)) for col in cols] for row in rows]
+    codes = [[0 if cell.codes is None else cell.codes for cell in row] for row in cells]
+    return Cells(np.array([[cell.numbers for cell in row] for row in cells]), np.array(codes, np.uint8))
 
 
 def _first(array: Any, rows: int, cols: int) -> Any:

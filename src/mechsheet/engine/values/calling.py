@@ -14,7 +14,20 @@ import numpy as np
 
 from ...formula.functions import Function
 from ...formula.nodes import ArrayLiteral, CellRef, ErrorValue, Missing, Node, RangeRef, Scalar
-from .cells import BLANK, ERROR, ERROR_NAMES, NUMBER, Cells, Numbers, Texts, codes_of, error_code, fitted
+from .cells import (
+    BLANK,
+    ERROR,
+    ERROR_NAMES,
+    MOST_LISTED,
+    NUMBER,
+    Cells,
+    Numbers,
+    Texts,
+    codes_of,
+    error_code,
+    fitted,
+    too_large,
+)
 from .coerce import numbers_of, text_to_number, to_text
 from .frames import Frame, VaryingSizeError
 
@@ -23,6 +36,9 @@ if TYPE_CHECKING:
 
 LIFTED = frozenset("npytbdae")
 """Kinds of single values: an array there means one result for each of its cells."""
+
+LISTED_A_STEP = 16
+"""Cells of an array that are handed to a function one by one in the time of a step."""
 
 EPOCHS = 1462.0
 """Days from the first day of workbooks that count from 1900 to that of workbooks that count from 1904."""
@@ -163,6 +179,10 @@ def _fixed(ev: Evaluator, node: Node, kind: str, frame: Frame, needed: bool) -> 
             table = Cells(np.zeros((1, 1)), np.full((1, 1), BLANK, np.uint8))
         else:
             table = table_of(ev, node, frame)
+        if kind in "gl":
+            if table.numbers.size > MOST_LISTED:
+                raise too_large(*table.numbers.shape)
+            ev.around.budget.spend(table.numbers.size // LISTED_A_STEP)
         if kind == "g":
             return grid_of(table, ev.texts)
         if kind == "l":
@@ -186,7 +206,7 @@ def called(row: Function, function: Callable[..., Any]) -> Any:
             for arg, kind in zip(args, kinds, strict=True)
             if kind in LIFTED
         ]
-        return _each_key(_Call(function, kinds, fixed, ev.texts, ev.layout.date1904), lifted)
+        return _each_key(_Call(function, kinds, fixed, ev.texts, ev.layout.date1904), lifted, ev.around.budget.spend)
 
     return kernel
 
@@ -261,8 +281,8 @@ def spread_cells(table: Cells) -> Cells:
     return Cells(table.numbers[:, :, None, None], None if codes is None else codes[:, :, None, None])
 
 
-def _each_key(call: _Call, lifted: list[Cells]) -> Cells:
-    """The function's results over the common shape of its single values."""
+def _each_key(call: _Call, lifted: list[Cells], spend: Callable[[int], None]) -> Cells:
+    """The function's results over the common shape of its single values; `spend` is told how many an array has."""
     lifted = list(fitted(*lifted))
     shape = np.broadcast_shapes(*(cells.shape for cells in lifted)) if lifted else ()
     if shape == ():
@@ -270,6 +290,8 @@ def _each_key(call: _Call, lifted: list[Cells]) -> Cells:
         if isinstance(found, Cells):
             return spread_cells(found)
         return Cells(np.float64(found[0]), np.uint8(found[1]) if found[1] else None)
+    if len(shape) > 2:
+        spend(shape[0] * shape[1])
     flat = [
         (
             np.broadcast_to(cells.numbers, shape).ravel().tolist(),

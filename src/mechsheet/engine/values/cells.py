@@ -26,6 +26,10 @@ Codes: TypeAlias = NDArray[np.uint8]
 NUMBER, BLANK, TEXT, BOOLEAN = 0, 1, 2, 3
 MOST_CELLS = 1 << 24
 """Cells of an array that an operation makes of smaller ones: one column of a sheet sixteen times."""
+MOST_LISTED = 1 << 22
+"""Cells of an array that is made or taken apart one by one: some 200 bytes each, where MOST_CELLS take 9."""
+MOST_LETTERS = 1 << 28
+"""Characters of all texts that one evaluation computes, some 270 MB: ten thousand of the longest."""
 NEAR = 2.0**-48
 """Two numbers nearer than this, relatively, are equal, and their difference is nothing: some 14 to 15 digits."""
 ERROR = 16
@@ -70,16 +74,20 @@ class Texts:
         self._first = len(base) if base is not None else 0
         self._texts: list[str] = []
         self._numbers: dict[str, int] = {}
+        self._letters = 0
 
     def __len__(self) -> int:
         return self._first + len(self._texts)
 
     def number(self, text: str) -> int:
-        """The number of a text, new or known."""
+        """The number of a text, new or known. Raises UnsupportedError where computed texts take too much memory."""
         found = self._base._numbers.get(text) if self._base is not None else None
         if found is None or found >= self._first:
             found = self._numbers.get(text)
         if found is None:
+            self._letters += len(text)
+            if self._base is not None and self._letters > MOST_LETTERS:
+                raise UnsupportedError(say("texts of more than {most} characters are not computed", most=MOST_LETTERS))
             found = self._numbers[text] = len(self)
             self._texts.append(text)
         return found
@@ -119,6 +127,11 @@ class Texts:
         """A scalar as cells of shape ()."""
         number, code = self.encode(value)
         return Cells(np.float64(number), None if code == NUMBER else np.uint8(code))
+
+
+def too_large(height: int, width: int) -> UnsupportedError:
+    """What is raised for an array that would take too much memory."""
+    return UnsupportedError(say("an array of {height} x {width} cells is not computed", height=height, width=width))
 
 
 def error(code: int) -> Cells:
@@ -194,7 +207,7 @@ def fitted(*cells: Cells) -> tuple[Cells, ...]:
         return cells
     height, width = (max(size[axis] for size in sizes) for axis in (0, 1))
     if height * width > MOST_CELLS:
-        raise UnsupportedError(say("an array of {height} x {width} cells is not computed", height=height, width=width))
+        raise too_large(height, width)
     if all(size[0] in (1, height) and size[1] in (1, width) for size in sizes):
         return cells
     return tuple(_padded(cell, height, width) for cell in cells)

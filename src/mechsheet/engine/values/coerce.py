@@ -127,8 +127,11 @@ def truths_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
     return mask, (errors if np.count_nonzero(errors) else None)
 
 
-def each(function: Callable[..., Scalar], args: tuple[Cells, ...], texts: Texts) -> Cells:
-    """A function of scalars, cell by cell: the slow way, for texts. Errors in arguments come first, from the left."""
+def each(function: Callable[..., Scalar], args: tuple[Cells, ...], texts: Texts, spend: Callable[[int], None]) -> Cells:
+    """A function of scalars, cell by cell: the slow way, for texts. Errors in arguments come first, from the left.
+
+    spend  is told how many cells an array has
+    """
     args = fitted(*args)
     if all(cells.shape == () for cells in args):
         single = tuple((float(cells.numbers), 0 if cells.codes is None else int(cells.codes)) for cells in args)
@@ -136,6 +139,8 @@ def each(function: Callable[..., Scalar], args: tuple[Cells, ...], texts: Texts)
         return Cells(np.float64(number), np.uint8(code) if code else None)
     parts = [np.broadcast_arrays(cells.numbers, codes_of(cells)) for cells in args]
     shape = np.broadcast_shapes(*(part[0].shape for part in parts))
+    if len(shape) > 2:
+        spend(shape[0] * shape[1])
     flat = [(np.broadcast_to(n, shape).ravel(), np.broadcast_to(c, shape).ravel()) for n, c in parts]
     size = int(np.prod(shape))
     numbers, codes = np.empty(size), np.zeros(size, np.uint8)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from mechsheet.description import load, loads
-from mechsheet.diagnostics import Fault, MechsheetError, readable_name, system_reason
+from mechsheet.diagnostics import OWN_FAILURES, Fault, MechsheetError, own_fault, readable_name, system_reason
 from mechsheet.formats import FORMATS, read
 from mechsheet.homework.audit import Audit, audited
 from mechsheet.homework.classroom.exercise import Student, safe, with_dimensions
@@ -19,6 +19,7 @@ from mechsheet.homework.upright import Work, upright
 from mechsheet.homework.words_of import fault_line
 from mechsheet.model import Mechanism
 from mechsheet.said import say
+from mechsheet.time_limit import limited
 from mechsheet.words.homework import said
 
 SUFFIXES = tuple(FORMATS)
@@ -76,11 +77,13 @@ def mark(
     against: str | Path | Mechanism | Key,
     assembly: str = "",
     progress: Callable[[str], None] | None = None,
+    seconds: float | None = None,
 ) -> Marks:
     """Mark workbooks, given one by one or as folders, against a description or the `key.json` of an exercise.
 
     A workbook belongs to the student whose id is its file's name or stands in a cell, else to the one whose dimensions it
-    has. Raises MechsheetError where the key cannot be read or there is no workbook.
+    has. A workbook that takes longer than `seconds` is not judged, and its line says so; None: as long as it takes. Raises
+    MechsheetError where the key cannot be read or there is no workbook.
     """
     key = against if isinstance(against, Key | Mechanism) else key_of_file(Path(against))
     key = key if isinstance(key, Key) else Key(key)
@@ -89,7 +92,7 @@ def mark(
     read_books = []
     for number, path in enumerate(paths := files_of(books), 1):
         say(f"{number} of {len(paths)}")
-        read_books.append(_judged(path, key, wanted, assembly == "any"))
+        read_books.append(_judged(path, key, wanted, assembly == "any", seconds))
     students = _assigned(read_books, key)
     return Marks(
         key.mechanism.title.of(key.mechanism.language), key.mechanism.language, _asked(wanted, students), students
@@ -147,14 +150,17 @@ class _Judged:
     student: Student | None
 
 
-def _judged(path: Path, key: Key, wanted: AskedFor, any_assembly: bool) -> _Judged:
+def _judged(path: Path, key: Key, wanted: AskedFor, any_assembly: bool, seconds: float | None) -> _Judged:
     """One workbook; what is wrong with it is told in its line and does not keep the others from being marked."""
     student = _by_name(path, key.students)
     try:
-        work = upright(read(path))
-        student = student or _by_cells(work, key.students)
-        mechanism = key.mechanism if student is None else with_dimensions(key.mechanism, student.dimensions)
-        audit = audited(work, mechanism, wanted, readable_name(path), any_assembly, student is not None)
+        with limited(seconds):
+            work = upright(read(path))
+            student = student or _by_cells(work, key.students)
+            mechanism = key.mechanism if student is None else with_dimensions(key.mechanism, student.dimensions)
+            audit = audited(work, mechanism, wanted, readable_name(path), any_assembly, student is not None)
+    except OWN_FAILURES as error:
+        return _Judged(path, None, own_fault(error, "").message, student)
     except MechsheetError as error:
         return _Judged(path, None, "; ".join(fault.message for fault in error.faults), student)
     return _Judged(path, audit, "", student or _by_dimensions(audit, key.students))

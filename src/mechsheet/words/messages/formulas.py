@@ -41,6 +41,7 @@ FORMULAS: dict[str, str] = {
     "at least {least} arguments": "en az {least} argüman",
     "{least} to {most} arguments": "{least} ile {most} arası argüman",
     "a reference to another workbook": "başka bir çalışma kitabına başvuru",
+    "{message}: the stored value is kept": "{message}: kayıtlı değer korunur",
     "{why}, {text}: stored values are kept": "{why}, {text}: kayıtlı değerler korunur",
     "{name} gives another value at every recalculation": "{name} her yeniden hesaplamada başka bir değer verir",
     # what cannot be computed
@@ -52,6 +53,13 @@ FORMULAS: dict[str, str] = {
     "a formula nested too deeply": "çok derin iç içe bir formül",
     "an array where a single value is wanted": "tek değer istenen yerde bir dizi",
     "an array of {height} x {width} cells is not computed": "{height} x {width} hücrelik bir dizi hesaplanmaz",
+    "not computed: it takes more than {most} steps": "hesaplanmadı: {most} adımdan fazlası gerekiyor",
+    "not computed: functions took more than {most} steps in this workbook": (
+        "hesaplanmadı: bu çalışma kitabında fonksiyonlar {most} adımdan fazlasını aldı"
+    ),
+    "texts of more than {most} characters are not computed": "{most} karakterden uzun metinler hesaplanmaz",
+    "not finished after {seconds:g} seconds": "{seconds:g} saniyede bitmedi",
+    "--seconds gives it more time": "--seconds ile daha çok süre verilir",
     "a regular expression that could take very long": "çok uzun sürebilecek bir düzenli ifade",
     'CELL("{what}") is not supported': 'CELL("{what}") desteklenmez',
     'CELL("{what}") without a reference is not supported': 'başvurusuz CELL("{what}") desteklenmez',
