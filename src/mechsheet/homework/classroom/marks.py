@@ -154,7 +154,7 @@ def _judged(path: Path, key: Key, wanted: AskedFor, any_assembly: bool) -> _Judg
         work = upright(read(path))
         student = student or _by_cells(work, key.students)
         mechanism = key.mechanism if student is None else with_dimensions(key.mechanism, student.dimensions)
-        audit = audited(work, mechanism, wanted, readable_name(path), any_assembly, student is not None)
+        audit = audited(work, mechanism, wanted, readable_name(path), any_assembly, student is not None, all_rows=True)
     except MechsheetError as error:
         return _Judged(path, None, "; ".join(fault.message for fault in error.faults), student)
     return _Judged(path, audit, "", student or _by_dimensions(audit, key.students))
