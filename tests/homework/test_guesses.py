@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -136,6 +137,6 @@ def test_rows_answered_against_counting_by_hand():
         wanted = []
         for value in asked:
             near = min(abs(value - row) for row in rows) <= step / 2
-            inside = any(a <= value <= b and b - a <= 2 * step for a, b in zip(rows, rows[1:], strict=False))
+            inside = any(a <= value <= b and b - a <= 2 * step for a, b in itertools.pairwise(rows))
             wanted.append(near or inside)
         assert answered(asked, given, turns=False).tolist() == wanted
