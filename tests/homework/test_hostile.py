@@ -17,7 +17,7 @@ from chosen import IN_CI, first
 from homework.handmade import FOUR_BAR, Table, four_bar
 from mechsheet.cli import main
 
-ROWS = [20.0 * n for n in range(6)]
+ROWS = [30.0 * n for n in range(13)]
 
 
 @pytest.fixture(scope="module")

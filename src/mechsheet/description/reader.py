@@ -239,7 +239,9 @@ class _Reading:
             "tables": requests.tables(self._part("tables", []), self.driver, scope),
             "rate_points": rates.points(self._part("rates", {}), scope),
             "synthesis": synthesis.with_modes(self.task.synthesis, self._part("assembly", {}), scope),
-            "exercise": exercise.read(self._part("exercise", {}), self.summary, scope),
+            "exercise": exercise.read(
+                self._part("exercise", {}), self.summary, "" if self.driver is None else self.driver.symbol, scope
+            ),
             "study": study.read(self._part("study", {}), bodies, self.summary, scope),
         }
         drivers.check_tables(self.further, self.parts["tables"], scope)

@@ -7,6 +7,9 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from mechsheet import reference
 from mechsheet.diagnostics import readable_name
 from mechsheet.formats import read
@@ -16,20 +19,31 @@ from mechsheet.homework.marking_rules import AskedFor, asked_of
 from mechsheet.homework.mends.faults import Mend, Suspect
 from mechsheet.homework.own_dimensions import changed_by, other_dimensions
 from mechsheet.homework.remarks import remarks_of
+from mechsheet.homework.rows_asked import over_asked_rows, rows_answered
 from mechsheet.homework.series import Series
+from mechsheet.homework.summaries import reading_of_number, span_of
+from mechsheet.homework.truth import Truth
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.upright import Work, upright
 from mechsheet.homework.verdicts import Finding, Verdict
 from mechsheet.model import Mechanism
+from mechsheet.words.homework import said
+
+MARKED = ("right", "follows", "not live")
+"""Verdicts that have marks."""
 
 
 @dataclass(frozen=True, slots=True)
 class AskedResult:
-    """One asked quantity: its cells and the verdict; `plain` without follow-through."""
+    """One asked quantity: its cells and the verdict; `plain` without follow-through.
+
+    share  the part of the rows asked for that its table answers
+    """
 
     cells: str
     verdict: Verdict
     plain: Verdict
+    share: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +92,10 @@ class Audit:
     def as_dict(self) -> dict[str, Any]:
         """As JSON data."""
         return {
-            "asked": {symbol: {"cells": one.cells, "verdict": one.verdict} for symbol, one in self.asked.items()},
+            "asked": {
+                symbol: {"cells": one.cells, "verdict": one.verdict} | ({"share": one.share} if one.share < 1 else {})
+                for symbol, one in self.asked.items()
+            },
             "faults": [
                 {"cells": f.cells, "formula": f.formula, "mend": f.mend, "rights": list(f.rights), "kind": f.kind}
                 for f in self.faults
@@ -95,10 +112,13 @@ def audit(book: str | Path, mechanism: Mechanism, assembly: str = "") -> Audit:
     mechanism  what it should be: `mechsheet.load(...)`; its dimensions are only what the sheet does not give itself
     assembly   "any": another assembly than the description's sketch is right, too
 
+    The rows are the workbook's own; of a description with [exercise] they are to be those that it asks for.
     Raises WorkbookError where the file cannot be read, or holds no table of this mechanism.
     """
     path = Path(book)
-    return audited(upright(read(path)), mechanism, asked_of(mechanism), readable_name(path), assembly == "any")
+    asks = mechanism.exercise is not None
+    shown = readable_name(path)
+    return audited(upright(read(path)), mechanism, asked_of(mechanism), shown, assembly == "any", all_rows=asks)
 
 
 def audited(
@@ -108,12 +128,14 @@ def audited(
     shown: str,
     any_assembly: bool = False,
     own_dimensions: bool = False,
+    all_rows: bool = False,
 ) -> Audit:
     """The audit of a workbook that has been read.
 
     shown           what messages call it
     any_assembly    every assembly of the mechanism is right, not only the one that the description means
     own_dimensions  the mechanism has a student's own dimensions: another one in the sheet is a fault of its own
+    all_rows        answers count as far as they cover the rows that the description asks for
     """
     parts = judged_tables(work, mechanism, wanted, shown)
     asked = {symbol: marks for symbol, marks in wanted.marks.items() if any(symbol in part.asked for part in parts)}
@@ -128,8 +150,17 @@ def audited(
         for symbol in changed_by(part, others):
             if results[symbol].verdict == "right":
                 results[symbol] = replace(results[symbol], verdict="follows", plain="wrong")
-    plain = _earned(asked, wanted, {symbol: one.plain for symbol, one in results.items()})
-    earned = _earned(asked, wanted, {symbol: one.verdict for symbol, one in results.items()})
+    covered = [rows_answered(part.found) for part in parts] if all_rows else []
+    for part, rows in zip(parts, covered, strict=False):
+        results |= _of_rows(part, results, rows)
+    plain = _earned(asked, wanted, results, plainly=True)
+    earned = _earned(asked, wanted, results)
+    remarks = [text for part in parts for text in remarks_of(part, mechanism.language)]
+    remarks += [
+        said(mechanism.language, "remark.part", symbols=", ".join(lost), answered=int(rows.sum()), asked=len(rows))
+        for part, rows in zip(parts, covered, strict=False)
+        if (lost := [symbol for symbol in part.asked if results[symbol].share < 1])
+    ]
     return Audit(
         shown,
         results,
@@ -137,7 +168,7 @@ def audited(
         sum(asked.values()),
         round(sum(plain.values()), 6),
         round(sum(earned.values()), 6),
-        tuple(dict.fromkeys(text for part in parts for text in remarks_of(part, mechanism.language))),
+        tuple(dict.fromkeys(remarks)),
         mechanism.language,
         _given(parts[0].found),
         earned,
@@ -184,10 +215,40 @@ def _holds(series: Series, mend: Mend) -> bool:
     return (series.sheet, series.line) == (strip.sheet, strip.line) and inside
 
 
-def _earned(asked: Mapping[str, float], wanted: AskedFor, verdicts: Mapping[str, Verdict]) -> dict[str, float]:
-    """The marks of each quantity by its verdict."""
-    parts = {"right": 1.0, "follows": 1.0 if wanted.follow_through else 0.0, "not live": wanted.not_live}
-    return {symbol: marks * parts.get(verdicts[symbol], 0.0) for symbol, marks in asked.items()}
+def _of_rows(part: Judged, results: Mapping[str, AskedResult], rows: NDArray[np.bool_]) -> dict[str, AskedResult]:
+    """What a table has marks for, where it does not answer all rows asked for; a summary is one of all these rows."""
+    share = float(rows.mean())
+    whole = over_asked_rows(part.found) if share < 1 else None
+    found: dict[str, AskedResult] = {}
+    for symbol in part.asked if share < 1 else ():
+        one = results[symbol]
+        if one.verdict in MARKED and not (whole is not None and _holds_over(part, symbol, whole)):
+            partly: Verdict = "in part" if one.verdict == "right" else one.verdict
+            plain: Verdict = "in part" if one.plain == "right" else one.plain
+            found[symbol] = replace(one, verdict=partly, plain=plain, share=share)
+    return found
+
+
+def _holds_over(part: Judged, symbol: str, whole: Truth) -> bool:
+    """Whether a single number is what is asked over all rows asked for, too."""
+    finding = part.last[symbol] if part.first[symbol].verdict in ("wrong", "missing") else part.first[symbol]
+    if symbol in whole.columns or finding.series is None:
+        return False
+    number = part.found.work.number(finding.series.places()[0])
+    return reading_of_number(number, span_of(whole, symbol), whole.size, part.found.tolerance) is not None
+
+
+def _earned(
+    asked: Mapping[str, float], wanted: AskedFor, results: Mapping[str, AskedResult], plainly: bool = False
+) -> dict[str, float]:
+    """The marks of each quantity by its verdict and the rows that it answers. `plainly`: without follow-through."""
+    parts = {"right": 1.0, "in part": 1.0, "not live": wanted.not_live}
+    parts["follows"] = 1.0 if wanted.follow_through else 0.0
+    verdicts = {symbol: one.plain if plainly else one.verdict for symbol, one in results.items()}
+    return {
+        symbol: round(marks * parts.get(verdicts[symbol], 0.0) * results[symbol].share, 6)
+        for symbol, marks in asked.items()
+    }
 
 
 def _fault(found: Understanding, mend: Mend) -> FaultFound:

@@ -69,7 +69,7 @@ def _of_another(found: Understanding, series: Series, symbol: str, read_as: Read
 
 
 def exchanged(found: Understanding, symbol: str, others: Iterable[str], claim: Series, read_as: ReadAs) -> str:
-    """Which of the other quantities the column headed by a name is instead, where its own is under that heading; or ""."""
+    """Which other quantity a column headed by a name is instead, where its own stands under that heading; else ""."""
     for other in others:
         there = claimed(found, other)
         if there and _plainly(read_as(claim, other)) and _plainly(read_as(there[-1], symbol)):

@@ -22,7 +22,7 @@ from mechsheet.homework.understanding import MOVING, Understanding, anything, re
 from mechsheet.homework.upright import Place, Strip
 from mechsheet.model import Summary
 
-Verdict: TypeAlias = Literal["right", "follows", "wrong", "other assembly", "not live", "missing"]
+Verdict: TypeAlias = Literal["right", "in part", "follows", "wrong", "other assembly", "not live", "missing"]
 
 SHARE = 0.1
 """A column is live when it follows a change of the dimensions but for this part of what changes."""

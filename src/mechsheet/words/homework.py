@@ -5,6 +5,7 @@ from __future__ import annotations
 HOMEWORK: dict[str, tuple[str, str]] = {
     # verdicts
     "right": ("right", "doğru"),
+    "in part": ("right, but not in all the rows asked for", "doğru, ama istenen satırların tümünde değil"),
     "follows": ("right but for an earlier fault", "önceki hata dışında doğru"),
     "wrong": ("wrong", "yanlış"),
     "other assembly": ("of the other assembly", "öteki montaja ait"),
@@ -96,6 +97,10 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "remark.law.driver": (
         "the driver's values are computed from another column, of times for example",
         "tahrik değerleri başka bir sütundan, örneğin zamandan hesaplanmış",
+    ),
+    "remark.part": (
+        "{symbols}: the table answers {answered} of the {asked} rows asked for; the marks are in proportion",
+        "{symbols}: tablo istenen {asked} satırın {answered} tanesini yanıtlıyor; puan bu orandadır",
     ),
     "remark.instead": (
         "the column headed {symbol} is {other}, and the other way round",

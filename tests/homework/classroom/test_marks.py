@@ -169,6 +169,7 @@ WRONG = {
     "asked = { theta31 = 1 }": (
         'exercise.asked.theta31: no variable, coordinate, rate, force, output or summary is called "theta31"'
     ),
+    "asked = { theta12 = 3 }": 'exercise.asked.theta12: "theta12" is given: the driver is no question',
     "vary = { gamma3 = [1, 2, 1] }": 'the dimension "gamma3" is derived',
     "vary = { a9 = [1, 2, 1] }": 'no dimension is called "a9"',
     "vary = { a2 = [5, 2, 1] }": "expected [from, to, step]",

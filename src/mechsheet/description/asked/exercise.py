@@ -18,13 +18,15 @@ from mechsheet.said import say
 ALL_ROWS = "all rows"
 _COMPARED = re.compile(r"(.+?)(<=|>=|<|>)(.+)", re.DOTALL)
 MOST_STEPS = 1_000_000
+MOST_NAMED = 3
+"""Quantities that a hint names."""
 
 
-def read(data: Mapping[str, Any], summaries: Mapping[str, Any], scope: Scope) -> Exercise | None:
-    """The exercise, None where the description has none."""
+def read(data: Mapping[str, Any], summaries: Mapping[str, Any], driver: str, scope: Scope) -> Exercise | None:
+    """The exercise, None where the description has none. `driver`: the driver's symbol."""
     if not data:
         return None
-    asked = _asked(data.get("asked", {}), summaries, scope)
+    asked = _asked(data.get("asked", {}), summaries, driver, scope)
     needs = _needs(data.get("need", ""), summaries, scope)
     tolerance, not_live = data.get("tolerance", 1e-4), data.get("not_live", 0.5)
     for key, value in (("tolerance", tolerance), ("not_live", not_live)):
@@ -43,8 +45,8 @@ def read(data: Mapping[str, Any], summaries: Mapping[str, Any], scope: Scope) ->
     )
 
 
-def _asked(data: Any, summaries: Mapping[str, Any], scope: Scope) -> dict[str, float]:
-    """Marks by what is asked."""
+def _asked(data: Any, summaries: Mapping[str, Any], driver: str, scope: Scope) -> dict[str, float]:
+    """Marks by what is asked. What drives is no question: its values are given, and so is a number taken of them."""
     found: dict[str, float] = {}
     coordinates = [f"{point}.{axis}" for point in scope.points for axis in "xy"]
     forces = [name for name, what in scope.forces.items() if what not in (*OF_MOTION, CENTER)]
@@ -57,6 +59,11 @@ def _asked(data: Any, summaries: Mapping[str, Any], scope: Scope) -> dict[str, f
             if symbol in scope.motion_outputs:
                 message = say("{symbol} follows from summaries: ask for these", symbol=quoted(symbol))
             scope.report.at(("exercise", "asked", symbol), message, suggestion(symbol, known, "allowed"))
+        elif driver and driver in (symbol, scope.summaries.get(symbol)):
+            message = say("{symbol} is given: the driver is no question", symbol=quoted(symbol))
+            others = [name for name in (*scope.variables, *scope.outputs) if name != driver]
+            hint = say("ask for example for {names}", names=", ".join(others[:MOST_NAMED])) if others else ""
+            scope.report.at(("exercise", "asked", symbol), message, hint)
         elif marks is not BAD:
             found[symbol] = float(marks)
     return found

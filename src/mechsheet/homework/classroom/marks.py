@@ -158,7 +158,9 @@ def _judged(path: Path, key: Key, wanted: AskedFor, any_assembly: bool, seconds:
             work = upright(read(path))
             student = student or _by_cells(work, key.students)
             mechanism = key.mechanism if student is None else with_dimensions(key.mechanism, student.dimensions)
-            audit = audited(work, mechanism, wanted, readable_name(path), any_assembly, student is not None)
+            audit = audited(
+                work, mechanism, wanted, readable_name(path), any_assembly, student is not None, all_rows=True
+            )
     except OWN_FAILURES as error:
         return _Judged(path, None, own_fault(error, "").message, student)
     except MechsheetError as error:

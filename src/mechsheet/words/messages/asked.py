@@ -326,6 +326,8 @@ ASKED: dict[str, str] = {
     "no variable, coordinate, rate, force, output or summary is called {symbol}": (
         "{symbol} adlı değişken, koordinat, hız, kuvvet, çıktı ya da özet yok"
     ),
+    "{symbol} is given: the driver is no question": "{symbol} verilidir: tahrik sorulmaz",
+    "ask for example for {names}": "örneğin {names} sorulabilir",
     "{symbol} follows from summaries: ask for these": "{symbol} özetlerden çıkar: onları sorun",
     '"{all_rows}", or a comparison such as "mu_min > 30"': '"{all_rows}" ya da "mu_min > 30" gibi bir karşılaştırma',
     # nouns
