@@ -43,7 +43,8 @@ def files_of(tmp_path, *tables):
     paths = []
     for number, table in enumerate(tables):
         paths.append(tmp_path / f"{number}.parquet")
-        pq.write_table(pa.table(table), paths[-1])
+        count = len(table["design"])
+        pq.write_table(pa.table({"set_apart": [False] * count, **table}), paths[-1])
     return paths
 
 
@@ -58,6 +59,16 @@ def test_the_best_of_two_objectives_are_nearest_to_the_best_of_both(tmp_path):
     found = ranked(paths, [Objective("x", Symbol("x")), Objective("y", Symbol("y"))], 2)
     assert found.front.tolist() == [1, 2, 3]
     assert found.best.tolist() == [2, 1]
+
+
+def test_designs_set_apart_are_neither_ranked_nor_on_the_front(tmp_path):
+    table = {"design": [1, 2, 3, 4], "x": [1.0, 2.0, 3.0, 0.5], "y": [4.0, 3.0, 2.0, 0.5]}
+    paths = files_of(tmp_path, table | {"set_apart": [False, False, False, True]})
+    found = ranked(paths, [Objective("x", Symbol("x")), Objective("y", Symbol("y"))], 4)
+    assert 4 not in found.front.tolist() + found.best.tolist()
+    assert found.apart.tolist() == [4]
+    assert ranked(paths, [Objective("x", Symbol("x"))], 1).best.tolist() == [1]
+    assert ranked(paths, [], 4).best.tolist() == [1, 2, 3]
 
 
 def test_parts_do_not_change_the_front(tmp_path):

@@ -50,7 +50,7 @@ def test_the_rows_are_the_designs_kept_with_their_own_dimensions(whole):
     designs = Designs(small())
     for path in found.folder.parts(found.order)[:2]:
         table = pq.read_table(path)
-        assert table.column_names == ["design", *designs.names]
+        assert table.column_names == ["design", *designs.names, "remarks", "set_apart"]
         numbers = table.column("design").to_numpy()
         values = designs.sampling.values(numbers - 1)
         for at, symbol in enumerate(designs.varied):

@@ -87,7 +87,16 @@ def _tell(found: Studied) -> None:
     kept = say(
         "{kept:>16,} kept of {designs} ({share:.3g} %)", kept=result.kept, designs=_designs(result.designs), share=share
     )
-    click.echo("\n".join(map(told, [*lines, kept])), err=True)
+    lines.append(kept)
+    if result.apart:
+        lines.append(
+            say(
+                "{count:>16,} of them set apart, not ranked: a number that decides is marked in the workbook (rows only, "
+                "grows without bound)",
+                count=result.apart,
+            )
+        )
+    click.echo("\n".join(map(told, lines)), err=True)
 
 
 def _designs(count: int) -> Said:
@@ -104,19 +113,22 @@ def _below(lines: Sequence[Said]) -> Said:
 
 def _table(found: Studied) -> str:
     """The best designs, one a line; * marks those on the front."""
-    from mechsheet.studies.parts import heads_of
+    from mechsheet.studies.designs import DESIGN
+    from mechsheet.studies.parts import heads_of, told_of
 
     if found.best is None:
         return ""
     front = set(found.ranked.front.tolist())
-    heads = ["", *heads_of(found.best)]
+    best, remarks = told_of(found.best)
+    heads = ["", *heads_of(best)]
     rows = [
-        ["*" if row["design"] in front else "", *("–" if value is None else f"{value:.7g}" for value in row.values())]
-        for row in found.best.to_pylist()
+        ["*" if row[DESIGN] in front else "", *("–" if value is None else f"{value:.7g}" for value in row.values())]
+        for row in best.to_pylist()
     ]
     widths = [max(len(line[at]) for line in [heads, *rows]) for at in range(len(heads))]
     return "\n".join(
-        "  ".join(text.rjust(width) for text, width in zip(line, widths, strict=True)) for line in [heads, *rows]
+        "  ".join([*(text.rjust(width) for text, width in zip(line, widths, strict=True)), *([said] if said else [])])
+        for line, said in zip([heads, *rows], [None, *remarks], strict=True)
     )
 
 

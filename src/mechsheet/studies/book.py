@@ -1,4 +1,4 @@
-"""The summary workbook of a study: the best designs, the front with its chart, and what was asked.
+"""The summary workbook of a study: the best designs, the front with its chart, designs set apart, and what was asked.
 
 For people: who wants all designs reads the Parquet files. The commands are formulas over the yellow cells, so that a folder
 that was moved is typed once; the chart follows the cells of the front.
@@ -28,7 +28,8 @@ from mechsheet.sheet.workbook import (
     Style,
     Workbook,
 )
-from mechsheet.studies.parts import heads_of
+from mechsheet.studies.designs import DESIGN
+from mechsheet.studies.parts import heads_of, told_of
 from mechsheet.words.study import study_words
 
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ HEAD_ROW, FIRST = 5, 6
 NUMBER = styles.numbered(styles.COLUMN, "0.0000")
 WHOLE = styles.numbered(styles.COLUMN, "0")
 COMMAND = styles.STATUS
+REMARK = styles.STATUS
 
 
 def book_of(found: Studied) -> Workbook:
@@ -50,6 +52,8 @@ def book_of(found: Studied) -> Workbook:
     sheets = [_best(found)]
     if found.front is not None and found.front.num_rows and found.designs.study.objectives:
         sheets.append(_front(found))
+    if found.apart is not None:
+        sheets.append(_apart(found))
     sheets.append(_settings(found))
     title = mechanism.title.of(mechanism.language)
     return computed(Workbook(tuple(sheets), properties=Properties(title=title, language=mechanism.language)))
@@ -63,10 +67,18 @@ def _table(table: Any, row: int, col: int) -> list[Cell]:
     """The cells of a table from a place on: what has no number is empty."""
     cells = []
     for across, name in enumerate(table.column_names):
-        style = WHOLE if name == "design" else NUMBER
+        style = WHOLE if name == DESIGN else NUMBER
         for down, value in enumerate(table.column(name).to_pylist()):
             cells.append(Cell(row + down, col + across, None if value is None else float(value), style))
     return cells
+
+
+def _remarks(found: Studied, remarks: list[str | None], col: int) -> list[Cell]:
+    """The column of what the workbook says of the designs' numbers; nothing where it says nothing."""
+    if not any(remarks):
+        return []
+    cells = [Cell(HEAD_ROW, col, _said(found, "remarks"), styles.HEAD)]
+    return cells + [Cell(FIRST + row, col, text, REMARK) for row, text in enumerate(remarks)]
 
 
 def _best(found: Studied) -> Sheet:
@@ -82,30 +94,58 @@ def _best(found: Studied) -> Sheet:
         cells += [Cell(row, 0, _said(found, key), styles.LABEL), Cell(row, 2, text, styles.INPUT)]
     if table is None:
         return Sheet(_said(found, "best"), tuple(cells), columns=(Column(0, 0, 20.0), Column(1, 2, 14.0)))
+    table, remarks = told_of(table)
     front = set(found.ranked.front.tolist())
     heads = [_said(found, "rank"), _said(found, "design"), *heads_of(table)[1:]]
     last = len(heads)
     tail = ([_said(found, "on_front")] if front else []) + [_said(found, "command")]
     cells += [Cell(HEAD_ROW, col, head, styles.HEAD) for col, head in enumerate([*heads, *tail])]
     cells += _table(table, FIRST, 1)
-    for row, design in enumerate(table.column("design").to_pylist()):
+    cells += _remarks(found, remarks, last + len(tail))
+    for row, design in enumerate(table.column(DESIGN).to_pylist()):
         cells.append(Cell(FIRST + row, 0, float(row + 1), WHOLE))
         if front:
             words = _said(found, "yes") if design in front else None
             cells.append(Cell(FIRST + row, last, words, styles.centred(styles.COLUMN)))
     command = last + len(tail) - 1
-    fill = Fill(FIRST, command, _command(), COMMAND, rows=table.num_rows)
-    columns = (Column(0, 0, 20.0), Column(1, 1, 12.0), Column(2, command - 1, 13.0), Column(command, command, 70.0))
+    fill = Fill(FIRST, command, _command(1), COMMAND, rows=table.num_rows)
+    columns = (Column(0, 0, 20.0), Column(1, 1, 12.0), Column(2, command - 1, 13.0), *_wide(command))
     return Sheet(
         _said(found, "best"), tuple(cells), (fill,), columns, row_heights=((0, 26.0), (HEAD_ROW, 42.0)),
         freeze=(FIRST, 2), selected=(FIRST, 0), gridlines=False, print_setup=PrintSetup(repeat_rows=(HEAD_ROW, HEAD_ROW)),
     )  # fmt: skip
 
 
-def _command() -> Node:
-    """mechsheet build DESCRIPTION --design FOLDER:17 -o design-17.xlsx, of the row's design."""
-    design = CellRef(FIRST, 1, False, True)
-    description, folder = (CellRef(row, 2, True, True) for row in (2, 3))
+def _apart(found: Studied) -> Sheet:
+    """Designs that meet the conditions by numbers that the workbook marks."""
+    table, remarks = told_of(found.apart)
+    key = "apart.title.one" if found.result.apart == 1 else "apart.title"
+    title = _said(found, key, count=table.num_rows, apart=f"{found.result.apart:,}")
+    heads = [_said(found, "design"), *heads_of(table)[1:], _said(found, "command")]
+    command = len(heads) - 1
+    cells = [Cell(0, 0, title, styles.TITLE), Cell(1, 0, _said(found, "apart.about"), styles.SUBTITLE)]
+    cells += [Cell(HEAD_ROW, col, head, styles.HEAD) for col, head in enumerate(heads)]
+    cells += [*_table(table, FIRST, 0), *_remarks(found, remarks, len(heads))]
+    fill = Fill(FIRST, command, _command(0, _said(found, "best")), COMMAND, rows=table.num_rows)
+    columns = (Column(0, 0, 12.0), Column(1, command - 1, 13.0), *_wide(command))
+    return Sheet(
+        _said(found, "apart"), tuple(cells), (fill,), columns, row_heights=((0, 26.0), (HEAD_ROW, 42.0)),
+        freeze=(FIRST, 1), gridlines=False, print_setup=PrintSetup(repeat_rows=(HEAD_ROW, HEAD_ROW)),
+    )  # fmt: skip
+
+
+def _wide(command: int) -> tuple[Column, Column]:
+    """The columns of commands and of remarks."""
+    return Column(command, command, 70.0), Column(command + 1, command + 1, 60.0)
+
+
+def _command(col: int, inputs: str | None = None) -> Node:
+    """mechsheet build DESCRIPTION --design FOLDER:17 -o design-17.xlsx, of the row's design.
+
+    col  the column of its number;  inputs: the sheet of the yellow cells
+    """
+    design = CellRef(FIRST, col, False, True)
+    description, folder = (CellRef(row, 2, True, True, inputs) for row in (2, 3))
     parts: list[Node] = [Text("mechsheet build "), description, Text(" --design "), folder, Text(":"), design]
     parts += [Text(" -o design-"), design, Text(".xlsx")]
     node = parts[0]
@@ -119,8 +159,8 @@ def _front(found: Studied) -> Sheet:
     every = found.ranked.front
     if table.num_rows > MOST_FRONT:
         table = table.take([round(at * (table.num_rows - 1) / (MOST_FRONT - 1)) for at in range(MOST_FRONT)])
-    names = list(dict.fromkeys(["design", *(each.text for each in objectives), *found.designs.varied]))
-    table = table.select(names)
+    names = list(dict.fromkeys([DESIGN, *(each.text for each in objectives), *found.designs.varied]))
+    remarks, table = told_of(table)[1], table.select(names)
     cells = [
         Cell(0, 0, _said(found, "front.title"), styles.TITLE),
         Cell(1, 0, _said(found, "front.about"), styles.SUBTITLE),
@@ -130,8 +170,8 @@ def _front(found: Studied) -> Sheet:
         cells.append(Cell(2, 0, words, styles.NOTE))
     heads = heads_of(table)
     cells += [Cell(HEAD_ROW, col, head, styles.HEAD) for col, head in enumerate([_said(found, "design"), *heads[1:]])]
-    cells += _table(table, FIRST, 0)
-    charts = (_chart(found, heads, table.num_rows),) if len(objectives) > 1 else ()
+    cells += [*_table(table, FIRST, 0), *_remarks(found, remarks, len(heads))]
+    charts = (_chart(found, heads, table.num_rows, any(remarks)),) if len(objectives) > 1 else ()
     return Sheet(
         _said(found, "front"), tuple(cells), columns=(Column(0, 0, 12.0), Column(1, len(heads) - 1, 15.0)), charts=charts,
         row_heights=((0, 26.0), (HEAD_ROW, 42.0)), freeze=(FIRST, 1), gridlines=False,
@@ -139,7 +179,7 @@ def _front(found: Studied) -> Sheet:
     )  # fmt: skip
 
 
-def _chart(found: Studied, heads: list[str], rows: int) -> Chart:
+def _chart(found: Studied, heads: list[str], rows: int, remarks: bool) -> Chart:
     title, sheet = _said(found, "front.title"), _said(found, "front")
     x, y = (SeriesRef(sheet, Area(FIRST, col, FIRST + rows - 1, col)) for col in (1, 2))
     series = Series(
@@ -148,7 +188,7 @@ def _chart(found: Studied, heads: list[str], rows: int) -> Chart:
     words = [
         f"{head}: {_aim(found, each)}" for head, each in zip(heads[1:], found.designs.study.objectives, strict=False)
     ]
-    place = Anchor(FIRST, len(heads) + 1, 640, 440)
+    place = Anchor(FIRST, len(heads) + 1 + remarks, 640, 440)
     return Chart(title, place, (series,), Axis(words[0]), Axis(words[1]), legend="", alt_text=title)
 
 
@@ -165,6 +205,7 @@ def _settings(found: Studied) -> Sheet:
     share = len(lines)
     lines += [
         (_said(found, "share"), None, styles.RESULT),
+        (_said(found, "settings.apart"), float(found.result.apart), styles.numbered(styles.RESULT, "#,##0")),
         (_said(found, "rows"), float(designs.rows), styles.numbered(styles.RESULT, "#,##0")),
         (_said(found, "sample"), _said(found, study.sample), styles.VERDICT),
     ]

@@ -7,7 +7,7 @@ then the conditions that read it.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.formula.nodes import symbols
+from mechsheet.formula.nodes import Node, symbols
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_between, given_values, step_of
 from mechsheet.kinematics.equations import RATES
@@ -23,12 +23,20 @@ from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import Condition, Mechanism, Study
 from mechsheet.said import say
+from mechsheet.sheet.checks.boundless import bounded, divisor_of
 from mechsheet.sheet.checks.turning import derivatives, differentiated
+from mechsheet.sheet.first.classification import classification
+from mechsheet.sheet.table.lowering import lowered
 from mechsheet.studies.lowering import Lowered, Lowering
-from mechsheet.studies.motion import Motion
+from mechsheet.studies.motion import DIVISOR, Motion
 from mechsheet.studies.program import Running
 from mechsheet.studies.questions import Questions, holds, number_of, questions_of, turns_fully
+from mechsheet.studies.remarks import Codes, Texts, apart, said
 from mechsheet.studies.sampling import sampling_of
+
+DESIGN, REMARKS, APART = "design", "remarks", "set_apart"
+"""Columns that every study has: the number of the design, from 1; what the workbook says of its numbers; whether it is set
+apart for it."""
 
 Mask = NDArray[np.bool_]
 Numbers = NDArray[np.int64]
@@ -38,12 +46,15 @@ Numbers = NDArray[np.int64]
 class Kept:
     """The designs of a chunk that meet all conditions: their numbers from 0 and columns, and how many failed each condition.
 
-    failed  by the first condition that a design was found to fail, in the order of `Questions.conditions`
+    failed   by the first condition that a design was found to fail, in the order of `Questions.conditions`
+    remarks  what the workbook says of a design's numbers, None where nothing;  apart: which designs are set apart
     """
 
     numbers: Numbers
     columns: dict[str, Array]
     failed: Numbers
+    remarks: Texts
+    apart: Mask
 
 
 class Designs:
@@ -56,6 +67,9 @@ class Designs:
     ruling     the one for what conditions ask of the rows;  in_rows: for all quantities there
     at_places  by quantity the one for it at other places;  derivatives: for its derivatives, where the workbook has them
     closing    there, for how far groups are from coming apart
+    may_grow   quantities that can be without bound;  divisors: what those of them are divided by as absolute values
+    unprobed   whether no margin says where a stretch of rows ends
+    decisive   names of the quantities that conditions and objectives read
     """
 
     def __init__(self, mechanism: Mechanism) -> None:
@@ -78,6 +92,7 @@ class Designs:
         self.size = largest_length(mechanism, self.dimensions) or 1.0
         self.given = given_values(mechanism, self.dimensions)
         self.rows = len(self.given[mechanism.driver.symbol])
+        self._refuse_names()
         self._write()
 
     # --- before -----------------------------------------------------------------------------------------------------------
@@ -108,6 +123,12 @@ class Designs:
                 Fault(message, key="study.vary", hint=say("give [driver] start, stop and step as numbers"))
             )
 
+    def _refuse_names(self) -> None:
+        for name in self.names:
+            if name in (DESIGN, REMARKS, APART):
+                message = say('every study has a column "{name}" of its own', name=name)
+                raise MechanismError(Fault(message, key="study", hint=say("give it another name in the description")))
+
     def _write(self) -> None:
         """Print the programs."""
         mechanism, questions = self.mechanism, self.questions
@@ -137,8 +158,12 @@ class Designs:
         ruling = [quantity.of for quantity in questions.quantities if quantity.name in decided]
         ruling = list(dict.fromkeys([*ruling, *turning, *self.equations.tied, tolerance]))
         self.ruling = Called(lowering.columns(ruling, rows=True, closing=bool(self.cranks)), self.row_given)
+        self.limits = bool(lowering.margins) and not mechanism.driver.values and self.rows > 1
+        self.rows_only = bool(mechanism.driver.values) or self.rows < 4 or mechanism.layout == "page"
+        self._doubts(wanted)
+        divisors = {DIVISOR.format(symbol=symbol): node for symbol, node in self.divisors.items()}
         self.in_rows = Called(
-            lowering.columns([*wanted, *self.equations.tied], rows=True, anchors=True), self.row_given
+            lowering.columns([*wanted, *self.equations.tied], rows=True, anchors=True, nodes=divisors), self.row_given
         )
         self.closing = Called(lowering.columns([], rows=False, closing=True))
         self.at_places = {of: Called(lowering.columns([of], rows=False)) for of in wanted}
@@ -148,8 +173,28 @@ class Designs:
             for of in wanted
             if differentiated(mechanism, rates, of)
         }
-        self.limits = bool(lowering.margins) and not mechanism.driver.values and self.rows > 1
-        self.rows_only = bool(mechanism.driver.values) or self.rows < 4 or mechanism.layout == "page"
+        self.decisive = [quantity.name for quantity in questions.quantities if quantity.name in self._read]
+
+    def _doubts(self, wanted: Iterable[str]) -> None:
+        """Which quantities may be without bound, and by what they are divided; whether nobody knows where stretches end."""
+        equations, mechanism = self.equations, self.mechanism
+        assignments = lowered(mechanism, equations)
+        loose = bool(assignments.crossings) or any(group.only_undetermined for group in equations.groups)
+        self.unprobed = loose and not assignments.margins and not mechanism.driver.values
+        transmission = classification(mechanism, assignments).transmission
+        self.may_grow = set() if self.rows_only else {*wanted} - bounded(mechanism, equations, transmission)
+        columns = {equation.symbol for equation in equations.columns} | self.given.keys()
+        self.divisors: dict[str, Node] = {}
+        for symbol in sorted(self.may_grow - self.given.keys()):
+            divisor = divisor_of(equations.of(symbol).expression, lambda each: not columns.isdisjoint(symbols(each)))
+            if divisor is not None:
+                self.divisors[symbol] = divisor
+
+    @property
+    def _read(self) -> set[str]:
+        """Names that conditions and objectives read."""
+        sides = [side for each in self.study.keep for side in each.sides]
+        return {name for node in (*sides, *(each.value for each in self.study.objectives)) for name in symbols(node)}
 
     @property
     def step(self) -> float:
@@ -211,7 +256,9 @@ class Designs:
         for number, condition in enumerate(questions.others):
             if condition.kind == "compare":
                 others[number] += chunk.keep(holds(condition, chunk.known, len(chunk.numbers)))
-        return Kept(chunk.numbers, chunk.columns(), failed)
+        count = len(chunk.numbers)
+        remarks = said(chunk.remarks, self.mechanism.language, count)
+        return Kept(chunk.numbers, chunk.columns(), failed, remarks, apart(chunk.remarks, self.decisive, count))
 
 
 class Called:
@@ -246,7 +293,7 @@ class _Chunk:
     """Some designs on their way through the conditions: all arrays have one entry for each that is left.
 
     shown   the dimensions that vary, in their own units;  inside: in the program's, as columns
-    out     what rows do not change;  found: summaries and extremes, in the units shown
+    out     what rows do not change;  found: summaries and extremes, in the units shown;  remarks: what is said of them
     """
 
     def __init__(self, designs: Designs, numbers: Numbers) -> None:
@@ -257,6 +304,7 @@ class _Chunk:
         units = designs.units
         self.inside = {symbol: units[symbol].to_internal(column)[:, None] for symbol, column in self.shown.items()}
         self.found: dict[str, Array] = {}
+        self.remarks: dict[str, Codes] = {}
         with np.errstate(all="ignore"):
             out = designs.constants.both(designs.constants.designs(self.inside), given=self.inside)
         self.out = {key: np.broadcast_to(column, (len(numbers), 1))[:, 0] for key, column in out.items()}
@@ -269,6 +317,7 @@ class _Chunk:
             for part in (self.shown, self.inside, self.found, self.out):
                 for name, column in part.items():
                     part[name] = column[fine]
+            self.remarks = {name: codes[fine] for name, codes in self.remarks.items()}
         return left
 
     @property
@@ -291,7 +340,7 @@ class _Chunk:
         """Find the summaries of the designs that are left; how many each further condition leaves behind by the rows."""
         motion = Motion(self.designs, self.inside, self.known)
         self.keep(motion.alive)
-        self.found = motion.quantities
+        self.found, self.remarks = motion.quantities, motion.remarks
         return motion.failed
 
     def columns(self) -> dict[str, Array]:

@@ -17,6 +17,8 @@ from typing import Literal, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet.studies.remarks import at_pole, unsettled
+
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
@@ -97,14 +99,16 @@ def best_rows(way: Way, column: Array, shown: Mask | None) -> tuple[NDArray[np.i
 class Anchors:
     """What is known of one extreme from the rows, for each design: columns (n,).
 
-    most                 the best value of all rows
+    most, worst          the best value of all rows, and the other extreme of them
     here, best           the row (from 1) from which the probes go on, and its value
     middle               the row whose neighbours the first parabola goes through; before, value, after: values there
     wraps                1, 2 where the ends of the motion are neighbours (their row twice, or not), else 0
     turns                values, in the best row, of the angles without jumps that probes need
+    pole                 whether the middle row and its neighbours are those beside a place where the quantity has no bound
     """
 
     most: Array
+    worst: Array
     here: Array
     best: Array
     middle: Array
@@ -113,27 +117,31 @@ class Anchors:
     after: Array
     wraps: Array
     turns: Array
+    pole: Mask
 
 
 def anchors_of(
     way: Way,
     column: Array,
     best: tuple[NDArray[np.intp], Array],
+    worst: Array,
     stretches: Stretches,
     whole: Array,
     half_turn: float,
     ends: bool,
     limits: bool,
     angles: list[Array],
+    divisor: Array | None,
 ) -> Anchors:
     """What the rows say of an extreme.
 
-    column     the quantity, designs by rows;  best: its best rows and values
+    column     the quantity, designs by rows;  best: its best rows and values;  worst: its other extreme in the rows
     whole      1, 2 or 0 for each design: whether rows cover whole turns
     half_turn  pi where the quantity is an angle whose whole turns count, else infinite
     ends       whether the ends of a whole turn are neighbours for probes: never by a motion law
     limits     whether the sheet looks for limits, and has a probe at both ends of the motion
     angles     angles without jumps, designs by rows
+    divisor    what the quantity is divided by only as an absolute value, designs by rows
     """
     designs, rows = column.shape
     each = np.arange(designs)
@@ -147,14 +155,15 @@ def anchors_of(
     value = column[each, place]
     middle = np.where(beyond > 0, place, np.maximum(first, np.minimum(last - 2, place)))
     turned = np.where(beyond > 0, np.where(beyond == 1, rows - 1, rows), 2 * rows).astype(np.int64)
-    before, here, after = (
-        column[each, np.minimum(index, rows - 1)] for index in ((middle - 1) % turned, middle, (middle + 1) % turned)
-    )
+    beside = [np.minimum(index, rows - 1) for index in ((middle - 1) % turned, middle, (middle + 1) % turned)]
+    before, here, after = (column[each, index] for index in beside)
+    signs = [1.0, 1.0, 1.0] if divisor is None else [np.sign(divisor[each, index]) for index in beside]
+    pole = at_pole(before * signs[0] * signs[1], here, after * signs[2] * signs[1], signed=divisor is not None)
     turns = np.empty((designs, len(angles)))
     for at, angle in enumerate(angles):
         turns[:, at] = angle[each, place]
     at_row, at_middle = (np.asarray(index + 1.0, float) for index in (place, middle))
-    return Anchors(most, at_row, value, at_middle, before, here, after, wraps, turns)
+    return Anchors(most, worst, at_row, value, at_middle, before, here, after, wraps, turns, pole)
 
 
 def _begun_from(way: Way, column: Array, place: NDArray[np.intp], looked_at: Mask) -> NDArray[np.intp]:
@@ -220,8 +229,8 @@ def refined(
     ends: bool,
     probe: Probe,
     slopes: Slopes | None = None,
-) -> Array:
-    """The extremes of designs of one stretch.
+) -> tuple[Array, Mask]:
+    """The extremes of designs of one stretch, and whether they are about right only.
 
     edges   where their stretches begin and end, between rows;  ends: as in `anchors_of`
     slopes  where the workbook has the quantity's derivatives, too
@@ -242,13 +251,19 @@ def refined(
             at_ends = found(np.where(partial, low, here), np.where(partial, high, here))
             at_ends = [np.where(partial, column, best) for column in at_ends]
         if slopes is None:
-            probed = _by_parabolas(way, anchors, around, at_ends, found)
+            places, probed = _by_parabolas(way, anchors, around, at_ends, found)
         else:
-            probed = found(*_where_it_turns(way, anchors, around, slopes))
-        stacked = np.array([anchors.most, best, *probed, *at_ends])
-        extreme = stacked.min(axis=0) if way == "min" else stacked.max(axis=0)
+            places = list(_where_it_turns(way, anchors, around, slopes))
+            probed = found(*places)
+        # what is best of all only in a row is so in one at an end
+        stacked = np.array([best, *probed, *at_ends, anchors.most])
+        taken = np.argmin(stacked, axis=0) if way == "min" else np.argmax(stacked, axis=0)
+        extreme = stacked[taken, np.arange(len(best))]
+        place = np.array([here, *places, low, high, np.where(taken > 0, low, here)])[taken, np.arange(len(best))]
+        at_end = ~around.beyond & ((place == low) | (place == high))
+        about = unsettled(best, probed, extreme, anchors.worst, at_end)
     of_rows = (stretches.number > 1) | (first == last) | ~np.isfinite(best)
-    return np.where(of_rows, anchors.most, extreme)
+    return np.where(of_rows, anchors.most, extreme), about & ~of_rows
 
 
 Point = tuple[Array, Array]
@@ -296,8 +311,8 @@ class Roots:
 
 def _by_parabolas(
     way: Way, anchors: Anchors, around: Around, at_ends: list[Array], found: Callable[..., list[Array]]
-) -> list[Array]:
-    """The values at four probes, each placed by what is known before it."""
+) -> tuple[list[Array], list[Array]]:
+    """The places of four probes and the values there, each placed by what is known before it."""
     low, high, beyond = around.low, around.high, around.beyond
     here, best = anchors.here, anchors.best
     before, value, after = anchors.before, anchors.value, anchors.after
@@ -322,7 +337,7 @@ def _by_parabolas(
     three = _further(one, (here + one) / 2.0, around, roots, (here, best), (one, y_one), (two, y_two))
     (y_three,) = found(three)
     four = _further(one, one, around, roots, (one, y_one), (two, y_two), (three, y_three))
-    return [y_one, y_two, y_three, *found(four)]
+    return [one, two, three, four], [y_one, y_two, y_three, *found(four)]
 
 
 def _where_it_turns(way: Way, anchors: Anchors, around: Around, slopes: Slopes) -> tuple[Array, Array]:

@@ -26,10 +26,12 @@ FORMAT = 1
 
 @dataclass(frozen=True, slots=True)
 class Result:
-    """What a study has found: designs tried and kept, and how many failed each condition, in the order of the asking."""
+    """What a study has found: designs tried, kept, and of these set apart; how many failed each condition, in the order of
+    the asking."""
 
     designs: int
     kept: int
+    apart: int
     failed: tuple[tuple[str, int], ...]
 
 
@@ -124,13 +126,13 @@ class Folder:
         """Write the counts of all parts."""
         texts = [condition.text for condition in designs.questions.conditions]
         failed = [0] * len(texts)
-        tried = kept = 0
+        tried = kept = apart = 0
         for part in parts:
-            tried, kept = tried + part.designs, kept + part.kept
+            tried, kept, apart = tried + part.designs, kept + part.kept, apart + part.apart
             failed = [count + more for count, more in zip(failed, part.failed, strict=True)]
-        result = Result(tried, kept, tuple(zip(texts, failed, strict=True)))
+        result = Result(tried, kept, apart, tuple(zip(texts, failed, strict=True)))
         told = [{"condition": text, "designs": count} for text, count in result.failed]
-        replace_file(self.path / RESULT, _json({"designs": tried, "kept": kept, "failed": told}))
+        replace_file(self.path / RESULT, _json({"designs": tried, "kept": kept, "set apart": apart, "failed": told}))
         return result
 
 

@@ -78,14 +78,23 @@ class Lowering:
         found = {symbol: writer.known[symbol] for symbol in symbols_}
         return writer.program.printed(found | {name: writer.value(node) for name, node in nodes.items()})
 
-    def columns(self, wanted: Sequence[str], rows: bool, closing: bool = False, anchors: bool = False) -> Lowered:
+    def columns(
+        self,
+        wanted: Sequence[str],
+        rows: bool,
+        closing: bool = False,
+        anchors: bool = False,
+        nodes: Mapping[str, Node] | None = None,
+    ) -> Lowered:
         """A program for columns: in the rows, which all designs share, or at places of each design's own.
 
         closing  also margins, and where none is below 0
         anchors  in the rows: also what a program at other places is given of them
+        nodes    also expressions over what those wanted read, by names of their own
         """
         writer = _Writer(self, rows, self._turning(wanted))
         found = {symbol: writer.known[symbol] for symbol in wanted}
+        found |= {name: writer.value(node) for name, node in (nodes or {}).items()}
         found[THERE] = writer.there()
         margins = {}
         if closing:

@@ -32,6 +32,7 @@ from mechsheet.studies.extremes import (
     stretches_of,
 )
 from mechsheet.studies.lowering import ANCHOR, INSIDE, THERE
+from mechsheet.studies.remarks import ABOUT, BOUNDLESS, ROWS_ONLY, Codes, beyond_rows
 
 if TYPE_CHECKING:
     from mechsheet.studies.designs import Called, Designs
@@ -39,6 +40,9 @@ if TYPE_CHECKING:
 
 BLOCK = 16_384
 """Numbers in an array of a block of designs: a dozen of them fit the second cache."""
+
+DIVISOR = "divisor of {symbol}"
+"""The column of what a quantity is divided by only as an absolute value."""
 
 Mask = NDArray[np.bool_]
 Extreme = tuple[str, Way]
@@ -52,6 +56,7 @@ class Motion:
 
     alive       which of them the rows have not ruled out;  failed: how many each of `Questions.others` has
     quantities  of those alive: summaries and extremes, in the units shown, NaN where there is none
+    remarks     what the workbook says of them, as codes (`remarks`)
     """
 
     def __init__(self, designs: Designs, inside: Mapping[str, Array], known: Mapping[str, Array]) -> None:
@@ -66,9 +71,10 @@ class Motion:
             if designs.questions.others:
                 self._rule_out(inside, _bounds(designs, known))
             left = {symbol: column[self.alive] for symbol, column in inside.items()}
-            self.quantities = (
-                self._quantities(left) if self.alive.any() else {each.name: np.zeros(0) for each in quantities}
-            )
+            self.quantities = {each.name: np.zeros(0) for each in quantities}
+            self.remarks: dict[str, Codes] = {each.name: np.zeros(0, np.int8) for each in quantities}
+            if self.alive.any():
+                self._find(left)
 
     def _rule_out(self, inside: Mapping[str, Array], bounds: Mapping[int, list[_Bound]]) -> None:
         """What rows alone decide, from the columns that this needs."""
@@ -88,7 +94,8 @@ class Motion:
 
     # --- between the rows -------------------------------------------------------------------------------------------------
 
-    def _quantities(self, inside: Mapping[str, Array]) -> dict[str, Array]:
+    def _find(self, inside: Mapping[str, Array]) -> None:
+        """The quantities and what is said of them."""
         designs = self.designs
         count = len(next(iter(inside.values())))
         parts: list[Stretches] = []
@@ -106,9 +113,10 @@ class Motion:
         stretches = joined(parts)
         anchors = {key: joined(each) for key, each in found_anchors.items()}
         found = {key: each.best for key, each in anchors.items()}
+        about: dict[Extreme, Mask] = {}
         if not designs.rows_only:
-            found |= self._refined(anchors, stretches, inside)
-        result = {}
+            for key, (value, unsettled) in self._refined(anchors, stretches, inside).items():
+                found[key], about[key] = value, unsettled
         for quantity in designs.questions.quantities:
             if quantity.take == "range":
                 number = found[quantity.of, "max"] - found[quantity.of, "min"]
@@ -116,14 +124,47 @@ class Motion:
                 number = found[quantity.of, "min" if quantity.take == "min" else "max"]
             else:
                 number = np.concatenate(means[quantity.name])
-            fine = (stretches.count > 0) & np.isfinite(number)
-            result[quantity.name] = np.where(fine, number * quantity.factor, np.nan)
-        return result
+            without = self._without_bound(quantity, anchors, found, stretches)
+            fine = (stretches.count > 0) & np.isfinite(number) & ~without
+            self.quantities[quantity.name] = np.where(fine, number * quantity.factor, np.nan)
+            said = np.zeros(count, np.int8)
+            for way in quantity.ways:
+                said[about.get((quantity.of, way), np.zeros(count, bool))] = ABOUT
+            said[without] = BOUNDLESS
+            if quantity.ways and quantity.of != designs.mechanism.driver.symbol:
+                said[self._of_rows(stretches)] = ROWS_ONLY
+            self.remarks[quantity.name] = said
+
+    def _of_rows(self, stretches: Stretches) -> Mask:
+        """Whether nobody looks between the rows: of several stretches, of one row, of one whose ends no margin tells."""
+        one = (stretches.number == 1) & (stretches.first == stretches.last)
+        ends = self.designs.unprobed & (stretches.count < self.designs.rows)
+        return np.asarray((stretches.count > 0) & ((stretches.number > 1) | one | ends), bool)
+
+    def _without_bound(
+        self,
+        quantity: Quantity,
+        anchors: Mapping[Extreme, Anchors],
+        found: Mapping[Extreme, Array],
+        stretches: Stretches,
+    ) -> Mask:
+        """Whether a quantity has no smallest or no largest value."""
+        designs = self.designs
+        without = np.zeros(len(stretches.count), bool)
+        if quantity.of not in designs.may_grow:
+            return without
+        for way in quantity.ways:
+            own = anchors[quantity.of, way]
+            rows = stretches.last - stretches.first + 1
+            without |= beyond_rows(found[quantity.of, way], own.most, own.worst, rows)
+            if quantity.of not in designs.derivatives:
+                without |= own.pole
+        return without & (stretches.count > 0)
 
     def _refined(
         self, anchors: Mapping[Extreme, Anchors], stretches: Stretches, inside: Mapping[str, Array]
-    ) -> dict[Extreme, Array]:
-        """The extremes of all but what is given row by row."""
+    ) -> dict[Extreme, tuple[Array, Mask]]:
+        """The extremes of all but what is given row by row, and whether they are about right only."""
         designs = self.designs
         first, last = stretches.first.astype(float), stretches.last.astype(float)
         low, high = first.copy(), last.copy()
@@ -232,6 +273,8 @@ class _Rows:
     def best(self, extreme: Extreme, among: Mask | None = None) -> Found:
         """The best rows of an extreme, and the values there; `among`: of what designs anybody wants to know."""
         symbol, way = extreme
+        if symbol == self.designs.mechanism.driver.symbol:  # it has its values whether or not the links meet
+            return best_rows(way, self.column(symbol), None)
         everywhere = among is not None and bool((self.closes | ~among).all())
         return best_rows(way, self.column(symbol), None if everywhere else self._stretches[1])
 
@@ -243,12 +286,14 @@ class _Rows:
             extreme[1],
             self.column(extreme[0]),
             self.best(extreme),
+            self.best((extreme[0], "max" if extreme[1] == "min" else "min"))[1],
             self.stretches,
             self._covered,
             math.pi if designs.is_angle(extreme[0]) else math.inf,
             designs.mechanism.driver.law is None,
             designs.limits,
             [self._whole(self._out[name]) for name in names],
+            self._whole(self._out[DIVISOR.format(symbol=extreme[0])]) if extreme[0] in designs.divisors else None,
         )
 
     def turns(self, condition: Condition, among: Mask) -> Mask:

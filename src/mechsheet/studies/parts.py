@@ -12,7 +12,7 @@ from functools import lru_cache
 from typing import Any
 
 from mechsheet import description
-from mechsheet.studies.designs import Designs
+from mechsheet.studies.designs import APART, DESIGN, REMARKS, Designs, Kept
 from mechsheet.studies.packages import arrow, versions
 
 CHUNK = 4_096
@@ -27,7 +27,7 @@ ROW_GROUP, GROUP_VALUES = 65_536, 2**19
 """Rows of a Parquet file that are written together, fewer of many columns: what a part holds in memory."""
 
 METADATA = b"mechsheet"
-"""Under this key a part says how many designs it tried, kept, and why it left the others out."""
+"""Under this key a part says how many designs it tried, kept, set apart, and why it left the others out."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +77,7 @@ def compute(order: Order, part: int) -> Done:
     designs = designs_of(order.text)
     span = order.span(part)
     file = io.BytesIO()
-    kept, failed = 0, [0] * len(designs.questions.conditions)
+    kept, apart, failed = 0, 0, [0] * len(designs.questions.conditions)
     group = min(ROW_GROUP, GROUP_VALUES // len(designs.names))
     with arrow().parquet.ParquetWriter(file, schema_of(designs), compression="zstd") as writer:
         waiting: list[Any] = []
@@ -85,12 +85,13 @@ def compute(order: Order, part: int) -> Done:
             found = designs.kept(first, min(CHUNK, span.stop - first))
             failed = [count + int(more) for count, more in zip(failed, found.failed, strict=True)]
             kept += len(found.numbers)
+            apart += int(found.apart.sum())
             if len(found.numbers):
                 waiting.append(_batch(designs, found))
             if sum(batch.num_rows for batch in waiting) >= group:
                 _write(writer, waiting)
         _write(writer, waiting)
-        told = {"designs": len(span), "kept": kept, "failed": failed}
+        told = {"designs": len(span), "kept": kept, "apart": apart, "failed": failed}
         writer.add_key_value_metadata({METADATA.decode(): json.dumps(told)})
     return Done(part, file.getvalue())
 
@@ -100,12 +101,13 @@ class VersionsError(Exception):
 
 
 def schema_of(designs: Designs) -> Any:
-    """The columns: the number of the design, from 1, then dimensions, summaries and objectives, with their units."""
+    """The columns: the number of the design, then dimensions, summaries and objectives with their units, then remarks."""
     pa = arrow()
     units = {one: designs.units[one].text for one in designs.varied}
     units |= {quantity.name: quantity.unit for quantity in designs.questions.quantities}
     columns = [pa.field(name, pa.float64(), metadata={"unit": units.get(name, "")}) for name in designs.names]
-    return pa.schema([pa.field("design", pa.int64(), nullable=False), *columns])
+    own = [pa.field(REMARKS, pa.string()), pa.field(APART, pa.bool_(), nullable=False)]
+    return pa.schema([pa.field(DESIGN, pa.int64(), nullable=False), *columns, *own])
 
 
 def units_of(schema: Any) -> dict[str, str]:
@@ -118,11 +120,17 @@ def heads_of(table: Any) -> list[str]:
     return [f"{name} [{unit}]" if unit else name for name, unit in units_of(table.schema).items()]
 
 
-def _batch(designs: Designs, found: Any) -> Any:
+def told_of(table: Any) -> tuple[Any, list[str | None]]:
+    """A table of designs without the columns that are no numbers, and the remarks on them."""
+    return table.drop_columns([REMARKS, APART]), table.column(REMARKS).to_pylist()
+
+
+def _batch(designs: Designs, found: Kept) -> Any:
     """The designs kept; what has no number is null."""
     pa = arrow()
     columns = [pa.array(found.columns[name], from_pandas=True) for name in designs.names]
-    return pa.record_batch([pa.array(found.numbers + 1), *columns], schema=schema_of(designs))
+    own = [pa.array(found.remarks.tolist(), pa.string()), pa.array(found.apart)]
+    return pa.record_batch([pa.array(found.numbers + 1), *columns, *own], schema=schema_of(designs))
 
 
 def _write(writer: Any, waiting: list[Any]) -> None:
@@ -137,6 +145,7 @@ class Counted:
 
     designs: int
     kept: int
+    apart: int
     failed: tuple[int, ...]
 
 
@@ -146,6 +155,7 @@ def counted(file: Any) -> Counted | None:
     try:
         metadata = pa.parquet.read_metadata(file).metadata or {}
         told = json.loads(metadata[METADATA])
-        return Counted(int(told["designs"]), int(told["kept"]), tuple(int(count) for count in told["failed"]))
+        failed = tuple(int(count) for count in told["failed"])
+        return Counted(int(told["designs"]), int(told["kept"]), int(told["apart"]), failed)
     except (OSError, ValueError, KeyError, TypeError, pa.ArrowException):
         return None

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from mechsheet.plotting.axes import scale_of, tick_text
 from mechsheet.sheet.workbook import Axis
+from mechsheet.studies.designs import APART
 from mechsheet.studies.packages import arrow
 from mechsheet.studies.parts import heads_of
 from mechsheet.words.study import study_words
@@ -48,12 +49,12 @@ def _said(found: Studied, key: str) -> str:
 
 
 def _cloud(found: Studied, names: Sequence[str]) -> Array:
-    """Some of the designs kept, the same number of each part; one part is held at a time."""
+    """Some of the designs that are compared, the same number of each part; one part is held at a time."""
     paths = found.folder.parts(found.order)
     most = max(1, CLOUD // len(paths))
     points = []
     for path in paths[:: max(1, len(paths) // CLOUD)]:
-        part = arrow().parquet.read_table(path, columns=list(names))
+        part = arrow().parquet.read_table(path, columns=list(names), filters=[(APART, "=", False)])
         points.append(_numbers(part[:: max(1, part.num_rows // most)], names))
     return np.concatenate(points)
 

@@ -2,8 +2,9 @@
 
 A design is on the front where no other is at least as good in every objective and better in one. Of one objective the best
 are those with the best values; of several those nearest to the ideal point, which has the best of each: each objective
-counts from 0 (its best value of all) to 1 (its worst value on the front). The files are read one after another; what is
-held is the front and the list of the best.
+counts from 0 (its best value of all) to 1 (its worst value on the front). Designs that are set apart are neither: a number
+that the workbook marks is not compared with one that it does not. The files are read one after another; what is held is the
+front and the list of the best.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.model import Objective
+from mechsheet.studies.designs import APART, DESIGN
 from mechsheet.studies.packages import arrow
 from mechsheet.studies.parts import Order
 
@@ -29,17 +31,19 @@ MOST = 200_000
 @dataclass(frozen=True, slots=True)
 class Ranked:
     """front: numbers of its designs (from 1), by the first objective; whole: False where it was thinned
-    best  numbers of the best designs, in order"""
+    best   numbers of the best designs, in order;  apart: of the first designs that are set apart, as many"""
 
     front: Numbers
     best: Numbers
+    apart: Numbers
     whole: bool = True
 
 
 def ranked(paths: Sequence[Any], objectives: Sequence[Objective], count: int) -> Ranked:
     """The front and the best of the designs in some files."""
+    apart = _first(paths, count, apart=True)
     if not objectives:
-        return Ranked(np.zeros(0, np.int64), _first(paths, count))
+        return Ranked(np.zeros(0, np.int64), _first(paths, count), apart)
     signs = np.array([-1.0 if each.largest else 1.0 for each in objectives])
     names = [each.text for each in objectives]
     front, at, whole = np.zeros((0, len(names))), np.zeros(0, np.int64), True
@@ -51,7 +55,7 @@ def ranked(paths: Sequence[Any], objectives: Sequence[Objective], count: int) ->
             kept, whole = kept[np.linspace(0, len(kept) - 1, MOST // 2).astype(int)], False
         front, at = points[kept], numbers[kept]
     if not len(front):
-        return Ranked(at, _first(paths, count))
+        return Ranked(at, _first(paths, count), apart)
     ideal, worst = front.min(axis=0), front.max(axis=0)
     span = np.where(worst > ideal, worst - ideal, 1.0)
     far, best = np.zeros(0), np.zeros(0, np.int64)
@@ -64,7 +68,7 @@ def ranked(paths: Sequence[Any], objectives: Sequence[Objective], count: int) ->
         far, best = np.concatenate([far, distances]), np.concatenate([best, numbers])
         order = np.lexsort((best, far))[:count]
         far, best = far[order], best[order]
-    return Ranked(at, best, whole)
+    return Ranked(at, best, apart, whole)
 
 
 def front_of(points: Array) -> Numbers:
@@ -111,20 +115,21 @@ def _staircase(points: Array) -> list[int]:
 
 
 def _columns(paths: Sequence[Any], names: Sequence[str]) -> Any:
-    """Of each file the numbers and objectives of the designs that have all objectives."""
+    """Of each file the numbers and objectives of the designs that have all objectives and are not set apart."""
     for path in paths:
-        table = arrow().parquet.read_table(path, columns=["design", *dict.fromkeys(names)])
+        table = arrow().parquet.read_table(path, columns=[DESIGN, *dict.fromkeys(names), APART])
         values = np.stack([table.column(name).to_numpy(zero_copy_only=False).astype(float) for name in names], axis=1)
-        fine = np.isfinite(values).all(axis=1)
+        fine = np.isfinite(values).all(axis=1) & ~table.column(APART).to_numpy()
         if fine.any():
-            yield table.column("design").to_numpy()[fine], values[fine]
+            yield table.column(DESIGN).to_numpy()[fine], values[fine]
 
 
-def _first(paths: Sequence[Any], count: int) -> Numbers:
-    """The first designs, where nothing says which are best."""
+def _first(paths: Sequence[Any], count: int, apart: bool = False) -> Numbers:
+    """The first designs, where nothing says which are best; of those that are set apart, or of the others."""
     found: list[int] = []
     for path in paths:
-        found += arrow().parquet.read_table(path, columns=["design"]).column(0)[: count - len(found)].to_pylist()
+        table = arrow().parquet.read_table(path, columns=[DESIGN], filters=[(APART, "=", apart)])
+        found += table.column(0)[: count - len(found)].to_pylist()
         if len(found) >= count:
             break
     return np.array(found, np.int64)
@@ -137,9 +142,9 @@ def rows_of(paths: Sequence[Any], order: Order, numbers: Numbers) -> Any:
     tables = []
     for part in parts:
         wanted = numbers[(numbers - 1) // order.size == part]
-        tables.append(pa.parquet.read_table(paths[part], filters=[("design", "in", wanted.tolist())]))
+        tables.append(pa.parquet.read_table(paths[part], filters=[(DESIGN, "in", wanted.tolist())]))
     if not tables:
         return None
     table = pa.concat_tables(tables)
-    there = {number: place for place, number in enumerate(table.column("design").to_pylist())}
+    there = {number: place for place, number in enumerate(table.column(DESIGN).to_pylist())}
     return table.take([there[number] for number in numbers.tolist()])

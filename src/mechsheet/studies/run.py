@@ -39,7 +39,7 @@ class Progress:
 class Studied:
     """A study that has come to its end.
 
-    best, front  tables of designs, every column of the parts;  ranked  their numbers
+    best, front, apart  tables of designs, every column of the parts;  ranked  their numbers
     """
 
     designs: Designs
@@ -49,6 +49,7 @@ class Studied:
     ranked: Ranked
     best: Any
     front: Any
+    apart: Any
 
 
 def studied(
@@ -81,8 +82,8 @@ def studied(
     paths = place.parts(order)
     result = place.finish(designs, (counts[number] for number in range(order.parts)))
     found = ranked(paths, designs.study.objectives, designs.study.best)
-    best, front = (rows_of(paths, order, numbers) for numbers in (found.best, found.front))
-    end = Studied(designs, order, place, result, found, best, front)
+    best, front, apart = (rows_of(paths, order, numbers) for numbers in (found.best, found.front, found.apart))
+    end = Studied(designs, order, place, result, found, best, front, apart)
     book = book_of(end)
     for form in formats:
         write(book, folder / f"{BOOK}.{form}", form)

@@ -8,10 +8,13 @@ that is divided by one is looked at with the sign of what stands in it: of y = a
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from functools import reduce
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary, Call, Node, Symbol, Unary, transform, walk
+from mechsheet.kinematics.equations import Equations, Group
+from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula
 
@@ -30,13 +33,16 @@ LEAST_ROWS = 6
 
 
 def may_grow(plan: Plan, symbol: str) -> bool:
-    """Whether a quantity can be without bound: not the angles of links and between them, nor places of points."""
-    if plan.rows_only:
-        return False
-    bounded = {link.angle_symbol for link in plan.mechanism.links} | {
-        each.transmission for each in plan.found.transmission
-    }
-    return symbol not in bounded and plan.equations.of(symbol).role != "point"
+    """Whether a quantity can be without bound, and the sheet would know."""
+    return not plan.rows_only and symbol not in bounded(
+        plan.mechanism, plan.equations.equations, plan.found.transmission
+    )
+
+
+def bounded(mechanism: Mechanism, equations: Equations, transmission: Iterable[Group]) -> set[str]:
+    """Quantities that cannot be without bound: the angles of links and between them, places of points."""
+    found = {link.angle_symbol for link in mechanism.links} | {group.transmission for group in transmission}
+    return found | {equation.symbol for equation in equations.all if equation.role == "point"}
 
 
 def beyond_rows(value: Node, of_rows: Node, others: Node, rows: tuple[Node, Node]) -> Node:
@@ -63,7 +69,12 @@ def at_pole(before: Node, here: Node, after: Node, straight: float) -> Node:
 
 def unsigned_divisor(plan: Plan, symbol: str) -> Node | None:
     """What an output is divided by only as an absolute value, over columns of the tables: b of a/|b|; None without."""
-    found = [each for each in _factors(plan.equations.of(symbol).expression, False, False) if _columns_of(plan, each)]
+    return divisor_of(plan.equations.of(symbol).expression, lambda each: bool(_columns_of(plan, each)))
+
+
+def divisor_of(expression: Node, varies: Callable[[Node], bool]) -> Node | None:
+    """What an expression is divided by only as an absolute value, of factors that vary along the rows; None without."""
+    found = [each for each in _factors(expression, False, False) if varies(each)]
     return reduce(al.mul, found) if found else None
 
 

@@ -130,6 +130,13 @@ COMMANDS: dict[str, str] = {
     "{count:,} designs": "{count:,} tasarım",
     "{count:>16,} fail {condition}": "{count:>16,} tasarım şunu sağlamıyor: {condition}",
     "{kept:>16,} kept of {designs} ({share:.3g} %)": "{kept:>16,} kaldı, hepsi {designs} (%{share:.3g})",
+    (
+        "{count:>16,} of them set apart, not ranked: a number that decides is marked in the workbook (rows only, "
+        "grows without bound)"
+    ): (
+        "{count:>16,} tanesi ayrıldı, sıralanmadı: belirleyici bir sayı çalışma kitabında işaretli (yalnız satırlar, "
+        "sınırsız büyür)"
+    ),
     "none of {designs} meets all conditions": "bütün koşulları sağlayan yok: {designs}",
     "each design is counted once, by the first condition that it fails:{lines}": (
         "her tasarım bir kez sayılır, sağlamadığı ilk koşulda:{lines}"

@@ -5,6 +5,8 @@ from __future__ import annotations
 STUDIES: dict[str, str] = {
     "the description has no part [study]": "tanımda [study] kısmı yok",
     "[study] vary = { … }": "[study] vary = { … }",
+    'every study has a column "{name}" of its own': 'her çalışmanın kendi "{name}" sütunu vardır',
+    "give it another name in the description": "tanımda ona başka bir ad verin",
     "a study does not solve links that must be found all at once: {group}": (
         "bir çalışma, hep birden bulunması gereken uzuvları çözmez: {group}"
     ),
