@@ -80,10 +80,10 @@ def test_a_fault_of_ours_is_one_line_of_the_class(folder, monkeypatch):
 
     judge = marks.audited
 
-    def failing(work, mechanism, wanted, shown, *others):
+    def failing(work, mechanism, wanted, shown, *others, **more):
         if "endless" in shown:
             raise KeyError("Extremes")
-        return judge(work, mechanism, wanted, shown, *others)
+        return judge(work, mechanism, wanted, shown, *others, **more)
 
     monkeypatch.setattr(marks, "audited", failing)
     found = mark([folder / "endless.xlsx", folder / "four-bar.xlsx"], folder / "four-bar.toml")

@@ -91,11 +91,13 @@ def test_a_study_marks_what_the_workbook_marks(case):
             seen[remark] += 1
             assert said == remark, (name, values)
             assert np.isnan(own) == np.isnan(number), (name, values)
-            if remark == " (rows only)":
+            if remark == " (rows only)" or name == "whole":
                 assert own == pytest.approx(number, rel=1e-9, nan_ok=True), (name, values)
-    assert unknown_limits < 0.1 * seen.total()
+    assert unknown_limits < 0.2 * seen.total()
     assert seen[""]
-    assert not IN_CI or (seen[" (grows without bound)"] and (case == "slider-crank" or seen[" (rows only)"]))
+    if IN_CI:
+        assert seen[" (rows only)"]
+        assert seen[" (grows without bound)"] or case == "slider-crank"
 
 
 TWO_STRETCHES = '[study]\nvary = { a2 = [15, 60, 5], a3 = [40, 60, 4], a4 = [40, 60, 4] }\nkeep = ["swing < 60"]\n'

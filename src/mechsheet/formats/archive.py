@@ -211,7 +211,7 @@ def replacing(path: Path) -> Iterator[BinaryIO]:
     except (OSError, ValueError) as error:
         if isinstance(error, ValueError) and "\0" not in str(path):
             raise
-        raise _output_error(path, error) from error
+        raise output_error(path, error) from error
 
 
 @contextmanager
@@ -270,10 +270,11 @@ def make_folder(path: Path) -> None:
     try:
         path.mkdir(exist_ok=True)
     except (OSError, ValueError) as error:
-        raise _output_error(path, error) from error
+        raise output_error(path, error) from error
 
 
-def _output_error(path: Path, error: OSError | ValueError) -> OutputError:
+def output_error(path: Path, error: OSError | ValueError) -> OutputError:
+    """What is told where a file or folder cannot be written."""
     if isinstance(error, OSError):
         reason = _REASONS.get(error.errno or 0) or system_reason(error)
     else:

@@ -29,7 +29,8 @@ def study(
     """Try all designs of [study] in the description; those that meet its conditions, as a pyarrow Table.
 
     A row for each design kept: its number, the dimensions varied, summaries and objectives, in the units that people read
-    (`table.schema.field(name).metadata[b"unit"]`); null where there is no number. What does not fit the memory is read from
+    (`table.schema.field(name).metadata[b"unit"]`); null where there is no number; `remarks`, what its workbook says of them,
+    and `set_apart`, whether a number that decides is one of rows only. What does not fit the memory is read from
     the folder instead: `pyarrow.dataset.dataset("FOLDER/parts")`.
 
     output        the folder of the study, as `mechsheet study -o` writes it; without it nothing is kept on disk

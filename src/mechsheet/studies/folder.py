@@ -1,8 +1,9 @@
 """The folder of a study: its manifest, its parts, and whether it is the folder of this study.
 
-study.json       description, sampling, columns, conditions, releases of packages: written first
-parts/           part-000000.parquet and so on, each whole or not there
-result.json      how many designs were tried and kept, how many failed each condition: written last
+study.json       name of the study, description, sampling, columns, conditions, releases of packages: written first
+parts/           part-000000.parquet and so on, each whole or not there, with the name of its study
+result.json      how many designs were tried, kept and set apart, how many failed each condition: written last
+.study.lock      while a study is computed here (`lock`)
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_n
 from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.said import say
 from mechsheet.studies.designs import Designs
+from mechsheet.studies.lock import NAME as LOCK
 from mechsheet.studies.packages import unlike
 from mechsheet.studies.parts import Counted, Done, Order, counted, schema_of, units_of
 
@@ -56,13 +58,21 @@ class Folder:
 
     # --- beginning --------------------------------------------------------------------------------------------------------
 
-    def begin(self, designs: Designs, order: Order, resume: bool) -> None:
-        """Make the folder this study's, or find that it is. Raises OutputError where it is another's, or begun and not to
-        be resumed."""
-        manifest = manifest_of(designs, order)
-        path = self.path / MANIFEST
+    def open(self, resume: bool) -> None:
+        """Make the folder, where there is none. Raises OutputError, also where there is nothing to resume."""
         if self.path.exists() and not self.path.is_dir():
             raise OutputError(Fault(say("is a file: a study is written into a folder"), self.shown, key="-o"))
+        if resume and not self.path.exists():
+            raise OutputError(
+                Fault(say("there is no study to resume"), self.shown, hint=say("leave --resume out to begin it"))
+            )
+        make_folder(self.path)
+
+    def begin(self, designs: Designs, order: Order, resume: bool) -> None:
+        """Make the folder, which is locked, this study's, or find that it is. Raises OutputError where it is another's, or
+        begun and not to be resumed."""
+        manifest = manifest_of(designs, order)
+        path = self.path / MANIFEST
         if path.exists() and (resume or self._has_parts()):
             self._compare(manifest)
             if not resume:
@@ -70,14 +80,9 @@ class Folder:
                 hint = say("go on with --resume, or name another folder with -o")
                 raise OutputError(Fault(message, self.shown, hint=hint))
             return
-        if resume and not self.path.exists():
-            raise OutputError(
-                Fault(say("there is no study to resume"), self.shown, hint=say("leave --resume out to begin it"))
-            )
-        if not path.exists() and any(each.is_file() and each.suffix != ".tmp" for each in self.path.rglob("*")):
+        if not path.exists() and any(each.is_file() and not _is_spare(each) for each in self.path.rglob("*")):
             message = say("holds other files, and no study")
             raise OutputError(Fault(message, self.shown, hint=say("name a new or an empty folder with -o")))
-        make_folder(self.path)
         make_folder(self.path / PARTS)
         replace_file(path, _json(manifest))
 
@@ -88,7 +93,7 @@ class Folder:
     def _compare(self, manifest: dict[str, Any]) -> None:
         """Raise OutputError with what differs where the folder is another study's."""
         there = read_manifest(self.path)
-        differing = [key for key in manifest if there.get(key) != manifest[key]]
+        differing = [key for key in manifest if key != "study" and there.get(key) != manifest[key]]
         if not differing:
             return
         if differing == ["versions"]:
@@ -113,9 +118,18 @@ class Folder:
         found = {}
         for number, path in enumerate(self.parts(order)):
             part = counted(path) if path.exists() else None
-            if part is not None and part.designs == len(order.span(number)) and len(part.failed) == conditions:
+            if part is not None and part.study == order.study and len(part.failed) == conditions:
                 found[number] = part
         return found
+
+    def check(self, order: Order) -> None:
+        """Raise OutputError where a part is not this study's: on a file system without locks another may have written."""
+        for path in self.parts(order):
+            part = counted(path)
+            if part is None or part.study != order.study:
+                message = say("another study has written into this folder at the same time")
+                hint = say("go on with --resume: parts that are not of this study are computed again")
+                raise OutputError(Fault(message, readable_name(path), hint=hint))
 
     def keep(self, done: Done) -> None:
         """Write a part. Raises OutputError."""
@@ -140,6 +154,7 @@ def manifest_of(designs: Designs, order: Order) -> dict[str, Any]:
     """The manifest of a study: nothing in it depends on when, where or by how many processes it is computed."""
     return {
         "format": FORMAT,
+        "study": order.study,
         "versions": dict(order.versions),
         "sample": designs.study.sample,
         "seed": designs.study.seed,
@@ -169,6 +184,11 @@ def read_manifest(folder: Path) -> dict[str, Any]:
     if not isinstance(found, dict) or found.get("format") != FORMAT or not isinstance(found.get("description"), str):
         raise MechsheetError(Fault(say("is no manifest of a study that this program knows"), shown))
     return found
+
+
+def _is_spare(path: Path) -> bool:
+    """Whether a file is nobody's: what a process that was killed has left, or the lock."""
+    return path.suffix == ".tmp" or path.name == LOCK
 
 
 def _json(data: dict[str, Any]) -> bytes:

@@ -280,6 +280,8 @@ class _Rows:
     def best(self, extreme: Extreme, among: Mask | None = None) -> Found:
         """The best rows of an extreme, and the values there; `among`: of what designs anybody wants to know."""
         symbol, way = extreme
+        if symbol == self.designs.mechanism.driver.symbol:  # it has its values whether or not the links meet
+            return best_rows(way, self.column(symbol), None)
         everywhere = among is not None and bool((self.closes | ~among).all())
         return best_rows(way, self.column(symbol), None if everywhere else self._stretches[1])
 

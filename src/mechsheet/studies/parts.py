@@ -5,10 +5,11 @@ Which designs a part has follows from the study alone, and so do its bytes: whoe
 
 from __future__ import annotations
 
+import hashlib
 import io
 import json
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 from mechsheet import description
@@ -27,10 +28,11 @@ ROW_GROUP, GROUP_VALUES = 65_536, 2**19
 """Rows of a Parquet file that are written together, fewer of many columns: what a part holds in memory."""
 
 METADATA = b"mechsheet"
-"""Under this key a part says how many designs it tried, kept, set apart, and why it left the others out."""
+"""Under this key a part says of which study it is, how many designs it tried, kept, set apart, and why it left the others
+out."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Order:
     """What whoever computes parts is told: the description, how many designs, how many in a part, releases of packages."""
 
@@ -43,6 +45,12 @@ class Order:
     def parts(self) -> int:
         """How many there are."""
         return -(-self.designs // self.size)
+
+    @cached_property
+    def study(self) -> str:
+        """The name of the study, which each of its parts bears: a digest of all that decides its bytes."""
+        whole = json.dumps([self.text, self.designs, self.size, self.versions])
+        return hashlib.sha256(whole.encode()).hexdigest()[:16]
 
     def span(self, part: int) -> range:
         """The numbers of its designs, from 0."""
@@ -91,7 +99,7 @@ def compute(order: Order, part: int) -> Done:
             if sum(batch.num_rows for batch in waiting) >= group:
                 _write(writer, waiting)
         _write(writer, waiting)
-        told = {"designs": len(span), "kept": kept, "apart": apart, "failed": failed}
+        told = {"study": order.study, "designs": len(span), "kept": kept, "apart": apart, "failed": failed}
         writer.add_key_value_metadata({METADATA.decode(): json.dumps(told)})
     return Done(part, file.getvalue())
 
@@ -141,8 +149,9 @@ def _write(writer: Any, waiting: list[Any]) -> None:
 
 @dataclass(frozen=True, slots=True)
 class Counted:
-    """What a part's file says of it."""
+    """What a part's file says of it; `study`: whose it is."""
 
+    study: str
     designs: int
     kept: int
     apart: int
@@ -156,6 +165,6 @@ def counted(file: Any) -> Counted | None:
         metadata = pa.parquet.read_metadata(file).metadata or {}
         told = json.loads(metadata[METADATA])
         failed = tuple(int(count) for count in told["failed"])
-        return Counted(int(told["designs"]), int(told["kept"]), int(told["apart"]), failed)
+        return Counted(str(told["study"]), int(told["designs"]), int(told["kept"]), int(told["apart"]), failed)
     except (OSError, ValueError, KeyError, TypeError, pa.ArrowException):
         return None

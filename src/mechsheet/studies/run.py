@@ -15,6 +15,7 @@ from mechsheet.said import say
 from mechsheet.studies.book import book_of
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.folder import Folder, Result
+from mechsheet.studies.lock import locked
 from mechsheet.studies.packages import arrow
 from mechsheet.studies.parts import Counted, Order, counted, order_of
 from mechsheet.studies.picture import picture_of
@@ -76,9 +77,19 @@ def studied(
     order = order_of(mechanism.text, designs.sampling.total)
     place = Folder(folder)
     processes = 0 if on is not None else workers_within(workers, limit_memory)
-    place.begin(designs, order, resume)
-    counts = place.done(order, len(designs.questions.conditions)) if resume else {}
-    _compute(place, order, counts, processes, on, tell)
+    place.open(resume)
+    with locked(folder):
+        place.begin(designs, order, resume)
+        counts = place.done(order, len(designs.questions.conditions)) if resume else {}
+        _compute(place, order, counts, processes, on, tell)
+        place.check(order)
+        return _finished(place, designs, order, counts, formats)
+
+
+def _finished(
+    place: Folder, designs: Designs, order: Order, counts: dict[int, Counted], formats: Sequence[str]
+) -> Studied:
+    """Count, rank, and write what people open."""
     paths = place.parts(order)
     result = place.finish(designs, (counts[number] for number in range(order.parts)))
     found = ranked(paths, designs.study.objectives, designs.study.best)
@@ -86,8 +97,8 @@ def studied(
     end = Studied(designs, order, place, result, found, best, front, apart)
     book = book_of(end)
     for form in formats:
-        write(book, folder / f"{BOOK}.{form}", form)
-    replace_file(folder / f"{BOOK}.svg", picture_of(end))
+        write(book, place.path / f"{BOOK}.{form}", form)
+    replace_file(place.path / f"{BOOK}.svg", picture_of(end))
     return end
 
 

@@ -35,6 +35,12 @@ STUDIES: dict[str, str] = {
     "holds other files, and no study": "içinde başka dosyalar var, çalışma yok",
     "name a new or an empty folder with -o": "-o ile yeni ya da boş bir klasör verin",
     "name another folder with -o": "-o ile başka klasör verin",
+    "another study is being computed in this folder": "bu klasörde şu anda başka bir çalışma hesaplanıyor",
+    "wait for its end, or name another folder with -o": "bitmesini bekleyin ya da -o ile başka klasör verin",
+    "another study has written into this folder at the same time": "bu klasöre aynı anda başka bir çalışma yazmış",
+    "go on with --resume: parts that are not of this study are computed again": (
+        "--resume ile sürdürün: bu çalışmanın olmayan parçalar yeniden hesaplanır"
+    ),
     "the study was begun with {others}: its end might differ from its beginning": (
         "çalışmaya {others} ile başlanmış: sonu başına uymayabilir"
     ),
