@@ -61,32 +61,55 @@ _UNITS = frozenset(
 _FUNCTIONS = frozenset(("sin", "cos", "tan", "cot", "asin", "acos", "atan", "atan2", "arcsin", "arccos", "arctan"))
 
 
+_RATE = re.compile("[′″‴∂Δ∆]|[sxyzθϑφϕψω][0-9]*[\u0307\u0308]")
+"""A rate or a difference: s′4, θ̇14, ∂s/∂a2, Δs."""
+_COMPUTED = re.compile("[=+*·/^√|−]")
+"""Signs of a formula, which names what it reads."""
+
+
 @dataclass(frozen=True, slots=True)
 class Called:
-    """What a heading names: `symbols` of the mechanism; `alone` where it says nothing else but a unit."""
+    """What a heading names: `symbols` of the mechanism; `alone` where one of its cells says nothing else but a unit."""
 
     symbols: frozenset[str] = frozenset()
     alone: bool = False
 
 
-def called(text: str, aliases: Mapping[str, str]) -> Called:
-    """The symbols that a heading names; none where it is of a sine or cosine (`cos theta14`).
+def called(cells: Iterable[str], aliases: Mapping[str, str]) -> Called:
+    """The symbols that the cells of a heading name: those that a cell says alone (`theta14 [rad]`); else those that stand in
+    other words (`rocker angle theta14`), with a number or a point in them: `mu` alone may be another word.
 
     aliases  symbols by the words that stand for them, see `aliases_of`
     """
-    words = tokens(text)
-    if _FUNCTIONS.intersection(words):
-        return Called()
+    alone: set[str] = set()
+    among: set[str] = set()
+    for cell in cells:
+        found, rest = _named(cell, aliases)
+        if _COMPUTED.search(re.sub(r"\[[^\]]*\]", "", cell)):
+            continue
+        if len(found) == 1 and rest <= _UNITS:
+            alone |= found
+        else:
+            among |= {symbol for symbol in found if "." in symbol or any(map(str.isdigit, symbol))}
+    return Called(frozenset(alone or among), bool(alone))
+
+
+def _named(cell: str, aliases: Mapping[str, str]) -> tuple[set[str], set[str]]:
+    """The symbols that a cell names, and its other words; none where it is of a sine, a rate or a difference."""
+    words = tokens(cell)
+    if _FUNCTIONS.intersection(words) or _RATE.search(unicodedata.normalize("NFD", cell)):
+        return set(), set(words)
     found: set[str] = set()
-    rest = set(range(len(words)))
+    rest = dict(enumerate(words))
     for number, word in enumerate(words):
         pair = word + words[number + 1] if number + 1 < len(words) else ""
-        for said, places in ((pair, {number, number + 1}), (word, {number})):
+        for said, places in ((pair, (number, number + 1)), (word, (number,))):
             symbol = aliases.get(_spelled(said), aliases.get(said))
             if symbol is not None and number in rest:
                 found.add(symbol)
-                rest -= places
-    return Called(frozenset(found), bool(found) and all(words[number] in _UNITS for number in rest))
+                for place in places:
+                    rest.pop(place, None)
+    return found, set(rest.values())
 
 
 @lru_cache(maxsize=8)
@@ -108,8 +131,8 @@ def contains(text: str, label: str) -> bool:
     return bool(words) and set(words) <= set(tokens(text))
 
 
-def heading(work: Work, sheet: str, pos: int, line: int) -> str:
-    """The words before the first cell of a line, nearest last; of several cells one after the other all."""
+def heading(work: Work, sheet: str, pos: int, line: int) -> list[str]:
+    """The texts before the first cell of a line, nearest last; of several cells one after the other all."""
     found: list[str] = []
     for back in range(1, FARTHEST + 3):
         if pos - back < 0:
@@ -121,7 +144,7 @@ def heading(work: Work, sheet: str, pos: int, line: int) -> str:
                 break
         elif found or (value is not None and not isinstance(value, str)) or back > FARTHEST:
             break
-    return " ".join(reversed(found))
+    return found[::-1]
 
 
 def around(work: Work, place: Place) -> list[str]:
@@ -140,6 +163,17 @@ def around(work: Work, place: Place) -> list[str]:
         if isinstance(value, str) and value.strip():
             found.append(value)
     return found
+
+
+def label_of(work: Work, place: Place) -> str:
+    """The text directly to the left of a single cell, else directly above it; "" where neither is one."""
+    sheet, pos, line = place
+    left, above = (sheet, pos, line - 1), (sheet, pos - 1, line)
+    for cell in (above, left) if work.across else (left, above):
+        value = work.value(cell) if min(cell[1:]) >= 0 else None
+        if isinstance(value, str) and value.strip():
+            return value
+    return ""
 
 
 def labels(mechanism: Mechanism, symbol: str) -> Sequence[str]:

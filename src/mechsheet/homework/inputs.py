@@ -67,7 +67,7 @@ def unread_inputs(
     found = {one.symbol for one in known}
     dims = [dim for dim in mechanism.dimensions if not (dim.place or dim.derived or dim.symbol in found)]
     power = next((one.factor for one in known if is_length(mechanism, one.symbol)), 1.0)
-    typed = [place for place in _typed_numbers(graph) if place not in taken][:MOST_UNREAD] if dims else []
+    typed = [place for place in typed_numbers(graph) if place not in taken][:MOST_UNREAD] if dims else []
     texts = [_texts(graph, place) for place in typed]
     told = [n for n, (names, words) in enumerate(texts) if any(_told(dim, names, words) for dim in dims)]
     return tuple(_chosen(graph, dims, values, [typed[n] for n in told], [texts[n] for n in told], power, True))
@@ -78,7 +78,8 @@ def is_length(mechanism: Mechanism, symbol: str) -> bool:
     return any(dim.symbol == symbol and dim.unit.kind == "length" for dim in mechanism.dimensions)
 
 
-def _typed_numbers(graph: Graph) -> Iterator[Place]:
+def typed_numbers(graph: Graph) -> Iterator[Place]:
+    """The cells in which numbers were typed, sheet by sheet."""
     work = graph.work
     for sheet in work.book.sheets:
         for row, col, value in sheet.constants.items():

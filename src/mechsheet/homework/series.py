@@ -336,6 +336,21 @@ def likely_runs(graph: Graph) -> list[Run]:
     return [one for run in drivers(graph)[:MOST_RUNS] for one in (run, *counted(graph, run))]
 
 
+def typed_runs(graph: Graph, asked: Sequence[Array]) -> list[Run]:
+    """What may be the driver's values where all of a table was pasted as numbers: runs with others beside them from end to
+    end. Those that are the values asked for, in one of the units given; where no formula reads any run, each of them."""
+    work = graph.work
+    runs = runs_of_numbers(work)
+    beside = Counter((run.sheet, run.start, run.length) for run in runs)
+    found = [run for run in runs if beside[run.sheet, run.start, run.length] > 1 and np.ptp(run.column(work)) > 0]
+    meant = [run for run in found if any(_same(run.column(work), values) for values in asked)]
+    return meant or ([] if drivers(graph) else found[:MOST_RUNS])
+
+
+def _same(column: Array, values: Array) -> bool:
+    return len(column) == len(values) and bool(np.allclose(column, values, rtol=1e-6, atol=1e-6 * np.ptp(values)))
+
+
 def columns_of(several: Sequence[Series], work: Work, rows: int) -> Array:
     """The numbers of several series, shape (series, rows)."""
     return np.array([series.column(work) for series in several]).reshape(len(several), rows)

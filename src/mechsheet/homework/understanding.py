@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet import reference
-from mechsheet.diagnostics import Fault, WorkbookError
+from mechsheet.diagnostics import Fault, MechanismError, WorkbookError
 from mechsheet.homework.agreement import DEGREE, POWERS, allowance, likely, reading_of
 from mechsheet.homework.headings import Called, aliases_of, called, contains, heading, labels, names_over, tokens
 from mechsheet.homework.inputs import Input, inputs_of, is_length, unread_inputs
-from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, drivers, likely_runs
+from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, drivers, likely_runs, typed_runs
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.upright import Place, Work
 from mechsheet.model import Mechanism
@@ -38,8 +38,8 @@ class Understanding:
     truth: Truth
     series: list[Series]
     tolerance: float
-    headings: dict[tuple[str, int, int], str] = field(default_factory=dict)
-    names: dict[str, Called] = field(default_factory=dict)
+    headings: dict[tuple[str, int, int], tuple[str, ...]] = field(default_factory=dict)
+    names: dict[tuple[str, ...], Called] = field(default_factory=dict)
 
     @property
     def work(self) -> Work:
@@ -67,27 +67,28 @@ class Understanding:
 
     def heading(self, series: Series) -> str:
         """The words over a series, with the workbook's names for it."""
+        return " ".join(self.heading_cells(series)).strip()
+
+    def heading_cells(self, series: Series) -> tuple[str, ...]:
+        """The same, text by text."""
         if series.key not in self.headings:
-            words = heading(self.work, series.sheet, series.origin + series.first, series.line)
-            names = names_over(self.work, series.places())
-            self.headings[series.key] = " ".join([words, *names]).strip()
+            cells = heading(self.work, series.sheet, series.origin + series.first, series.line)
+            self.headings[series.key] = (*cells, *names_over(self.work, series.places()))
         return self.headings[series.key]
 
     def called(self, series: Series) -> Called:
         """Which columns of the mechanism a series is headed by: by their symbols, else by their labels."""
-        text = self.heading(series)
-        if text not in self.names:
-            found = called(text, aliases_of(tuple(self.truth.columns))) if text else Called()
-            if text and not found.symbols:
-                found = self._labelled(text)
-            self.names[text] = found
-        return self.names[text]
+        cells = self.heading_cells(series)
+        if cells not in self.names:
+            found = called(cells, aliases_of(tuple(self.truth.columns)))
+            self.names[cells] = found if found.symbols else self._labelled(cells)
+        return self.names[cells]
 
-    def _labelled(self, text: str) -> Called:
+    def _labelled(self, cells: Sequence[str]) -> Called:
         named = [(symbol, label) for symbol in self.truth.columns for label in labels(self.mechanism, symbol)]
-        found = [(symbol, label) for symbol, label in named if contains(text, label)]
-        alone = any(set(tokens(text)) <= set(tokens(label)) for _, label in found)
-        return Called(frozenset(symbol for symbol, _ in found), alone)
+        found = [(symbol, label, cell) for symbol, label in named for cell in cells if contains(cell, label)]
+        alone = any(set(tokens(cell)) <= set(tokens(label)) for _, label, cell in found)
+        return Called(frozenset(symbol for symbol, _, _ in found), alone)
 
 
 def understand(
@@ -104,13 +105,15 @@ def understand(
     runs     what may be the driver's values; without them the likeliest of the workbook
     """
     graph = Graph(work)
-    runs = likely_runs(graph) if runs is None else runs
+    given = reference.dimension_values(mechanism)
+    if runs is None:
+        runs = likely_runs(graph)
+        runs += [run for run in typed_runs(graph, _asked_values(mechanism, given)) if run not in runs]
     if unusual:
         runs = [*runs, *by_law(graph, runs, bool(mechanism.driver.joint))]
     if not runs:
         raise WorkbookError(Fault("no table", about="no table"))
     best: tuple[tuple[int, int], Understanding] | None = None
-    given = reference.dimension_values(mechanism)
     for run in runs:
         series = aligned(graph, run)
         for inputs in _possible_inputs(graph, mechanism, given, run):
@@ -130,6 +133,15 @@ def understand(
     if best is None:
         raise WorkbookError(Fault("no position", about="no position"))
     return best[1]
+
+
+def _asked_values(mechanism: Mechanism, given: Mapping[str, float]) -> list[Array]:
+    """The driver's values as the description asks for them, in its units and in degrees."""
+    try:
+        values = reference.driver_values(mechanism, given)
+    except (MechanismError, KeyError, ArithmeticError):
+        return []
+    return [values, np.asarray(mechanism.driver.unit.to_shown(values), float), values / DEGREE]
 
 
 def other_runs(graph: Graph, used: Sequence[Understanding]) -> list[Run]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -11,10 +12,10 @@ import numpy as np
 
 from mechsheet.engine import Values
 from mechsheet.formula.nodes import Call, Number, walk
-from mechsheet.homework.agreement import Reading, gaps, reading_of
+from mechsheet.homework.agreement import FEWEST, Reading, gaps, reading_of
 from mechsheet.homework.claims import answers, claimed, exchanged, read_on
-from mechsheet.homework.headings import around, contains, labels, names_over, says
-from mechsheet.homework.inputs import is_length
+from mechsheet.homework.headings import around, contains, label_of, labels, names_over, says
+from mechsheet.homework.inputs import MOST_UNREAD, is_length, typed_numbers
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
@@ -175,26 +176,54 @@ def _left_over(sheet: Sheet, truth: Truth, results: dict[str, Finding], spare: S
 
 
 def _single(sheet: Sheet, truth: Truth, summary: Summary) -> Finding | None:
-    """The formula of a single cell that is a summary, one that is called so first; else one that is called so."""
+    """The single cell that is a summary. One that is called so is the answer, right or wrong: of several the last one, a
+    formula before a typed number. Else a formula beside words that name it, or one that is computed from the table."""
     found = sheet.found
     work = found.work
     span = span_of(truth, summary.symbol)
-    called = labels(found.mechanism, summary.symbol)
+    labelled = labels(found.mechanism, summary.symbol)
+
+    def named(text: str) -> bool:
+        return says(text, summary.symbol) or any(contains(text, label) for label in labelled)
+
+    def finding(place: Place, main: Strip | None) -> Finding:
+        reading = reading_of_number(work.number(place, sheet.values), span, truth.size, found.tolerance)
+        series = Series(place[0], place[2], place[1], 1, main, 0, 0)
+        return Finding(summary.symbol, "wrong" if reading is None else "right", series, reading)
+
+    singles = [strip for strip in work.strips if strip.length <= 2]
+    singles = [strip for strip in singles if not any(_stands_in(series, strip) for series in found.series)]
+    cells: list[tuple[Place, Strip | None]] = [(place, strip) for strip in singles for place in strip.places()]
+    typed = list(itertools.islice(typed_numbers(found.graph), MOST_UNREAD))
+    for some in (cells, [(place, None) for place in typed]):
+        claims = [
+            (place, strip)
+            for place, strip in some
+            if any(map(named, (label_of(work, place), *names_over(work, [place]))))
+        ]
+        if claims:
+            return finding(*claims[-1])
     best: tuple[tuple[bool, bool], Finding] | None = None
-    for strip in work.strips:
-        if strip.length > 2 or any(_stands_in(series, strip) for series in found.series):
-            continue
-        for place in strip.places():
-            words = [*around(work, place), *names_over(work, [place])]
-            told = any(says(text, summary.symbol) or any(contains(text, label) for label in called) for text in words)
-            number = work.number(place, sheet.values)
-            reading = reading_of_number(number, span, truth.size, found.tolerance)
-            series = Series(strip.sheet, strip.line, place[1], 1, strip, 0, 0)
-            verdict: Verdict = "wrong" if reading is None else "right"
-            rank = reading is not None, told
-            if any(rank) and (best is None or rank > best[0]):
-                best = rank, Finding(summary.symbol, verdict, series, reading)
+    for place, strip in cells:
+        one = finding(place, strip)
+        told = any(map(named, around(work, place)))
+        right = one.verdict == "right" and (told or _of_the_table(found, strip))
+        if (right or told) and (best is None or (right, told) > best[0]):
+            best = (right, told), one
     return None if best is None else best[1]
+
+
+def _of_the_table(found: Understanding, strip: Strip | None) -> bool:
+    """Whether a formula is computed from the columns beside the driver."""
+    graph = found.graph
+    lines = {(series.sheet, series.line) for series in found.series}
+    above = graph.above({graph.work.strips.index(strip)}) if strip is not None else set()
+    return any(
+        (sheet, line) in lines and high - low >= FEWEST - 1
+        for number in above
+        for sheet, low, high, left, right in graph.areas(number)
+        for line in range(left, min(right, left + 500) + 1)
+    )
 
 
 def _stands_in(series: Series, strip: Strip) -> bool:
@@ -267,11 +296,14 @@ def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
     now = replace(now, values=np.where(np.isfinite(before.values), now.values, np.nan))
     reading = finding.reading
     column = finding.series.column(found.work, after.values)
-    if reading.offset:
-        return True  # counted from an angle that may have been retyped, too
     change = np.abs(_turns(now.values - before.values, now))
     allowed = 10 * found.allowed(now) + SHARE * float(np.nanmax(change, initial=0.0))
     apart = gaps(column, now, reading)
+    if reading.offset:  # counted from an angle that may have been retyped, too: then all rows are off by the same
+        turned = reading.of(column) - now.values
+        known = np.flatnonzero(np.isfinite(turned))
+        shift = turned[known[0]] if len(known) else 0.0
+        apart = gaps(column, now, replace(reading, offset=reading.offset + shift))
     return bool(apart.max() <= allowed)
 
 
@@ -311,9 +343,42 @@ def with_liveness(found: Understanding, results: Mapping[str, Finding]) -> dict[
     for symbol, finding in changed.items():
         if finding.verdict == "right" and finding.series is not None:
             inside = typed_dimensions(found, finding)
-            if finding.series.main is None or inside:
+            if finding.series.main is None or inside or not _fed(found, finding):
                 changed[symbol] = replace(finding, verdict="not live", dead=inside)
     return changed
+
+
+def _fed(found: Understanding, finding: Finding) -> bool:
+    """Whether a cell of a dimension leads to a series, where what it should be depends on the dimensions."""
+    series = finding.series
+    if series is None or series.main is None:
+        return False
+    graph = found.graph
+    above = graph.above({graph.work.strips.index(series.main)})
+    cells = [one.place for one in found.inputs]
+    if any(above & graph.readers_of(sheet, line, pos, pos + 1) for sheet, pos, line in cells):
+        return True
+    return not _depends(found, finding.symbol)
+
+
+def _depends(found: Understanding, symbol: str) -> bool:
+    """Whether a quantity has other values with other dimensions."""
+    base = found.truth
+    inputs = [dim.symbol for dim in found.mechanism.dimensions if not (dim.derived or dim.place)]
+    for part in STEPS:
+        changed = {
+            symbol: base.dimensions[symbol] * (1 + part * RETYPED[number % 2]) for number, symbol in enumerate(inputs)
+        }
+        other = truth_of(found.mechanism, changed, base.driver, base.poses)
+        if other is not None and other.exists[base.exists].all():
+            if symbol not in base.columns:
+                one, two = span_of(base, symbol), span_of(other, symbol)
+                return abs(one.low - two.low) > found.tolerance * max(abs(one.low), 1e-12)
+            quantity = replace(base.quantity(symbol), values=np.where(base.exists, base.columns[symbol], np.nan))
+            return bool(
+                gaps(other.columns[symbol], quantity, Reading()).max(initial=0.0) > 10 * found.allowed(quantity)
+            )
+    return True
 
 
 _ANYBODYS = (0.0, 0.5, 1.0, 2.0, 3.0, 4.0, 90.0, 180.0, 270.0, 360.0)
