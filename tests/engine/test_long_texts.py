@@ -6,7 +6,9 @@ import pytest
 from mechsheet.library.recalculation import recalc
 
 
-@pytest.mark.parametrize("formula", ["=A{above}&A{above}", "=CONCAT(A{above},A{above})", "=CONCATENATE(A{above},A{above})"])
+@pytest.mark.parametrize(
+    "formula", ["=A{above}&A{above}", "=CONCAT(A{above},A{above})", "=CONCATENATE(A{above},A{above})"]
+)
 def test_forty_cells_that_double_the_one_above(formula, tmp_path):
     """5 kB that took 24 GB."""
     book = openpyxl.Workbook()
