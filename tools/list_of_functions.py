@@ -11,7 +11,7 @@ PATH = Path(__file__).parent.parent / "docs" / "functions.md"
 KINDS = {
     "n": "number", "p": "number", "y": "date", "t": "text",
     "b": "truth value", "d": "date", "a": "value", "e": "value or error", "v": "numbers",
-    "m": "matrix", "r": "range", "l": "values", "g": "array", "q": "criterion", "f": "formula",
+    "m": "matrix", "r": "range", "l": "values", "h": "dates", "g": "array", "q": "criterion", "f": "formula",
 }  # fmt: skip
 
 HEAD = """# Functions

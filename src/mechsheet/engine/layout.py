@@ -17,7 +17,7 @@ from ..diagnostics import Fault, WorkbookError
 from ..formula.book import Block, Book
 from ..formula.references import cell_address
 from ..said import say
-from .values.cells import Cells, Codes, Numbers, Texts
+from .values.cells import EPOCHS, Cells, Codes, Numbers, Texts
 
 _MOST_KNOWN = 20_000
 """Areas whose place is remembered: those of lone formulas are read again at every evaluation."""
@@ -221,7 +221,7 @@ def _columns_in(columns: dict[int, Column], area: Area) -> list[int]:
 
 def make_layout(book: Book) -> Layout:
     """Give every cell its place. Raises WorkbookError when two things fill the same cell."""
-    texts = Texts()
+    texts = Texts(settings=book.settings, epochs=EPOCHS if book.date1904 else 0.0)
     layout = Layout([sheet.title for sheet in book.sheets], [{} for _ in book.sheets], [], [], [], [], texts)
     layout.date1904 = book.date1904
     for index, sheet in enumerate(book.sheets):

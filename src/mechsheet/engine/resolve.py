@@ -221,6 +221,8 @@ class Resolver:
         number = len(self.found.formulas)
         if any(map(_is_unsteady, names)) or not kinds.isdisjoint((Foreign, FunctionRef)):
             self._note_strangers(number, node, block, sheet)
+        if self.book.settings.as_shown:
+            self.found.kept[number] = "#VALUE!"
         said = dict.fromkeys(self.found.remarks[before:])
         self.found.remarks[before:] = [_with_kept(fault) if number in self.found.kept else fault for fault in said]
         may_move = FunctionRef in kinds or not ANYWHERE.isdisjoint(names)

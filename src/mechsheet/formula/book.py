@@ -286,6 +286,27 @@ class Table:
     totals: int = 0
 
 
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What a workbook sets about computing. The defaults are how Excel computes, and .xlsx files cannot say otherwise of the
+    first four.
+
+    case_sensitive   whether "a" = "A" is false (look-ups and criteria never mind)
+    searching        what texts that are searched for may hold: "wildcards", "expressions" (regular ones), "plain"
+    whole_cells      whether what is searched for must be the whole of a cell's text
+    beginnings       whether a text among the criteria of DSUM and its like stands for its beginning
+    as_shown         whether every value is rounded to what its cell shows
+    iterates         whether circular references are computed again and again
+    """
+
+    case_sensitive: bool = False
+    searching: Literal["wildcards", "expressions", "plain"] = "wildcards"
+    whole_cells: bool = True
+    beginnings: bool = True
+    as_shown: bool = False
+    iterates: bool = False
+
+
 @dataclass(slots=True)
 class Book:
     """A workbook. Titles of sheets and names are found without regard to case, as spreadsheet programs do.
@@ -293,6 +314,7 @@ class Book:
     remarks  what a reader could not understand, with its cells (their stored values stand in the book as constants)
     macros   "VBA" or "Basic" where the file carries macros, which may define functions; else ""
     program  the program that saved the file, as the file names it
+    settings what the workbook sets about computing
     """
 
     sheets: list[BookSheet]
@@ -303,6 +325,7 @@ class Book:
     tables: list[Table] = field(default_factory=list)
     macros: str = ""
     program: str = ""
+    settings: Settings = field(default_factory=Settings)
 
     def sheet(self, title: str) -> BookSheet | None:
         """The sheet of that title, None when there is none."""

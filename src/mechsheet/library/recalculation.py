@@ -126,7 +126,7 @@ def recalc(path: str | Path, settings: Mapping[str, Any] | None = None) -> Resul
     plan = compile_book(book)
     values = plan.evaluate(changes)
     remarks = (*book.remarks, *values.remarks)
-    if changes and (values.kept or any(fault.about == "function" for fault in remarks)):
+    if changes and (values.kept or book.settings.as_shown or any(fault.about == "function" for fault in remarks)):
         remarks = (*remarks, Fault(NOT_FOLLOWING, file=book.source))
     return Result(book, values, path, changes, remarks)
 

@@ -74,6 +74,8 @@ def cell_code(
     layout: Layout, sheets: dict[str, int], block: Block, arithmetic: Arithmetic
 ) -> Callable[[Memory], CellCode] | None:
     """From the memory of an evaluation to a function of the row (0 is the block's first) that gives a cell's value."""
+    if layout.date1904 or layout.texts.settings.case_sensitive:
+        return None  # here texts compare without regard to case, and dates in texts count from 1900
     writer = _Writer(layout, sheets, block, arithmetic)
     try:
         text = writer.result(block.formula)

@@ -56,8 +56,8 @@ def _chosen(table: Cells, criteria: Cells, headings: list[str], texts: Texts) ->
                 fits[:] = False
                 break
             value = texts.decode(number, code)
-            if isinstance(value, str) and value[:1] not in ("=", "<", ">"):
-                value += "*"  # a text alone stands for its beginning here
+            if isinstance(value, str) and value[:1] not in ("=", "<", ">") and texts.settings.beginnings:
+                value += "*"
             place = headings.index(name)
             fits &= criterion(value, texts)(Cells(rows.numbers[:, place], rows.codes[:, place]))
         found |= fits

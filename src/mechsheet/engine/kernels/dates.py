@@ -21,8 +21,8 @@ from ..texts.calendar import (
     weekday,
     whole_day,
 )
-from ..values.calling import Problem, Serial, to_number
-from ..values.typed_numbers import day_and_time
+from ..values.calling import Problem, to_number
+from ..values.typed_numbers import Serial, day_and_time
 
 
 def date_(year: float, month: float, day: float) -> Serial:

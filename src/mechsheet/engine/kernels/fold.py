@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ...formula.nodes import Binary, Node, RangeRef
+from ...formula.nodes import Binary, Missing, Node, RangeRef
 from ..values.calling import is_reference
 from ..values.cells import (
     BLANK,
@@ -200,10 +200,13 @@ def _by_rank(from_top: bool) -> Any:
 
 
 def counta(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-    """COUNTA: everything but blanks, errors and empty texts too."""
+    """COUNTA: everything but blanks, errors and empty texts too; nothing between two commas is a value, as for COUNT."""
     del spread
     number: Any = np.float64(0)
     for arg in united(args):
+        if isinstance(arg, Missing):
+            number = number + 1.0
+            continue
         cells = ev.value(arg, frame, spread=True)
         filled = np.broadcast_to(codes_of(cells) != BLANK, cells.shape)
         number = number + np.add.reduce(_flat(filled).astype(np.float64))

@@ -111,6 +111,8 @@ def _joined(name: str) -> Any:
             # Texts and blanks that stand in cells are passed over; a text written as an argument must be a truth value.
             empty = (codes == TEXT) & (cells.numbers == ev.texts.number(""))
             counts = (codes != TEXT) & (codes != BLANK) if inside else (codes != BLANK) & ~empty
+            if isinstance(arg, Missing):  # nothing between two commas is FALSE
+                counts = np.ones(np.shape(codes), bool)
             mask, errors = truths_of(cells, ev.texts)
             if errors is not None:
                 errors = np.where((codes == TEXT) if inside else empty, np.uint8(0), errors)

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...formula.nodes import Call, CellRef, Local, Missing, Node, RangeRef
 from ..interpreter.regions import gives_region, regions
-from ..texts.searching import EXACT, EXPRESSION, LARGER, SMALLER, WILDCARD, Line
+from ..texts.searching import CRITERION, EXACT, EXPRESSION, LARGER, SMALLER, WILDCARD, Line
 from ..values.calling import spread_cells, table_of
 from ..values.cells import BLANK, NA, REF, TEXT, VALUE, Cells, choose, codes_of, error, errors_of, first_error, fitted
 from ..values.coerce import numbers_of, truths_of
@@ -143,7 +143,7 @@ def positions(ev: Evaluator, wanted: Cells, line: Cells, kind: float) -> Cells:
 def _place(search: Line, number: float, code: int, kind: float) -> int:
     if kind != 0:
         return search.beside(number, code, descending=kind < 0)
-    return -1 if code == BLANK else search.place(number, code, WILDCARD)  # a blank cell equals nothing here
+    return -1 if code == BLANK else search.place(number, code, CRITERION)  # a blank cell equals nothing here
 
 
 def choose_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:

@@ -6,21 +6,25 @@ import math
 import re
 from collections.abc import Callable
 from decimal import ROUND_HALF_UP, Decimal
+from functools import partial
 from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
 import numpy as np
 
+from ...formula.book import Settings
+from ...formula.functions import FUNCTIONS
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Missing, Node, Scalar
 from ...formula.printer import quote_sheet
 from ...formula.references import column_letters
 from ..texts.expressions import expression
 from ..texts.number_formats import WIDE, formatted
-from ..texts.wildcards import pattern_of
-from ..values.calling import EPOCHS, Problem, to_number
+from ..texts.patterns import pattern_of
+from ..values.calling import Problem, called, since_epoch, to_number
 from ..values.cells import BLANK, Cells, codes_of
 from ..values.coerce import MOST_CHARACTERS, each, joined, text_to_number, to_text
 from ..values.frames import Frame
+from ..values.typed_numbers import Serial
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
@@ -41,6 +45,8 @@ def _number(value: Scalar) -> float | None:
 def text(value: Scalar, pattern: Scalar, epochs: float = 0.0) -> Scalar:
     """TEXT(value, format). The format's decimal sign is the point; #VALUE! for what is no format."""
     number = _number(value)
+    if isinstance(number, Serial):
+        number = since_epoch(number, epochs)
     shown = to_text(value) if number is None or isinstance(value, bool) else number
     if pattern is None or pattern == "":
         return "" if isinstance(shown, float) else shown
@@ -49,7 +55,7 @@ def text(value: Scalar, pattern: Scalar, epochs: float = 0.0) -> Scalar:
 
 
 def _text(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-    epochs = EPOCHS if ev.layout.date1904 else 0.0
+    epochs = ev.texts.epochs
     kernel: Callable[..., Cells] = _each(lambda value, pattern: text(value, pattern, epochs))
     return kernel(ev, args, frame, spread)
 
@@ -106,10 +112,17 @@ def rept(value: Scalar, many: Scalar) -> Scalar:
     return VALUE if parts is None or len(parts[0]) * parts[1] > 32767 else parts[0] * parts[1]
 
 
-def value_(shown: Scalar) -> Scalar:
+def value_(shown: Scalar, epochs: float = 0.0) -> Scalar:
     """VALUE: the number that a text shows."""
     number = None if isinstance(shown, bool) else _number(shown)
+    if isinstance(number, Serial):
+        return since_epoch(number, epochs)
     return VALUE if number is None else number
+
+
+def _value(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    kernel: Callable[..., Cells] = _each(lambda shown: value_(shown, ev.texts.epochs))
+    return kernel(ev, args, frame, spread)
 
 
 def _each(function: Callable[..., Scalar]) -> Any:
@@ -206,12 +219,17 @@ def find(wanted: str, within: str, start: float = 1.0) -> float:
     return place + 1.0
 
 
-def search(wanted: str, within: str, start: float = 1.0) -> float:
-    """SEARCH: without regard to case, with wildcards."""
-    place = pattern_of(wanted).search(within, _start(within, start))
+def search(settings: Settings, wanted: str, within: str, start: float = 1.0) -> float:
+    """SEARCH: without regard to case, with wildcards, or as the workbook has it."""
+    place = pattern_of(wanted, settings).search(within, _start(within, start))
     if place < 0:
         raise Problem("#VALUE!")
     return place + 1.0
+
+
+def _search(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    kernel: Callable[..., Cells] = called(FUNCTIONS["SEARCH"], partial(search, ev.texts.settings))
+    return kernel(ev, args, frame, spread)
 
 
 def substitute(text: str, old: str, new: str, instance: float | None = None) -> str:
@@ -380,8 +398,8 @@ def array_to_text(rows: list[list[Scalar]], style: float = 0.0) -> str:
     """ARRAYTOTEXT: concise (0) or as an array is written (1)."""
     strict = _style(style)
     if not strict:
-        return ", ".join(_shown(value, False) for row in rows for value in row)
-    return "{" + ";".join(",".join(_shown(value, True) for value in row) for row in rows) + "}"
+        return _fits(", ".join(_shown(value, False) for row in rows for value in row))
+    return _fits("{" + ";".join(",".join(_shown(value, True) for value in row) for row in rows) + "}")
 
 
 def address(row: float, col: float, kind: float = 1.0, a1: bool = True, sheet: Scalar = None) -> str:
@@ -443,13 +461,13 @@ def dollar(number: float, decimals: float = 2.0) -> str:
 
 
 KERNELS: dict[str, Any] = {
-    "TEXT": _text, "FIXED": _each(fixed), "VALUE": _each(value_), "CONCAT": concat,
-    "CONCATENATE": _each(lambda *values: "".join(map(to_text, values))),
+    "TEXT": _text, "FIXED": _each(fixed), "VALUE": _value, "CONCAT": concat,
+    "CONCATENATE": _each(joined),
     "LEN": _each(lambda value: float(len(to_text(value)))), "LEFT": _each(left), "RIGHT": _each(right),
     "MID": _each(mid), "REPT": _each(rept), "UPPER": _each(lambda value: to_text(value).upper()),
     "LOWER": _each(lambda value: to_text(value).lower()),
     "TRIM": _each(lambda value: re.sub(" +", " ", to_text(value)).strip(" ")),
-    "EXACT": _each(lambda a, b: to_text(a) == to_text(b)),
+    "EXACT": _each(lambda a, b: to_text(a) == to_text(b)), "SEARCH": _search, "SEARCHB": _search,
 }  # fmt: skip
 
 PLAIN: dict[str, Callable[..., Any]] = {
@@ -458,7 +476,6 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "RIGHTB": _right,
     "MIDB": _mid,
     "FINDB": find,
-    "SEARCHB": search,
     "REPLACEB": replace,
     "CHAR": character,
     "CODE": code,
@@ -467,7 +484,6 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "CLEAN": lambda text: "".join(letter for letter in text if ord(letter) > 31),
     "PROPER": proper,
     "FIND": find,
-    "SEARCH": search,
     "SUBSTITUTE": substitute,
     "REPLACE": replace,
     "REGEXTEST": lambda text, pattern, ignore_case=0.0: expression(pattern, text, ignore_case).search(text) is not None,

@@ -196,13 +196,18 @@ class Together:
         ev.codes[place] = 0 if found.codes is None else found.codes
 
     def _note_circle(self, circle: list[Cell], done: set[Cell], ev: Evaluator) -> None:
-        """The cells of a circle are #REF!, and remarked: no value of theirs would mean anything."""
+        """The cells of a circle are #REF!, and remarked: no value of theirs would mean anything.
+
+        Where the workbook has them computed again and again, they keep what the file holds.
+        """
+        kept = ev.around.book.settings.iterates
         for cell in circle:
             number, down, right = cell
             block, first = self.layout.blocks[number], self.layout.block_offsets[number]
             start = first + right * block.rows + down
             stop = start + 1 if block.kind == "fill" else first + block.rows * block.cols
-            ev.numbers[start:stop], ev.codes[start:stop] = np.nan, REF
+            if not kept or not self._keep_stored(cell, start, ev):
+                ev.numbers[start:stop], ev.codes[start:stop] = np.nan, REF
             done.add(cell)
         self._circles += 1
         if self._circles > _MOST_CIRCLES:
@@ -216,7 +221,21 @@ class Together:
             "circular reference: {circle} (and more of them)" if last else "circular reference: {circle}",
             circle=" -> ".join(shown),
         )
+        if kept:
+            message = say("{message}: it is not computed again and again here, stored values are kept", message=message)
         ev.around.remark(message, sheet, first_cell.row + circle[0][1], first_cell.col + circle[0][2])
+
+    def _keep_stored(self, cell: Cell, start: int, ev: Evaluator) -> bool:
+        """Put the stored value into a cell of a circle; whether there is one."""
+        number, down, right = cell
+        block, sheet = self.layout.blocks[number], self.layout.block_sheets[number]
+        place = sheet, block.row + down, block.col + right
+        value = ev.around.stored(*place)
+        if value is None or block.kind != "fill":
+            return False
+        ev.numbers[start], ev.codes[start] = ev.texts.encode(value)
+        ev.around.kept.add(place)
+        return True
 
     def _name(self, cell: Cell) -> str:
         number, down, right = cell

@@ -6,7 +6,8 @@ import math
 from datetime import date, timedelta
 from typing import NamedTuple
 
-from ..values.calling import Problem, Serial
+from ..values.calling import Problem
+from ..values.typed_numbers import Serial
 
 LAST_DAY = 2958465
 """31 December 9999."""

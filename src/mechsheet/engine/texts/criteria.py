@@ -10,8 +10,8 @@ import numpy as np
 
 from ...formula.nodes import ErrorValue, Scalar
 from ..values.cells import BLANK, BOOLEAN, ERROR_NAMES, NUMBER, TEXT, Cells, Texts, codes_of, error_code
-from ..values.coerce import compare_numbers, text_to_number
-from .wildcards import pattern_of
+from ..values.coerce import compare_numbers, number_shown, number_to_text
+from .patterns import pattern_of
 
 Test = Callable[[Cells], Any]
 """Cells -> which of them fit."""
@@ -30,7 +30,7 @@ def criterion(value: Scalar, texts: Texts) -> Test:
         return _number("=", float(value or 0), texts)
     match = _CRITERION.fullmatch(value)
     op, word = (match[1] or "=", match[2]) if match else ("=", value)
-    shown = text_to_number(word)
+    shown = number_shown(word, texts)
     if shown is not None:
         return _number(op, shown, texts)
     if word.upper() in ERROR_NAMES and op in ("=", "<>"):
@@ -59,7 +59,7 @@ def _number(op: str, number: float, texts: Texts) -> Test:
             return ~found
         is_text = codes == TEXT
         for key in np.unique(cells.numbers[is_text]) if np.any(is_text) else ():
-            shown = text_to_number(texts.text(key))
+            shown = number_shown(texts.text(key), texts)
             if shown is not None and compare_numbers("=", np.float64(shown), number):
                 found = found | (is_text & (cells.numbers == key))
         return found
@@ -80,10 +80,10 @@ def _empty(op: str, written: bool, texts: Texts) -> Test:
 
 
 def _text(op: str, word: str, texts: Texts) -> Test:
-    pattern, folded = pattern_of(word), word.casefold()
+    pattern, folded = pattern_of(word, texts.settings), word.casefold()
     tests: dict[str, Callable[[str], bool]] = {
-        "=": pattern.fullmatch,
-        "<>": lambda text: not pattern.fullmatch(text),
+        "=": pattern.fits,
+        "<>": lambda text: not pattern.fits(text),
         "<": lambda text: text.casefold() < folded,
         "<=": lambda text: text.casefold() <= folded,
         ">": lambda text: text.casefold() > folded,
@@ -96,6 +96,11 @@ def _text(op: str, word: str, texts: Texts) -> Test:
         for key in np.unique(cells.numbers[is_text]):
             if tests[op](texts.text(key)):
                 result = result | (is_text & (cells.numbers == key))
+        if pattern.of_numbers and op in ("=", "<>"):
+            is_number = codes_of(cells) == NUMBER
+            for key in np.unique(cells.numbers[is_number]):
+                here = is_number & (cells.numbers == key)
+                result = np.where(here, tests[op](number_to_text(float(key))), result)
         return result
 
     return test

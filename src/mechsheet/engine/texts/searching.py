@@ -8,12 +8,17 @@ from typing import Any
 
 import numpy as np
 
+from ...formula.book import Settings
 from ..values.cells import BLANK, BOOLEAN, ERROR, NUMBER, TEXT, Cells, Texts
 from ..values.coerce import compare_numbers
 from .expressions import expression
-from .wildcards import pattern_of
+from .patterns import pattern_of
 
-EXACT, SMALLER, LARGER, WILDCARD, EXPRESSION = 0, -1, 1, 2, 3
+EXACT, SMALLER, LARGER, WILDCARD, EXPRESSION, CRITERION = 0, -1, 1, 2, 3, 4
+"""How a text is searched for; a CRITERION as the workbook's settings have it."""
+_FOUND = (EXACT, WILDCARD, EXPRESSION, CRITERION)
+"""What is found or not, and is never the next best."""
+_AS_EXCEL = Settings()
 _OFTEN = 4
 
 
@@ -53,7 +58,7 @@ class Line:
             return self._text_place(self.texts.text(number), mode)
         if code == BLANK:
             hits = np.flatnonzero(self.codes == BLANK)
-            if len(hits) or mode in (EXACT, WILDCARD, EXPRESSION):
+            if len(hits) or mode in _FOUND:
                 return int(hits[0]) if len(hits) else -1
             code = NUMBER
         if code == NUMBER and number in self._first_numbers():
@@ -62,7 +67,7 @@ class Line:
         hits = np.flatnonzero(same & compare_numbers("=", self.numbers, np.float64(number)))
         if len(hits):
             return int(hits[0])
-        if mode in (EXACT, WILDCARD, EXPRESSION):
+        if mode in _FOUND:
             return -1
         side = np.flatnonzero(same & ((self.numbers < number) if mode == SMALLER else (self.numbers > number)))
         if not len(side):
@@ -104,12 +109,17 @@ class Line:
     def _text_place(self, text: str, mode: int) -> int:
         if mode == EXPRESSION:
             return self._matched(text)
+        if mode == CRITERION:
+            settings = self.texts.settings
+            if settings.searching != "wildcards" or not settings.whole_cells:
+                return self._as_set(text)
+            mode = WILDCARD
         folded, words = text.casefold(), self.words()
         if mode == WILDCARD and any(mark in text for mark in "*?~"):
-            pattern = pattern_of(folded)
-            return next((place for place, word in words if pattern.fullmatch(word)), -1)
+            pattern = pattern_of(folded, _AS_EXCEL)
+            return next((place for place, word in words if pattern.fits(word)), -1)
         found = self._first.get(folded, -1)
-        if found >= 0 or mode in (EXACT, WILDCARD):
+        if found >= 0 or mode in _FOUND:
             return found
         best = -1
         nearest = ""
@@ -119,6 +129,11 @@ class Line:
             if beside and nearer:
                 best, nearest = place, word
         return best if best >= 0 else self._in_next_kind(TEXT, mode)
+
+    def _as_set(self, wanted: str) -> int:
+        """The first text that fits, where the workbook does not search as Excel does."""
+        pattern = pattern_of(wanted, self.texts.settings)
+        return next((place for place, _ in self.words() if pattern.fits(self.texts.text(self.numbers[place]))), -1)
 
     def _matched(self, wanted: str) -> int:
         """The first text in which a regular expression is found."""

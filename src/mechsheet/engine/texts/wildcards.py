@@ -6,7 +6,6 @@ Matched part by part from the left, in time that does not grow with the number o
 from __future__ import annotations
 
 import re
-from functools import lru_cache
 
 
 class Wildcards:
@@ -45,9 +44,3 @@ class Wildcards:
         for part in self._parts[1:]:
             found = part.search(text, found.end()) if found is not None else None
         return place if found is not None else -1
-
-
-@lru_cache(maxsize=1024)
-def pattern_of(text: str) -> Wildcards:
-    """The wildcards of a text."""
-    return Wildcards(text)

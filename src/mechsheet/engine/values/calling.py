@@ -16,6 +16,7 @@ from ...formula.functions import Function
 from ...formula.nodes import ArrayLiteral, CellRef, ErrorValue, Missing, Node, RangeRef, Scalar
 from .cells import (
     BLANK,
+    EPOCHS,
     ERROR,
     ERROR_NAMES,
     MOST_LISTED,
@@ -30,6 +31,7 @@ from .cells import (
 )
 from .coerce import numbers_of, text_to_number, to_text
 from .frames import Frame, VaryingSizeError
+from .typed_numbers import Serial
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
@@ -39,9 +41,6 @@ LIFTED = frozenset("npytbdae")
 
 LISTED_A_STEP = 16
 """Cells of an array that are handed to a function one by one in the time of a step."""
-
-EPOCHS = 1462.0
-"""Days from the first day of workbooks that count from 1900 to that of workbooks that count from 1904."""
 
 
 class Problem(Exception):  # noqa: N818 - an error value on its way to the cell, not a failure of the program
@@ -58,10 +57,6 @@ def need(*conditions: bool) -> None:
         raise Problem("#NUM!")
 
 
-class Serial(float):
-    """A day as a number, counted from 1900: workbooks that count from 1904 show it smaller."""
-
-
 def to_number(value: Scalar) -> float:
     """A scalar as a number; a text that shows none is #VALUE!."""
     if isinstance(value, str):
@@ -72,6 +67,13 @@ def to_number(value: Scalar) -> float:
     if isinstance(value, ErrorValue):
         raise Problem(value.code)
     return 0.0 if value is None else float(value)
+
+
+def since_epoch(day: float, epochs: float) -> float:
+    """A day that a text shows as the workbook counts days; #VALUE! for one before its calendar begins."""
+    if day < epochs:
+        raise Problem("#VALUE!")
+    return float(day) - epochs
 
 
 def to_truth(value: Scalar) -> bool:
@@ -179,14 +181,16 @@ def _fixed(ev: Evaluator, node: Node, kind: str, frame: Frame, needed: bool) -> 
             table = Cells(np.zeros((1, 1)), np.full((1, 1), BLANK, np.uint8))
         else:
             table = table_of(ev, node, frame)
-        if kind in "gl":
+        if kind in "glh":
             if table.numbers.size > MOST_LISTED:
                 raise too_large(*table.numbers.shape)
             ev.around.budget.spend(table.numbers.size // LISTED_A_STEP)
         if kind == "g":
             return grid_of(table, ev.texts)
-        if kind == "l":
-            return scalars_of(table, ev.texts)
+        if kind in "lh":
+            days = ev.texts.epochs if kind == "h" else 0.0
+            found = scalars_of(table, ev.texts)
+            return [value + days if isinstance(value, float) else value for value in found] if days else found
         return matrix_of(table) if kind == "m" else table
     except Problem as problem:
         return problem
@@ -245,7 +249,9 @@ class _Call:
         if isinstance(value, ErrorValue) and kind != "e":
             raise Problem(value.code)
         converted = _CONVERSIONS[kind](value)
-        return converted + self.offset if kind in "dy" and not isinstance(value, str) else converted
+        if isinstance(converted, Serial):  # a text that shows a date: functions of days count from 1900
+            return float(converted) if kind in "dy" else since_epoch(converted, self.offset)
+        return converted + self.offset if kind in "dy" else converted
 
     def _result(self, found: Any) -> Any:
         if isinstance(found, list):

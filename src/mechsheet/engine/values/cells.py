@@ -16,6 +16,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from ...formula.book import Settings
 from ...formula.nodes import ErrorValue, Scalar
 from ...said import say
 from .frames import UnsupportedError
@@ -30,6 +31,8 @@ MOST_LISTED = 1 << 22
 """Cells of an array that is made or taken apart one by one: some 200 bytes each, where MOST_CELLS take 9."""
 MOST_LETTERS = 1 << 28
 """Characters of all texts that one evaluation computes, some 270 MB: ten thousand of the longest."""
+EPOCHS = 1462.0
+"""Days from the first day of workbooks that count from 1900 to that of workbooks that count from 1904."""
 NEAR = 2.0**-48
 """Two numbers nearer than this, relatively, are equal, and their difference is nothing: some 14 to 15 digits."""
 ERROR = 16
@@ -63,13 +66,20 @@ class Cells(NamedTuple):
         return shape if self.codes is None else np.broadcast_shapes(shape, np.shape(self.codes))
 
 
+_AS_EXCEL = Settings()
+
+
 class Texts:
-    """The table of texts of one evaluation: text <-> its number. Texts differ by case here and compare without it.
+    """The table of texts of one evaluation: text <-> its number. Texts that differ by case are two here.
 
     A table may stand on another, which it leaves as it is: the plan's own texts serve all evaluations.
+
+    settings  how texts compare and are searched for;  epochs  days from 1900 to where the workbook's calendar begins
     """
 
-    def __init__(self, base: Texts | None = None) -> None:
+    def __init__(self, base: Texts | None = None, settings: Settings = _AS_EXCEL, epochs: float = 0.0) -> None:
+        self.settings: Settings = settings if base is None else base.settings
+        self.epochs: float = epochs if base is None else base.epochs
         self._base = base
         self._first = len(base) if base is not None else 0
         self._texts: list[str] = []
@@ -98,6 +108,10 @@ class Texts:
         if index < self._first and self._base is not None:
             return self._base._texts[index]
         return self._texts[index - self._first]
+
+    def key(self, text: str) -> tuple[str, str]:
+        """What two texts are compared by: without regard to case; where case counts, small letters before capitals."""
+        return text.casefold(), text.swapcase() if self.settings.case_sensitive else ""
 
     def encode(self, value: Scalar) -> tuple[float, int]:
         """(number, code) of a scalar."""

@@ -24,8 +24,9 @@ from .cells import (
     first_error,
     fitted,
 )
-from .typed_numbers import shown_number
+from .typed_numbers import Serial, shown_number
 
+_NO_TEXT = ("", "")
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
@@ -43,6 +44,14 @@ def text_to_number(text: str) -> float | None:
     if not np.isfinite(value):
         return None
     return value / 100 if percent else value
+
+
+def number_shown(text: str, texts: Texts) -> float | None:
+    """As `text_to_number`, a date counted as the workbook counts days; None for one before its calendar begins."""
+    value = text_to_number(text)
+    if not isinstance(value, Serial):
+        return value
+    return float(value) - texts.epochs if value >= texts.epochs else None
 
 
 def number_to_text(value: float) -> str:
@@ -96,7 +105,7 @@ def numbers_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
     numbers, errors = numbers.copy(), np.where(codes >= ERROR, codes, np.uint8(0))
     is_text = codes == TEXT
     for key in np.unique(numbers[is_text]):
-        value = text_to_number(texts.text(key))
+        value = number_shown(texts.text(key), texts)
         here = is_text & (numbers == key)
         # Marked first, written afterwards: a text's number must not be taken for another text's key.
         if value is None:
@@ -165,7 +174,7 @@ def _one(function: Callable[..., Scalar], key: tuple[tuple[float, int], ...], te
 
 
 def compared(op: str, left: Cells, right: Cells, texts: Texts) -> Cells:
-    """A comparison. Numbers come before texts (compared without regard to case), texts before truth values.
+    """A comparison. Numbers come before texts (compared without regard to case, or with it), texts before truth values.
 
     A blank is 0, "" or FALSE, as the other side asks.
     """
@@ -210,8 +219,8 @@ def _ranked(left: Cells, right: Cells, texts: Texts) -> tuple[Any, Any, Any, Any
     a_rank, b_rank = _kind(ac), _kind(bc)
     places = _text_places(texts, (a, ac), (b, bc))
     a_blank, b_blank = ac == BLANK, bc == BLANK
-    a_key = np.where(a_blank, np.where(b_rank == 1, places[""], 0.0), _keys(a, ac, texts, places))
-    b_key = np.where(b_blank, np.where(a_rank == 1, places[""], 0.0), _keys(b, bc, texts, places))
+    a_key = np.where(a_blank, np.where(b_rank == 1, places[_NO_TEXT], 0.0), _keys(a, ac, texts, places))
+    b_key = np.where(b_blank, np.where(a_rank == 1, places[_NO_TEXT], 0.0), _keys(b, bc, texts, places))
     return a_key, np.where(a_blank, b_rank, a_rank), b_key, np.where(b_blank, a_rank, b_rank)
 
 
@@ -219,17 +228,17 @@ def _kind(codes: Any) -> Any:
     return np.where(codes == TEXT, 1, np.where(codes == BOOLEAN, 2, 0))
 
 
-def _text_places(texts: Texts, *sides: tuple[Any, Any]) -> dict[str, float]:
-    """Folded text -> its place in the order of all texts at hand; texts that differ by case only share a place."""
-    words = {""}
+def _text_places(texts: Texts, *sides: tuple[Any, Any]) -> dict[tuple[str, str], float]:
+    """What a text is compared by -> its place in the order of all texts at hand."""
+    words = {_NO_TEXT}
     for numbers, codes in sides:
-        words.update(texts.text(key).casefold() for key in np.unique(numbers[codes == TEXT]))
+        words.update(texts.key(texts.text(key)) for key in np.unique(numbers[codes == TEXT]))
     return {word: float(place) for place, word in enumerate(sorted(words))}
 
 
-def _keys(numbers: Any, codes: Any, texts: Texts, places: dict[str, float]) -> Any:
+def _keys(numbers: Any, codes: Any, texts: Texts, places: dict[tuple[str, str], float]) -> Any:
     is_text = codes == TEXT
     keys = numbers
     for key in np.unique(numbers[is_text]):
-        keys = np.where(is_text & (numbers == key), places[texts.text(key).casefold()], keys)
+        keys = np.where(is_text & (numbers == key), places[texts.key(texts.text(key))], keys)
     return keys

@@ -39,6 +39,10 @@ _GROUPED = re.compile(r"(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d*)?|\.\d+")
 _ZERO = date(1899, 12, 30).toordinal()
 
 
+class Serial(float):
+    """A day as a number, counted from 1900: workbooks that count from 1904 show it smaller."""
+
+
 @lru_cache(maxsize=4096)
 def shown_number(text: str) -> float | None:
     """The number of a text that shows a date, a time, both, an amount of money or a mixed fraction; else None."""
@@ -81,9 +85,11 @@ def fraction(body: str) -> float | None:
 
 
 def date_and_time(body: str) -> float | None:
-    """A date, a time, or a date and a time, as one number."""
+    """A date, a time, or a date and a time, as one number: a Serial where there is a date."""
     parts = day_and_time(body)
-    return None if parts is None else parts[0] + parts[1]
+    if parts is None:
+        return None
+    return Serial(parts[0] + parts[1]) if parts[0] else parts[1]
 
 
 def day_and_time(body: str) -> tuple[float, float] | None:

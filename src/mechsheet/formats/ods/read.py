@@ -13,8 +13,12 @@ from mechsheet.said import say
 
 from ..reading.numbers import NULL_DATE, NULL_DATE_1904
 from ..reading.package import Package, local_name, open_package, part_key, saved_by
+from ..reading.settings import settings_remarks
 from .parts import SHEET_TYPE
 from .scan import CONTENT, ContentScan, NameText
+
+NULL_YEAR = "1930"
+"""The year that 30 means where a document does not say otherwise."""
 
 _MANIFEST = "META-INF/manifest.xml"
 _PASSWORD = say("the workbook is protected by a password")
@@ -51,7 +55,14 @@ def _read(package: Package) -> Book:
     date1904 = scan.null_date == NULL_DATE_1904
     macros = "Basic" if any(part_key(entry.filename).startswith("basic/") for entry in package.entries()) else ""
     program = saved_by(package, "meta.xml")
-    return Book(scan.sheets, names, date1904, package.name, scan.remarks, macros=macros, program=program)
+    remarks = [*scan.remarks, *settings_remarks(scan.settings, package.name)]
+    if scan.null_year not in ("", NULL_YEAR) and any(sheet.blocks for sheet in scan.sheets):
+        message = say("years of two digits count from {year} here; they are taken as from {usual}",
+                      year=scan.null_year, usual=NULL_YEAR)  # fmt: skip
+        remarks.append(Fault(message, package.name))
+    return Book(
+        scan.sheets, names, date1904, package.name, remarks, macros=macros, program=program, settings=scan.settings
+    )
 
 
 def _check_parts(package: Package) -> None:

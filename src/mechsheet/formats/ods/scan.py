@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import date
 from typing import Any, NamedTuple
 from xml.parsers import expat
 
 from mechsheet.diagnostics import Fault, FormulaError
-from mechsheet.formula.book import BookSheet
+from mechsheet.formula.book import BookSheet, Settings
 from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.printer import print_formula
@@ -55,6 +55,10 @@ class Table:
     arrays: list[ArrayText] = field(default_factory=list)
 
 
+_UNSAID = Settings(case_sensitive=True, searching="expressions", beginnings=False)
+"""How OpenDocument computes where a document says nothing, as LibreOffice does."""
+
+
 @dataclass(slots=True)
 class ContentScan:
     """What content.xml holds. `kind` is the kind of document, "spreadsheet" for ours.
@@ -71,6 +75,8 @@ class ContentScan:
     faults: list[Fault] = field(default_factory=list)
     remarks: list[Fault] = field(default_factory=list)
     null_date: date = NULL_DATE
+    settings: Settings = _UNSAID
+    null_year: str = ""
     kind: str = ""
     repeated: int = 0
     current: Table | None = None
@@ -237,6 +243,18 @@ class ContentScan:
             table.faults.note(say('"{text}" is no number, date or time', text=text[:40]), row, col)
         return value
 
+    def calculating(self, said: Mapping[str, str | None]) -> None:
+        """What the document sets about computing; what it does not say is as OpenDocument has it (1.3 part 3, 9.4.1)."""
+        expressions, wildcards = said["expressions"] != "false", said["wildcards"] == "true"
+        self.settings = replace(
+            self.settings,
+            case_sensitive=said["case"] != "false",
+            searching="wildcards" if wildcards else "expressions" if expressions else "plain",
+            whole_cells=said["whole"] != "false",
+            as_shown=said["shown"] == "true",
+        )
+        self.null_year = said["year"] or ""
+
     def calendar(self, text: str) -> None:
         """The day that dates count from."""
         days = day_number(text, NULL_DATE)
@@ -350,6 +368,10 @@ def _small(scan: ContentScan, tag: str, attributes: Mapping[str, str], table: Ta
         # A list with filters or a table of Excel: formulas use its name like any other, which comes before it.
         name, area = attributes[words.table_name], attributes.get(words.target_address, "")
         scan.lists.append(NameText(name, area, True, "", None, fixed=True))
+    elif tag == words.settings:
+        scan.calculating({word: attributes.get(name) for word, name in words.calculating.items()})
+    elif tag == words.iteration:
+        scan.settings = replace(scan.settings, iterates=attributes.get(words.status) == "enable")
     elif tag == words.null_date:
         scan.calendar(attributes.get(words.date_value_of_null, ""))
     elif tag in words.kinds:

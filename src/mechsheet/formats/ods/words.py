@@ -36,6 +36,10 @@ class Words:
     named_expression: str
     database_range: str
     null_date: str
+    settings: str
+    iteration: str
+    calculating: Mapping[str, str]
+    status: str
     table_name: str
     rows_repeated: str
     visibility: str
@@ -97,6 +101,17 @@ def words_of(attributes: Mapping[str, str]) -> Words:
         named_expression=named("table", "named-expression"),
         database_range=named("table", "database-range"),
         null_date=named("table", "null-date"),
+        settings=named("table", "calculation-settings"),
+        iteration=named("table", "iteration"),
+        calculating={
+            "case": named("table", "case-sensitive"),
+            "expressions": named("table", "use-regular-expressions"),
+            "wildcards": named("table", "use-wildcards"),
+            "whole": named("table", "search-criteria-must-apply-to-whole-cell"),
+            "shown": named("table", "precision-as-shown"),
+            "year": named("table", "null-year"),
+        },
+        status=named("table", "status"),
         table_name=named("table", "name"),
         rows_repeated=named("table", "number-rows-repeated"),
         visibility=named("table", "visibility"),

@@ -59,6 +59,7 @@ class Contents:
     books: list[OtherBook] = field(default_factory=list)
     spans: list[tuple[int, int, int]] = field(default_factory=list)
     date1904: bool = False
+    as_shown: bool = False
     program: str = ""
 
 
@@ -84,6 +85,8 @@ def contents_of(stream: bytes, file: str) -> Contents:
                 found.program = _LIBREOFFICE if record.data[3:8].rstrip(b"\0 ") == b"Calc" else ""
             case Kind.DATES:
                 found.date1904 = record.data[:1] == b"\x01"
+            case Kind.PRECISION:
+                found.as_shown = record.data[:1] == b"\x00"
             case Kind.BOOK:
                 found.books.append(_book(record))
             case Kind.EXTERN_SHEET:

@@ -6,11 +6,12 @@ import struct
 from pathlib import Path
 
 from mechsheet.diagnostics import Fault, WorkbookError, readable_name, system_reason
-from mechsheet.formula.book import Book, BookSheet, DefinedName
+from mechsheet.formula.book import Book, BookSheet, DefinedName, Settings
 from mechsheet.formula.nodes import Foreign, Node
 from mechsheet.said import reason, say
 
 from ..reading.package import MAX_SHEETS, refuse_what_it_is
+from ..reading.settings import settings_remarks
 from .compound import SIGNATURE, Compound
 from .contents import FILTER, Contents, contents_of, is_biff8
 from .formulas import Formulas, UnreadableError
@@ -88,6 +89,8 @@ def _read(stream: bytes, name: str, macros: str) -> Book:
         raise DamagedError(say("it does not begin as a workbook does"))
     contents = contents_of(stream, name)
     book = Book([], date1904=contents.date1904, source=name, macros=macros, program=contents.program)
+    book.settings = Settings(as_shown=contents.as_shown)
+    book.remarks += settings_remarks(book.settings, name)
     formulas = Formulas(contents)
     faults: list[Fault] = []
     for number, (sheet, at, end) in _sheets(contents, stream, name).items():

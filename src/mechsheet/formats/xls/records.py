@@ -14,6 +14,7 @@ class Kind(IntEnum):
     """The kinds of records that are read."""
 
     FORMULA = 0x0006
+    PRECISION = 0x000E
     EOF = 0x000A
     EXTERN_SHEET = 0x0017
     NAME = 0x0018

@@ -8,7 +8,7 @@ from typing import Any
 from xml.parsers import expat
 
 from mechsheet.diagnostics import Fault, FormulaError, WorkbookError
-from mechsheet.formula.book import Book, BookSheet, DefinedName
+from mechsheet.formula.book import Book, BookSheet, DefinedName, Settings
 from mechsheet.formula.nodes import Foreign, Node
 from mechsheet.formula.parser import parse_formula
 from mechsheet.said import say
@@ -24,6 +24,7 @@ from ..reading.package import (
     saved_by,
     unescaped,
 )
+from ..reading.settings import settings_remarks
 from .dynamic_arrays import dynamic_marks
 from .scan import SheetScan
 from .tables import tables_of
@@ -79,6 +80,8 @@ def _read(package: Package) -> Book:
     if not book.sheets:
         raise package.fault(say("the workbook has no sheet with cells"), part)
     book.names = _names(contents)
+    book.settings = contents.settings
+    book.remarks += settings_remarks(book.settings, book.source)
     return book
 
 
@@ -142,6 +145,7 @@ class _Workbook:
         self.sheets: list[tuple[str, str]] = []
         self.names: list[tuple[str, int | None, str]] = []
         self.date1904 = False
+        self.settings = Settings()
         self._name: tuple[str, int | None] | None = None
         self._pieces: list[str] = []
 
@@ -158,6 +162,11 @@ class _Workbook:
                 self.sheets.append((attributes.get("name", ""), attribute(attributes, "id") or ""))
             case "workbookPr":
                 self.date1904 = attributes.get("date1904") in ("1", "true")
+            case "calcPr":
+                self.settings = Settings(
+                    as_shown=attributes.get("fullPrecision") in ("0", "false"),
+                    iterates=attributes.get("iterate") in ("1", "true"),
+                )
             case "definedName":
                 local = attributes.get("localSheetId", "")
                 self._name = attributes.get("name", ""), int(local) if local.isdecimal() else None

@@ -173,6 +173,15 @@ FILES: dict[str, str] = {
     'an array formula that leaves the sheet "{title}"': '"{title}" sayfasından taşan bir dizi formülü',
     "an array formula without a proper area": "alanı düzgün olmayan bir dizi formülü",
     # formulas that keep their values
+    "every value is rounded as it is shown (a setting of this workbook): stored values are kept": (
+        "her değer gösterildiği gibi yuvarlanır (bu çalışma kitabının bir ayarı): kayıtlı değerler korunur"
+    ),
+    "switch “precision as displayed” off to have it computed": (
+        "hesaplatmak için “görüntülenen duyarlık” ayarını kapatın"
+    ),
+    "years of two digits count from {year} here; they are taken as from {usual}": (
+        "iki basamaklı yıllar burada {year} yılından sayılır; {usual} yılından sayılmış gibi alınırlar"
+    ),
     "{message}: stored values are kept": "{message}: kayıtlı değerler korunur",
     "{message} of ={shown}: stored values are kept": "{message}, ={shown}: kayıtlı değerler korunur",
     "a formula of {count} characters, which is not read: stored values are kept": (

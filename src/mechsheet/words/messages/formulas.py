@@ -41,6 +41,12 @@ FORMULAS: dict[str, str] = {
     "at least {least} arguments": "en az {least} argüman",
     "{least} to {most} arguments": "{least} ile {most} arası argüman",
     "a reference to another workbook": "başka bir çalışma kitabına başvuru",
+    "{message}: it is not computed again and again here, stored values are kept": (
+        "{message}: burada tekrar tekrar hesaplanmaz, kayıtlı değerler korunur"
+    ),
+    '"{text}" is no regular expression, as which this workbook takes it': (
+        '"{text}" bir düzenli ifade değil, bu çalışma kitabı ise onu öyle alır'
+    ),
     "{message}: the stored value is kept": "{message}: kayıtlı değer korunur",
     "{why}, {text}: stored values are kept": "{why}, {text}: kayıtlı değerler korunur",
     "{name} gives another value at every recalculation": "{name} her yeniden hesaplamada başka bir değer verir",
