@@ -268,6 +268,8 @@ def test_new_lists_titles():
         ((), "closes in all 25 positions; A0ABB0: crank-rocker, crank can turn fully; transmission angle"),
         (("a2=50",), "closes in 22 / 25 positions; A0ABB0: triple rocker"),
         (("step", "35"), "the step misses the stop (360°): the last row is 350°"),
+        (("step", "14.99999"), "the step misses the stop (360°): the last row is 359.9998°"),
+        (("step", "15.0000001"), "the step misses the stop (360°): the last row is 345.000002°"),
     ],
 )
 def test_one_line_says_whether_it_closes(tmp_path, settings, said):

@@ -117,14 +117,31 @@ def test_only_json_tables_are_questions(server, kind, body, status):
     assert reply(server, "/{token}/ask/begin", "POST", body, Content_Type=kind)[0] == status
 
 
-def test_a_question_that_is_too_long_is_not_read(server):
+@pytest.mark.parametrize(
+    ("length", "status"),
+    [
+        ("5000000", 413),
+        ("9" * 5_000, 413),
+        ("abc", 400),
+        ("-1", 400),
+        ("1_0", 400),
+        ("+2", 400),
+        ("1e3", 400),
+        ("\u0663", 400),
+        ("", 400),
+        (None, 400),
+    ],
+)
+def test_a_question_of_no_bearable_length_is_not_read(server, length, status):
+    """Too long, or of a length that is no number: that is the asker's mistake, not the server's."""
     own = server.origin.removeprefix("http://")
     connection = http.client.HTTPConnection("127.0.0.1", int(own.rpartition(":")[2]), timeout=20)
     connection.putrequest("POST", f"/{server.token}/ask/begin", skip_host=True)
-    for name, value in (("Host", own), ("Content-Type", "application/json"), ("Content-Length", "5000000")):
-        connection.putheader(name, value)
+    for name, value in (("Host", own), ("Content-Type", "application/json"), ("Content-Length", length)):
+        if value is not None:
+            connection.putheader(name, value.encode())
     connection.endheaders()
-    assert connection.getresponse().status == 413
+    assert connection.getresponse().status == status
 
 
 @pytest.mark.parametrize(

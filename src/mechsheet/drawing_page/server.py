@@ -216,10 +216,13 @@ class DrawingServer:
         request = bottle.request
         if request.content_type.partition(";")[0].strip().lower() != "application/json":
             raise bottle.HTTPError(415, "a question is JSON\n")
-        if not 0 <= request.content_length <= LARGEST_QUESTION:
+        said = str(request.environ.get("CONTENT_LENGTH") or "")
+        if not (said.isascii() and said.isdigit()):
+            raise bottle.HTTPError(400, "no length\n")
+        if len(said) > len(str(LARGEST_QUESTION)) or int(said) > LARGEST_QUESTION:
             raise bottle.HTTPError(413, "the question is too long\n")
         try:
-            found = json.loads(request.environ["wsgi.input"].read(request.content_length))
+            found = json.loads(request.environ["wsgi.input"].read(int(said)))
         except (ValueError, RecursionError):
             raise bottle.HTTPError(400, "no JSON\n") from None
         if not isinstance(found, dict):

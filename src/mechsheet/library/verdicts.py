@@ -24,6 +24,9 @@ from mechsheet.words.messages import text_in
 _LANDS = 1e-6
 """By this part of a step the stop may be missed: it is rounding."""
 
+_DIGITS, _MOST_DIGITS = 6, 15
+"""Digits of a number in a line; more only where fewer would say something absurd."""
+
 
 def verdict(compiled: Compiled) -> str:
     """`closes in 19 / 25 positions; ...; the step misses the stop (360°): the last row is 350°`.
@@ -35,8 +38,9 @@ def verdict(compiled: Compiled) -> str:
     missed = _missed_stop(mechanism, plan.rows)
     if missed is not None:
         unit = shown_unit(plan, mechanism.driver.symbol)
-        last = compiled.value(plan.at.spots[mechanism.driver.symbol], plan.rows - 1)
-        shown = {"stop": _shown(missed, unit), "last": _shown(last, unit)}
+        digits = _telling(*missed)
+        stop, last = (_shown(each, unit, digits) for each in missed[:2])
+        shown = {"stop": stop, "last": last}
         said.append(say("the step misses the stop ({stop}): the last row is {last}", **shown))
     said += _undetermined(compiled)
     said += [
@@ -74,8 +78,8 @@ def _undetermined(compiled: Compiled) -> list[str]:
     return found
 
 
-def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:
-    """The stop of the sweep as people read it, where the steps do not land on it."""
+def _missed_stop(mechanism: Mechanism, rows: int) -> tuple[float, float, float] | None:
+    """As people read them the stop of the sweep, the last row and the one that would come next, where none is the stop."""
     driver = mechanism.driver
     if not driver.stepped:
         return None
@@ -83,11 +87,20 @@ def _missed_stop(mechanism: Mechanism, rows: int) -> float | None:
     start, stop, step = (number(part, values) for part in (driver.start, driver.stop, driver.step))
     if abs((stop - start) / step - (rows - 1)) < _LANDS:
         return None
-    return driver.unit.to_shown(stop)
+    stop, last, beyond = (driver.unit.to_shown(each) for each in (stop, start + (rows - 1) * step, start + rows * step))
+    return stop, last, beyond
 
 
-def _shown(value: object, unit: str) -> str:
-    return f"{value:.6g}{behind_number(unit)}" if isinstance(value, float | int) else str(value)
+def _telling(stop: float, last: float, beyond: float) -> int:
+    """So many digits, at least six, that the stop does not read like the row before it or the one after it."""
+    for digits in range(_DIGITS, _MOST_DIGITS):
+        if f"{stop:.{digits}g}" not in (f"{last:.{digits}g}", f"{beyond:.{digits}g}"):
+            return digits
+    return _MOST_DIGITS
+
+
+def _shown(value: object, unit: str, digits: int = _DIGITS) -> str:
+    return f"{value:.{digits}g}{behind_number(unit)}" if isinstance(value, float | int) else str(value)
 
 
 def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]]:
