@@ -252,3 +252,24 @@ def test_a_single_number_is_the_cell_that_is_called_so(tmp_path, how):
     cells, mark = SINGLE[how]
     table = Table(FOUR_BAR, four_bar(), cells=cells)
     assert marked(tmp_path, mechsheet.loads(text, "least"), table)[0] == mark
+
+
+def test_pasted_numbers_of_a_task_have_half_marks(tmp_path):
+    """The lengths follow from a task: that they cannot be retyped one by one was taken for being live."""
+    mechanism = mechsheet.template("crank-rocker-swing")
+    solved = mechanism.solve()
+    columns = [(name, f"v{name}", [math.radians(x) for x in solved[name]]) for name in ("theta13", "theta14")]
+    columns = [("theta12", "deg", [float(x) for x in solved["theta12"]]), *columns]
+    found = marked(tmp_path, mechanism, Table((), columns))[1]
+    assert {one.verdict for symbol, one in found.asked.items() if symbol.startswith("theta")} == {"not live"}
+
+
+def test_pasted_numbers_of_another_assembly_have_half_marks_at_most(tmp_path, mechanism):
+    """None, as for any other assembly; with `--assembly any` half, as for pasted numbers."""
+    other = mechsheet.template("four-bar", {name: value for _, name, value in FOUR_BAR} | {"mode_1": -1}).solve()
+    columns = [("krank", "deg", STEPS)]
+    columns += [(s, f"v{s}", [math.radians(x) for x in other[s]]) for s in ("theta13", "theta14")]
+    path = Table(FOUR_BAR, columns).save(tmp_path / "book.xlsx")
+    for assembly, mark in (("", 0.0), ("any", 1.0)):
+        (one,) = mechsheet.mark([path], mechanism, assembly=assembly).students
+        assert one.mark == mark

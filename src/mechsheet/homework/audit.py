@@ -142,7 +142,14 @@ def audited(
     found = {symbol: result for part in parts for symbol, result in _results(part).items()}
     results = {symbol: found[symbol] for symbol in asked}
     if any_assembly:
-        results = {s: replace(r, verdict="right") if r.verdict == "other assembly" else r for s, r in results.items()}
+        live = {symbol: part.first[symbol].live for part in parts for symbol in part.asked}
+        accepted: dict[str, Verdict] = {symbol: "right" if one else "not live" for symbol, one in live.items()}
+        results = {
+            symbol: replace(one, verdict=accepted[symbol], plain=accepted[symbol])
+            if one.verdict == "other assembly"
+            else one
+            for symbol, one in results.items()
+        }
     faults = [fault for part in parts for fault in _faults(part)]
     for part in parts if own_dimensions else ():
         others = other_dimensions(part.found)

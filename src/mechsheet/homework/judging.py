@@ -185,8 +185,11 @@ def _with_mends(seen: _Seen, effort: Effort) -> Judged:
     suspect = None
     if any(one.verdict == "wrong" for one in last.values()):
         suspect = first_wrong(last_sheet, truth, last)
-    if truth is found.truth and found.mechanism.synthesis is None:  # lengths that a task gives have no say of their own
-        first = with_liveness(found, first)
+    first = with_liveness(found, first)
+    if truth is not found.truth:
+        others = {symbol: start[symbol] for symbol, one in first.items() if one.verdict == "other assembly"}
+        live = with_liveness(replace(found, truth=truth), others)
+        first |= {symbol: replace(first[symbol], live=live[symbol].verdict != "not live") for symbol in others}
     return Judged(found, truth, seen.asked, first, last, mends, suspect, seen.unusual)
 
 

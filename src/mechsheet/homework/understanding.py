@@ -163,12 +163,14 @@ def _possible_inputs(
 ) -> Iterator[tuple[Input, ...]]:
     """The cells of the dimensions: by what is written beside them, by their numbers, with those that no formula reads."""
     by_words = inputs_of(graph, mechanism, given, run, True)
+    unread = unread_inputs(graph, mechanism, given, run, by_words)
+    if unread and not by_words:  # no formula reads anything: the numbers were pasted
+        yield unread
     yield by_words
     by_numbers = inputs_of(graph, mechanism, given, run, False)
     if by_numbers != by_words:
         yield by_numbers
-    unread = unread_inputs(graph, mechanism, given, run, by_words)
-    if unread:
+    if unread and by_words:
         yield (*by_words, *unread)
 
 

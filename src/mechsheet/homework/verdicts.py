@@ -30,6 +30,8 @@ SHARE = 0.1
 STEPS = (1.0, 0.4, 0.1, 0.02)
 """Parts of the retyped changes that are tried one after the other, until no row vanishes."""
 RETYPED = (0.03, -0.02)
+SMALL = 1e-3
+"""A change by less than this part of what is allowed is rounding."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +42,7 @@ class Finding:
     reading  how they say it, where they do
     dead     dimensions that they do not follow
     instead  the quantity that they are, where each of the two stands under the other's heading
+    live     False where they are of the other assembly and would be not live for that
     """
 
     symbol: str
@@ -48,6 +51,7 @@ class Finding:
     reading: Reading | None = None
     dead: tuple[str, ...] = ()
     instead: str = ""
+    live: bool = True
 
 
 @dataclass
@@ -320,7 +324,15 @@ def _turns(values: Array, quantity: Quantity) -> Array:
 
 
 def with_liveness(found: Understanding, results: Mapping[str, Finding]) -> dict[str, Finding]:
-    """The findings, with those that are right but do not follow the dimensions as not live."""
+    """The findings, with those that are right but do not follow the dimensions as not live.
+
+    Lengths that a task gives have no say of their own: of such a mechanism only what no cell of a dimension leads to is.
+    """
+    if found.mechanism.synthesis is not None:
+        return {
+            symbol: replace(one, verdict="not live") if one.verdict == "right" and not _fed(found, one) else one
+            for symbol, one in results.items()
+        }
     symbols = [one.symbol for one in found.inputs]
     pairs = [retype(found, symbols, turn) for turn in (0, 1)] if symbols else []
     tests = [after for after in pairs if after is not None]
@@ -343,7 +355,7 @@ def with_liveness(found: Understanding, results: Mapping[str, Finding]) -> dict[
     for symbol, finding in changed.items():
         if finding.verdict == "right" and finding.series is not None:
             inside = typed_dimensions(found, finding)
-            if finding.series.main is None or inside or not _fed(found, finding):
+            if inside or not _fed(found, finding):
                 changed[symbol] = replace(finding, verdict="not live", dead=inside)
     return changed
 
@@ -365,7 +377,7 @@ def _depends(found: Understanding, symbol: str) -> bool:
     """Whether a quantity has other values with other dimensions."""
     base = found.truth
     inputs = [dim.symbol for dim in found.mechanism.dimensions if not (dim.derived or dim.place)]
-    for part in STEPS:
+    for part in STEPS if inputs else ():  # the dimensions of a task are found all at once
         changed = {
             symbol: base.dimensions[symbol] * (1 + part * RETYPED[number % 2]) for number, symbol in enumerate(inputs)
         }
@@ -376,7 +388,7 @@ def _depends(found: Understanding, symbol: str) -> bool:
                 return abs(one.low - two.low) > found.tolerance * max(abs(one.low), 1e-12)
             quantity = replace(base.quantity(symbol), values=np.where(base.exists, base.columns[symbol], np.nan))
             return bool(
-                gaps(other.columns[symbol], quantity, Reading()).max(initial=0.0) > 10 * found.allowed(quantity)
+                gaps(other.columns[symbol], quantity, Reading()).max(initial=0.0) > SMALL * found.allowed(quantity)
             )
     return True
 
