@@ -100,6 +100,19 @@ def test_picture_without_a_display(name, tmp_path):
     assert len(pictures) > 1
 
 
+@pytest.mark.octave
+def test_numbers_where_nothing_can_be_drawn(tmp_path):
+    """Neither a display nor gnuplot: the numbers are told all the same, and that there are no pictures."""
+    export(load(next(path for path in TEMPLATES if path.stem == "four-bar")), "octave", tmp_path / "it.m")
+    (tmp_path / "available_graphics_toolkits.m").write_text(
+        "function found = available_graphics_toolkits()\n  found = {};\nend\n"
+    )
+    said = octave(tmp_path, "setenv('DISPLAY', ''); it; disp('done')").stdout
+    assert any(line.split()[:1] == ["theta14"] for line in said.splitlines())
+    assert "no pictures: this Octave has nothing to draw with" in said
+    assert not [path for path in tmp_path.iterdir() if path.suffix in (".png", ".svg")]
+
+
 def test_same_bytes_and_names(tmp_path):
     mechanism = load(next(path for path in TEMPLATES if path.stem == "fivelink"))
     first, second = (export(mechanism, "octave", tmp_path / "fivelink.m")[0].read_bytes() for _ in range(2))

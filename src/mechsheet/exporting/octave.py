@@ -64,7 +64,7 @@ def write(job: Job) -> list[bytes]:
     lines += [
         "",
         "  if nargout == 0",
-        *(f"    {line}" for line in _picture(program, job.name)),
+        *(f"    {line}" for line in _without_result(program, job.name)),
         "    clear result",
         "  end",
     ]
@@ -101,7 +101,7 @@ def _opening(program: Program, name: str) -> list[str]:
         f"% {name.upper()}  {title}",
         "%",
         *([f"% Source: {source}", "%"] if source else []),
-        f"%   {name}              the moving mechanism and its curves; pictures in files where there is no display",
+        f"%   {name}              numbers, the moving mechanism, its curves; pictures in files where there is no display",
         f"%   r = {name};         arrays over the sweep: r.{program.names[program.shown[1]]} ...",
         f"%   r = {name}('{first}', 40)   with another value; all names stand below",
         "%",
@@ -248,6 +248,17 @@ def _result(program: Program) -> list[str]:
 # --- the picture -------------------------------------------------------------------------------------------------
 
 
+def _without_result(program: Program, name: str) -> list[str]:
+    """What is shown where nobody takes the result: the numbers first, then pictures where any can be made."""
+    return [
+        "if ~any(exists)", "  error('no position of the sweep exists');", "end",
+        "list_numbers(result);",
+        "if can_draw()",
+        *(f"  {line}" for line in _picture(program, name)),
+        "end",
+    ]  # fmt: skip
+
+
 def _picture(program: Program, name: str) -> list[str]:
     mechanism = program.mechanism
     plan = plan_of(mechanism, program.equations)
@@ -269,7 +280,7 @@ def _picture(program: Program, name: str) -> list[str]:
     ]
     for number, request in enumerate(requests, 1):
         lines.append(_curves(program, request, number, name))
-    return ["if ~any(exists)", "  error('no position of the sweep exists');", "end", *lines]
+    return lines
 
 
 def _place(program: Program, point: str, axis: str) -> str:

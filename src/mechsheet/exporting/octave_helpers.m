@@ -303,6 +303,28 @@ function curves(number, x, ys, names, x_title, y_title, file)
   end
 end
 
+function list_numbers(result)
+% The least and the largest of each quantity over the positions that exist.
+  names = fieldnames(result);
+  for k = 1:numel(names)
+    column = result.(names{k});
+    if isnumeric(column)
+      fprintf('%-20s %14.8g ... %.8g\n', names{k}, min(column(:)), max(column(:)));
+    end
+  end
+end
+
+function answer = can_draw()
+% Octave without a screen and without gnuplot has nothing to draw with.
+  answer = true;
+  if exist('OCTAVE_VERSION', 'builtin')
+    answer = ~isempty(available_graphics_toolkits());
+    if ~answer
+      fprintf('no pictures: this Octave has nothing to draw with (a display, or gnuplot)\n');
+    end
+  end
+end
+
 function answer = has_display()
   if exist('OCTAVE_VERSION', 'builtin')
     answer = have_window_system();
