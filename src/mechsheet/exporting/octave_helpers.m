@@ -305,11 +305,11 @@ end
 
 function list_numbers(result)
 % The least and the largest of each quantity over the positions that exist.
-  names = fieldnames(result);
-  for k = 1:numel(names)
-    column = result.(names{k});
-    if isnumeric(column)
-      fprintf('%-20s %14.8g ... %.8g\n', names{k}, min(column(:)), max(column(:)));
+  quantities_ = fieldnames(result);
+  for k = 1:numel(quantities_)
+    column_ = result.(quantities_{k});
+    if isnumeric(column_)
+      fprintf('%-20s %14.8g ... %.8g\n', quantities_{k}, min(column_(:)), max(column_(:)));
     end
   end
 end
