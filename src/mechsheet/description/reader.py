@@ -235,7 +235,7 @@ class _Reading:
             "outputs": of_rows,
             "motion_outputs": of_motion,
             "summaries": requests.summaries(self.summary, scope),
-            "charts": requests.charts(self._part("charts", []), scope),
+            "charts": requests.charts(self._part("charts", []), self.driver, scope),
             "tables": requests.tables(self._part("tables", []), self.driver, scope),
             "rate_points": rates.points(self._part("rates", {}), scope),
             "synthesis": synthesis.with_modes(self.task.synthesis, self._part("assembly", {}), scope),

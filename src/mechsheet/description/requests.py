@@ -12,6 +12,7 @@ from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.text.index import Path
+from mechsheet.formula.nodes import Symbol
 from mechsheet.model import ChartRequest, Driver, Quantity, Summary, TableRequest
 from mechsheet.said import say
 
@@ -92,8 +93,8 @@ def summaries(data: dict[str, Any], scope: Scope) -> tuple[Summary, ...]:
     return tuple(result)
 
 
-def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
-    """The charts asked for."""
+def charts(data: list[Any], driver: Driver | None, scope: Scope) -> tuple[ChartRequest, ...]:
+    """The charts asked for; `driver` is None when a fault hides it."""
     result = []
     for place, entry in enumerate(data):
         if entry is BAD:
@@ -103,10 +104,10 @@ def charts(data: list[Any], scope: Scope) -> tuple[ChartRequest, ...]:
         given = (entry.get(key, []) for key in ("y", "paths", "hodographs"))
         y, paths, hodographs = ([] if names is BAD else names for names in given)
         if x:
-            check_column(x, (*path, "x"), scope)
+            _check_curve(x, (*path, "x"), driver, scope)
         for number, name in enumerate(y):
             if name not in scope.charted:
-                check_column(name, (*path, "y", number), scope)
+                _check_curve(name, (*path, "y", number), driver, scope)
         for key, names in (("paths", paths), ("hodographs", hodographs)):
             for number, name in enumerate(names):
                 if name is not BAD and name not in scope.points:
@@ -138,6 +139,16 @@ def _check_velocities(names: list[Any], path: Path, scope: Scope) -> None:
         scope.report.at(
             path, say("a hodograph shows velocities: it needs the driver's speed"), say("write `speed` in [driver]")
         )
+
+
+def _check_curve(name: Any, path: Path, driver: Driver | None, scope: Scope) -> None:
+    """A curve is drawn over a column: what is the same in every row has one cell."""
+    check_column(name, path, scope)
+    rates = [rate.name for rate in (driver.speed, driver.acceleration) if isinstance(rate, Symbol)] if driver else []
+    fixed = isinstance(name, str) and name.endswith((".x", ".y")) and name[:-2] in scope.fixed
+    if fixed or (driver and name in rates and not (driver.speeds if name == rates[0] else driver.accelerations)):
+        message = say("{name} is the same in every row: it has no column that a chart could show", name=quoted(name))
+        scope.report.at(path, message, say('give it one: an output with formula = "{name} + 0"', name=name))
 
 
 def _check_moves(names: list[Any], path: Path, scope: Scope) -> None:

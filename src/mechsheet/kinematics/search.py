@@ -379,7 +379,10 @@ class Search:
 
     def is_angle(self, symbol: str) -> bool:
         """Whether a quantity is an angle that is known up to whole turns."""
-        return symbol != self.mechanism.driver.symbol and self.equations.of(symbol).unit.kind == "angle"
+        if symbol == self.mechanism.driver.symbol:
+            return False
+        unit = self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit
+        return unit.kind == "angle" and not unit.per
 
     def _held(self, column: Array) -> Array:
         """The column with the nearest value before it, or the first, in places that do not exist."""

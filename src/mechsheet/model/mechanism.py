@@ -584,10 +584,15 @@ class Mechanism:
         return {name: listed for name, listed in zip(names, lists, strict=True) if listed} | besides
 
     def given_unit(self, symbol: str) -> Unit | None:
-        """Of what is driven, and of what has a value in each row beside it; None for all that equations say."""
+        """Of what is driven, of its speed and acceleration where these are cells, and of what has a value in each row beside
+        it; None for all that equations say."""
         driver = self.driver
         if symbol == driver.symbol or symbol in self.listed_symbols:
             return self.driver_of(symbol).unit
+        if symbol in self.driver_rates:
+            same = next((dim for dim in self.dimensions if dim.symbol == symbol), None)
+            if same is not None:
+                return same.unit
         if symbol not in self.given_by_row:
             return None
         if symbol == TIME:

@@ -520,4 +520,10 @@ def quantities_of(plan: Plan) -> tuple[str, ...]:
     """Symbols whose extremes are asked for: by the lines of the first sheet, and by the description's summaries."""
     wanted = [each.of for each in plan.mechanism.summaries if each.extremes and same_angle(plan, each.of) is None]
     driver = plan.mechanism.driver.symbol
-    return tuple(dict.fromkeys(name for name in [*plan.found.extremes, *wanted] if name != driver))
+    asked = [*plan.found.extremes, *(name for name in wanted if has_column(plan, name))]
+    return tuple(dict.fromkeys(name for name in asked if name != driver))
+
+
+def has_column(plan: Plan, symbol: str) -> bool:
+    """Whether a quantity changes from row to row: not a fixed point's coordinate, nor a speed that is one number."""
+    return plan.at.spots[symbol].column

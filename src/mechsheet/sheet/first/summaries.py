@@ -6,13 +6,13 @@ from __future__ import annotations
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, transform
 from mechsheet.model import Output, Summary
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.extremes import about, where_bounded
+from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
 from mechsheet.sheet.checks.limits import STRETCHES
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.first.blocks import Writer, shown_unit, unit_of_column, value_style
 from mechsheet.sheet.over_rows import mean_of_rows
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
-from mechsheet.sheet.quoted import ALL, formula, joined
+from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import Area, Conditional
@@ -34,7 +34,8 @@ def _write(writer: Writer, summary: Summary) -> None:
     plan = writer.plan
     row = plan.blocks["summary"].rows[summary.symbol]
     words = _with_part(plan, summary_words(plan, summary))
-    if summary.extremes and summary.of != plan.mechanism.driver.symbol:
+    searched = summary.extremes and summary.of != plan.mechanism.driver.symbol and has_column(plan, summary.of)
+    if searched:
         same = same_angle(plan, summary.of)
         doubts = about(
             plan, same.group.transmission if same else summary.of, ("min", "max") if same else summary.extremes
@@ -47,7 +48,7 @@ def _write(writer: Writer, summary: Summary) -> None:
     if plan.mechanism.bands and summary.symbol in plan.mechanism.bands.summaries and summary.of in plan.band_places:
         style = styles.decimals(styles.RESULT, plan.band_places[summary.of])
     value, where = _of(plan, summary)
-    if summary.extremes and summary.of != plan.mechanism.driver.symbol and not same_angle(plan, summary.of):
+    if searched and not same_angle(plan, summary.of):
         value = where_bounded(plan, summary.of, value, summary.extremes)
         no_number = formula("AND(closed>0,ISNA(value))", closed=plan.at.bind(Symbol("#rows_closed"), plan.main),
                             value=CellRef(row, VALUE, True, True))  # fmt: skip
@@ -121,6 +122,8 @@ def over_summaries(plan: Plan, output: Output) -> Node:
 def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
     """The number, and the driver's value where it occurs."""
     driver = plan.mechanism.driver.symbol
+    if not has_column(plan, summary.of):  # it is the same in every row
+        return formula("0*value" if summary.take == "range" else "value", value=Symbol(SHOWN + summary.of)), None
     column, drivers = Symbol(ALL + summary.of), Symbol(ALL + driver)
     extremes: dict[str, Node] = {way: Symbol(f"#{way}_{summary.of}") for way in ("min", "max")}
     at: dict[str, Node] = {way: Symbol(f"#{way}_at_{summary.of}") for way in ("min", "max")}

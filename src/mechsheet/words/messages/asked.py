@@ -234,6 +234,12 @@ ASKED: dict[str, str] = {
         "{name} bir hız, ivme ya da kuvvettir ya da onları okur: bantlar yalnız konumlar için bulunur"
     ),
     "{name} is driven: no dimension changes it": "{name} tahrik edilir: hiçbir boyut onu değiştirmez",
+    "{name} is the same in every row: it has no column that a chart could show": (
+        "{name} her satırda aynıdır: grafikte gösterilebilecek bir sütunu yok"
+    ),
+    'give it one: an output with formula = "{name} + 0"': (
+        'ona bir sütun verin: formula = "{name} + 0" olan bir çıktı'
+    ),
     "{name} is of a point of the ground, which has no column of its own": (
         "{name} sabit uzvun bir noktasının, onun kendi sütunu yok"
     ),
