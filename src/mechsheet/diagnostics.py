@@ -77,6 +77,17 @@ class WorkbookError(MechsheetError):
     """A workbook cannot be read or recalculated."""
 
 
+class MissingSheetError(WorkbookError, KeyError):
+    """A sheet that is asked for is not in the workbook."""
+
+    def __init__(self, title: str, file: str = "") -> None:
+        super().__init__(Fault(say('no sheet of this workbook is called "{title}"', title=title), file))
+        self.title = title
+
+    def __str__(self) -> str:
+        return str(self.faults[0])
+
+
 class FormulaError(MechsheetError):
     """A formula cannot be parsed, or uses something that is not known."""
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from mechsheet.checking.report import text_of
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.diagnostics import Fault, WorkbookError
+from mechsheet.diagnostics import Fault, MissingSheetError, WorkbookError
 from mechsheet.formula.book import Book
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.dimensions import dimension_values
@@ -95,9 +95,7 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
     titles = {sheet.title.casefold() for sheet in book.sheets}
     lost = [title for title in (plan.main, plan.table) if title.casefold() not in titles]
     if lost:
-        raise WorkbookError(
-            Fault(say('the sheet "{lost}" of the mechanism\'s workbook is missing', lost=lost[0]), shown)
-        )
+        raise MissingSheetError(lost[0], shown)
     faults: list[Fault] = []
     remarks: list[str] = []
 

@@ -110,6 +110,10 @@ def _verdict(report: Any) -> str:
         return say("{file}: STALE, all values agree", file=report.file)
     if report.values_agree and not report.edits:
         return say("{file}: all values agree, BUT IT SAYS ITSELF THAT SOMETHING IS WRONG", file=report.file)
+    if report.values_agree and not report.compared:
+        return say("{file}: EDITED, NOTHING WAS COMPARED", file=report.file)
+    if report.values_agree and report.unjudged:
+        return say("{file}: EDITED, all compared agree; {but}", file=report.file, but=report.unjudged[0])
     if report.values_agree:
         return say("{file}: EDITED, all values agree", file=report.file)
     if report.edits:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
-from ..diagnostics import Fault
+from ..diagnostics import Fault, MissingSheetError
 from ..formula.nodes import Scalar
 from .layout import Area, Layout
 from .values.cells import BOOLEAN, NUMBER, Cells, Codes, Numbers, Texts
@@ -79,7 +79,7 @@ class Values:
     def _sheet(self, title: str) -> int:
         found = self._sheets.get(title.casefold())
         if found is None:
-            raise KeyError(f"no sheet called {title}")
+            raise MissingSheetError(title)
         return found
 
     def _read(self, sheet: str, col: int, first_row: int, last_row: int) -> tuple[Numbers, Codes]:

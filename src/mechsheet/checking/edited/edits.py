@@ -58,6 +58,11 @@ def edits_of(book: Book, expected: Expected) -> Edits:
         remarks += _added(sheet, other, inputs, moves)
         formulas += sum(block.rows * block.cols for block in sheet.blocks)
         differing += sum(change.rows * change.cols for change in found)
+    remarks += [
+        say('the sheet "{title}" is missing', title=sheet.title)
+        for sheet in expected.book.sheets
+        if not sheet.blocks and sheet.title != expected.description_sheet and book.sheet(sheet.title) is None
+    ]
     known = {sheet.title.casefold() for sheet in expected.book.sheets}
     remarks += [
         say('the sheet "{title}" is your own', title=sheet.title)

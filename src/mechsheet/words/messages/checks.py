@@ -19,6 +19,8 @@ CHECKS: dict[str, str] = {
         "mechsheet'in kendisi bu dosyada yanıldı, lütfen bildirin: {kind}: {error}"
     ),
     "it carries no description": "içinde tanımı yok",
+    "{file}: EDITED, NOTHING WAS COMPARED": "{file}: DEĞİŞTİRİLMİŞ, HİÇBİR ŞEY KARŞILAŞTIRILMADI",
+    "{file}: EDITED, all compared agree; {but}": "{file}: DEĞİŞTİRİLMİŞ, karşılaştırılanlar uyuşuyor; {but}",
     "{file}: EDITED, all values agree": "{file}: DEĞİŞTİRİLMİŞ, bütün değerler uyuşuyor",
     "{file}: EDITED, AND SOMETHING DIFFERS": "{file}: DEĞİŞTİRİLMİŞ VE BİR ŞEY FARKLI",
     "{file}: SOMETHING DIFFERS": "{file}: BİR ŞEY FARKLI",
@@ -52,7 +54,8 @@ CHECKS: dict[str, str] = {
         "baseline satırı değil: dosya, hücre, hesaplanan, kayıtlı; aralarında sekme"
     ),
     'the sheet "{title}" is missing': '"{title}" sayfası yok',
-    'the sheet "{lost}" of the mechanism\'s workbook is missing': 'mekanizmanın çalışma kitabındaki "{lost}" sayfası yok',
+    'no sheet of this workbook is called "{title}"': 'bu çalışma kitabının "{title}" adlı sayfası yok',
+    'the sheet "{title}" is missing': '"{title}" sayfası yok',
     "holds a formula now; only numbers can be taken over": "şimdi bir formül içeriyor; yalnız sayılar alınabilir",
     "must hold a number, not {what}": "bir sayı içermelidir, {what} değil",
     "an empty cell": "boş hücre",
@@ -166,6 +169,7 @@ CHECKS: dict[str, str] = {
     "reference": "referans",
     "search": "arama",
     "                 {subject} {ours}, {judge} {theirs}": "                 {subject} {ours}, {judge} {theirs}",
+    'the sheet "{title}" is missing: not compared: {judge}': '"{title}" sayfası yok: karşılaştırılmadı: {judge}',
     "no description inside: only recalculated, not compared with the reference": (
         "içinde tanım yok: yalnız yeniden hesaplandı, referansla karşılaştırılmadı"
     ),
