@@ -23,7 +23,14 @@ from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.checking.stale import description_of, stale
 from mechsheet.checking.stored import judge_stored
 from mechsheet.description.locate import located
-from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
+from mechsheet.diagnostics import (
+    Fault,
+    MechanismError,
+    MissingProgramError,
+    MissingSheetError,
+    WorkbookError,
+    readable_name,
+)
 from mechsheet.formats import read
 from mechsheet.formula.book import Book
 from mechsheet.library.building import build
@@ -126,11 +133,17 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | No
         edits = found.edits
         work.say("solving")
         placed = MovedValues(values, found.moves) if found.moves else values
-        comparison, of_inputs = against_plan(found.book, placed, expected.plan, shown)
-        comparisons.append(comparison)
-        searched = against_search(found.book, placed, expected.plan, shown)
-        comparisons += [] if searched is None else [searched]
-        remarks += [*found.remarks, *of_inputs]
+        remarks += found.remarks
+        try:
+            comparison, of_inputs = against_plan(found.book, placed, expected.plan, shown)
+            comparisons.append(comparison)
+            remarks += of_inputs
+            searched = against_search(found.book, placed, expected.plan, shown)
+            comparisons += [] if searched is None else [searched]
+        except MissingSheetError as error:  # the sheet is told as an edit
+            judge = "reference" if len(comparisons) == 1 else "search"
+            comparisons.append(Comparison(judge, 0, 0.0))
+            remarks.append(_not_without(error.title, judge))
     missing: list[Fault] = []
     for program in work.programs:
         work.say(program)
@@ -148,11 +161,20 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | No
         if expected is None:
             comparisons.append(compare_cells(program, book, values, theirs, None, work.rules, stored.unsure))
             continue
-        comparisons.append(
-            compare_program(
-                program, book, values, theirs, expected.plan, shown,
-                rules=work.rules, but=stored.unsure, moves=found.moves,
-            )
-        )  # fmt: skip
+        try:
+            comparisons.append(
+                compare_program(
+                    program, book, values, theirs, expected.plan, shown,
+                    rules=work.rules, but=stored.unsure, moves=found.moves,
+                )
+            )  # fmt: skip
+        except MissingSheetError as error:
+            comparisons.append(Comparison(program, 0, 0.0))
+            remarks.append(_not_without(error.title, program))
     nameless = text is None and first_sheet(book) is not None
     return Report(shown, tuple(comparisons), tuple(remarks), edits, stored, tuple(missing), red, nameless, changed)
+
+
+def _not_without(title: str, judge: str) -> str:
+    """What is said where a judge needs a sheet that is not there."""
+    return say('the sheet "{title}" is missing: not compared: {judge}', title=title, judge=say(judge))

@@ -55,7 +55,6 @@ CHECKS: dict[str, str] = {
     ),
     'the sheet "{title}" is missing': '"{title}" sayfası yok',
     'no sheet of this workbook is called "{title}"': 'bu çalışma kitabının "{title}" adlı sayfası yok',
-    'the sheet "{title}" is missing': '"{title}" sayfası yok',
     "holds a formula now; only numbers can be taken over": "şimdi bir formül içeriyor; yalnız sayılar alınabilir",
     "must hold a number, not {what}": "bir sayı içermelidir, {what} değil",
     "an empty cell": "boş hücre",
