@@ -16,7 +16,7 @@ from mechsheet.checking.edited.inserted_rows import MovedValues
 from mechsheet.checking.inputs import description_in
 from mechsheet.checking.line_under_title import first_sheet, red_line
 from mechsheet.checking.programs import answers, cannot_judge, names_of, refuse_unknown
-from mechsheet.checking.report import Edit, Report
+from mechsheet.checking.report import Comparison, Edit, Report
 from mechsheet.checking.rules import Rules
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.checking.searched.probed_cells import compare_program
