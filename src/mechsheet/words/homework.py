@@ -80,6 +80,11 @@ HOMEWORK: dict[str, tuple[str, str]] = {
         "{symbol} is written in another unit of length: times {factor:g}",
         "{symbol} başka bir uzunluk biriminde yazılmış: {factor:g} ile çarpılınca",
     ),
+    "remark.unit.number": (
+        "{symbol} is written in another unit: times {factor:.6g}",
+        "{symbol} başka bir birimde yazılmış: {factor:.6g} ile çarpılınca",
+    ),
+    "remark.sign": ("typed with the other sign: {symbols}", "ters işaretle yazılmış: {symbols}"),
     "remark.own": (
         "the sheet's own dimensions hold: {given}",
         "sayfanın kendi boyutları geçerlidir: {given}",
