@@ -48,15 +48,17 @@ def with_guesses(headings, *more):
 
 GUESSED = {
     "beside numbers that are headed so": ([""] * 4, [("theta14", "w", [n / 7 for n in range(13)])]),
+    "without a name anywhere": ([""] * 4, []),
     "beside a wrong one that is headed so": ([""] * 4, [("theta14", "w", "{fi}+{q}")]),
     "beside a wrong one headed otherwise too": (["a", "b", "c", "d"], [("Teta14 (rad)", "w", "{fi}+{q}")]),
     "all headed so": (["theta14"] * 4, []),
     "all headed so and numbered": (["theta14 (1)", "theta14 (2)", "theta14 (3)", "theta14 (4)"], []),
+    "each called something": (["a", "b", "c", "d"], []),
     "headed as something else": (["theta13", "", "", ""], []),
 }
 
 
-@pytest.mark.parametrize("how", first(list(GUESSED), 1))
+@pytest.mark.parametrize("how", first(list(GUESSED), 2))
 def test_one_of_several_columns_that_happens_to_be_right_has_no_marks(tmp_path, asked_one, how):
     headings, more = GUESSED[how]
     mark, found = marked(tmp_path, asked_one, with_guesses(headings, *more))

@@ -10,6 +10,10 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "wrong": ("wrong", "yanlış"),
     "other assembly": ("of the other assembly", "öteki montaja ait"),
     "not live": ("right, but does not follow the dimensions", "doğru, ama boyutlara bağlı değil"),
+    "unclear": (
+        "one of several columns without its name: nothing says that it is meant",
+        "adı yazılmamış birkaç sütundan biri: hangisinin kastedildiği belli değil",
+    ),
     "missing": ("missing", "yok"),
     # kinds of faults
     "term too many": ("a term too many", "fazladan bir terim"),
