@@ -48,15 +48,17 @@ def with_guesses(headings, *more):
 
 GUESSED = {
     "beside numbers that are headed so": ([""] * 4, [("theta14", "w", [n / 7 for n in range(13)])]),
+    "without a name anywhere": ([""] * 4, []),
     "beside a wrong one that is headed so": ([""] * 4, [("theta14", "w", "{fi}+{q}")]),
     "beside a wrong one headed otherwise too": (["a", "b", "c", "d"], [("Teta14 (rad)", "w", "{fi}+{q}")]),
     "all headed so": (["theta14"] * 4, []),
     "all headed so and numbered": (["theta14 (1)", "theta14 (2)", "theta14 (3)", "theta14 (4)"], []),
+    "each called something": (["a", "b", "c", "d"], []),
     "headed as something else": (["theta13", "", "", ""], []),
 }
 
 
-@pytest.mark.parametrize("how", first(list(GUESSED), 1))
+@pytest.mark.parametrize("how", first(list(GUESSED), 2))
 def test_one_of_several_columns_that_happens_to_be_right_has_no_marks(tmp_path, asked_one, how):
     headings, more = GUESSED[how]
     mark, found = marked(tmp_path, asked_one, with_guesses(headings, *more))
@@ -273,3 +275,16 @@ def test_pasted_numbers_of_another_assembly_have_half_marks_at_most(tmp_path, me
     for assembly, mark in (("", 0.0), ("any", 1.0)):
         (one,) = mechsheet.mark([path], mechanism, assembly=assembly).students
         assert one.mark == mark
+
+
+def test_what_is_accepted_in_another_convention_is_said(tmp_path):
+    """A rate in turns a minute; it was taken for wrong, and one times 60/2π the wrong way round for right."""
+    text = mechsheet.template("four-bar").text.replace(
+        "step = 15\n", 'step = 15\nspeed = { value = 60, unit = "rpm" }\n', 1
+    )
+    mechanism = mechsheet.loads(text + "\n[exercise]\nasked = { omega14 = 1 }\n", "speeds")
+    speed = "2*PI()*{a2}*SIN({t13}-{fi})/({a4}*SIN({t13}-{t14}))*30/PI()"
+    table = Table(FOUR_BAR, [*four_bar(), ("omega14 [rpm]", "w", speed)])
+    found = marked(tmp_path, mechanism, table)[1]
+    assert found.asked["omega14"].verdict == "right"
+    assert "omega14 is written in another unit: times 0.10472" in found.remarks

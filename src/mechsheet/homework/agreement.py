@@ -58,7 +58,7 @@ def units_of(quantity: Quantity) -> Sequence[float]:
         return (1.0, DEGREE)
     if quantity.kind == "length":
         return POWERS
-    return (1.0, DEGREE, 60 / math.tau)
+    return (1.0, DEGREE, math.tau / 60)  # of rates also degrees and turns a minute
 
 
 def gaps(columns: Array, quantity: Quantity, reading: Reading) -> Array:

@@ -15,7 +15,7 @@ from mechsheet.homework.series import Run
 from mechsheet.homework.truth import Truth, other_assemblies, without_limits
 from mechsheet.homework.understanding import Understanding, other_runs, understand
 from mechsheet.homework.upright import Work
-from mechsheet.homework.verdicts import Finding, Sheet, findings, with_liveness
+from mechsheet.homework.verdicts import Finding, Sheet, findings, with_doubt, with_liveness
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import HOMEWORK, said
 
@@ -44,7 +44,7 @@ class Judged:
     def promising(self) -> bool:
         """Whether anything asked is found, as it is or with mends."""
         return bool(self.mends) or any(
-            one.verdict in ("right", "not live", "other assembly") for one in self.first.values()
+            one.verdict in ("right", "not live", "other assembly", "unclear") for one in self.first.values()
         )
 
 
@@ -185,7 +185,7 @@ def _with_mends(seen: _Seen, effort: Effort) -> Judged:
     suspect = None
     if any(one.verdict == "wrong" for one in last.values()):
         suspect = first_wrong(last_sheet, truth, last)
-    first = with_liveness(found, first)
+    first = with_doubt(seen.sheet, truth, with_liveness(found, first))
     if truth is not found.truth:
         others = {symbol: start[symbol] for symbol, one in first.items() if one.verdict == "other assembly"}
         live = with_liveness(replace(found, truth=truth), others)

@@ -15,6 +15,7 @@ from mechsheet.homework.inputs import SAME
 from mechsheet.homework.judging import Judged
 from mechsheet.homework.mends.candidates import terms
 from mechsheet.homework.mends.faults import Mend, Suspect, first_difference
+from mechsheet.homework.summaries import span_of
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.verdicts import Finding, Sheet
 from mechsheet.model import Mechanism
@@ -67,6 +68,11 @@ def _of_dimensions(found: Understanding, language: str) -> Iterator[str]:
             own.append(f"{one.symbol} = {_shown(mechanism, one.symbol, value)}")
     if own:
         yield said(language, "remark.own", given=", ".join(own))
+    turned = [one.symbol for one in found.inputs if one.factor < 0]
+    if turned:
+        yield said(language, "remark.sign", symbols=", ".join(turned))
+    if mechanism.driver.joint and found.factor != 1.0:
+        yield said(language, "remark.unit", symbol=mechanism.driver.symbol, factor=found.factor)
 
 
 def _shown(mechanism: Mechanism, symbol: str, value: float) -> str:
@@ -76,16 +82,18 @@ def _shown(mechanism: Mechanism, symbol: str, value: float) -> str:
 
 def _of_reading(symbol: str, finding: Finding, found: Understanding, language: str) -> Iterator[str]:
     reading = finding.reading
-    if reading is None or symbol not in found.truth.columns:
+    if reading is None:
         return
-    quantity = found.truth.quantity(symbol)
+    single = symbol not in found.truth.columns
+    quantity = span_of(found.truth, symbol).quantity if single else found.truth.quantity(symbol)
     if reading.sense < 0:
         yield said(language, "remark.clockwise" if quantity.kind == "angle" else "remark.backwards", symbol=symbol)
     if reading.offset:
         offset = math.degrees(math.remainder(-reading.offset, math.tau))
         yield said(language, "remark.zero", symbol=symbol, offset=offset)
-    if quantity.kind == "length" and reading.unit != 1.0:
-        yield said(language, "remark.unit", symbol=symbol, factor=reading.unit)
+    if quantity.kind != "angle" and reading.unit != 1.0:
+        key = "remark.unit" if quantity.kind == "length" else "remark.unit.number"
+        yield said(language, key, symbol=symbol, factor=reading.unit)
 
 
 def _of_rows(symbol: str, finding: Finding, judged: Judged, language: str) -> Iterator[str]:

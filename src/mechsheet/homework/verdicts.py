@@ -13,9 +13,9 @@ import numpy as np
 from mechsheet.engine import Values
 from mechsheet.formula.nodes import Call, Number, walk
 from mechsheet.homework.agreement import FEWEST, Reading, gaps, reading_of
-from mechsheet.homework.claims import answers, claimed, exchanged, read_on
+from mechsheet.homework.claims import answers, claimed, exchanged, read_on, rivals
 from mechsheet.homework.headings import around, contains, label_of, labels, names_over, says
-from mechsheet.homework.inputs import MOST_UNREAD, is_length, typed_numbers
+from mechsheet.homework.inputs import MOST_UNREAD, is_length, single_cells, typed_numbers
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
@@ -23,7 +23,7 @@ from mechsheet.homework.understanding import MOVING, Understanding, anything, re
 from mechsheet.homework.upright import Place, Strip
 from mechsheet.model import Summary
 
-Verdict: TypeAlias = Literal["right", "in part", "follows", "wrong", "other assembly", "not live", "missing"]
+Verdict: TypeAlias = Literal["right", "in part", "follows", "wrong", "other assembly", "not live", "unclear", "missing"]
 
 SHARE = 0.1
 """A column is live when it follows a change of the dimensions but for this part of what changes."""
@@ -361,13 +361,15 @@ def with_liveness(found: Understanding, results: Mapping[str, Finding]) -> dict[
 
 
 def _fed(found: Understanding, finding: Finding) -> bool:
-    """Whether a cell of a dimension leads to a series, where what it should be depends on the dimensions."""
+    """Whether a cell of a dimension leads to a series, where what it should be depends on the dimensions; where a task gives
+    these, any number typed beside the table."""
     series = finding.series
     if series is None or series.main is None:
         return False
     graph = found.graph
     above = graph.above({graph.work.strips.index(series.main)})
-    cells = [one.place for one in found.inputs]
+    task = found.mechanism.synthesis is not None
+    cells = single_cells(graph, found.driver) if task else [one.place for one in found.inputs]
     if any(above & graph.readers_of(sheet, line, pos, pos + 1) for sheet, pos, line in cells):
         return True
     return not _depends(found, finding.symbol)
@@ -391,6 +393,30 @@ def _depends(found: Understanding, symbol: str) -> bool:
                 gaps(other.columns[symbol], quantity, Reading()).max(initial=0.0) > SMALL * found.allowed(quantity)
             )
     return True
+
+
+def with_doubt(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> dict[str, Finding]:
+    """The findings, with what is right only because one of several columns happens to be as unclear: where nothing is called
+    so, and there are more columns that might have been meant than answers that are missing."""
+    found = sheet.found
+    taken = {one.series.key for one in results.values() if one.series is not None}
+    nameless = {
+        symbol: one
+        for symbol, one in results.items()
+        if one.verdict in ("right", "not live") and one.series is not None and symbol in truth.columns
+        if symbol not in found.called(one.series).symbols
+    }
+    if not nameless:
+        return dict(results)
+    spare = [series for series in found.series if series.key not in taken]
+    known = anything(sheet.matrix(spare), vocabulary(truth), found.allowed, found.zeros)
+    spare = [series for series, one in zip(spare, known, strict=True) if not one]
+    excused = sum(one.verdict == "missing" for one in results.values())
+    changed = dict(results)
+    for symbol, one in nameless.items():
+        if one.series is not None and rivals(found, one.series, spare, sheet.column) > excused:
+            changed[symbol] = replace(one, verdict="unclear")
+    return changed
 
 
 _ANYBODYS = (0.0, 0.5, 1.0, 2.0, 3.0, 4.0, 90.0, 180.0, 270.0, 360.0)

@@ -10,6 +10,10 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "wrong": ("wrong", "yanlış"),
     "other assembly": ("of the other assembly", "öteki montaja ait"),
     "not live": ("right, but does not follow the dimensions", "doğru, ama boyutlara bağlı değil"),
+    "unclear": (
+        "one of several columns without its name: nothing says that it is meant",
+        "adı yazılmamış birkaç sütundan biri: hangisinin kastedildiği belli değil",
+    ),
     "missing": ("missing", "yok"),
     # kinds of faults
     "term too many": ("a term too many", "fazladan bir terim"),
@@ -80,6 +84,11 @@ HOMEWORK: dict[str, tuple[str, str]] = {
         "{symbol} is written in another unit of length: times {factor:g}",
         "{symbol} başka bir uzunluk biriminde yazılmış: {factor:g} ile çarpılınca",
     ),
+    "remark.unit.number": (
+        "{symbol} is written in another unit: times {factor:.6g}",
+        "{symbol} başka bir birimde yazılmış: {factor:.6g} ile çarpılınca",
+    ),
+    "remark.sign": ("typed with the other sign: {symbols}", "ters işaretle yazılmış: {symbols}"),
     "remark.own": (
         "the sheet's own dimensions hold: {given}",
         "sayfanın kendi boyutları geçerlidir: {given}",

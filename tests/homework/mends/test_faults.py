@@ -176,3 +176,19 @@ def test_a_fault_in_a_large_linkage_is_found(name):
     blocks[place] = replace(blocks[place], formula=parse_formula(now))
     found = audited(upright(book), mechanism, asked_of(mechanism), name)
     assert [(fault.formula, fault.mend) for fault in found.faults] == [(now, was)]
+
+
+NEARLY = {
+    "mu in degrees": ({"mu": "({t14}-{t13})*57.3"}, "(K9-H9)*(180/PI())"),
+    "the crank in radians": ({"fi": "{deg}/57.3"}, "A9/(180/PI())"),
+    "times a short number": ({"fi": "{deg}*0.01745"}, "A9*(PI()/180)"),
+}
+
+
+@pytest.mark.parametrize("how", NEARLY)
+def test_a_rounded_factor_of_degrees_is_what_it_stands_for(tmp_path, how):
+    """57.3 was mended by a term from anywhere that happened to fit, or by leaving the degrees out."""
+    changes, mend = NEARLY[how]
+    path = Table(FOUR_BAR, four_bar(**changes)).save(tmp_path / "book.xlsx")
+    found = mechsheet.audit(path, mechsheet.template("four-bar"))
+    assert [(fault.mend, fault.kind) for fault in found.faults] == [(mend, "value of pi")]

@@ -35,6 +35,8 @@ _ALSO: dict[str, tuple[str, ...]] = {
     "ATAN": ("ACOS", "ASIN"), "ABS": ("SQRT", "SIGN"),
 }  # fmt: skip
 _PI = Call("PI")
+_OF_DEGREES = (Binary("/", Number(180.0), _PI), 180 / math.pi), (Binary("/", _PI, Number(180.0)), math.pi / 180)
+"""What 57.3 and 0.01745 stand for."""
 _NUMBERS = (0.0, 1.0, 2.0, 0.5, 180.0, 90.0, 360.0)
 
 
@@ -320,6 +322,9 @@ def _of_number(value: float, around: Surroundings) -> Iterator[_Variant]:
     near_pi = next((k for k in (1.0, 2.0, 0.5) if value and abs(value - k * math.pi) < 0.01 * math.pi), None)
     if near_pi is not None:
         yield (_PI if near_pi == 1 else Binary("*", Number(near_pi), _PI)), "value of pi", 0.8
+    for meant, wanted in _OF_DEGREES:
+        if abs(abs(value) - wanted) < 0.01 * wanted:
+            yield (meant if value > 0 else Unary("-", meant)), "value of pi", 0.8
     for node, number in zip(around.single, around.numbers, strict=True):
         if number and abs(abs(value) - abs(number)) <= 1e-6 * abs(number):
             yield (node if value * number > 0 else Unary("-", node)), "typed number", 0.7
