@@ -219,7 +219,7 @@ class Top:
         row = rows["rows_closed"]
         self.line(row, "n", None, plan.text("page.rows"))
         self._inputs(rows["inputs"], self._there())
-        count = formula('SUMPRODUCT(ISNUMBER(filled)*(said=""))', filled=filled, said=said)
+        count = formula('COUNTIFS(filled,numbers,said,"")', filled=filled, numbers=NUMBERS, said=said)
         self.fill(row, VALUE, count, styles.decimals(styles.RESULT, 0))
         of_rows = f'"{plan.text("page.of")}"0'
         self.fill(row, UNIT, Call("COUNT", (filled,)), styles.numbered(styles.UNIT, of_rows))
