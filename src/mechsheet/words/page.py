@@ -46,9 +46,8 @@ PAGE: dict[str, tuple[str, str]] = {
     "page.verdict.of": (" of ", " / "),
     "page.verdict.positions": (" positions", ""),
     "page.verdict.position": (" position", ""),
-    "page.transmission": ("least transmission angle in these rows", "bu satırlarda en küçük bağlama açısı"),
-    "page.verdict.transmission": ("; transmission angle at least ", "; bağlama açısı en az "),
-    "page.verdict.rows": (" in these rows", " (bu satırlarda)"),
+    "page.transmission": ("transmission angle at least ", "bağlama açısı en az "),
+    "page.transmission.rows": (" in these rows", " (bu satırlarda)"),
     "page.take.rows": ("{label} (these rows)", "{label} (bu satırlarda)"),
     "page.drawing": ("For the drawing", "Çizim için"),
 }  # fmt: skip

@@ -20,7 +20,18 @@ from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, trans
 from mechsheet.model import Mechanism, pair_symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.gaps import chunks_of
-from mechsheet.sheet.drawing.frames import BOTTOM, CHART_X, CHART_Y, FIRST, NAME, NUMBER_STYLE, SECOND, Frame, Page
+from mechsheet.sheet.drawing.frames import (
+    BOTTOM,
+    CHART_X,
+    CHART_Y,
+    FIRST,
+    NAME,
+    NUMBER_STYLE,
+    SECOND,
+    Frame,
+    Page,
+    longest_bar,
+)
 from mechsheet.sheet.drawing.outlines import direction_of
 from mechsheet.sheet.drawing.points import PointCells
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
@@ -216,11 +227,7 @@ def _scale(
     ))  # fmt: skip
     page.row += 1
     page.put(NAME, text("drawing.bar"))
-    power = page.formula(SECOND, formula("10^INT(LOG10(longest/scale))", longest=LONGEST, scale=scale))
-    room = formula("longest/scale", longest=LONGEST, scale=scale)
-    length = page.formula(FIRST, formula(
-        "power*IF(room>=5*power,5,IF(room>=2*power,2,1))", power=power, room=room
-    ))  # fmt: skip
+    length = page.formula(FIRST, longest_bar(formula("longest/scale", longest=LONGEST, scale=scale)))
     height = BOTTOM + BAR_RISE * number
     start = page.row
     page.put(CHART_X, BAR_START, NUMBER_STYLE)

@@ -246,14 +246,17 @@ def _rounded(value: float) -> Node:
     return al.number(round(value, 3))
 
 
+def longest_bar(room: Node) -> Node:
+    """The largest of 1, 2 and 5 times a power of ten that a scale bar has room for."""
+    each = [formula("10^INT(LOG10(room/count))", room=room, count=count) for count in (2, 5)]
+    return formula("MAX(10^INT(LOG10(room)),2*two,5*five)", room=room, two=each[0], five=each[1])
+
+
 def _scale_bar(page: Page, half: CellRef, unit: str) -> tuple[Series, ...]:
     """A bar of 1, 2 or 5 times a power of ten, at most half the half side long; its length is the label."""
     text = page.plan.text
     page.put(NAME, text("drawing.bar"))
-    room = al.div(half, al.TWO)
-    power = page.formula(SECOND, formula("10^INT(LOG10(room))", room=room))
-    count = formula("IF(room>=5*power,5,IF(room>=2*power,2,1))", room=room, power=power)
-    length = page.formula(FIRST, al.mul(count, power))
+    length = page.formula(FIRST, longest_bar(al.div(half, al.TWO)))
     page.row += 1
     page.put(NAME, text("drawing.bar.label"))
     rounded = formula("ROUND(length,12)", length=length)  # gnumeric computes with more digits and would show them

@@ -20,7 +20,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.degrees import degrees_together
 from mechsheet.sheet.drawing.drawing import DRAWING_INNER, PATH_COLORS
-from mechsheet.sheet.drawing.frames import HIDDEN_AXIS, INK, QUIET
+from mechsheet.sheet.drawing.frames import HIDDEN_AXIS, INK, QUIET, longest_bar
 from mechsheet.sheet.drawing.outlines import corners, direction_of, line_end, through_of
 from mechsheet.sheet.drawing.points import moving_points, pins_of
 from mechsheet.sheet.drawing.shapes import link_color
@@ -461,8 +461,7 @@ class PageDrawing:
         """A bar of 1, 2 or 5 times a power of ten, at most a quarter of the window; its length is the label."""
         text = self.plan.text
         self._text(NAME, text("drawing.bar"))
-        power = self._formula(MIDDLE, formula("10^INT(LOG10(half/2))", half=half))
-        length = self._formula(X, formula("power*IF(half>=10*power,5,IF(half>=4*power,2,1))", half=half, power=power))
+        length = self._formula(X, longest_bar(al.div(half, al.TWO)))
         words = self._formula(Y, joined(formula("ROUND(length,12)", length=length), f" {unit}" if unit else ""))
         self.row += 1
         first = self.row

@@ -26,7 +26,7 @@ from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.sheet.wrapping import height_of, label_lines
-from mechsheet.units import Unit, turn
+from mechsheet.units import Unit, behind_number, turn
 
 SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 """Columns of the top; the meaning has three of the table's columns."""
@@ -290,11 +290,14 @@ class Top:
         else:  # the rod against the guide: the angle of transmission is what is missing to a right one
             least = formula("half/2-MAX(high,-low)", low=low, high=high, half=half)
         cell, limit = CellRef(row, VALUE, True, True), poor_limit(plan.mechanism)
-        poor = formula(
-            'IFERROR(IF(value<limit,words,""),"")', value=cell, limit=limit, words=f": {plan.text('verdict.poor')}"
-        )
-        words = joined(plan.text("page.transmission"), poor)
-        self.line(row, f"μ{group.number}", plan.mechanism.angle_unit.text, words)
+        unit = plan.mechanism.angle_unit
+        poor = formula('IF(value<limit,words,"")', value=cell, limit=limit, words=f": {plan.text('verdict.poor')}")
+        least_words = joined(
+            plan.text("page.transmission"),
+            formula("ROUND(value,digits)", value=cell, digits=1 if unit.in_degrees else 2),
+            f"{behind_number(unit.text)}{plan.text('page.transmission.rows')}", poor,
+        )  # fmt: skip
+        self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=least_words))
         poor = formula("AND(ISNUMBER(value),value<limit)", value=cell, limit=limit)
         self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=self.cell("#rows_closed"), least=least)
@@ -312,26 +315,22 @@ class Top:
         parts: list[Node | str] = [counted, rows, positions]
         for loop in plan.found.four_bars[:1]:
             parts += ["; ", CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], MEANING, True, True)]
+        any_poor: Node = Boolean(False)
         if plan.found.transmission:
-            value: Node = Call(
-                "MIN", tuple(self.cell(f"#transmission_{each.number}") for each in plan.found.transmission)
+            lines = [plan.blocks["verdicts"].rows[f"transmission_{each.number}"] for each in plan.found.transmission]
+            said, angles = (
+                RangeRef(CellRef(lines[0], col, True, True), CellRef(lines[-1], col, True, True))
+                for col in (MEANING, VALUE)
             )
-            unit = plan.mechanism.angle_unit.text
-            poor = formula('IF(value<limit,words,"")', value=value, limit=poor_limit(plan.mechanism),
-                           words=f": {text('verdict.poor')}")  # fmt: skip
-            parts += [text("page.verdict.transmission"), formula("ROUND(value,1)", value=value),
-                      f"{'' if unit == '°' else ' '}{unit}{text('page.verdict.rows')}", poor]  # fmt: skip
+            any_poor = some_poor(plan.mechanism, angles)
+            worst = formula("INDEX(said,MATCH(MIN(angles),angles,0))", said=said, angles=angles)
+            parts += ["; ", worst if len(lines) > 1 else said.start]
         wrong, there = self.cell("#inputs"), self._there()
         good = formula("IF(n=0,nowhere,good)", n=count, good=joined(*parts), nowhere=text("page.verdict.nowhere"))
         words = inputs.words(plan, wrong, there, good)
         self.fill(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))
-        any_poor: Node = Boolean(False)
-        if plan.found.transmission:
-            lines = [plan.blocks["verdicts"].rows[f"transmission_{each.number}"] for each in plan.found.transmission]
-            angles = RangeRef(CellRef(lines[0], VALUE, True, True), CellRef(lines[-1], VALUE, True, True))
-            any_poor = some_poor(plan.mechanism, angles)
         for test, style in (
             ("OR(wrong>0,NOT(there),n=0)", styles.BAD),
             ("OR(n<rows,poor)", styles.WARN),
