@@ -23,6 +23,7 @@ EXACT = frozenset(
         "ABS",
         "AND",
         "AVERAGEIF",
+        "AVERAGEIFS",
         "CHOOSE",
         "COLUMNS",
         "COUNT",
