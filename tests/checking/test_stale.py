@@ -70,6 +70,34 @@ def test_what_changes_no_number(folder, was, now):
     assert run("check", folder).exit_code == 0
 
 
+@pytest.mark.parametrize(
+    "options",
+    [["--set", "a1=72"], ["--set", "mode_1=-1", "--rows", "13"], ["--step", "5", "--layout", "page"], ["--tolerance"]],
+)
+def test_what_build_was_told_is_no_change_of_the_file(folder, options):
+    """Until the file is changed, whatever the workbook was built with; a file that was pulled from it is another one."""
+    file, own = folder / "four-bar.toml", TEXT.replace("value = 56,", "value = 56, tolerance = 0.1,")
+    file.write_text(own, encoding="utf-8")
+    assert run("build", file, "-o", folder, *options).exit_code == 0
+    assert run("check", folder).exit_code == 0
+    file.write_text(own.replace("value = 70", "value = 71"), encoding="utf-8")
+    assert "STALE" in run("check", folder).output
+    file.write_text(run("pull", folder / "four-bar.xlsx").stdout, encoding="utf-8")
+    assert run("check", folder).exit_code == 0
+    assert run("build", file, "-o", folder).exit_code == 0
+    file.write_text(own, encoding="utf-8")
+    assert "STALE" in run("check", folder).output
+
+
+def test_what_is_read_off_the_sketch_is_no_change_of_the_file(tmp_path):
+    """A redundant link that nobody has marked is marked in the workbook's description."""
+    text = template_text("double-parallelogram")
+    assert "redundant = true\n" in text
+    (tmp_path / "arms.toml").write_text(text.replace("redundant = true\n", ""), encoding="utf-8")
+    assert run("build", tmp_path / "arms.toml", "-o", tmp_path).exit_code == 0
+    assert run("check", tmp_path).exit_code == 0
+
+
 def test_after_pull_it_agrees(folder):
     """What is typed in the workbook and pulled into the description is what both say."""
     path = folder / "four-bar.xlsx"

@@ -1,8 +1,8 @@
 """Whether the workbook beside a description is still the one that the description builds.
 
 The same description gives the same bytes, so a workbook whose own description says something else than the file of its
-name was not built anew after a change. What `build` may be told beside the description (language, layout, how cells are
-called) is not compared, nor are comments; and after `mechsheet pull` the file says what is typed in the workbook.
+name was not built anew after a change. What `build` was told beside the description is no change of it, nor are comments;
+and after `mechsheet pull` the file says what is typed in the workbook.
 """
 
 from __future__ import annotations
@@ -13,15 +13,13 @@ from typing import Any
 
 from mechsheet.checking.edited.pull import pull
 from mechsheet.description.text.index import Path as Place
-from mechsheet.description.text.source import dotted, parse, read_text
+from mechsheet.description.text.origin import is_origin, meaning
+from mechsheet.description.text.source import dotted, read_text
 from mechsheet.diagnostics import MechsheetError, readable_name
 from mechsheet.said import say
 
 _EXTRA = ("", "-basic", "-lambda")
 """What the names of a description's workbooks have behind its own."""
-
-_OF_BUILD = ("layout", "language", "references")
-"""Keys of [workbook] that do not change a number, and that `build` has options for."""
 
 
 def description_of(workbook: Path, known: Iterable[Path] = ()) -> Path | None:
@@ -40,12 +38,12 @@ def stale(inside: str, workbook: Path, file: Path) -> str:
     Raises MechsheetError when the file cannot be read.
     """
     shown = readable_name(file)
-    mine, built = _meant(read_text(file), shown), _meant(inside, shown)
+    mine, built = meaning(read_text(file), shown), meaning(inside, shown)
     place = _first_difference(mine, built)
-    if place is None:
+    if place is None or is_origin(mine, inside):
         return ""
     try:
-        if _first_difference(mine, _meant(pull(workbook).text, shown)) is None:
+        if _first_difference(mine, meaning(pull(workbook).text, shown)) is None:
             return ""
     except MechsheetError:
         pass  # what cannot be pulled cannot be what the file says
@@ -56,14 +54,6 @@ def stale(inside: str, workbook: Path, file: Path) -> str:
         now=_said_at(mine, place),
         was=_said_at(built, place),
     )
-
-
-def _meant(text: str, shown: str) -> dict[str, Any]:
-    data = parse(text, shown).data
-    workbook = data.get("workbook")
-    if isinstance(workbook, dict):
-        data = {**data, "workbook": {key: value for key, value in workbook.items() if key not in _OF_BUILD}}
-    return {key: value for key, value in data.items() if value != {}}
 
 
 def _said_at(data: Any, place: Place) -> str:

@@ -22,6 +22,7 @@ from mechsheet.description.scope import words
 from mechsheet.description.shape import fit
 from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.description.text.file_names import is_device
+from mechsheet.description.text.origin import with_origin
 from mechsheet.description.text.rewrite import with_value
 from mechsheet.description.text.source import Source, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, readable_name
@@ -110,7 +111,7 @@ def with_tolerance(mechanism: Mechanism, file: str = "<text>") -> Mechanism:
     source, _ = parse_as_meant(mechanism.text, file)
     own = source.text.rstrip()
     try:
-        found = loads(f"{own}\n\n[tolerance]\n", file)
+        found = loads(with_origin(f"{own}\n\n[tolerance]\n", own, file), file)
     except DescriptionError as error:
         last = own.count("\n") + 1  # who asks by an option has no line [tolerance] to look at
         told = [replace(each, line=None, source="") if (each.line or 0) > last else each for each in error.faults]

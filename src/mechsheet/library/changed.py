@@ -18,6 +18,7 @@ from mechsheet.description.overrides import Overrides, in_order, name_of, option
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
 from mechsheet.description.text.numbers import typed_number
+from mechsheet.description.text.origin import with_origin
 from mechsheet.description.text.source import parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, MechsheetError, readable_name
 from mechsheet.library.phases_from_sketch import with_phases
@@ -64,11 +65,27 @@ def loads(
     """
     pairs = in_order(overrides or ())
     modes = _modes_in(pairs, text, file)
-    if not modes:
+    if modes:
+        found = _with_settings(text, file, pairs, modes, language, rows, step)
+    else:
         found = with_phases(
             with_redundant(description.loads(text, file, pairs, language, rows=rows, step=step), file), file
         )
-        return replace(found, before=_unchanged(text, file)) if pairs else found
+        if pairs:
+            found = replace(found, before=_unchanged(text, file))
+    return replace(found, text=with_origin(found.text, text, file))
+
+
+def _with_settings(
+    text: str,
+    file: str,
+    pairs: Sequence[tuple[str, str]],
+    modes: Sequence[tuple[str, str]],
+    language: str | None,
+    rows: str | None,
+    step: str | None,
+) -> Mechanism:
+    """With pairs of which some mean assembly modes."""
     faults = [fault for name, value in modes if (fault := _value_fault(name, value, file)) is not None]
     rest = [pair for pair in pairs if pair not in modes]
     try:

@@ -16,6 +16,7 @@ from mechsheet.description import loads
 from mechsheet.description.driving.driver import LANDS
 from mechsheet.description.locate import located
 from mechsheet.description.text.index import Path as Place
+from mechsheet.description.text.origin import without_origin
 from mechsheet.description.text.rewrite import number_text, with_number, without_key
 from mechsheet.description.text.source import Source, parse, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, readable_name
@@ -49,7 +50,7 @@ def pull(workbook: str | Path, into: str | Path | None = None) -> Pulled:
     base = expected_for(description_or_fault(book, shown), inside(shown))
     changes = changes_in(undone(book, moves_between(base.book, book)), base, shown)
     file = inside(shown) if into is None else readable_name(into)
-    raw = base.plan.mechanism.text.rstrip("\n") + "\n" if into is None else read_text(into)
+    raw = without_origin(base.plan.mechanism.text).rstrip("\n") + "\n" if into is None else read_text(into)
     source = parse(raw, file)
     target = base
     if into is not None:
