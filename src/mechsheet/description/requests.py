@@ -13,7 +13,7 @@ from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.text.index import Path
 from mechsheet.formula.nodes import Symbol
-from mechsheet.model import ChartRequest, Driver, Quantity, Summary, TableRequest
+from mechsheet.model import TAKES, ChartRequest, Driver, Quantity, Summary, TableRequest
 from mechsheet.said import say
 
 
@@ -89,7 +89,8 @@ def summaries(data: dict[str, Any], scope: Scope) -> tuple[Summary, ...]:
         path: Path = ("summary", name)
         check_column(entry["of"], (*path, "of"), scope)
         cell = scope.cell(entry, path)
-        result.append(Summary(name, entry["of"], entry["take"], words(entry.get("label")), cell))
+        if entry["take"] is not BAD:
+            result.append(Summary(name, entry["of"], TAKES[entry["take"]], words(entry.get("label")), cell))
     return tuple(result)
 
 
