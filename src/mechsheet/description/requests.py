@@ -24,7 +24,9 @@ def declare(outputs: dict[str, Any], summaries: dict[str, Any], scope: Scope) ->
             path: Path = (table, name)
             if scope.symbol_is_good(name, path):
                 scope.symbols.claim(name, what, path)
-    scope.summaries |= {name: entry["of"] for name, entry in summaries.items() if entry is not BAD}
+    whole = {name: entry for name, entry in summaries.items() if entry is not BAD}
+    scope.summaries |= {name: entry["of"] for name, entry in whole.items()}
+    scope.takes |= {name: TAKES[entry["take"]] for name, entry in whole.items() if entry["take"] is not BAD}
 
 
 def is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool:
@@ -89,8 +91,8 @@ def summaries(data: dict[str, Any], scope: Scope) -> tuple[Summary, ...]:
         path: Path = ("summary", name)
         check_column(entry["of"], (*path, "of"), scope)
         cell = scope.cell(entry, path)
-        if entry["take"] is not BAD:
-            result.append(Summary(name, entry["of"], TAKES[entry["take"]], words(entry.get("label")), cell))
+        if name in scope.takes:
+            result.append(Summary(name, entry["of"], scope.takes[name], words(entry.get("label")), cell))
     return tuple(result)
 
 

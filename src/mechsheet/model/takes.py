@@ -58,6 +58,11 @@ class Take:
         """The part whose place is the take's own; "" where it has none, as a mean or a range."""
         return self.value.name if isinstance(self.value, Symbol) and self.value.name != "mean" else ""
 
+    @property
+    def linear(self) -> bool:
+        """Whether it changes with a dimension as the same take of the quantity's changes."""
+        return self.of_row == X
+
     def over(self, part: Callable[[str], Node]) -> Node:
         """Its formula with a formula for each part."""
         return transform(self.value, lambda node: part(node.name) if isinstance(node, Symbol) else node)

@@ -39,7 +39,8 @@ _PARTS = re.compile(r"([^\W\d_]+)_?(.*)", re.DOTALL)
 def parts(symbol: str) -> tuple[str, str]:
     """(letter, subscript): theta13 -> (θ, 13), a2 -> (a, 2), C.x -> (x, C), phi_2 -> (φ, 2), A0B0 stays whole.
 
-    theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x), F34.x -> (F, 34,x), F14.n -> (N, 14), T12² -> (T², 12)
+    theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x), F34.x -> (F, 34,x), F14.n -> (N, 14),
+    T12² -> (T², 12)
     """
     if symbol.startswith(("Σ|", "√Σ")):
         return symbol, ""

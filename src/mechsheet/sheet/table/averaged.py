@@ -22,7 +22,8 @@ Lowered = TypeVar("Lowered", bound=Assignments)
 
 def with_averaged(mechanism: Mechanism, equations: Lowered) -> Lowered:
     """The equations, with these columns behind all others, each on the sheet of its quantity."""
-    columns = {equation.symbol: equation.role for equation in (*equations.columns, *equations.listed)}
+    columns: dict[str, Role] = dict.fromkeys((mechanism.driver.symbol, *mechanism.given_by_row), "driver")
+    columns |= {equation.symbol: equation.role for equation in equations.columns}
     found = {
         summary.take.column(summary.of): _averaged(mechanism, equations, summary, columns[summary.of])
         for summary in mechanism.summaries
