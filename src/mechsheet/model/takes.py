@@ -16,7 +16,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from mechsheet.formula.nodes import Binary, Node, Symbol, symbols, transform
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, transform
 
 Part = Literal["least", "largest", "first", "last", "mean"]
 Way = Literal["min", "max"]
@@ -89,6 +89,7 @@ TAKES = {
         Take("first", Symbol("first")),
         Take("last", Symbol("last")),
         Take("mean", Symbol("mean")),
+        Take("rms", Call("SQRT", (Symbol("mean"),)), Binary("^", X, Number(2.0)), "²"),  # what heats a motor
     )
 }
 """All that a description may ask for, by key."""

@@ -35,7 +35,7 @@ def with_averaged(mechanism: Mechanism, equations: Lowered) -> Lowered:
 def _averaged(mechanism: Mechanism, equations: Assignments, summary: Summary, role: Role) -> Assignment:
     take, column = summary.take, summary.take.column(summary.of)
     shown = mechanism.shown(mechanism.given_unit(summary.of) or equations.of(summary.of).unit).text
-    unit = Unit("number", f"({shown}){take.mark}" if "/" in shown or "·" in shown else shown and shown + take.mark)
+    unit = Unit("number", f"({shown}){take.mark}" if set(" /·") & set(shown) else shown and shown + take.mark)
     role = "coefficient" if role in RATES else "dynamic" if role in FORCES else "intermediate"
     says, label = take.row(Symbol(summary.of)), phrase("averaged", symbol=column)
     return Assignment(column, take.row(Symbol(SHOWN + summary.of)), says, role, unit, label)
