@@ -12,6 +12,7 @@ from mechsheet.diagnostics import DescriptionError
 from mechsheet.formula.nodes import Symbol, Unary
 from mechsheet.formula.parser import parse_description
 from mechsheet.model import (
+    TAKES,
     Cartesian,
     ChartRequest,
     Dimension,
@@ -163,8 +164,8 @@ def test_every_key_results(everything: Mechanism) -> None:
         Output("xc", parse_description("C.x + B0.y"), CM),
     )
     assert everything.summaries == (
-        Summary("stroke", "s17", "range", Words("stroke", "kurs"), "Kurs"),
-        Summary("top", "C.y", "max"),
+        Summary("stroke", "s17", TAKES["range"], Words("stroke", "kurs"), "Kurs"),
+        Summary("top", "C.y", TAKES["max"]),
     )
     assert everything.charts == (
         ChartRequest(Words("angles", "angles"), "theta62", ("theta12", "mu", "C.x")),

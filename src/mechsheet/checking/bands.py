@@ -20,7 +20,9 @@ from mechsheet import reference
 from mechsheet.checking.inputs import Array
 from mechsheet.checking.report import Tally
 from mechsheet.formula.references import cell_address
+from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.rates.sensitivity import by_symbol, toleranced
+from mechsheet.model import WAYS
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.bands import ROOT, WORST, part_of
 from mechsheet.sheet.table.tolerance import Line, lines_of
@@ -182,19 +184,20 @@ class _Judge:
         mechanism = self.plan.mechanism
         if mechanism.driver.law is not None or mechanism.listed_symbols:
             return []  # the reference has no positions between their rows
-        ways = reversed(line.summary.extremes) if line.summary else ()  # what is largest first
+        ways = reversed(line.summary.take.ways) if line.summary else ()  # what is largest first
         spots = [self.plan.at.spots[f"#{way}_at_{line.quantity}"] for way in ways]
         found = [self.number(spot.sheet, spot.row, spot.col) for spot in spots]
         unit = mechanism.driver.unit
         return [unit.to_internal(place) for place in found] if np.isfinite(found).all() else []
 
     def line(self, line: Line, found: Found, rows: range) -> None:
-        """The line of a summary: what is largest, less what is smallest."""
-        by = {}
+        """The line of a summary: its take of the derivatives in these rows, that of what is largest first."""
+        take, by = line.summary.take if line.summary else None, {}
+        parts = [part for part in reversed(WAYS) if take and part in take.parts]
         for name in self.units:
             each = found[name][line.quantity].part(slice(rows.start, rows.stop))
-            value = each.value[:1] - each.value[1:] if len(rows) == 2 else each.value
-            by[name] = Derivative(value, np.array([each.uncertain.sum()]))
+            taken = number_of(take.value, dict(zip(parts, each.value, strict=True))) if take else each.value
+            by[name] = Derivative(np.atleast_1d(taken), np.array([each.uncertain.sum()]))
         for part, each in zip((WORST, ROOT), self._sums(by), strict=True):
             symbol = part_of(line.quantity, part)
             col, scale = self.plan.at.spots[symbol].col, self._scale(line.quantity, by, symbol)

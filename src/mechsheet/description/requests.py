@@ -13,7 +13,7 @@ from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.text.index import Path
 from mechsheet.formula.nodes import Symbol
-from mechsheet.model import ChartRequest, Driver, Quantity, Summary, TableRequest
+from mechsheet.model import TAKES, ChartRequest, Driver, Quantity, Summary, TableRequest
 from mechsheet.said import say
 
 
@@ -24,7 +24,9 @@ def declare(outputs: dict[str, Any], summaries: dict[str, Any], scope: Scope) ->
             path: Path = (table, name)
             if scope.symbol_is_good(name, path):
                 scope.symbols.claim(name, what, path)
-    scope.summaries |= {name: entry["of"] for name, entry in summaries.items() if entry is not BAD}
+    whole = {name: entry for name, entry in summaries.items() if entry is not BAD}
+    scope.summaries |= {name: entry["of"] for name, entry in whole.items()}
+    scope.takes |= {name: TAKES[entry["take"]] for name, entry in whole.items() if entry["take"] is not BAD}
 
 
 def is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool:
@@ -89,7 +91,8 @@ def summaries(data: dict[str, Any], scope: Scope) -> tuple[Summary, ...]:
         path: Path = ("summary", name)
         check_column(entry["of"], (*path, "of"), scope)
         cell = scope.cell(entry, path)
-        result.append(Summary(name, entry["of"], entry["take"], words(entry.get("label")), cell))
+        if name in scope.takes:
+            result.append(Summary(name, entry["of"], scope.takes[name], words(entry.get("label")), cell))
     return tuple(result)
 
 

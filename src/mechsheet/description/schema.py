@@ -24,7 +24,7 @@ from mechsheet.description.grammar import (
     Words,
     YesNo,
 )
-from mechsheet.model import LAWS
+from mechsheet.model import LAWS, TAKES
 
 FORMAT = 1
 
@@ -296,12 +296,10 @@ OUTPUT = Table(
     }
 )
 
-TAKES = ("max", "min", "range", "first", "last", "mean")
-
 SUMMARY = Table(
     {
         "of": Key(Text(names="variable or output"), "what is looked at over the whole sweep", True),
-        "take": Key(Text(TAKES), "which number is taken", True),
+        "take": Key(Text(tuple(TAKES)), "which number is taken", True),
         "label": _LABEL,
         "cell": _CELL,
     }

@@ -18,7 +18,7 @@ from mechsheet.formula.names import folded, name_fault
 from mechsheet.formula.nodes import Node, Symbol, children, symbols, transform
 from mechsheet.formula.parser import RESERVED, parse_description
 from mechsheet.formula.scalar import evaluate
-from mechsheet.model import Quantity, Words
+from mechsheet.model import Quantity, Take, Words
 from mechsheet.said import Said, reason, say
 from mechsheet.units import DEG, NUMBER, Unit, unit_of
 
@@ -74,7 +74,7 @@ class Scope:
     points     point -> the links that name it;  fixed: those that the ground names
     outputs    symbols of outputs;  complete: False when variables may be missing because of an earlier fault
     solved     False when steps of a synthesis are missing because of a fault in its task
-    summaries  name of a summary -> the quantity that it is of
+    summaries  name of a summary -> the quantity that it is of;  takes: -> what it takes of it
     motion_outputs  outputs whose formulas name summaries -> the formula over summaries and dimensions in the units shown
     rates      names of angular and sliding velocities and accelerations;  moves: True when the driver has a speed
     of_rates   names of outputs that read rates
@@ -95,6 +95,7 @@ class Scope:
     fixed: set[str] = field(default_factory=set)
     outputs: list[str] = field(default_factory=list)
     summaries: dict[str, Any] = field(default_factory=dict)
+    takes: dict[str, Take] = field(default_factory=dict)
     motion_outputs: dict[str, Node] = field(default_factory=dict)
     complete: bool = True
     solved: bool = True

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet.formula.nodes import Symbol
 from mechsheet.homework.agreement import Reading, allowance, units_of
 from mechsheet.homework.truth import Array, Kind, Quantity, Truth, truth_of
-from mechsheet.kinematics.numeric import mean_of_motion
-from mechsheet.model import Summary
+from mechsheet.kinematics.numeric import mean_of_motion, value
+from mechsheet.model import Summary, Take
 
 FINER = 20
 """Positions between two rows that are looked at for an extreme."""
@@ -40,21 +41,17 @@ class Span:
         return Quantity("", self.kind, np.array([self.low, self.high]))
 
 
-def taken(column: Array, take: str, kind: Kind, alike: bool = False) -> float:
+def taken(column: Array, take: Take, kind: Kind, alike: bool = False) -> float:
     """The number that a summary takes from a column; `alike`: in a mean all rows count alike."""
-    known = column[np.isfinite(column)]
+    there = np.isfinite(column)
+    known = column[there]
     if not len(known):
         return math.nan
-    if take == "range":
-        known = np.unwrap(known) if kind == "angle" else known
-        return float(np.ptp(known))
-    if take == "max":
-        return float(known.max())
-    if take == "min":
-        return float(known.min())
-    if take == "mean":
-        return float(mean_of_motion(column, np.isfinite(column), alike))
-    return float(known[0] if take == "first" else known[-1])
+    if kind == "angle" and len(take.ways) > 1:  # a way that an angle has gone has no turns to choose
+        known = np.unwrap(known)
+    averaged = np.asarray(value(take.row(Symbol("x")), {"x": column}))
+    parts = {"least": known.min(), "largest": known.max(), "first": known[0], "last": known[-1]}
+    return float(value(take.value, parts | {"mean": mean_of_motion(averaged, there, alike)}))
 
 
 def span_of(truth: Truth, symbol: str) -> Span:
@@ -67,14 +64,14 @@ def span_of(truth: Truth, symbol: str) -> Span:
 def _span(truth: Truth, summary: Summary) -> Span:
     kind = truth.kinds.get(summary.of, "number")
     column = truth.columns[summary.of]
-    if summary.take == "mean":
+    if "mean" in summary.take.parts:
         turns = float(truth.driver[-1] - truth.driver[0]) / math.tau
         closed = truth.mechanism.driver.link and round(turns) != 0 and abs(turns - round(turns)) < CLOSED
         # over a part of a turn the mean of the rows is an answer too, over a turn it counts the closing row twice
-        means = [taken(column, "mean", kind, alike) for alike in ((False,) if closed else (False, True))]
+        means = [taken(column, summary.take, kind, alike) for alike in ((False,) if closed else (False, True))]
         return Span(kind, min(means), max(means))
     plain = taken(column, summary.take, kind)
-    if summary.take in ("first", "last"):
+    if not summary.take.ways:
         return Span(kind, plain, plain)
     rows = len(truth.driver)
     if rows > MOST_ROWS:

@@ -50,6 +50,7 @@ from .symbols import (
     pair_symbol,
     rate_symbols,
 )
+from .takes import TAKES, WAYS, Take, Way
 
 __all__ = [
     "ENERGY",
@@ -59,7 +60,9 @@ __all__ = [
     "POINT_RATES",
     "PRESSURE",
     "SHAKING",
+    "TAKES",
     "TIME",
+    "WAYS",
     "Cartesian",
     "ChartRequest",
     "Condition",
@@ -93,9 +96,11 @@ __all__ = [
     "Summary",
     "Synthesis",
     "TableRequest",
+    "Take",
     "TaskPlace",
     "Tolerances",
     "Vary",
+    "Way",
     "Words",
     "center_symbol",
     "energy_unit",

@@ -12,6 +12,7 @@ from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 
 from .asked import Exercise, Study, Synthesis, Tolerances
 from .symbols import TIME, Quantity, Words, rate_symbols
+from .takes import Take
 
 
 @dataclass(frozen=True, slots=True)
@@ -397,20 +398,9 @@ class Summary:
 
     symbol: str
     of: str
-    take: Literal["max", "min", "range", "first", "last", "mean"]
+    take: Take
     label: Words | None = None
     cell: str | None = None
-
-    @property
-    def extremes(self) -> tuple[Literal["min", "max"], ...]:
-        """The extremes of `of` that it is of: one, for a range both."""
-        match self.take:
-            case "min" | "max" as way:
-                return (way,)
-            case "range":
-                return ("min", "max")
-            case _:
-                return ()
 
 
 @dataclass(frozen=True, slots=True)

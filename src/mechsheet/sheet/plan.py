@@ -29,6 +29,7 @@ from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.first.classification import Classification, classification
 from mechsheet.sheet.synthesis.planning import plan_rows
 from mechsheet.sheet.synthesis.rows import Rows
+from mechsheet.sheet.table.averaged import with_averaged
 from mechsheet.sheet.table.bands import Banded, found_bands, sizes, tolerance_symbol, with_bands
 from mechsheet.sheet.table.flywheel import with_energy
 from mechsheet.sheet.table.lowering import Assignment, Assignments, in_pass, lowered
@@ -279,7 +280,9 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     rows = len(values)
     at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
     found_of_bands = found_bands(mechanism, equations)
-    assignments = with_bands(mechanism, with_energy(mechanism, lowered(mechanism, equations)), found_of_bands)
+    assignments = with_averaged(
+        mechanism, with_bands(mechanism, with_energy(mechanism, lowered(mechanism, equations)), found_of_bands)
+    )
     found = classification(mechanism, assignments)
     plan = Plan(mechanism, assignments, language, at, rows, [float(value) for value in values], found)
     plan.sensitivities = found_of_bands

@@ -29,6 +29,9 @@ _PASS = re.compile(r" (n|[0-9]+)$")
 """Behind the symbol of a quantity within a pass of Newton's method."""
 _SHAKING = {"shaking.x": ("F", "s,x"), "shaking.y": ("F", "s,y"), "shaking.m": ("M", "s")}
 
+SQUARED = "²"
+"""Behind the symbol of a quantity's square."""
+
 _PARTS = re.compile(r"([^\W\d_]+)_?(.*)", re.DOTALL)
 
 
@@ -36,12 +39,16 @@ _PARTS = re.compile(r"([^\W\d_]+)_?(.*)", re.DOTALL)
 def parts(symbol: str) -> tuple[str, str]:
     """(letter, subscript): theta13 -> (θ, 13), a2 -> (a, 2), C.x -> (x, C), phi_2 -> (φ, 2), A0B0 stays whole.
 
-    theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x), F34.x -> (F, 34,x), F14.n -> (N, 14)
+    theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x), F34.x -> (F, 34,x), F14.n -> (N, 14),
+    T12² -> (T², 12)
     """
     if symbol.startswith(("Σ|", "√Σ")):
         return symbol, ""
     if ":" in symbol:
         return _of_band(*symbol.split(":"))
+    if symbol.endswith(SQUARED):
+        letter, subscript = parts(symbol.removesuffix(SQUARED))
+        return letter + SQUARED, subscript
     symbol = _PASS.sub("", symbol)
     if symbol in _SHAKING:
         return _SHAKING[symbol]

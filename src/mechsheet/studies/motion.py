@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.kinematics.numeric import OPERATORS, Array, mean_of_motion, value
-from mechsheet.model import Condition
+from mechsheet.model import WAYS, Condition, Take
 from mechsheet.sheet.checks.turning import derivatives
 from mechsheet.studies.extremes import (
     Anchors,
@@ -100,16 +100,14 @@ class Motion:
         count = len(next(iter(inside.values())))
         parts: list[Stretches] = []
         found_anchors: dict[Extreme, list[Anchors]] = {key: [] for key in self.extremes}
-        means: dict[str, list[Array]] = {}
+        of_rows: dict[str, list[Array]] = {}
         for _, rows in _blocks(designs, designs.in_rows, inside, count):
             parts.append(rows.stretches)
             for key in self.extremes:
                 found_anchors[key].append(rows.anchors(key))
             for quantity in designs.questions.quantities:
                 if not quantity.ways:
-                    means.setdefault(quantity.name, []).append(
-                        taken(quantity.take, rows.column(quantity.of), rows.there, rows.stretches, rows.alike)
-                    )
+                    of_rows.setdefault(quantity.name, []).append(taken(quantity.take, rows.column(quantity.of), rows))
         stretches = joined(parts)
         anchors = {key: joined(each) for key, each in found_anchors.items()}
         found = {key: each.best for key, each in anchors.items()}
@@ -118,12 +116,10 @@ class Motion:
             for key, (value, unsettled) in self._refined(anchors, stretches, inside).items():
                 found[key], about[key] = value, unsettled
         for quantity in designs.questions.quantities:
-            if quantity.take == "range":
-                number = found[quantity.of, "max"] - found[quantity.of, "min"]
-            elif quantity.ways:
-                number = found[quantity.of, "min" if quantity.take == "min" else "max"]
+            if quantity.ways:
+                number = _of_extremes(quantity, {way: found[quantity.of, way] for way in quantity.ways})
             else:
-                number = np.concatenate(means[quantity.name])
+                number = np.concatenate(of_rows[quantity.name])
             without = self._without_bound(quantity, anchors, found, stretches)
             fine = (stretches.count > 0) & np.isfinite(number) & ~without
             self.quantities[quantity.name] = np.where(fine, number * quantity.factor, np.nan)
@@ -336,12 +332,11 @@ class _Bound:
     def met(self, rows: _Rows, best: dict[Extreme, Found], part: slice, alive: Mask) -> Mask:
         """Whether the rows of those alive still allow it; `best` keeps what was found."""
         quantity = self.quantity
-        values = []
         for way in quantity.ways:
             if (quantity.of, way) not in best:
                 best[quantity.of, way] = rows.best((quantity.of, way), alive)
-            values.append(best[quantity.of, way][1])
-        number = (values[1] - values[0] if len(values) == 2 else values[0]) * quantity.factor
+        extremes = {way: best[quantity.of, way][1] for way in quantity.ways}
+        number = _of_extremes(quantity, extremes) * quantity.factor
         return np.asarray(np.isfinite(number) & OPERATORS[self.operator](number, self.limit[part]))
 
 
@@ -354,7 +349,7 @@ def _bounds(designs: Designs, known: Mapping[str, Array]) -> dict[int, list[_Bou
     def add(number: int, side: Node, operator: str, other: Node) -> None:
         match side:
             case Symbol(name) if name in quantities and not set(symbols(other)) & quantities.keys():
-                falls = quantities[name].take == "min"
+                falls = quantities[name].ways == ("min",)
                 if quantities[name].ways and operator.startswith(">" if falls else "<"):
                     limit = np.broadcast_to(np.asarray(value(other, known), float), (count,))
                     found.setdefault(number, []).append(_Bound(quantities[name], operator, limit))
@@ -367,11 +362,19 @@ def _bounds(designs: Designs, known: Mapping[str, Array]) -> dict[int, list[_Bou
     return found
 
 
-def taken(take: str, column: Array, there: Mask, stretches: Stretches, alike: Mask) -> Array:
-    """The mean over the motion (`mean_of_motion`), or the value of the first or the last row that exists."""
-    designs = np.arange(len(column))
-    if take == "first":
-        return np.asarray(column[designs, stretches.first - 1])
-    if take == "last":
-        return np.asarray(column[designs, stretches.last_row - 1])
-    return mean_of_motion(column, there, alike)
+def _of_extremes(quantity: Quantity, extremes: Mapping[Way, Array]) -> Array:
+    """A quantity from the smallest and the largest values of designs."""
+    return np.asarray(
+        value(quantity.take.value, {part: extremes[way] for part, way in WAYS.items() if way in extremes})
+    )
+
+
+def taken(take: Take, column: Array, rows: _Rows) -> Array:
+    """A take of what the rows of designs alone decide: the first or the last value that exists, the mean over the motion."""
+    designs, stretches = np.arange(len(column)), rows.stretches
+    parts: dict[str, Callable[[], Array]] = {
+        "first": lambda: np.asarray(column[designs, stretches.first - 1]),
+        "last": lambda: np.asarray(column[designs, stretches.last_row - 1]),
+        "mean": lambda: mean_of_motion(np.asarray(value(take.row(Symbol("x")), {"x": column})), rows.there, rows.alike),
+    }
+    return np.asarray(value(take.value, {part: parts[part]() for part in take.parts}))

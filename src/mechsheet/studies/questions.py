@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +13,7 @@ from mechsheet.diagnostics import Fault, MechanismError, near_miss
 from mechsheet.formula.nodes import Node, symbols
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import OPERATORS, Array, value
-from mechsheet.model import ENERGY, Condition, Mechanism, Study
+from mechsheet.model import ENERGY, TAKES, Condition, Mechanism, Study, Take, Way
 from mechsheet.said import say
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.first.classification import FourBar, classification
@@ -35,21 +34,14 @@ class Quantity:
 
     name: str
     of: str
-    take: str
+    take: Take
     factor: float
     unit: str
 
     @property
-    def ways(self) -> tuple[Literal["min", "max"], ...]:
+    def ways(self) -> tuple[Way, ...]:
         """The extremes that it is made of."""
-        match self.take:
-            case "min":
-                return ("min",)
-            case "max":
-                return ("max",)
-            case "range":
-                return ("min", "max")
-        return ()
+        return self.take.ways
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +73,7 @@ def questions_of(mechanism: Mechanism, study: Study, equations: Equations) -> Qu
     for name in (name for node in (*nodes, *(each.value for each in study.objectives)) for name in symbols(node)):
         found = _EXTREME.fullmatch(name)
         if found is not None:
-            asked[name] = (found[2], "min" if found[1] == "min" else "max")
+            asked[name] = (found[2], TAKES[found[1]])
     quantities = []
     known = {equation.symbol: equation.unit for equation in (*equations.all, *equations.listed)}
     for name, (of, take) in asked.items():
@@ -97,7 +89,7 @@ def questions_of(mechanism: Mechanism, study: Study, equations: Equations) -> Qu
             )
             continue
         shown = mechanism.shown(unit)
-        quantities.append(Quantity(name, of, str(take), float(shown.to_shown(1.0)), shown.text))
+        quantities.append(Quantity(name, of, take, float(shown.to_shown(1.0)), shown.text))
     faults += _grounded_cranks(mechanism, study.keep)
     if faults:
         raise MechanismError(faults)

@@ -48,6 +48,7 @@ PHRASES = {
     "belt_torque": ("torque of {one} on {other}", "{one} → {other} momenti"),
     "pitch_point": ("pitch point of {one} and {other}, {axis}", "{one} ile {other} yuvarlanma noktası, {axis}"),
     "further_driver": ("driven besides", "ayrıca tahrik edilen"),
+    "averaged": ("{symbol}, of which a mean is taken", "{symbol}: ortalaması alınan"),
     # lengths and places
     "tolerance": ("lengths below this count as zero", "bundan kısa uzunluklar sıfır sayılır"),
     "fixed_point": ("{point}, fixed, {axis}", "{point}, sabit, {axis}"),

@@ -168,6 +168,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "take.range": ("range of {symbol}", "{symbol} aralığı"),
     "take.first": ("first {symbol}", "ilk {symbol}"),
     "take.last": ("last {symbol}", "son {symbol}"),
+    "take.rms": ("root mean square of {symbol}", "{symbol} etkin (karesel ortalama) değeri"),
     "take.mean": ("mean {symbol}", "ortalama {symbol}"),
     "chart.angles": ("Angles against {driver}", "{driver} ile açılar"),
     "chart.displacements": ("Displacements against {driver}", "{driver} ile ötelenmeler"),

@@ -583,7 +583,7 @@ class _Judge:
         truth, sheets = self.truth, self.sheets
         row = self.plan.blocks["summary"].rows[summary.symbol]
         shown, at = sheets.cell(row, VALUE), sheets.cell(row, TOLERANCE)
-        kind = f"summary {summary.take}"
+        kind = f"summary {summary.take.key}"
         words = sheets.cell(row, MEANING)
         partly = self.text("summary.part", count=truth.count, rows=truth.rows) in words
         self.say("summary words", partly == (truth.count < truth.rows), words, truth.count)
@@ -594,7 +594,7 @@ class _Judge:
             return
         if sheets.of("leaps") > 0:
             return
-        extreme = summary.take in ("min", "max", "range") and summary.of != truth.mechanism.driver.symbol
+        extreme = summary.take.key in ("min", "max", "range") and summary.of != truth.mechanism.driver.symbol
         if extreme and len(truth.row_stretches) > STRETCHES:
             self.say(kind, missing(shown), shown)
             return
@@ -625,13 +625,13 @@ class _Judge:
         expected = {
             "min": low, "max": high, "range": range_, "mean": self.mean(column),
             "first": column[there[0]], "last": column[there[-1]],
-        }[summary.take]  # fmt: skip
+        }[summary.take.key]  # fmt: skip
         about = self.verdict("about") in words
         tolerance = (2e-2 if about else EXTREME) * range_ + floor
         if len(truth.row_stretches) > 1 and truth.is_angle(symbol):
             return  # turns counted anew in each stretch
         self.say(kind, close(shown, expected, tolerance), shown, expected, words)
-        if summary.take in ("min", "max") and isinstance(at, float) and symbol != truth.mechanism.driver.symbol:
+        if summary.take.key in ("min", "max") and isinstance(at, float) and symbol != truth.mechanism.driver.symbol:
             there = truth.value_at(symbol, at)
             self.say(
                 "summary at", there is not None and close(there * scale, expected, 10 * tolerance), at, there, expected

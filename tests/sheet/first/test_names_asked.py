@@ -9,10 +9,11 @@ from mechsheet.description import loads
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.dynamics.solve import solve
 from mechsheet.engine import evaluate
+from mechsheet.model import takes
 from mechsheet.sheet.page.layout import lay_out_page
 from mechsheet.studies.designs import Designs
 
-TAKES = ("max", "min", "range", "mean", "first", "last")
+TAKES = tuple(takes.TAKES)
 FOUR_BAR = template_text("four-bar").partition("[outputs]")[0]
 
 

@@ -47,6 +47,7 @@ swing = { of = "theta14", take = "range" }
 height = { of = "C.y", take = "max" }
 middle = { of = "C.x", take = "mean" }
 end = { of = "C.y", take = "last" }
+rough = { of = "C.x", take = "rms" }
 [[tables]]
 rows = { a2 = ["a2", 60] }
 columns = { a1 = [70, 200] }
@@ -63,6 +64,10 @@ value = "middle"
 rows = { a4 = [56] }
 columns = { a2 = [35] }
 value = "end"
+[[tables]]
+rows = { a4 = [56] }
+columns = { a3 = [62.3] }
+value = "rough"
 """
 
 
@@ -109,10 +114,10 @@ def test_each_cell_is_what_the_search_finds(typed):
     plan, values = evaluated(**typed)
     found = judged(values, plan)
     assert found.agrees, found
-    assert found.cells >= 4 + 2 + 1 + 1 + 10
+    assert found.cells >= 4 + 2 + 1 + 1 + 1 + 10
 
 
-@pytest.mark.parametrize(("name", "row"), [("swing", 0), ("height", 1), ("middle", 0), ("end", 0)])
+@pytest.mark.parametrize(("name", "row"), [("swing", 0), ("height", 1), ("middle", 0), ("end", 0), ("rough", 0)])
 def test_the_present_dimensions_give_the_first_sheets_number(name, row):
     plan, values = evaluated()
     spot = plan.at.spots[f"#summary {name}"]

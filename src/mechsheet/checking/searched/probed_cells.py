@@ -45,7 +45,7 @@ class Searched:
         rows = [(plan.main, row) for block in blocks for row in block.rows.values()]
         rows.append((plan.main, plan.at.spots["#verdict"].row))
         for line in lines_of(plan):
-            if line.summary and line.summary.extremes:
+            if line.summary and line.summary.take.ways:
                 rows += [(plan.at.titles["tolerance"], line.row + part) for part in (0, 1)]
                 rows.append((plan.main, plan.blocks["bands"].rows[line.summary.symbol]))
         now = {title: moves.now(title) for title, _ in rows}

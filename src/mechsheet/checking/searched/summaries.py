@@ -6,12 +6,14 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from mechsheet.checking.report import Tally
 from mechsheet.checking.searched.verdicts import SearchedVerdicts
-from mechsheet.formula.nodes import Scalar
+from mechsheet.formula.nodes import Scalar, Symbol
 from mechsheet.formula.references import cell_address
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics.numeric import mean_of_motion
+from mechsheet.kinematics.numeric import mean_of_motion, value
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.model import Output, Summary
 from mechsheet.sheet.first.blocks import unit_of_column
@@ -138,7 +140,7 @@ def expected_of(judged: SearchedVerdicts, summary: Summary) -> Expected | None:
     None where no row exists, for an extreme over too many stretches, and for a quantity with a pole.
     """
     search = judged.search
-    if not search.count or summary.of not in search.at or (summary.extremes and judged.too_many):
+    if not search.count or summary.of not in search.at or (summary.take.ways and judged.too_many):
         return None
     angle = search.is_angle(summary.of)
     scale = unit_of_column(judged.plan, summary.of).to_shown(1.0)
@@ -150,15 +152,17 @@ def expected_of(judged: SearchedVerdicts, summary: Summary) -> Expected | None:
         return None
     in_rows = search.in_rows(summary.of)
     column = in_rows[search.row_there]
-    rows = {"min": inner[0], "max": inner[2], "range": reach}
-    motion = {"min": outer[0], "max": outer[2], "range": of_all}
-    mean = float(mean_of_motion(in_rows, search.row_there, search.counts_alike))
+    take = summary.take
+    averaged = np.asarray(value(take.row(Symbol(summary.of)), {summary.of: in_rows}))
+    mean = float(mean_of_motion(averaged, search.row_there, search.counts_alike))
     plain = {"first": float(column[0]), "last": float(column[-1]), "mean": mean}
-    value, of_rows = ({**found, **plain}[summary.take] * scale for found in (motion, rows))
+    of_motion, of_rows = (
+        float(value(take.value, {**plain, "least": found[0], "largest": found[2]})) * scale for found in (outer, inner)
+    )
     whole = search.count == search.rows
     unit = 1.0 if angle else search.size
     return Expected(
-        value, of_rows, of_all * scale, ROUNDED * unit * scale,
-        TURN * scale if angle and summary.take != "range" else 0.0,
+        of_motion, of_rows, of_all * scale, ROUNDED * unit * scale,
+        TURN * scale if angle and take.place else 0.0,
         whole, judged.sure and (whole or not angle or len(search.row_stretches) == 1),
     )  # fmt: skip

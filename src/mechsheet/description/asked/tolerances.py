@@ -89,6 +89,13 @@ def _check(name: Any, before: list[Any], given: set[str], path: Path, scope: Sco
             name=quoted(name),
         )
         scope.report.at(path, message)
+    elif name in scope.takes and not scope.takes[name].linear:
+        message = say(
+            "{name} is no number that changes as its quantity does: bands are found of the largest, the smallest, the"
+            " range, the mean, the first and the last",
+            name=quoted(name),
+        )
+        scope.report.at(path, message)
     elif of in given:
         scope.report.at(path, say("{name} is driven: no dimension changes it", name=quoted(name)))
     elif of.partition(".")[0] in scope.fixed:
@@ -117,7 +124,9 @@ def _reads_rates(name: str, scope: Scope) -> bool:
 
 
 def _has_positions(name: str, given: set[str], scope: Scope) -> bool:
-    """Whether an output or a summary is of positions."""
+    """Whether an output or a summary is of positions, and changes as they do."""
+    if name in scope.takes and not scope.takes[name].linear:
+        return False
     of = scope.summaries.get(name, name)
     return of is not BAD and not _reads_rates(of, scope) and of not in given and of.partition(".")[0] not in scope.fixed
 

@@ -513,12 +513,12 @@ def banded_extremes(plan: Plan) -> list[tuple[str, Way]]:
     """The extremes that summaries with a band are of."""
     asked = plan.mechanism.bands.summaries if plan.mechanism.bands else ()
     summaries = [summary for summary in plan.mechanism.summaries if summary.symbol in asked]
-    return list(dict.fromkeys((each.of, way) for each in summaries for way in each.extremes))
+    return list(dict.fromkeys((each.of, way) for each in summaries for way in each.take.ways))
 
 
 def quantities_of(plan: Plan) -> tuple[str, ...]:
     """Symbols whose extremes are asked for: by the lines of the first sheet, and by the description's summaries."""
-    wanted = [each.of for each in plan.mechanism.summaries if each.extremes and same_angle(plan, each.of) is None]
+    wanted = [each.of for each in plan.mechanism.summaries if each.take.ways and same_angle(plan, each.of) is None]
     driver = plan.mechanism.driver.symbol
     asked = [*plan.found.extremes, *(name for name in wanted if has_column(plan, name))]
     return tuple(dict.fromkeys(name for name in asked if name != driver))

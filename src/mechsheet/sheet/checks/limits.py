@@ -12,7 +12,7 @@ from collections.abc import Mapping
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.names import folded, safe_name
-from mechsheet.formula.nodes import Call, CellRef, Node, Symbol
+from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
@@ -50,6 +50,12 @@ Point = tuple[Node, Node]
 
 FIRST_ROW, LAST_ROW, FROM, TO, WORDS = range(5)
 """Cells of a stretch, beside each other: its rows (from 1), where it begins and ends between rows, and its rows in words."""
+
+
+def last_rows(plan: Plan) -> RangeRef:
+    """The last row of every stretch: one range, so that it reads back as it was written."""
+    top, bottom = (plan.at.spots[f"#last_{number}"] for number in (1, STRETCHES))
+    return RangeRef(*(CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in (top, bottom)))
 
 
 class Limits:

@@ -3,11 +3,11 @@ the outputs that follow from these numbers."""
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, transform
-from mechsheet.model import Output, Summary
+from mechsheet.formula.nodes import Call, CellRef, Node, Symbol, transform
+from mechsheet.model import WAYS, Output, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
-from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.checks.limits import last_rows
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.first.blocks import Writer, shown_unit, unit_of_column, value_style
 from mechsheet.sheet.over_rows import mean_of_rows
@@ -34,11 +34,11 @@ def _write(writer: Writer, summary: Summary) -> None:
     plan = writer.plan
     row = plan.blocks["summary"].rows[summary.symbol]
     words = _with_part(plan, summary_words(plan, summary))
-    searched = summary.extremes and summary.of != plan.mechanism.driver.symbol and has_column(plan, summary.of)
+    searched = summary.take.ways and summary.of != plan.mechanism.driver.symbol and has_column(plan, summary.of)
     if searched:
         same = same_angle(plan, summary.of)
         doubts = about(
-            plan, same.group.transmission if same else summary.of, ("min", "max") if same else summary.extremes
+            plan, same.group.transmission if same else summary.of, ("min", "max") if same else summary.take.ways
         )
         words = plan.at.bind(joined(words, doubts), plan.main)
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
@@ -49,7 +49,7 @@ def _write(writer: Writer, summary: Summary) -> None:
         style = styles.decimals(styles.RESULT, plan.band_places[summary.of])
     value, where = _of(plan, summary)
     if searched and not same_angle(plan, summary.of):
-        value = where_bounded(plan, summary.of, value, summary.extremes)
+        value = where_bounded(plan, summary.of, value, summary.take.ways)
         no_number = formula("AND(closed>0,ISNA(value))", closed=plan.at.bind(Symbol("#rows_closed"), plan.main),
                             value=CellRef(row, VALUE, True, True))  # fmt: skip
         writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), no_number, styles.WARN))
@@ -96,7 +96,7 @@ def summary_words(plan: Plan, summary: Summary) -> str:
     return (
         summary.label.of(plan.language)
         if summary.label
-        else plan.text(f"take.{summary.take}", symbol=plain(summary.of))
+        else plan.text(f"take.{summary.take.key}", symbol=plain(summary.of))
     )
 
 
@@ -123,39 +123,29 @@ def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
     """The number, and the driver's value where it occurs."""
     driver = plan.mechanism.driver.symbol
     if not has_column(plan, summary.of):  # it is the same in every row
-        return formula("0*value" if summary.take == "range" else "value", value=Symbol(SHOWN + summary.of)), None
+        return summary.take.of_constant(Symbol(SHOWN + summary.of)), None
     column, drivers = Symbol(ALL + summary.of), Symbol(ALL + driver)
-    extremes: dict[str, Node] = {way: Symbol(f"#{way}_{summary.of}") for way in ("min", "max")}
-    at: dict[str, Node] = {way: Symbol(f"#{way}_at_{summary.of}") for way in ("min", "max")}
-    same = same_angle(plan, summary.of) if summary.extremes else None
+
+    def found(part: str) -> tuple[Node, Node | None]:
+        """A part of the motion, and the driver's value where it is."""
+        if part == "mean":
+            return mean_of_rows(plan, summary.take.column(summary.of), plan.main), None
+        if part in WAYS:
+            return _extreme(plan, summary, WAYS[part])
+        row = Symbol("#first_1") if part == "first" else formula("MAX(rows)", rows=last_rows(plan))
+        value, where = (formula("INDEX(column,row)", column=each, row=row) for each in (column, drivers))
+        return value, where
+
+    place = summary.take.place
+    return summary.take.over(lambda part: found(part)[0]), found(place)[1] if place else None
+
+
+def _extreme(plan: Plan, summary: Summary, way: Way) -> tuple[Node, Node]:
+    """The smallest or largest value, and where."""
+    if summary.of == plan.mechanism.driver.symbol:
+        end = formula(f"{way.upper()}(drivers)", drivers=Symbol(ALL + summary.of))
+        return end, end
+    same = same_angle(plan, summary.of)
     if same is not None:
-        found = {way: same.extreme(way) for way in summary.extremes}
-        extremes |= {way: value for way, (value, _) in found.items()}
-        at |= {way: where for way, (_, where) in found.items()}
-    if summary.of == driver and summary.extremes:
-        extremes = {way: formula(f"{way.upper()}(drivers)", drivers=drivers) for way in ("min", "max")}
-        at = extremes
-    last = formula("MAX(rows)", rows=_ends(plan, "last"))
-    match summary.take:
-        case "min" | "max" as way:
-            return extremes[way], at[way]
-        case "range":
-            return formula("high-low", high=extremes["max"], low=extremes["min"]), None
-        case "mean":
-            return mean_of_rows(plan, summary.of, plan.main), None
-        case "first":
-            return (
-                formula("INDEX(column,_first_1)", column=column),
-                formula("INDEX(drivers,_first_1)", drivers=drivers),
-            )
-        case "last":
-            return (
-                formula("INDEX(column,last)", column=column, last=last),
-                formula("INDEX(drivers,last)", drivers=drivers, last=last),
-            )
-
-
-def _ends(plan: Plan, key: str) -> RangeRef:
-    """The column in which Checks keeps an end of every stretch: one range, so that it reads back as it was written."""
-    top, bottom = (plan.at.spots[f"#{key}_{number}"] for number in (1, STRETCHES))
-    return RangeRef(*(CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in (top, bottom)))
+        return same.extreme(way)
+    return Symbol(f"#{way}_{summary.of}"), Symbol(f"#{way}_at_{summary.of}")

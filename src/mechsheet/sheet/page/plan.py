@@ -21,6 +21,7 @@ from mechsheet.sheet.drawing.charts import remarkable_points
 from mechsheet.sheet.first.classification import FourBar, classification
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.plan import SHEETS, VALUE, VERDICT_ROW, Block, Plan, TableColumn
+from mechsheet.sheet.table.averaged import with_averaged
 from mechsheet.sheet.workbook import Name
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.workbook import words
@@ -96,7 +97,7 @@ def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     # points that velocities and forces are found from have columns: written out, they would make the formulas long
     further = (equation for equation in equations.columns if equation.role in (*RATES, *FORCES))
     kept |= {name for equation in further for name in equation.reads if name.endswith((".x", ".y"))}
-    page = lowered(mechanism, equations, kept, drawn)
+    page = with_averaged(mechanism, lowered(mechanism, equations, kept, drawn))
     at = Addresses(mechanism.references, titles, 0, 0)
     plan = PagePlan(
         mechanism, page, language, at, len(values), [float(value) for value in values], classification(mechanism, page),

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
+from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
 from mechsheet.kinematics.driving import LEAST_OF_TURN
 from mechsheet.kinematics.equations import Group
-from mechsheet.model import Summary
+from mechsheet.model import WAYS, Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.first import inputs
@@ -361,16 +361,16 @@ class Top:
     def _taken(self, summary: Summary) -> Node:
         """Over the rows in which the quantity has a value."""
         if not self.plan.at.spots[summary.of].column:
-            return formula("0*value", value=self.cell(summary.of)) if summary.take == "range" else self.cell(summary.of)
-        match summary.take:
-            case "min" | "max" as way:
-                return self.over_rows(summary.of, LEAST if way == "min" else MOST)
-            case "mean":
-                return self._mean(summary.of)
-            case "range":
-                return Binary("-", self.over_rows(summary.of, MOST), self.over_rows(summary.of, LEAST))
-            case "first" | "last" as end:
-                return at_end(end, self.column(summary.of), *self._closing(summary.of))
+            return summary.take.of_constant(self.cell(summary.of))
+
+        def part(name: str) -> Node:
+            if name in WAYS:
+                return self.over_rows(summary.of, LEAST if name == "least" else MOST)
+            if name == "mean":
+                return self._mean(summary.take.column(summary.of))
+            return at_end(name, self.column(summary.of), *self._closing(summary.of))
+
+        return summary.take.over(part)
 
     def _mean(self, symbol: str) -> Node:
         """The mean over the motion; of a turn without the row that closes it, all rows count alike."""

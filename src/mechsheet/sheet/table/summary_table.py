@@ -12,9 +12,9 @@ from functools import cached_property
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, transform
-from mechsheet.model import Dimension, Quantity, Summary, TableRequest
+from mechsheet.model import WAYS, Dimension, Quantity, Summary, TableRequest, Way
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.extremes import SETTLED, Way
+from mechsheet.sheet.checks.extremes import SETTLED
 from mechsheet.sheet.checks.parabolas import BESIDE, PROBES, vertex_of
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.blocks import input_validation, shown_unit
@@ -151,7 +151,7 @@ class Helpers:
         """The driver's values, the heads of the columns, and the quantity in every row."""
         table, plan, found = self.table, self.plan, self.found
         of = table.summary.of
-        title = rich(of, bracketed(shown_unit(plan, of)))
+        title = rich(table.summary.take.column(of), bracketed(shown_unit(plan, of)))
         self.cells += [
             Cell(CORNER_ROW, table.helpers_at, plan.text("table.helpers"), styles.SECTION),
             Cell(CORNER_ROW, table.at, title, styles.SECTION),
@@ -165,7 +165,8 @@ class Helpers:
             self.fills.append(Fill(NAME_ROW, first, row_head, styles.HEAD, cols=table.count))
             self.fills.append(Fill(HEAD_ROW, first, CellRef(HEAD_ROW, 1, True), styles.HEAD, cols=table.count))
         self.fills.append(table.driver_fill(table.helpers_at))
-        self.fills.append(Fill(FIRST, table.at, found.formula, self.style, rows=plan.rows, cols=table.pairs))
+        value = table.summary.take.row(found.formula)
+        self.fills.append(Fill(FIRST, table.at, value, self.style, rows=plan.rows, cols=table.pairs))
         cells, fills = helper_blocks(found, CORNER_ROW)
         self.cells += cells
         self.fills += fills
@@ -188,17 +189,19 @@ class Helpers:
 
     def _value(self) -> CellRef:
         """The row of what the table shows."""
-        match self.table.summary.take:
-            case "mean":
-                return self._line("result", "IFERROR(mean,NA())", self.shown, mean=self._mean())
-            case "first" | "last" as end:
-                return self._line("result", f"IF(COUNT(column)=0,NA(),{ENDS[end]})", self.shown)
-            case "range":
-                wraps = self._wraps()
-                low, high = (self._extreme(way, wraps, self.style) for way in ("min", "max"))
-                return self._line("result", "high-low", self.shown, high=high, low=low)
-            case "min" | "max" as way:
-                return self._extreme(way, self._wraps(), self.shown)
+        take = self.table.summary.take
+        if not take.ways:
+            return self._line("result", "value", self.shown, value=take.over(self._of_rows))
+        wraps = self._wraps()
+        style = self.shown if take.place else self.style
+        found = {part: self._extreme(way, wraps, style) for part, way in WAYS.items() if part in take.parts}
+        return found.get(take.place) or self._line("result", "value", self.shown, value=take.over(found.__getitem__))
+
+    def _of_rows(self, part: str) -> Node:
+        """A part that the rows alone decide."""
+        if part == "mean":
+            return formula("IFERROR(mean,NA())", mean=self._mean())
+        return formula(f"IF(COUNT(column)=0,NA(),{ENDS[part]})", column=self.column)
 
     def _mean(self) -> Node:
         plan = self.plan

@@ -13,10 +13,10 @@ from typing import Literal
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
-from mechsheet.model import Summary
+from mechsheet.model import WAYS, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.checks.limits import last_rows
 from mechsheet.sheet.over_rows import MOST, mean_of_rows, over_rows
 from mechsheet.sheet.plan import RATES_DRIVER, RATES_STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
@@ -160,22 +160,20 @@ class Tolerance:
         if summary is None:
             worst = Symbol(ALL + part_of(line.quantity, WORST))
             return formula("INDEX(column,MATCH(most,worst,0))", column=column, worst=worst, most=over_rows(MOST, worst))
-        match summary.take:
-            case "min" | "max" as way:
-                return self._of_extreme(line.quantity, way, symbol)
-            case "range":
-                high, low = (self._of_extreme(line.quantity, way, symbol) for way in ("max", "min"))
-                return formula("high-low", high=high, low=low)
-            case "first":
-                return formula("INDEX(column,_first_1)", column=column)
-            case "last":
-                spots = (self.plan.at.spots[f"#last_{number}"] for number in (1, STRETCHES))
-                ends = RangeRef(*(CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in spots))
-                return formula("INDEX(column,MAX(ends))", column=column, ends=ends)
-            case "mean":
-                return mean_of_rows(self.plan, symbol, self.title)
+        return summary.take.over(lambda part: self._of_part(part, line.quantity, symbol))
 
-    def _of_extreme(self, quantity: str, way: Literal["min", "max"], symbol: str) -> Node:
+    def _of_part(self, part: str, quantity: str, symbol: str) -> Node:
+        """The derivative where a part of the quantity's motion is; the mean of derivatives is that of the mean."""
+        if part in WAYS:
+            return self._of_extreme(quantity, WAYS[part], symbol)
+        if part == "mean":
+            return mean_of_rows(self.plan, symbol, self.title)
+        column = Symbol(ALL + symbol)
+        if part == "first":
+            return formula("INDEX(column,_first_1)", column=column)
+        return formula("INDEX(column,MAX(rows))", column=column, rows=last_rows(self.plan))
+
+    def _of_extreme(self, quantity: str, way: Way, symbol: str) -> Node:
         """Where the quantity is smallest or largest: by a probe, or in the row where nothing is known between rows."""
         if f"#{way} {symbol}" in self.plan.at.spots:
             return Symbol(f"#{way} {symbol}")

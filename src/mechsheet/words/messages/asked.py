@@ -233,6 +233,11 @@ ASKED: dict[str, str] = {
     "{name} is, or reads, a velocity, an acceleration or a force: bands are found of positions only": (
         "{name} bir hız, ivme ya da kuvvettir ya da onları okur: bantlar yalnız konumlar için bulunur"
     ),
+    "{name} is no number that changes as its quantity does: bands are found of the largest, the smallest, the range,"
+    " the mean, the first and the last": (
+        "{name} niceliği gibi değişen bir sayı değildir: bantlar en büyük, en küçük, aralık, ortalama, ilk ve son değer"
+        " için bulunur"
+    ),
     "{name} is driven: no dimension changes it": "{name} tahrik edilir: hiçbir boyut onu değiştirmez",
     "{name} is the same in every row: it has no column that a chart could show": (
         "{name} her satırda aynıdır: grafikte gösterilebilecek bir sütunu yok"
