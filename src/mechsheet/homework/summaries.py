@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from mechsheet.homework.agreement import Reading, allowance, units_of
 from mechsheet.homework.truth import Array, Kind, Quantity, Truth, truth_of
-from mechsheet.kinematics.numeric import mean_of_motion
+from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.model import Summary
 
 FINER = 20
