@@ -79,6 +79,8 @@ ALLOWED["homework"] = {
     "kinematics.equations",
     "kinematics.numeric",
     "kinematics.sweep",
+    # what a mean over the motion is
+    "kinematics.means",
     "compiled",
     "formats",
     "sheet.workbook",

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from mechsheet.formula.nodes import Symbol
 from mechsheet.homework.agreement import Reading, allowance, units_of
 from mechsheet.homework.truth import Array, Kind, Quantity, Truth, truth_of
-from mechsheet.kinematics.numeric import mean_of_motion, value
+from mechsheet.kinematics.means import mean_of_motion
+from mechsheet.kinematics.numeric import value
 from mechsheet.model import Summary, Take
 
 FINER = 20

@@ -105,13 +105,13 @@ def findings(sheet: Sheet, truth: Truth | None = None) -> dict[str, Finding]:
 
 def agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] | None:
     """The series that is a quantity: read plainly before in another sense, headed so before not, computed before typed, in
-    the sheet's own unit before another. With a quantity that hardly moves many a column agrees: then the nearest. Which
-    series are asked at all: see `claims`."""
+    the sheet's own unit before another. With a quantity that hardly moves many a column agrees: then the nearest. Last, one
+    that a dimension leads to before one that happens to be the same. Which series are asked at all: see `claims`."""
     found = sheet.found
     quantity = truth.quantity(symbol)
     allowed = found.allowed(quantity)
     still = quantity.spread <= MOVING * allowed
-    best: tuple[tuple[bool, bool, bool, bool, float], Series, Reading] | None = None
+    best: tuple[tuple[bool, bool, bool, bool, float, bool], Series, Reading] | None = None
     read_as = _reader(sheet, truth)
     for series in answers(found, symbol, read_as)[0]:
         column = sheet.column(series)
@@ -120,7 +120,8 @@ def agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] 
             continue
         own = quantity.kind != "length" or reading.unit == found.length_unit
         apart = float(gaps(column, quantity, reading).max(initial=0.0)) if still else 0.0
-        rank = reading.plain, says(found.heading(series), symbol), series.main is not None, own, -apart
+        called = says(found.heading(series), symbol)
+        rank = reading.plain, called, series.main is not None, own, -apart, _led(found, series)
         if best is None or rank > best[0]:
             best = rank, series, reading
     return None if best is None else best[1:]
@@ -361,18 +362,22 @@ def with_liveness(found: Understanding, results: Mapping[str, Finding]) -> dict[
 
 
 def _fed(found: Understanding, finding: Finding) -> bool:
-    """Whether a cell of a dimension leads to a series, where what it should be depends on the dimensions; where a task gives
-    these, any number typed beside the table."""
+    """Whether a cell of a dimension leads to a series, where what it should be depends on the dimensions."""
     series = finding.series
     if series is None or series.main is None:
+        return False
+    return _led(found, series) or not _depends(found, finding.symbol)
+
+
+def _led(found: Understanding, series: Series) -> bool:
+    """Whether a cell of a dimension leads to a series; where a task gives these, any number typed beside the table."""
+    if series.main is None:
         return False
     graph = found.graph
     above = graph.above({graph.work.strips.index(series.main)})
     task = found.mechanism.synthesis is not None
     cells = single_cells(graph, found.driver) if task else [one.place for one in found.inputs]
-    if any(above & graph.readers_of(sheet, line, pos, pos + 1) for sheet, pos, line in cells):
-        return True
-    return not _depends(found, finding.symbol)
+    return any(above & graph.readers_of(sheet, line, pos, pos + 1) for sheet, pos, line in cells)
 
 
 def _depends(found: Understanding, symbol: str) -> bool:

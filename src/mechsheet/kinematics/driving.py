@@ -12,9 +12,6 @@ from mechsheet.kinematics.numeric import Array, interpolated, value
 from mechsheet.kinematics.places import number
 from mechsheet.model import TIME, Driver, Mechanism
 
-LEAST_OF_TURN = 4
-"""Fewer rows are no turn."""
-
 
 def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array:
     """The driver's values, row by row: start + n step (no drift; stop is included when the steps land on it), those that
@@ -76,19 +73,6 @@ def at_values(driver: Driver, values: Array) -> Driver:
     """The driver at these values one by one, for positions alone: of a motion law the time is read, but not known."""
     times = driver.times if driver.law is None else (math.nan,) * len(values)
     return replace(driver, values=tuple(values.tolist()), law=None, times=times)
-
-
-def rows_count_alike(mechanism: Mechanism, rows: Array, tied: bool) -> bool:
-    """Whether in a mean over the motion all rows count alike: of listed values, and of whole turns without the row that
-    would close them.
-
-    rows  the driver's values [rad or length unit];  tied: whether gears or racks are on the way, which close later
-    """
-    driver = mechanism.driver
-    if driver.values or tied or not driver.link or driver.law is not None or len(rows) < LEAST_OF_TURN:
-        return bool(driver.values)
-    turns = abs(step_of(rows)) * len(rows) / math.tau
-    return abs(round(turns) - turns) < 1e-9 and round(turns) > 0
 
 
 def step_of(rows: Array) -> float:

@@ -165,24 +165,6 @@ def runs_of(there: Any) -> list[tuple[int, int]]:
     return [(int(first), int(end)) for first, end in edges.reshape(-1, 2)]
 
 
-def mean_of_motion(columns: Array, there: Any, alike: Any) -> Array:
-    """The mean of a quantity over the motion, for each row of `columns` (..., n): by the trapezoidal rule between neighbours
-    that are both there, so that the row that closes a turn is not counted twice; 0 where nothing is there.
-
-    there  which values exist (..., n);  alike: where all of them count alike (...): of listed values, and of a turn
-           without the row that closes it. They also do where no two that are there are neighbours.
-    """
-    counts = np.asarray(there, bool)
-    known = np.where(counts, columns, 0.0)
-    pairs = np.asarray(counts[..., 1:] & counts[..., :-1], float)
-    weights = np.zeros(counts.shape)
-    weights[..., 1:] += pairs / 2
-    weights[..., :-1] += pairs / 2
-    alike = np.asarray(alike, bool) | ~pairs.any(axis=-1)
-    weights = np.where(alike[..., None], counts, weights)
-    return np.asarray((known * weights).sum(axis=-1) / np.maximum(weights.sum(axis=-1), 1.0))
-
-
 def _unwrapped(angles: Array) -> Array:
     """Turns are counted where an angle jumps, which is in few places."""
     steps = (angles[:-1] - angles[1:]) / math.tau

@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Call, Direction, Node
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.driving import at_values, given_between, rows_count_alike
+from mechsheet.kinematics.driving import at_values, given_between
 from mechsheet.kinematics.equations import Condition, Equations
 from mechsheet.kinematics.lengths import largest_length
+from mechsheet.kinematics.means import rows_count_alike
 from mechsheet.kinematics.numeric import Array, runs_of, value
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism

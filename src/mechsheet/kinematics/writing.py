@@ -211,10 +211,12 @@ class _Groups:
     def _chain(self, chain: Chain) -> None:
         """A group without a closed form."""
         mechanism, ledger = self.poses.mechanism, self.poses.ledger
+        self.poses.settle_turns()  # of what is driven; those of the group are known once it has been solved
         ledger.group += 1
         start = len(ledger.columns)
         solution = self.chains[ledger.group] = ChainWriter(self.poses, chain).write()
         if not self.choosing:
+            self.poses.turned.clear()  # nothing is solved: turns that a gear reads are counted in each assembly
             self._choice(solution.system.mode, solution.system.variables[0], None, solution.label, solution.system)
             return
         mode, at = self.given.get(solution.system.mode), mechanism.sketch.at
@@ -245,6 +247,7 @@ class _Groups:
         solved = _solve_dyad(self.poses, dyad)
         if not self.choosing:
             leaning = sketched_mode(mechanism.sketch, dyad, self.dimensions) if dyad.frame else None
+            self.poses.settle_turns()
             self._choice(solved.mode, solved.closes, self._known_mode(dyad, solved), solved.label, leaning=leaning)
             return
         value, is_open = 1, True
@@ -265,8 +268,7 @@ class _Groups:
         system: System | None = None,
         leaning: int | None = None,
     ) -> None:
-        """Note that there is one, where `known` does not say which; whole turns are taken out as always."""
-        self.poses.settle_turns()
+        """Note that there is one, where `known` does not say which."""
         given = self.given.get(mode, known)
         self.choices.append(Choice(self.poses.ledger.group, mode, closes, given, system, label, leaning))
 

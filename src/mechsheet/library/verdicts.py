@@ -143,7 +143,7 @@ def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]
 
 
 def verdicts_text(mechanism: Mechanism) -> str:
-    """The same, one a line: `transmission_1 = 33.9 at 360: 33.9° … 125.1°: poor`."""
+    """The same, one a line: `transmission_1 = 33.9 at 360: 33.9° … 90°: poor`."""
     lines = []
     for name, said in verdicts_of(mechanism).items():
         text = name if said["value"] is None else f"{name} = {said['value']:.10g}"

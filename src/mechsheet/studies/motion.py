@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import Node, Symbol, symbols
-from mechsheet.kinematics.numeric import OPERATORS, Array, mean_of_motion, value
+from mechsheet.kinematics.means import mean_of_motion
+from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import WAYS, Condition, Take
 from mechsheet.sheet.checks.turning import derivatives
 from mechsheet.studies.extremes import (

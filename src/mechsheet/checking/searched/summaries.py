@@ -13,7 +13,8 @@ from mechsheet.checking.searched.verdicts import SearchedVerdicts
 from mechsheet.formula.nodes import Scalar, Symbol
 from mechsheet.formula.references import cell_address
 from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics.numeric import mean_of_motion, value
+from mechsheet.kinematics.means import mean_of_motion
+from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.model import Output, Summary
 from mechsheet.sheet.first.blocks import unit_of_column

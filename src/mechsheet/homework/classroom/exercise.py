@@ -26,7 +26,7 @@ from mechsheet.homework.classroom.task_sheet import task_sheet
 from mechsheet.homework.recognition import deciding
 from mechsheet.homework.summaries import taken
 from mechsheet.homework.truth import truth_of
-from mechsheet.kinematics.driving import rows_count_alike
+from mechsheet.kinematics.means import rows_count_alike
 from mechsheet.model import Mechanism, Need, Vary
 from mechsheet.said import say
 
@@ -259,9 +259,9 @@ def fulfils(mechanism: Mechanism, dimensions: Mapping[str, float], needs: Sequen
     if truth is None:
         return False
     values = {symbol: float(units[symbol].to_shown(number)) for symbol, number in numbers.items()}
+    alike = rows_count_alike(mechanism, truth.driver, bool(mechanism.relations or mechanism.drivers))
     for summary in mechanism.summaries:
         kind = truth.kinds.get(summary.of, "number")
-        alike = rows_count_alike(mechanism, truth.driver, False)
         number = taken(truth.columns[summary.of], summary.take, kind, alike)
         own = next((output.unit for output in mechanism.outputs if output.symbol == summary.of), mechanism.angle_unit)
         values[summary.symbol] = math.degrees(number) if kind == "angle" and own.in_degrees else number

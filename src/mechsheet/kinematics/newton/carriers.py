@@ -191,7 +191,7 @@ class ChainWriter:
             for assembly in (one, other)
         ]
         pose = poses.known[bodies[1]]
-        x, y = (poses.place(other, point) - pose.base).turned(pose.angle)
+        x, y = (poses.own_place(bodies[1], point) - pose.base).turned(pose.angle)
         there = al.add(pose.x, x), al.add(pose.y, y)
         here = poses.xy[point]
         gap = minus(here, there)

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
-from mechsheet.kinematics.driving import LEAST_OF_TURN
 from mechsheet.kinematics.equations import Group
+from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.model import WAYS, Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.degrees import degrees_together, in_degrees
