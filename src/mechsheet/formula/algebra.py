@@ -179,13 +179,16 @@ def total(nodes: Iterable[Node]) -> Node:
     return result
 
 
-def _nested(function: str, nodes: Sequence[Node]) -> Node:
-    if len(nodes) == 1:
-        return nodes[0]
-    if len(nodes) > MOST_ARGUMENTS:
+def nested(function: str, nodes: Sequence[Node]) -> Node:
+    """A function of any number of nodes that may be nested, as MAX and SUM may."""
+    while len(nodes) > MOST_ARGUMENTS:
         chunks = range(0, len(nodes), MOST_ARGUMENTS)
-        nodes = [_nested(function, nodes[start : start + MOST_ARGUMENTS]) for start in chunks]
+        nodes = [Call(function, tuple(nodes[start : start + MOST_ARGUMENTS])) for start in chunks]
     return Call(function, tuple(nodes))
+
+
+def _nested(function: str, nodes: Sequence[Node]) -> Node:
+    return nodes[0] if len(nodes) == 1 else nested(function, nodes)
 
 
 def atan2(x: Node, y: Node) -> Node:

@@ -11,6 +11,7 @@ from typing import Literal
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
+from mechsheet.kinematics.numeric import runs_of
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.assemblies import assembly_columns
@@ -112,12 +113,15 @@ class Checks:
     def worst(self, kind: Kind, group: int | None = None) -> Node:
         """The largest value of all columns of a kind (of leaps: their number), or those of a group, as another sheet reads
         it."""
-        cells = tuple(
-            CellRef(self.most_row, DATA + index, True, True, self.title)
-            for index, check in enumerate(self.checks)
-            if check.kind == kind and group in (None, check.group)
-        )
-        return al.ZERO if not cells else Call("SUM" if kind in COUNTED else "MIN" if kind == "det" else "MAX", cells)
+        columns = [check.kind == kind and group in (None, check.group) for check in self.checks]
+        if not any(columns):
+            return al.ZERO
+        ends = [
+            [CellRef(self.most_row, DATA + index, True, True, self.title) for index in (first, beyond - 1)]
+            for first, beyond in runs_of(columns)
+        ]
+        parts = [first if first == last else RangeRef(first, last) for first, last in ends]
+        return al.nested("SUM" if kind in COUNTED else "MIN" if kind == "det" else "MAX", parts)
 
     def worst_at(self, kind: Kind) -> Node:
         """The driver's value where the first column of a kind with the worst value has it."""

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from itertools import islice
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Symbol, walk
+from mechsheet.formula.nodes import Node, Symbol, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.spellings import longest_spelling
 from mechsheet.kinematics.places import angle_of
@@ -52,7 +52,7 @@ def chunks_of(parts: Sequence[Node]) -> list[list[Node]]:
 
 
 def _largest(parts: Sequence[Node]) -> Node:
-    return formula('IFERROR(most,"")', most=Call("MAX", tuple(parts)))
+    return formula('IFERROR(most,"")', most=al.nested("MAX", parts))
 
 
 def _parts(plan: Plan, number: int) -> list[Node]:

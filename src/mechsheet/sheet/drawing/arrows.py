@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, transform
+from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol, transform
 from mechsheet.model import Mechanism, pair_symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.gaps import chunks_of
@@ -99,7 +99,7 @@ def _kind(page: Page, frame: Frame, cells: Mapping[str, PointCells], kind: Arrow
     force_unit = plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else ""
     sizes = _cells_below(page, [(rich(arrow.symbol), arrow.largest) for arrow in arrows])
     taken = chunks_of([part for arrow in arrows for part in _room_taken(page, frame, arrow)])
-    columns = [page.column(plan.text("arrows.room"), Call("MAX", tuple(parts))) for parts in taken]
+    columns = [page.column(plan.text("arrows.room"), al.nested("MAX", parts)) for parts in taken]
     rooms = _cells_below(page, [(plan.text("arrows.room"), _most(_column(area))) for area in columns])
     scale, bar = _scale(page, kind, (sizes, rooms), unit.get(kind, force_unit), number)
     page.section(plan.text(f"arrows.{kind}.shown"), ["x", "y", "X", "Y"])

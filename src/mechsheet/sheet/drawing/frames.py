@@ -234,7 +234,7 @@ def write_frame(
         sizes.append(size)
         page.row += 1
     page.put(NAME, text("drawing.half"))
-    size = Call("MAX", tuple(sizes))
+    size = al.nested("MAX", sizes)
     half = page.formula(FIRST, formula("IF(size>0,part*size,1)", size=size, part=margin / 2))
     page.row += 1
     series = _scale_bar(page, half, page.plan.mechanism.length_unit if unit is None else unit)

@@ -35,6 +35,9 @@ PREFERENCE = 1e-4
 FEW = 3
 """Of a point with more neighbours the distances stand in cells of their own: its score stays short enough to be read."""
 
+MOST = 16
+"""Neighbours that a name keeps clear of: twice as many as there are directions. Of links with more points joints first."""
+
 REACH, BLOCK_REACH = 0.085, 0.125
 """How far from its point a name stands: from a joint, and from a sliding block."""
 
@@ -94,9 +97,13 @@ def _across(row: int) -> RangeRef:
 
 
 def _neighbours(mechanism: Mechanism, name: str) -> tuple[str, ...]:
-    """Points that share a moving link with this one."""
+    """Points that share a moving link with this one; of many, some: a cell for each pair of thousands is in nobody's use."""
     links = [link for link in mechanism.links[1:] if name in link.points]
-    return tuple(dict.fromkeys(point for link in links for point in link.points if point != name))
+    found = tuple(dict.fromkeys(point for link in links for point in link.points if point != name))
+    if len(found) <= MOST:
+        return found
+    joints = {point for point in found if sum(point in link.points for link in mechanism.links) > 1}
+    return tuple(sorted(found, key=lambda point: point not in joints)[:MOST])
 
 
 def _distance(here: PointCells, other: PointCells) -> Node:

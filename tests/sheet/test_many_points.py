@@ -1,0 +1,26 @@
+"""A link of many points, a traced outline for example: the workbook grows with their number, and holds what Excel takes."""
+
+import pytest
+
+from mechsheet.compiled import Compiled
+from mechsheet.description.templates import template_text
+from mechsheet.formula.nodes import Call, walk
+from mechsheet.formula.spellings import longest_spelling
+from mechsheet.library.changed import loads
+
+MOST_ARGUMENTS, MOST_CHARACTERS = 255, 8192
+"""Of a function, and of a formula, in Excel."""
+
+
+def formulas(points):
+    outline = ", ".join(f"P{number} = [{number % 50}, {number // 50}]" for number in range(points))
+    text = template_text("four-bar").replace("C = {", f"{outline}, C = {{")
+    return [fill.formula for sheet in Compiled(loads(text)).layout.sheets for fill in sheet.fills]
+
+
+@pytest.mark.ci
+def test_an_outline_of_hundreds_of_points():
+    few, many = formulas(150), formulas(300)
+    assert len(many) < 2.1 * len(few)
+    assert max(len(part.args) for node in many for part in walk(node) if isinstance(part, Call)) <= MOST_ARGUMENTS
+    assert max(map(longest_spelling, many)) <= MOST_CHARACTERS
