@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.dyads import Solved
 from mechsheet.kinematics.ledger import Ledger
+from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.model import Mechanism, Words
@@ -107,7 +108,7 @@ Entry = tuple[str, float, float]
 def entries_of(mechanism: Mechanism, ledger: Ledger, start: int, dimensions: Mapping[str, float]) -> list[Entry]:
     """What the sketch says of the columns from `start` on."""
     fresh = {equation.symbol: equation.unit.kind for equation in ledger.columns[start:]}
-    size = max([abs(value) for value in dimensions.values()], default=1.0)
+    size = largest_length(mechanism, dimensions) or 1.0
     for equation in ledger.columns[start:]:
         if equation.role == "point":
             found = ledger.values[equation.symbol]

@@ -16,6 +16,7 @@ from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations, Group
+from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import solve
@@ -81,7 +82,7 @@ def _sketched(source: Source, mechanism: Mechanism, wanted: Mapping[str, int], g
     driver = driver_values(mechanism, dimensions) if at is None else np.array([number(at, dimensions)])
     equations = solve(mechanism, wanted)  # every mode is given: the sketch as it is does not matter
     right = sweep(mechanism, equations, driver)
-    size = max([abs(value) for value in dimensions.values()], default=1.0) or 1.0
+    size = largest_length(mechanism, dimensions) or 1.0
     others = [
         _gaps(equations, group, right, sweep(mechanism, other, driver), size)
         for other in _others(equations, group.mode)
@@ -119,7 +120,7 @@ def _all_sketched(source: Source, wanted: Mapping[str, int]) -> Source:
     driver = driver_values(mechanism, dimensions) if at is None else np.array([number(at, dimensions)])
     equations = solve(mechanism, wanted)
     values = sweep(mechanism, equations, driver)
-    size = max([abs(value) for value in dimensions.values()], default=1.0) or 1.0
+    size = largest_length(mechanism, dimensions) or 1.0
     solved = {equation.symbol for equation in equations.columns if equation.group > 0}
     for name in (*mechanism.sketch.points, *mechanism.sketch.symbols):
         symbols = [name] if name in mechanism.sketch.symbols else [f"{name}.x", f"{name}.y"]
