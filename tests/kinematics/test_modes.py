@@ -149,8 +149,8 @@ def test_a_position_of_a_motion_law_may_be_sketched_at_another_value():
 
 
 def test_a_mechanism_of_any_size_is_told_by_its_sketch():
-    """Angles among its dimensions are no lengths: beside one of 0.6 rad a mechanism of 1e-7 mm is no point."""
-    for size in (1e-7, 1.0, 1e7):
+    """Angles among its dimensions are no lengths: beside one of 0.7 rad a mechanism of 1e-7 mm is no point."""
+    for size in (1e-9, 1.0, 1e7):
         text = FOUR_BAR.format(a1=70 * size, a2=35 * size, a3=62 * size, a4=56 * size, reach=80 * size, turn="+",
                                x=49 * size, y=-55 * size)  # fmt: skip
         text = text.replace("[links.ground]", 'tilt = { value = 40, unit = "deg" }\n[links.ground]', 1)
