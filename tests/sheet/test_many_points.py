@@ -4,6 +4,7 @@ import pytest
 
 from mechsheet.compiled import Compiled
 from mechsheet.description.templates import template_text
+from mechsheet.diagnostics import DescriptionError
 from mechsheet.formula.nodes import Call, walk
 from mechsheet.formula.spellings import longest_spelling
 from mechsheet.library.changed import loads
@@ -24,3 +25,8 @@ def test_an_outline_of_hundreds_of_points():
     assert len(many) < 2.1 * len(few)
     assert max(len(part.args) for node in many for part in walk(node) if isinstance(part, Call)) <= MOST_ARGUMENTS
     assert max(map(longest_spelling, many)) <= MOST_CHARACTERS
+
+
+def test_thousands_of_points_are_refused_at_once_and_in_a_line():
+    with pytest.raises(DescriptionError, match=r"expected at most 1000 points, found 1203\n"):
+        formulas(1200)

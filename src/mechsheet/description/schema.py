@@ -71,9 +71,12 @@ POINT = Table(
 _SPOT = Either((Text(names="point"), PAIR, POINT))
 """A point of a link by its name, or a place in the link's frame."""
 
+MOST_POINTS = 1000
+"""Of a link: their list must fit into a cell of Notes, which holds 32,767 characters."""
+
 LINK = Table(
     {
-        "points": Key(Named(Either((PAIR, POINT)), "point"), "its points, in its own frame", True),
+        "points": Key(Named(Either((PAIR, POINT)), "point", most=MOST_POINTS), "its points, in its own frame", True),
         "label": _LABEL,
         "number": Key(Integer(1, 999), "overrides the counting; the ground is 1"),
         "redundant": Key(

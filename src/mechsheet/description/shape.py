@@ -240,6 +240,10 @@ def _commas_hint(shape: Items, path: Path, report: Report) -> str:
 
 
 def _named(value: dict[str, Any], shape: Named, path: Path, report: Report) -> Any:
+    if shape.most is not None and len(value) > shape.most > shape.least:
+        report.at(path, say("expected at most {most} {what}s, found {found}", most=shape.most, what=say(shape.what),
+                            found=len(value)))  # fmt: skip
+        return BAD
     if len(value) < shape.least or (shape.most is not None and len(value) > shape.most):
         pattern = "expected at least {least} {what}, found {found}"
         if shape.least == shape.most:

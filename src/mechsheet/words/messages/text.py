@@ -130,6 +130,7 @@ TEXT: dict[str, str] = {
     "expected exactly {least} {what}s, found {found}": "tam {least} {what} beklenir, bulunan: {found}",
     "expected at least {least} {what}, found {found}": "en az {least} {what} beklenir, bulunan: {found}",
     "expected at least {least} {what}s, found {found}": "en az {least} {what} beklenir, bulunan: {found}",
+    "expected at most {most} {what}s, found {found}": "en çok {most} {what} beklenir, bulunan: {found}",
     "{count}: {names}": "{count}: {names}",
     'write {{ value = {number}, unit = "deg" }}': '{{ value = {number}, unit = "deg" }} yazın',
     "write [[{key}]] instead of [{key}]": "[{key}] yerine [[{key}]] yazın",
