@@ -93,6 +93,22 @@ def test_a_mechanism_that_closes_nowhere(language, layout, tmp_path):
     assert "agree, BUT" in found.output or "uyuşuyor, AMA" in found.output
 
 
+@pytest.mark.parametrize("language", ["en", "tr"])
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+def test_a_task_that_the_mechanism_misses(language, layout, tmp_path):
+    """From some ratio of the lengths on the dead centres lie on different assemblies: lengths, but a shorter stroke."""
+    text = (
+        template_text("quick-return-slider").replace("lam = 3\n", "lam = 300\n", 1)
+        + f'[workbook]\nlayout = "{layout}"\n'
+    )
+    assert "lam = 300" in text
+    (path,) = build(loads(text, file="quick-return-slider.toml", language=language), tmp_path)
+    found = run("check", path)
+    assert found.exit_code == 1, found.output
+    assert re.search("agree, BUT|uyuşuyor, AMA", found.output)
+    assert re.search("says: (misses|istenen)", found.output)
+
+
 def test_our_workbook_without_its_description(built, tmp_path):
     path = resaved(built, tmp_path / "nameless.xlsx", lambda book: book.remove(book[book.sheetnames[-1]]))
     assert run("check", path).exit_code == 0

@@ -14,6 +14,7 @@ from mechsheet.formula.references import cell_address
 from mechsheet.reference import dimension_values
 from mechsheet.reference.synthesis import functions, guidance
 from mechsheet.reference.synthesis.results import Given, crank_of, pairs
+from mechsheet.sheet.plan import MEANING, SYMBOL, VERDICT_ROW
 from mechsheet.sheet.synthesis.does import NO
 from mechsheet.sheet.synthesis.planning import verdicts_of
 from mechsheet.sheet.synthesis.rows import ROUNDED, VALUE
@@ -43,6 +44,72 @@ def verdicts(kind, seed, **further):
         "a name of another sheet's has taken one"
     )
     return found, mechanism, values
+
+
+def first_sheet(asked):
+    """The number and the words of the first sheet's line on the task, the line under its title, and the dimensions; None
+    where the task has no solution."""
+    mechanism = loads(description(asked))
+    values = dimension_values(mechanism)
+    if not all(math.isfinite(values[symbol]) for symbol in mechanism.synthesis.ends):
+        return None
+    session, spots = typed(asked, mechanism)
+    line = spots["#task"]
+    number, words = (session.get(cell_address(line.sheet, line.row, col)) for col in (VALUE, MEANING))
+    title = session.get(cell_address(line.sheet, VERDICT_ROW, SYMBOL))
+    return number, words, title, {name: values[symbol] for name, symbol in mechanism.synthesis.results.items()}
+
+
+def swing_of(found):
+    """By how much the rocker swings over a whole turn of the crank, by places of its pin; NaN where it does not close."""
+    crank = found["a2"] * np.exp(1j * np.linspace(0, 2 * np.pi, DENSE))
+    toward = crank - found["a1"]
+    cosine = (np.abs(toward) ** 2 + found["a4"] ** 2 - found["a3"] ** 2) / (2 * found["a4"] * np.abs(toward))
+    with np.errstate(invalid="ignore"):
+        rocker = np.unwrap(np.angle(toward) - found["mode"] * np.arccos(cosine))
+    return math.degrees(np.ptp(rocker))
+
+
+def stroke_of(found):
+    """How far the slider goes likewise."""
+    crank = found["a2"] * np.exp(1j * np.linspace(0, 2 * np.pi, DENSE))
+    with np.errstate(invalid="ignore"):
+        return float(np.ptp(crank.real + np.sqrt(found["a3"] ** 2 - (crank.imag + found["c"]) ** 2)))
+
+
+MEASURED = {"dead-centres": (swing_of, "psi"), "quick-return-slider": (stroke_of, "stroke")}
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("kind", MEASURED)
+def test_a_motion_that_is_not_the_one_asked_for_is_red_on_the_first_sheet(kind, seed):
+    asked = task(kind, seed)
+    said = first_sheet(asked)
+    if said is None:
+        return
+    number, words, title, found = said
+    measure, key = MEASURED[kind]
+    got = measure(found)
+    missed = not abs(got - asked[key]) < 1e-3 * asked[key]
+    assert (number > 0) == missed, (got, asked[key], title)
+    assert title.startswith(f"{words}; closes") if missed else title.endswith("; does exactly what is asked")
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_points_that_are_missed_are_said_on_the_first_sheet(seed):
+    """Red where three points, which decide the lengths, are missed, or cannot be passed one after another."""
+    asked = task("function", seed)
+    said, own = first_sheet(asked), verdicts("function", seed)
+    if said is None:
+        return
+    number, words, title, found = said
+    theta, psi = np.radians(asked["theta"]), np.radians(asked["psi"])
+    bar = functions.function(theta, psi, found["a1"])
+    errors = np.degrees(np.abs(np.angle(np.exp(1j * (outputs(bar, theta, found["mode"]) - psi)))))
+    missed = not np.max(errors) < 1e-3
+    assert number == sum(mark == NO for mark, _ in own[0].values())
+    assert number > 0 or not missed or len(theta) > 3
+    assert title.startswith(f"{words}; ") if number > 0 else title.endswith(f"; {words}")
 
 
 def sides_of(a, b, b0):

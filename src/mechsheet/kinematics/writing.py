@@ -310,9 +310,13 @@ def _mode_of_task(mechanism: Mechanism, solved: Solved) -> Node | None:
     if task is None or solved.mode not in task.mode:
         return None
     mode = Symbol(task.results[task.mode[solved.mode]])
+    return mode if counts_from_driven(mechanism, solved.pins) else al.neg(mode)
+
+
+def counts_from_driven(mechanism: Mechanism, pins: Sequence[str]) -> bool:
+    """Whether the mode of a group with such pins is counted from the driven link to the other, as a task counts it."""
     driven = next((link for link in mechanism.links if link.name == mechanism.driver.link), None)
-    first = driven is None or solved.pins[0] in driven.points
-    return mode if first else al.neg(mode)
+    return driven is None or pins[0] in driven.points
 
 
 def _found_mode(mechanism: Mechanism, solved: Solved, dimensions: Mapping[str, float]) -> int | None:

@@ -81,6 +81,7 @@ class Synthesis:
     reasons   steps that may not exist, in order -> why there is no solution then
     sides     symbols of steps that are 1 or −1
     roots     symbol of a root of x^3 + b x^2 + c x + d = 0 -> symbols of b, c and d
+    replaced  results in whose place the mechanism has a dimension of its own by the same name
     names     what inputs, steps and results are called in the kind's own equations -> their symbols
     """
 
@@ -95,6 +96,7 @@ class Synthesis:
     mode: Mapping[str, str] = field(default_factory=dict)
     function: Node | None = None
     reasons: tuple[tuple[str, Words], ...] = ()
+    replaced: tuple[str, ...] = ()
     names: Mapping[str, str] = field(default_factory=dict)
     sides: tuple[str, ...] = ()
     roots: Mapping[str, tuple[str, str, str]] = field(default_factory=dict)
@@ -106,8 +108,9 @@ class Synthesis:
 
     @property
     def used(self) -> dict[str, str]:
-        """Name of a result -> symbol of the mechanism's dimension, or of the assembly mode cell, that is it."""
-        return {name: symbol for symbol, name in (*self.taken.items(), *self.mode.items())}
+        """Name of a result -> symbol of the mechanism's dimension, or of the assembly mode cell, that it has for it."""
+        own = ((name, name) for name in self.replaced)
+        return {name: symbol for symbol, name in (*own, *self.taken.items(), *self.mode.items())}
 
     @property
     def ends(self) -> tuple[str, ...]:

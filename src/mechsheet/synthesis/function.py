@@ -18,6 +18,9 @@ from mechsheet.synthesis.kind import THROUGH_POINTS, Columns, Curve, Kind, Line,
 from mechsheet.synthesis.writing import DETERMINED, Writer
 from mechsheet.words.synthesis import ENDS
 
+DECIDING = 3
+"""So many points decide the lengths; more are met by least squares, so nearly as it goes."""
+
 
 def _write(w: Writer) -> None:
     """Inputs, steps and results."""
@@ -35,7 +38,7 @@ def _write(w: Writer) -> None:
         w.step(f"T{n}", f"cos(theta_p{n})", plain, "cos_theta", number=n)
         w.step(f"C{n}", f"cos(psi_p{n})", plain, "cos_psi", number=n)
         w.step(f"E{n}", f"cos(theta_p{n} - psi_p{n})", plain, "cos_difference", number=n)
-    if count == 3:
+    if count == DECIDING:
         _three(w)
     else:
         _least_squares(w, count)
@@ -168,4 +171,5 @@ KIND = Kind(
     pairs=True,
     turns=INPUT_TURNS,
     steps=lambda task: [f"theta_p{n + 1} - theta_p{n}" for n in _numbers(task)[:-1]],
+    decided=lambda task: len(_numbers(task)) <= DECIDING,
 )

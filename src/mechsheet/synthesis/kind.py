@@ -106,6 +106,7 @@ class Kind:
     steps     by how much the input link turns from each point to the next: for the verdict `order`
     beside    the least angle between coupler and output at the points, where they have no input angle: for `at_dead_centre`
     alt       whether the workbook has Alt's chart
+    decided   whether its solution does all that is asked: of more points than decide it none does
     """
 
     write: Callable[[Writer], None]
@@ -122,6 +123,7 @@ class Kind:
     steps: Callable[[Synthesis], list[str]] = lambda _: []
     beside: str = ""
     alt: bool = False
+    decided: Callable[[Synthesis], bool] = lambda _: True
 
     def measure(self, place: TaskPlace) -> Measure:
         """What the number that stands there is."""

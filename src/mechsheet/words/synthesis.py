@@ -215,6 +215,7 @@ SHEET: dict[str, tuple[str, str]] = {
     "synthesis.meets.not": ("does not reach what is asked", "istenene ulaşamıyor"),
     "synthesis.assemblies.one": ("all points on one assembly", "bütün noktalar aynı montajda"),
     "synthesis.assemblies.both": ("points on both assemblies:", "noktalar iki montajda:"),
+    "synthesis.assemblies.other": ("the mechanism is of the other assembly", "mekanizma öbür montajda"),
     "synthesis.order.kept": ("goes through the points in their order", "noktalardan sırasıyla geçiyor"),
     "synthesis.order.not": ("goes through the points in another order", "noktalardan başka bir sırayla geçiyor"),
     "synthesis.closes_throughout.all": ("passes the whole range", "bütün aralıktan geçiyor"),

@@ -61,6 +61,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.inputs.fine": ("all hold possible values", "hepsinde olabilecek bir değer var"),
     "verdict.inputs.wrong": ("look at {symbol}: no value that it can have", "{symbol} hücresine bakın: boş ya da olamaz"),
     "verdict.inputs.misfit": ("look at the yellow cells: they do not fit", "sarı hücrelere bakın: birbirine uymuyor"),
+    "verdict.task": ("task", "görev"),
     "verdict.line.transmission": ("transmission angle", "bağlama açısı"),
     "verdict.rows": ("closes", "kapanan"),
     "verdict.rows.all": ("closes in every position", "her konumda kapanıyor"),

@@ -207,6 +207,9 @@ class _Judge:
         """The line under the title: in how many rows it closes."""
         plan, search = self.plan, self.search
         line = str(self._found("verdict"))
+        if plan.found.task is not None:  # the random tasks of tests judge what is said of it
+            task = plan.at.spots["#task"]
+            line = line.removeprefix(f"{self.values.get(task.sheet, task.row, MEANING)}; ")
         aside = [
             plan.text("verdict.inputs.wrong", symbol=plan.text("name.position")),
             plan.text("verdict.inputs.misfit"),

@@ -65,7 +65,8 @@ def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str
     plain = [symbol for symbol, entry in given.items() if _is_plain(entry)]
     scope.solved = True
     writer = written(data["kind"], task, units, frozenset((*given, *others)), plain)
-    return _found(data["kind"], task, writer, taken, scope)
+    replaced = [name for name in writer.results if name in given and name not in taken]
+    return _found(data["kind"], task, writer, taken, replaced, scope)
 
 
 def declare(found: Found, scope: Scope) -> None:
@@ -236,7 +237,7 @@ def _check_function(tree: Node, text: str, first: float, last: float, scope: Sco
 # --- results -------------------------------------------------------------------------------------------------------
 
 
-def _found(kind: str, task: Task, writer: Writer, taken: Mapping[str, str], scope: Scope) -> Found:
+def _found(kind: str, task: Task, writer: Writer, taken: Mapping[str, str], replaced: list[str], scope: Scope) -> Found:
     dimensions, by_symbol = writer.dimensions, {dim.symbol: dim for dim in writer.dimensions}
     inputs = dict(writer.inputs)
     rounding = ""
@@ -264,8 +265,8 @@ def _found(kind: str, task: Task, writer: Writer, taken: Mapping[str, str], scop
     positive = tuple(writer.positive) + ((rounding,) if rounding else ())
     synthesis = Synthesis(
         kind, inputs, tuple(writer.steps), dict(writer.results), good, positive, dict(task.chosen), rounding,
-        function=task.function, reasons=tuple(writer.reasons), names=dict(writer.names), sides=tuple(writer.sides),
-        roots=dict(writer.roots),
+        function=task.function, reasons=tuple(writer.reasons), replaced=tuple(replaced), names=dict(writer.names),
+        sides=tuple(writer.sides), roots=dict(writer.roots),
     )  # fmt: skip
     return Found(synthesis, tuple(dimensions), units, trees)
 

@@ -11,7 +11,7 @@ from itertools import combinations
 
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Group
-from mechsheet.model import Joint, Link, Mechanism
+from mechsheet.model import Joint, Link, Mechanism, Synthesis
 from mechsheet.sheet.table.lowering import Assignments
 
 
@@ -59,6 +59,7 @@ class Classification:
     forces        True where there are masses or loads
     flywheel      True where the description asks for one
     newton        True where a group is solved by Newton's method
+    task          from which dimensions are found
     """
 
     four_bars: tuple[FourBar, ...]
@@ -71,11 +72,13 @@ class Classification:
     forces: bool = False
     flywheel: bool = False
     newton: bool = False
+    task: Synthesis | None = None
 
     @property
     def entries(self) -> list[str]:
         """Keys of the lines of the block, in order: the names of their cells, too."""
-        lines = ["inputs", "rows_closed", *(["limits", "input_from", "input_to", "passes"] if self.limits else [])]
+        lines = ["inputs", *(["task"] if self.task else []), "rows_closed"]
+        lines += [*(["limits", "input_from", "input_to", "passes"] if self.limits else [])]
         lines += ["largest_gap", "leaps"]
         lines += ["same_assembly", "largest_residual", "passes_needed", "least_det"] if self.newton else []
         lines += [f"grashof_{loop.group}" for loop in self.four_bars]
@@ -126,6 +129,7 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         bool(equations.equations.efforts),
         mechanism.flywheel is not None,
         any(group.system is not None for group in equations.groups),
+        mechanism.synthesis,
     )
 
 

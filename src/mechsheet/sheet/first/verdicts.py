@@ -11,7 +11,7 @@ from typing import Literal
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.kinematics.equations import Group
-from mechsheet.model import ENERGY, Link, inertia_unit
+from mechsheet.model import ENERGY, Link, Synthesis, inertia_unit
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.efforts import AGREES
@@ -19,7 +19,7 @@ from mechsheet.sheet.checks.extremes import Extremes, about, where_bounded
 from mechsheet.sheet.checks.gaps import misfits_of
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
 from mechsheet.sheet.driving import driver_at
-from mechsheet.sheet.first import inputs
+from mechsheet.sheet.first import inputs, task
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.grashof import excess_of, turning_types, type_of
@@ -39,6 +39,8 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
     writer.heading("verdicts", writer.plan.text("head.at"))
     found = writer.plan.found
     block.inputs()
+    if found.task is not None:
+        block.task(found.task)
     block.rows_closed()
     if found.limits:
         block.limits()
@@ -144,6 +146,15 @@ class _Block:
         self.colour("inputs", "said=fine", styles.GOOD, said=said, fine=fine)
         nowhere = formula("said=words", said=said, words=inputs.no_position(self.plan))
         self.writer.conditionals.extend(inputs.red_where_wrong(self.plan, nowhere))
+
+    def task(self, asked: Synthesis) -> None:
+        """Whether the dimensions that are found from a task do what it asks."""
+        said, exactly = self.words("task"), task.exactly(self.plan)
+        words = self.bound("words", words=task.said(self.plan, asked, self.value("task")))
+        self.line("task", self.text("task"), "", self.bound("wrong", wrong=task.wrong(self.plan, asked)), 0, words)
+        self.colour("task", "wrong>0", styles.BAD, wrong=self.value("task"))
+        self.colour("task", "said<>exactly", styles.WARN, said=said, exactly=exactly)
+        self.colour("task", "said=exactly", styles.GOOD, said=said, exactly=exactly)
 
     # --- rows and stretches -----------------------------------------------------------------------------------
 
@@ -528,6 +539,8 @@ class _Block:
             parts.append(self._worst_transmission())
         gap = self.words("largest_gap")
         good = joined(*parts)
+        if plan.found.task is not None:
+            good = task.with_task(good, self.value("task"), self.words("task"))
         lost: Node | None = None
         nowhere: Node = Text(self.text("line.nowhere"))
         if plan.found.newton:
@@ -547,6 +560,8 @@ class _Block:
         # rules read this sheet only: other programs refuse another's cells
         bad = formula("OR(said=nowhere,said=inputs,said=gap)", said=said, gap=gap, nowhere=self.text("line.nowhere"),
                       inputs=self.words("inputs"))  # fmt: skip
+        if plan.found.task is not None:
+            bad = formula("OR(bad,wrong>0)", bad=bad, wrong=self.value("task"))
         if lost is not None:
             bad = formula("OR(bad,count=0,leapt>0)", bad=bad, count=count, leapt=self.value("same_assembly"))
         doubts = formula("count<rows", count=count, rows=rows)
@@ -555,6 +570,10 @@ class _Block:
         if plan.found.transmission:
             doubts = formula(
                 "OR(doubts,poor)", doubts=doubts, poor=some_poor(plan.mechanism, self._transmissions(VALUE))
+            )
+        if plan.found.task is not None:
+            doubts = formula(
+                "OR(doubts,met<>exactly)", doubts=doubts, met=self.words("task"), exactly=task.exactly(plan)
             )
         if lost is not None:
             doubts = formula("OR(doubts,lost=begun)", doubts=doubts, lost=lost, begun=self.text("same_assembly.begun"))

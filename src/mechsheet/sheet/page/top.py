@@ -8,10 +8,10 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.means import LEAST_OF_TURN
-from mechsheet.model import WAYS, Summary
+from mechsheet.model import WAYS, Summary, Synthesis
 from mechsheet.sheet import styles
 from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.first import inputs
+from mechsheet.sheet.first import inputs, task
 from mechsheet.sheet.first.blocks import input_validation, unit_of_column, value_style
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
@@ -223,6 +223,8 @@ class Top:
         self.fill(row, VALUE, count, styles.decimals(styles.RESULT, 0))
         of_rows = f'"{plan.text("page.of")}"0'
         self.fill(row, UNIT, Call("COUNT", (filled,)), styles.numbered(styles.UNIT, of_rows))
+        if plan.found.task is not None:
+            self._task(rows["task"], plan.found.task)
         for loop in plan.found.four_bars:
             self._grashof(rows[f"grashof_{loop.group}"], loop)
         for group in plan.found.transmission:
@@ -236,6 +238,16 @@ class Top:
         self.fill(row, VALUE, inputs.first_wrong(plan), styles.decimals(styles.RESULT, 0))
         no_position = plan.at.bind(Call("NOT", (there,)), plan.main)
         self.conditionals += inputs.red_where_wrong(plan, no_position if plan.drawn else None)
+
+    def _task(self, row: int, asked: Synthesis) -> None:
+        """Whether the dimensions that are found from a task do what it asks."""
+        plan, count = self.plan, CellRef(row, VALUE, True, True)
+        self.line(row, plan.text("verdict.task"), "", task.said(plan, asked, count))
+        self.fill(row, VALUE, task.wrong(plan, asked), styles.decimals(styles.RESULT, 0))
+        area, words = Area(row, MEANING, row, LAST), CellRef(row, MEANING, True, True)
+        doubt = formula("words<>exactly", words=words, exactly=task.exactly(plan))
+        self.conditionals.append(Conditional(area, formula("count>0", count=count), styles.BAD))
+        self.conditionals.append(Conditional(area, doubt, styles.WARN))
 
     def _there(self) -> Node:
         """Whether the position that is drawn is a row of the table."""
@@ -326,18 +338,30 @@ class Top:
             worst = formula("INDEX(said,MATCH(MIN(angles),angles,0))", said=said, angles=angles)
             parts += ["; ", worst if len(lines) > 1 else said.start]
         wrong, there = self.cell("#inputs"), self._there()
-        good = formula("IF(n=0,nowhere,good)", n=count, good=joined(*parts), nowhere=text("page.verdict.nowhere"))
+        closes: Node = joined(*parts)
+        missed: Node = Boolean(False)
+        doubts: Node = Boolean(False)
+        if plan.found.task is not None:
+            row = plan.blocks["verdicts"].rows["task"]
+            number, met = (CellRef(row, col, True, True) for col in (VALUE, MEANING))
+            closes = task.with_task(closes, number, met)
+            missed = formula("number>0", number=number)
+            doubts = formula("met<>exactly", met=met, exactly=task.exactly(plan))
+        good = formula("IF(n=0,nowhere,good)", n=count, good=closes, nowhere=text("page.verdict.nowhere"))
         words = inputs.words(plan, wrong, there, good)
         self.fill(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))
         for test, style in (
-            ("OR(wrong>0,NOT(there),n=0)", styles.BAD),
-            ("OR(n<rows,poor)", styles.WARN),
+            ("OR(wrong>0,NOT(there),n=0,missed)", styles.BAD),
+            ("OR(n<rows,poor,doubts)", styles.WARN),
             ("n=rows", styles.GOOD),
         ):
             condition = plan.at.bind(
-                formula(test, wrong=wrong, there=there, n=count, rows=rows, poor=any_poor), plan.main
+                formula(
+                    test, wrong=wrong, there=there, n=count, rows=rows, poor=any_poor, missed=missed, doubts=doubts
+                ),
+                plan.main,
             )
             self.conditionals.append(Conditional(area, condition, style))
 

@@ -86,7 +86,7 @@ class _Alt:
         task = plan.mechanism.synthesis
         if task is None:
             raise ValueError("the mechanism has no synthesis")
-        self.naming = Naming(task)
+        self.naming = Naming(plan, task)
         self.own = CellRef(RATIOS + 2, HELPERS, True, True)
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []

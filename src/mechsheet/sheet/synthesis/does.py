@@ -11,6 +11,7 @@ from mechsheet.sheet.first.transmission import POOR
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
 from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.synthesis.naming import MODE
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
 from mechsheet.sheet.synthesis.rows import LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
@@ -142,7 +143,8 @@ class Does:
     def _meets(self, key: str) -> None:
         """The largest error of what is asked, in parts of each unit.
 
-        Where only rounding keeps the mechanism from reaching it, that is a doubt: the exact lengths do.
+        It is a doubt where the lengths are rounded, and where the points are more than decide them; else the mechanism is
+        not the one that the task wants. Where only rounding keeps it from reaching what is asked, that is a doubt, too.
         """
         page = self.page
         errors = self._column("asked", USED)
@@ -156,17 +158,21 @@ class Does:
             ("ISNA(value)", page.text("meets.not")),
             (f"value>{EXACT}", largest_error),
         ]
-        red, amber, over = "ISNA(value)", f"value>{EXACT}", dict(NOTHING)
+        amber, over = f"value>{EXACT}", dict(NOTHING)
+        red = f"IF(ISNA(value),TRUE,{amber})" if page.kind.decided(page.given) else "ISNA(value)"
         if page.rounds:
             exact = self._column("asked", exact_column(page.given))
             over["reached"] = formula("COUNT(exact)=ROWS(exact)", exact=exact)
             said.insert(0, ("AND(ISNA(value),reached)", page.text("meets.rounded")))
-            red, amber = "AND(ISNA(value),NOT(reached))", f"IF(ISNA(value),reached,{amber})"
+            red, amber = "AND(ISNA(value),NOT(reached))", f"IF(ISNA(value),TRUE,{amber})"
+            if page.kind.decided(page.given):
+                over["off"] = formula("MAX(MAX(exact),-MIN(exact))", exact=exact)
+                red = f"IF(reached,off>{EXACT},TRUE)"
         value = formula("IF(missing,NA(),value)", missing=missing, value=value)
         self._entry(key, value, unit, said, page.text("meets.exactly"), red, amber, over=over)
 
     def _assemblies(self, key: str) -> None:
-        """On how many of the two assemblies the points lie."""
+        """On how many of the two assemblies the points lie, and whether the mechanism is the one that the task wants."""
         page = self.page
         sides = [page.cell(symbol) for symbol in page.given.sides if symbol not in page.given.results.values()]
         total = formula("ABS(total)", total=al.total(sides))
@@ -174,8 +180,11 @@ class Does:
         for number, side in enumerate(sides, 1):
             listed.append(formula("IF(side>0,plus,minus)", side=side, plus=f" {number}: +", minus=f" {number}: −"))
         value = formula("IF(total=count,1,2)", total=total, count=len(sides))
-        both = [("value=2", joined(*listed))]
-        self._entry(key, value, "", both, page.text("assemblies.one"), red="value=2", counted=True)
+        said = [("value=2", joined(*listed)), ("own<>wanted", page.text("assemblies.other"))]
+        over = {"own": page.naming.nodes[MODE], "wanted": page.cell(page.given.results[MODE])}
+        self._entry(
+            key, value, "", said, page.text("assemblies.one"), "OR(value=2,own<>wanted)", counted=True, over=over
+        )
 
     def _order(self, key: str) -> None:
         """Whether the input goes through the points one after the other."""

@@ -4,18 +4,41 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol, with_symbols
 from mechsheet.formula.parser import parse_description
+from mechsheet.kinematics.writing import counts_from_driven
 from mechsheet.model import Synthesis
+from mechsheet.sheet.plan import Plan
+
+MODE = "mode"
+"""The result that is an assembly."""
 
 
 class Naming:
-    """Results mean the mechanism's dimensions where it takes them, else, or where asked for, their exact values."""
+    """Results mean the mechanism's dimensions where it has them, else, or where asked for, their exact values.
 
-    def __init__(self, task: Synthesis, exact: bool = False) -> None:
+    The assembly is always the one that the mechanism has: that of the loop, where the description takes no other from the
+    task, be it sketched or typed.
+    """
+
+    def __init__(self, plan: Plan, task: Synthesis, exact: bool = False) -> None:
         self.symbols: Mapping[str, str] = {**task.names, **task.results, **({} if exact else task.used)}
+        self.nodes: dict[str, Node] = {name: Symbol(symbol) for name, symbol in self.symbols.items()}
+        if MODE in task.results and (mode := _mode(plan, task)) is not None:
+            self.nodes[MODE] = mode
 
     def tree(self, text: str | Node) -> Node:
         """The tree of an expression in the description's notation."""
         tree = parse_description(text) if isinstance(text, str) else text
-        return with_symbols(tree, {name: Symbol(symbol) for name, symbol in self.symbols.items()})
+        return with_symbols(tree, self.nodes)
+
+
+def _mode(plan: Plan, task: Synthesis) -> Node | None:
+    """The mode of the mechanism's cell, counted as the task counts it; None where it has none."""
+    symbols = [*task.mode, *(plan.equations.groups[loop.group - 1].mode for loop in plan.found.four_bars)]
+    group = next((group for group in plan.equations.groups if group.mode and group.mode in symbols[:1]), None)
+    if group is None:
+        return None
+    mode = Symbol(group.mode)
+    return mode if counts_from_driven(plan.mechanism, group.pins) else al.neg(mode)

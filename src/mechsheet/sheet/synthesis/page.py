@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Call, CellRef, Node, with_symbols
+from mechsheet.formula.nodes import Call, CellRef, Node, Symbol, with_symbols
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.model import Dimension, Synthesis
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.synthesis.naming import Naming
+from mechsheet.sheet.synthesis.naming import MODE, Naming
 from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, USED, VALUE, Rows
 from mechsheet.sheet.workbook import Area, Cell, Chart, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.synthesis.kinds import kind_of
@@ -24,7 +24,7 @@ class Page:
         self.plan, self.given, self.rows = plan, task, rows
         self.kind = kind_of(task)
         self.title = plan.at.titles["synthesis"]
-        self.naming, self.exact_naming = Naming(task), Naming(task, exact=True)
+        self.naming, self.exact_naming = Naming(plan, task), Naming(plan, task, exact=True)
         self.dimensions: dict[str, Dimension] = {dim.symbol: dim for dim in plan.mechanism.dimensions}
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
@@ -49,6 +49,14 @@ class Page:
     def cell(self, symbol: str) -> Node:
         """A quantity as people read it."""
         return self.plan.at.cell(symbol, self.title, None)
+
+    @property
+    def used(self) -> dict[str, Node]:
+        """Name of a result -> what the mechanism has for it, as people read it."""
+        found = {name: self.cell(symbol) for name, symbol in self.given.used.items()}
+        if MODE in self.given.results and self.naming.nodes[MODE] != Symbol(self.given.results[MODE]):
+            found[MODE] = self.naming.nodes[MODE]
+        return found
 
     def tree(self, text: str | Node, **cells: Node) -> Node:
         """An expression over names of the task, with some of its names standing for cells of this sheet."""

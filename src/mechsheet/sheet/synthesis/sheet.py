@@ -94,7 +94,7 @@ def _task(page: Page) -> None:
 def _results(page: Page) -> None:
     """Exact, rounded, as the mechanism uses it; amber where somebody has typed over the mechanism's dimension."""
     page.heading("result", value=page.text("exact"), rounded=page.text("rounded"), used=page.text("used"))
-    used = page.given.used
+    used = page.used
     for name, symbol in page.given.results.items():
         row, dim = page.rows.of["result", name], page.dimensions[symbol]
         style = page.dimension_style(dim, styles.RESULT)
@@ -108,7 +108,7 @@ def _results(page: Page) -> None:
         else:
             page.put(row, ROUNDED, None, style)
         if name in used:
-            page.formula(row, USED, page.cell(used[name]), style)
+            page.formula(row, USED, used[name], style)
             here, found = CellRef(row, USED, True, True), CellRef(row, ROUNDED if rounds else VALUE, True, True)
             apart = formula("IFERROR(ABS(here-found)>0.000000001*(1+ABS(found)),FALSE)", here=here, found=found)
             page.conditionals.append(Conditional(Area(row, USED, row, USED), apart, styles.WARN))

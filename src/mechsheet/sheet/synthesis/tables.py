@@ -73,16 +73,15 @@ def _asked(page: Page, row: int, number: int, asked: Requirement) -> None:
     if asked.measure == "angle":
         raw = CellRef(row, REMARK)
         page.formula(row, REMARK, page.shown(found, "angle"), style)
-        apart = page.read(raw, "angle"), page.read(wanted, "angle")
-        off = page.shown(_apart(*apart), "angle")
+        off = page.shown(apart(page.read(raw, "angle"), page.read(wanted, "angle")), "angle")
         page.formula(row, ROUNDED, formula("wanted+off", wanted=wanted, off=off), style)
     else:
         page.formula(row, ROUNDED, page.shown(found, asked.measure), style)
         page.put(row, REMARK, None, styles.LABEL)
     page.formula(row, USED, formula("got-wanted", got=got, wanted=wanted), styles.numbered(style, "0.0E+00"))
     if page.rounds:
-        exact, aim = page.exactly(asked.got), page.read(wanted, asked.measure)
-        off = _apart(exact, aim) if asked.measure == "angle" else formula("exact-aim", exact=exact, aim=aim)
+        exact, aim = page.exactly(asked.got), page.exactly(asked.wanted)
+        off = apart(exact, aim) if asked.measure == "angle" else formula("exact-aim", exact=exact, aim=aim)
         page.formula(row, exact_column(page.given), page.shown(off, asked.measure), styles.numbered(style, "0.0E+00"))
     words = step_words(asked.key, **dict(asked.parts))
     page.put(row, MEANING, words.of(page.plan.language), styles.LABEL)
@@ -92,7 +91,7 @@ def _asked(page: Page, row: int, number: int, asked: Requirement) -> None:
         page.formula(row, THETA, page.shown(page.tree(asked.at), "angle"), style)
 
 
-def _apart(got: Node, wanted: Node) -> Node:
+def apart(got: Node, wanted: Node) -> Node:
     """The angle between two angles: whole turns are none."""
     return formula("ATAN2(COS(got-wanted),SIN(got-wanted))", got=got, wanted=wanted)
 

@@ -1,0 +1,74 @@
+"""Whether a mechanism whose dimensions are found from a task does what is asked: a line of the first sheet, or of a page.
+
+Its number is how many things are wrong: on sheets how many verdicts of the sheet of synthesis are red, on a page, which
+has no such sheet, how much of what is asked is missed. Its words are those of the first red verdict, else how well what is
+asked is met. The line under the title says them too.
+"""
+
+from __future__ import annotations
+
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import CellRef, Node, RangeRef
+from mechsheet.model import Synthesis
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.synthesis.does import EXACT, NO
+from mechsheet.sheet.synthesis.naming import Naming
+from mechsheet.sheet.synthesis.planning import verdicts_of
+from mechsheet.sheet.synthesis.rows import LINE_ROW, ROUNDED, SYMBOL, USED
+from mechsheet.sheet.synthesis.tables import apart
+from mechsheet.synthesis.kinds import kind_of
+
+
+def exactly(plan: Plan) -> str:
+    """What is said where nothing is missed."""
+    return plan.text("synthesis.meets.exactly")
+
+
+def wrong(plan: Plan, task: Synthesis) -> Node:
+    """How many things are wrong; of lengths that are rounded on a page, with the exact ones: the others are a doubt."""
+    if plan.synthesis is None:
+        misses = _misses(plan, task, exact=bool(task.rounding))
+        return al.total(formula(f"IFERROR(IF(miss>{EXACT},1,0),1)", miss=miss) for miss in misses)
+    rows = [plan.synthesis.of["does", key] for key in verdicts_of(task, bool(plan.found.four_bars))]
+    title = plan.at.titles["synthesis"]
+    marks = RangeRef(CellRef(rows[0], ROUNDED, True, True, title), CellRef(rows[-1], ROUNDED, True, True))
+    return formula("COUNTIF(marks,mark)", marks=marks, mark=NO)
+
+
+def said(plan: Plan, task: Synthesis, count: CellRef) -> Node:
+    """The words; `count` is the cell of the number."""
+    if plan.synthesis is not None:
+        title = plan.at.titles["synthesis"]
+        line = CellRef(LINE_ROW, SYMBOL, True, True, title)
+        meets = CellRef(plan.synthesis.of["does", "meets"], USED, True, True, title)
+        return formula("IF(count>0,line,met)", count=count, line=line, met=meets)
+    most = al.largest(_misses(plan, task, exact=False))
+    about = joined(plan.text("synthesis.meets.about"), formula("ROUND(most,4)", most=most))
+    return formula(
+        f"IFERROR(IF(most>{EXACT},about,exactly),IF(count>0,lost,rounded))", most=most, about=about,
+        exactly=exactly(plan), count=count, lost=plan.text("synthesis.meets.not"),
+        rounded=plan.text("synthesis.meets.rounded"),
+    )  # fmt: skip
+
+
+def with_task(good: Node, count: Node, words: Node) -> Node:
+    """The line under the title, which would be `good`: the words come first where something is wrong, else last."""
+    first, last = (
+        formula(text, count=count, words=words) for text in ('IF(count>0,words&"; ","")', 'IF(count>0,"","; "&words)')
+    )
+    return joined(first, good, last)
+
+
+def _misses(plan: Plan, task: Synthesis, exact: bool) -> list[Node]:
+    """How far each thing that is asked is missed, as people read it. `exact`: by the lengths before they are rounded."""
+    naming, found = Naming(plan, task, exact), []
+    for asked in kind_of(task).asked(task):
+        got, wanted = naming.tree(asked.got), naming.tree(asked.wanted)
+        if asked.measure != "angle":
+            found.append(formula("ABS(got-wanted)", got=got, wanted=wanted))
+            continue
+        off = apart(got, wanted)
+        degrees = plan.mechanism.angle_unit.in_degrees
+        found.append(formula("ABS(DEGREES(off))" if degrees else "ABS(off)", off=off))
+    return found
