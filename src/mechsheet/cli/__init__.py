@@ -1,10 +1,14 @@
 """The command line: thin. Each command calls the library and prints; what can be piped goes to standard output.
 
-One module per command. Exit codes: 0 done and all agree, 1 something differs, 2 the input cannot be read or used.
+One module per command, imported when its command is asked for. Exit codes: 0 done and all agree, 1 something differs,
+2 the input cannot be read or used.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from importlib import import_module
+from itertools import chain
 from typing import Any
 
 import click
@@ -13,27 +17,28 @@ from mechsheet import __version__
 from mechsheet.diagnostics import MechsheetError, near_miss
 from mechsheet.said import say
 
-from .audit import audit
-from .build import build
-from .check import check
 from .common import in_options
-from .doctor import doctor
-from .draw import draw
-from .exercise import exercise
-from .export import export
-from .helping import Explained, write_commands
-from .mark import mark
-from .new import new
-from .plot import plot
-from .pull import pull
-from .recalc import recalc
-from .schema import schema
-from .show import show
+from .helping import TASKS, Explained, write_commands
 from .speaking import fault_told, told
 from .streams import ended_by_signals, ending_well, prepare_streams
-from .study import study
 
 CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
+
+
+class Modules(Mapping[str, click.Command]):
+    """The commands by name: each is called as its module, which is imported when it is asked for."""
+
+    def __getitem__(self, name: str) -> click.Command:
+        if name not in iter(self):  # a word that somebody typed
+            raise KeyError(name)
+        command: click.Command = getattr(import_module(f".{name}", __name__), name)
+        return command
+
+    def __iter__(self) -> Iterator[str]:
+        return chain.from_iterable(TASKS.values())
+
+    def __len__(self) -> int:
+        return sum(map(len, TASKS.values()))
 
 
 class Commands(Explained, click.Group):
@@ -52,7 +57,7 @@ class Commands(Explained, click.Group):
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """By what somebody wants to do."""
-        write_commands(self, ctx, formatter)
+        write_commands(self, formatter)
 
     def main(self, *args: Any, **options: Any) -> Any:
         """As click does, on any code page, with any end: see `streams`."""
@@ -75,7 +80,7 @@ class Commands(Explained, click.Group):
                 ctx.exit(2)
 
 
-@click.group(cls=Commands, context_settings=CONTEXT)
+@click.group(cls=Commands, commands=Modules(), context_settings=CONTEXT)
 @click.version_option(__version__, prog_name="mechsheet")
 def main() -> None:
     """Compile the description of a planar mechanism into a proven spreadsheet workbook.
@@ -85,23 +90,3 @@ def main() -> None:
     mechsheet build mine.toml                write mine.xlsx
     mechsheet check mine.xlsx                recalculate it and compare with numpy
     """
-
-
-for command in (
-    new,
-    draw,
-    build,
-    check,
-    recalc,
-    plot,
-    show,
-    export,
-    schema,
-    pull,
-    audit,
-    exercise,
-    mark,
-    doctor,
-    study,
-):
-    main.add_command(command)

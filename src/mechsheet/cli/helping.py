@@ -17,7 +17,7 @@ TASKS = {
     "Teach": ("exercise", "audit", "mark"),
     "This program": ("doctor", "schema"),
 }
-"""Headings of the list of commands; a command that stands under none comes last."""
+"""All commands, each under its heading in the list of them."""
 
 
 def paragraphs(text: str) -> tuple[list[str], list[str]]:
@@ -54,12 +54,9 @@ class Explained(click.Command):
         super().format_epilog(ctx, formatter)
 
 
-def write_commands(group: click.Group, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+def write_commands(group: click.Group, formatter: click.HelpFormatter) -> None:
     """The commands under the headings of TASKS."""
-    left = {name: command for name in group.list_commands(ctx) if (command := group.get_command(ctx, name)) is not None}
-    width = formatter.width - 6 - max(map(len, left), default=0)
-    for heading, names in [*TASKS.items(), ("Further commands", tuple(left))]:
-        rows = [(name, left.pop(name).get_short_help_str(width)) for name in names if name in left]
-        if rows:
-            with formatter.section(heading):
-                formatter.write_dl(rows)
+    width = formatter.width - 6 - max(map(len, group.commands))
+    for heading, names in TASKS.items():
+        with formatter.section(heading):
+            formatter.write_dl([(name, group.commands[name].get_short_help_str(width)) for name in names])

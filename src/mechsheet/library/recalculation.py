@@ -104,7 +104,7 @@ def recalc(path: str | Path, settings: Mapping[str, Any] | None = None) -> Resul
     What cannot be computed as it is meant is in `remarks`. Raises WorkbookError: not a workbook, an unknown name, a cell
     that is computed itself, a value that the cell cannot take.
     """
-    from mechsheet.engine import compile_book
+    from mechsheet.engine import evaluate
     from mechsheet.formats import read
 
     path = Path(path)
@@ -123,8 +123,7 @@ def recalc(path: str | Path, settings: Mapping[str, Any] | None = None) -> Resul
             changes[place] = found
     if faults:
         raise WorkbookError([replace(fault, file=readable_name(path)) for fault in faults])
-    plan = compile_book(book)
-    values = plan.evaluate(changes)
+    values = evaluate(book, changes)
     remarks = (*book.remarks, *values.remarks)
     if changes and (values.kept or book.settings.as_shown or any(fault.about == "function" for fault in remarks)):
         remarks = (*remarks, Fault(NOT_FOLLOWING, file=book.source))
