@@ -6,7 +6,16 @@ import pytest
 
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.formats import read
+from mechsheet.formats.reading import repeated_rows
 from mechsheet.formats.reading.repeated_rows import RepeatedRows
+
+
+@pytest.fixture(autouse=True, scope="module")
+def short_tables():
+    """A pattern after a few rows: otherwise all tables of tests would have to be as long as is worth one."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(repeated_rows, "_PRICE", 8)
+        yield
 
 
 def everything(path):

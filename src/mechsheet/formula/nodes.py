@@ -349,29 +349,29 @@ def _with_operands(node: Node, old: tuple[Node, ...], new: tuple[Node, ...]) -> 
 def rebuilt(node: Node, below: tuple[Node, ...]) -> Node:
     """The node with other operands, given in the order of `children`."""
     match node:
-        case Unary(op, _):
-            return Unary(op, below[0])
+        case Binary():
+            return Binary(node.op, below[0], below[1])
+        case Call():
+            return Call(node.name, below)
+        case RangeRef():
+            start, end = below
+            if isinstance(start, CellRef) and isinstance(end, CellRef):
+                return RangeRef(start, end)
+            return ErrorValue("#REF!")
+        case Unary():
+            return Unary(node.op, below[0])
         case Arrayed():
             return Arrayed(below[0])
         case Direction():
             return Direction(*below)
         case TriangleAngle():
             return TriangleAngle(*below)
-        case Root(unknown, _):
-            return Root(unknown, below)
-        case Binary(op, _, _):
-            return Binary(op, below[0], below[1])
-        case Call(name, _):
-            return Call(name, below)
+        case Root():
+            return Root(node.unknown, below)
         case Apply():
             return Apply(below[0], below[1:])
         case SheetsRef(first, last, _):
             return below[0] if isinstance(below[0], ErrorValue) else SheetsRef(first, last, below[0])
-        case RangeRef():
-            start, end = below
-            if isinstance(start, CellRef) and isinstance(end, CellRef):
-                return RangeRef(start, end)
-            return ErrorValue("#REF!")
         case ArrayLiteral(rows):
             items = iter(below)
             return ArrayLiteral(tuple(tuple(next(items) for _ in row) for row in rows))

@@ -13,7 +13,7 @@ from .nodes import Binary, Node, Unary
 
 
 class Parser(ABC):
-    """Tokens and a place among them; `expression` climbs the dialect's table."""
+    """Tokens and a place among them, with the token at hand in `next`; `expression` climbs the dialect's table."""
 
     spaces: ClassVar[bool] = False
 
@@ -22,18 +22,16 @@ class Parser(ABC):
         self.dialect = dialect
         self.tokens = [t for t in tokenise(text, dialect.name) if self.spaces or t.kind != "space"]
         self.place = 0
+        self.next = self.tokens[0]
         self.depth = 0
         self.operators = {dialect.spelling.get(op, op): op for op in dialect.infix}
 
-    @property
-    def next(self) -> Token:
-        """The token at hand."""
-        return self.tokens[self.place]
-
     def take(self) -> Token:
-        """The token at hand, and on to the next."""
-        token = self.tokens[self.place]
+        """The token at hand, and on to the next; nothing is after the end."""
+        token = self.next
         self.place += 1
+        if token.kind != "end":
+            self.next = self.tokens[self.place]
         return token
 
     def parse(self) -> Node:

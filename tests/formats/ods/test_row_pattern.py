@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ods_files import content, table, write_ods
-from row_by_row import alone, everything, rows_taken
+from row_by_row import alone, everything, rows_taken, short_tables  # noqa: F401 (a fixture for all tests here)
 
 from chosen import examples
 from mechsheet.formats.reading import package as package_module

@@ -7,7 +7,7 @@ import pytest
 import xlsxwriter
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from row_by_row import alone, everything, rows_taken
+from row_by_row import alone, everything, rows_taken, short_tables  # noqa: F401 (a fixture for all tests here)
 from xlsx_files import packed, parts_of
 
 from chosen import examples

@@ -44,7 +44,8 @@ def power(base: Any, exponent: Any, raised: Callable[[Any, Any], Any] = np.power
 
 def divide(left: Any, right: Any) -> Result:
     """left / right, #DIV/0! where right is 0."""
-    return np.divide(left, right), np.where(np.equal(right, 0), np.uint8(DIV0), np.uint8(0))
+    zero = np.equal(right, 0)
+    return np.divide(left, right), np.where(zero, np.uint8(DIV0), np.uint8(0)) if np.count_nonzero(zero) else None
 
 
 def atan2(x: Any, y: Any, direction: Callable[[Any, Any], Any] = np.arctan2) -> Result:

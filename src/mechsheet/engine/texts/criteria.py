@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import ErrorValue, Scalar
-from ..values.cells import BLANK, BOOLEAN, ERROR_NAMES, NUMBER, TEXT, Cells, Texts, codes_of, error_code
+from ..values.cells import BLANK, BOOLEAN, ERROR_NAMES, NUMBER, TEXT, Cells, Texts, codes_of, different, error_code
 from ..values.coerce import compare_numbers, number_shown, number_to_text
 from .patterns import pattern_of
 
@@ -58,7 +58,7 @@ def _number(op: str, number: float, texts: Texts) -> Test:
         if op == "<>":
             return ~found
         is_text = codes == TEXT
-        for key in np.unique(cells.numbers[is_text]) if np.any(is_text) else ():
+        for key in different(cells.numbers[is_text]):
             shown = number_shown(texts.text(key), texts)
             if shown is not None and compare_numbers("=", np.float64(shown), number):
                 found = found | (is_text & (cells.numbers == key))
@@ -93,12 +93,12 @@ def _text(op: str, word: str, texts: Texts) -> Test:
     def test(cells: Cells) -> Any:
         is_text = codes_of(cells) == TEXT
         result = np.zeros(np.shape(cells.numbers), bool) if op != "<>" else ~is_text
-        for key in np.unique(cells.numbers[is_text]):
+        for key in different(cells.numbers[is_text]):
             if tests[op](texts.text(key)):
                 result = result | (is_text & (cells.numbers == key))
         if pattern.of_numbers and op in ("=", "<>"):
             is_number = codes_of(cells) == NUMBER
-            for key in np.unique(cells.numbers[is_number]):
+            for key in different(cells.numbers[is_number]):
                 here = is_number & (cells.numbers == key)
                 result = np.where(here, tests[op](number_to_text(float(key))), result)
         return result

@@ -66,6 +66,11 @@ class Cells(NamedTuple):
         return shape if self.codes is None else np.broadcast_shapes(shape, np.shape(self.codes))
 
 
+def different(numbers: Numbers) -> list[float]:
+    """The different numbers among few, in order. (`np.unique` takes longer and loads `numpy.ma` the first time.)"""
+    return sorted(set(numbers.tolist()))
+
+
 _AS_EXCEL = Settings()
 
 
@@ -161,7 +166,7 @@ def boolean(mask: Any) -> Cells:
 def finished(numbers: Any, codes: Any = None) -> Cells:
     """A numeric result: `codes` holds errors (0 elsewhere) or is None; what is not finite beside them becomes #NUM!."""
     fine = np.isfinite(numbers)
-    if np.count_nonzero(fine) == fine.size and (codes is None or not np.count_nonzero(codes)):
+    if (fine is np.True_ or np.count_nonzero(fine) == fine.size) and (codes is None or not np.count_nonzero(codes)):
         return Cells(numbers)
     if codes is None:
         return Cells(np.where(fine, numbers, np.nan), np.where(fine, np.uint8(NUMBER), np.uint8(NUM)))
@@ -214,7 +219,10 @@ def fitted(*cells: Cells) -> tuple[Cells, ...]:
 
     Raises UnsupportedError for what would be more than MOST_CELLS.
     """
-    if all(_axes(cell) <= 2 for cell in cells):
+    for cell in cells:
+        if _axes(cell) > 2:
+            break
+    else:
         return cells
     sizes = {cell.shape[:2] for cell in cells if len(cell.shape) > 2}
     if len(sizes) < 2:

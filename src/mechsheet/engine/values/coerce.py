@@ -20,6 +20,7 @@ from .cells import (
     Texts,
     boolean,
     codes_of,
+    different,
     errors_of,
     first_error,
     fitted,
@@ -104,7 +105,7 @@ def numbers_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
     numbers, codes = np.broadcast_arrays(cells.numbers, cells.codes)
     numbers, errors = numbers.copy(), np.where(codes >= ERROR, codes, np.uint8(0))
     is_text = codes == TEXT
-    for key in np.unique(numbers[is_text]):
+    for key in different(numbers[is_text]):
         value = number_shown(texts.text(key), texts)
         here = is_text & (numbers == key)
         # Marked first, written afterwards: a text's number must not be taken for another text's key.
@@ -126,7 +127,7 @@ def truths_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
     is_text = codes == TEXT
     mask = np.not_equal(numbers, 0) & ~is_text & (codes < ERROR)
     errors = np.where(codes >= ERROR, codes, np.uint8(0))
-    for key in np.unique(numbers[is_text]):
+    for key in different(numbers[is_text]):
         here = is_text & (numbers == key)
         word = texts.text(key).strip().upper()
         if word == "TRUE":
@@ -232,13 +233,13 @@ def _text_places(texts: Texts, *sides: tuple[Any, Any]) -> dict[tuple[str, str],
     """What a text is compared by -> its place in the order of all texts at hand."""
     words = {_NO_TEXT}
     for numbers, codes in sides:
-        words.update(texts.key(texts.text(key)) for key in np.unique(numbers[codes == TEXT]))
+        words.update(texts.key(texts.text(key)) for key in different(numbers[codes == TEXT]))
     return {word: float(place) for place, word in enumerate(sorted(words))}
 
 
 def _keys(numbers: Any, codes: Any, texts: Texts, places: dict[tuple[str, str], float]) -> Any:
     is_text = codes == TEXT
     keys = numbers
-    for key in np.unique(numbers[is_text]):
+    for key in different(numbers[is_text]):
         keys = np.where(is_text & (numbers == key), places[texts.key(texts.text(key))], keys)
     return keys

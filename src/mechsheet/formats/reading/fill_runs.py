@@ -81,6 +81,9 @@ def _relative_rows(text: str, dialect: str) -> list[tuple[int, int]]:
     return found
 
 
+_DIGITS = re.compile(r"[0-9]+")
+"""Texts that differ in more than these are no formula filled down: most neighbours are told apart without their tokens."""
+
 Key = tuple[str, int]
 """A shared formula: its number in the file, and which of the texts that the file gives for that number."""
 
@@ -125,9 +128,9 @@ class FormulaRuns:
         run = self._open.get(col)
         if run is not None and run.end == row and run.shared is None:
             template = run.template
-            if template is None:
+            if template is None and _DIGITS.sub("", run.text) == _DIGITS.sub("", text):
                 template = run.template = Template(run.text, run.first, self._dialect)
-            if template.text(row) == text:
+            if template is not None and template.text(row) == text:
                 run.end += 1
                 return
         self._start(col, Run(row, text, None))

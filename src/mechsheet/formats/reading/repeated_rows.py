@@ -18,12 +18,10 @@ _MOST_KEPT = 1 << 22
 """A row that is longer goes to the parser in pieces."""
 _PATTERNS = 4
 """Patterns that are tried: rows with an error between rows without, say."""
-_FIRST = 8
-"""The rows before are too few to be worth a pattern."""
 _PRICE = 64
-"""Making a pattern takes as long as parsing dozens of rows: so many rows must have been matched for each ..."""
+"""Making a pattern takes as long as parsing dozens of rows: so many rows must have gone by for each ..."""
 _CREDIT = 8 * _PRICE
-"""... after the first few."""
+"""... but no more are saved up than for a few. So patterns at worst double the time, and a short sheet makes none."""
 _PATIENCE = 32
 """Rows that make no pattern, after which pieces go to the parser whole for a while."""
 _LONGEST_PAUSE = 64
@@ -64,8 +62,7 @@ class RepeatedRows:
         self._learn = learn
         self._count = count
         self._patterns: list[Pattern] = []
-        self._credit = _CREDIT
-        self._parsed = 0
+        self._credit = 0
         self._failures = 0
         self._whole = 0
         self._pause = 1
@@ -141,8 +138,8 @@ class RepeatedRows:
 
     def _consider(self, row: bytes) -> None:
         """Make a pattern of a row that has been parsed, if that is worth it."""
-        self._parsed += 1
-        pattern = self._learn(row) if self._credit >= _PRICE and self._parsed >= _FIRST else None
+        self._credit = min(_CREDIT, self._credit + 1)
+        pattern = self._learn(row) if self._credit >= _PRICE else None
         if pattern is not None:
             self._credit -= _PRICE
             self._patterns = [pattern, *self._patterns[: _PATTERNS - 1]]
