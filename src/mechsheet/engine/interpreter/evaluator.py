@@ -217,9 +217,13 @@ class Evaluator(Reading):
 
     def mapped(self, function: Callable[..., Any], args: tuple[Cells, ...]) -> Cells:
         """A function of numbers over values: errors of arguments first, from the left, then the function's own."""
-        pairs = [numbers_of(arg, self.texts) for arg in fitted(*args)]
-        codes = first_error(*(pair[1] for pair in pairs))
-        found = function(*(pair[0] for pair in pairs))
+        codes = None
+        numbers = [arg.numbers for arg in args if arg.codes is None and type(arg.numbers) is np.float64]
+        if len(numbers) < len(args):  # not all of them single numbers, as most are
+            pairs = [numbers_of(arg, self.texts) for arg in fitted(*args)]
+            codes = first_error(*(pair[1] for pair in pairs))
+            numbers = [pair[0] for pair in pairs]
+        found = function(*numbers)
         if isinstance(found, tuple):
             found, own = found
             codes = first_error(codes, own)

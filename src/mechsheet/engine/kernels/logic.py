@@ -43,9 +43,10 @@ def if_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     mask, errors = truths_of(condition, ev.texts)
     if np.ndim(mask) > 2:
         return _if_of_array(ev, args, frame, spread, condition)
-    if errors is None and np.count_nonzero(mask) == np.size(mask):
+    held = np.count_nonzero(mask)
+    if errors is None and held == np.size(mask):
         return _branch(ev, args, 1, frame, spread)
-    if errors is None and not np.count_nonzero(mask):
+    if errors is None and not held:
         return _branch(ev, args, 2, frame, spread)
     result = choose(mask, _branch(ev, args, 1, frame, spread), _branch(ev, args, 2, frame, spread))
     return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)

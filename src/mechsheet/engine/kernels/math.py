@@ -30,6 +30,8 @@ def snapped(result: Any, left: Any) -> Any:
     Excel does this where + or - is the last operation of a formula: 0.1+0.2-0.3 is 0 there.
     """
     size = np.abs(result)
+    if type(size) is np.float64:
+        return np.float64(0.0) if size < NEAR * np.abs(left) and size < 1 else result
     return np.where((size < NEAR * np.abs(left)) & (size < 1), 0.0, result)
 
 

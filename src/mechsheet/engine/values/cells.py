@@ -160,7 +160,7 @@ def error(code: int) -> Cells:
 
 def boolean(mask: Any) -> Cells:
     """Truth values."""
-    return Cells(np.asarray(mask, np.float64), np.uint8(BOOLEAN))
+    return Cells(np.float64(mask) if type(mask) is np.bool_ else np.asarray(mask, np.float64), np.uint8(BOOLEAN))
 
 
 def finished(numbers: Any, codes: Any = None) -> Cells:
