@@ -9,14 +9,25 @@ import pytest
 
 SOURCE = Path(__file__).parent.parent / "src" / "mechsheet"
 
-EVERYBODY = {"diagnostics", "extras", "arguments.numbers", "said", "counted", "time_limit"}
+EVERYBODY = {
+    "diagnostics",
+    "extras",
+    "arguments.numbers",
+    "said",
+    "counted",
+    "on_demand",
+    "replacing",
+    "time_limit",
+}
 ALLOWED = {
     "diagnostics": set(),
     "said": set(),
     "counted": set(),
+    "on_demand": set(),
+    "replacing": {"diagnostics", "said"},
     "time_limit": {"diagnostics", "said"},
     "extras": {"said"},
-    "arguments": {"formula", "formats.archive"},
+    "arguments": {"formula"},
     "units": set(),
     "portable": set(),
     "model": {"formula.nodes", "units"},
@@ -36,7 +47,7 @@ ALLOWED = {
     "formats": {"formula", "sheet.workbook"},
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
     "compiled": {"model", "formula", "kinematics", "dynamics", "sheet", "engine"},
-    # plotting draws what the sheet decides, at positions that the engine computes; formats only put the file in its place
+    # plotting draws what the sheet decides, at positions that the engine computes
     "plotting": {
         "units",
         "model",
@@ -46,7 +57,6 @@ ALLOWED = {
         "sheet",
         "compiled",
         "engine",
-        "formats.archive",
         "arguments",
     },
     # exporting prints the equations, draws what plotting draws, and tabulates their values
@@ -60,7 +70,6 @@ ALLOWED = {
         "sheet",
         "compiled",
         "plotting",
-        "formats.archive",
         "arguments",
     },
 }
@@ -119,7 +128,6 @@ ALLOWED["drawing_page"] = {
     "plotting",
     "checking",
     "library",
-    "formats.archive",
     "arguments",
 }
 PARTS = sorted(ALLOWED)

@@ -9,7 +9,9 @@ True
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from mechsheet.on_demand import names_of
 
 __version__ = "1.0.0"
 
@@ -84,10 +86,4 @@ __all__ = [
     "template",
 ]
 
-
-def __getattr__(name: str) -> Any:
-    if name not in _HOMES:
-        raise AttributeError(f"module 'mechsheet' has no attribute {name!r}")
-    from importlib import import_module
-
-    return getattr(import_module(f"mechsheet.{_HOMES[name]}"), name)
+__getattr__ = names_of(__name__, _HOMES)

@@ -5,11 +5,10 @@ import sys
 
 import pytest
 
-LINE = {"arguments", "cli", "diagnostics", "formats", "said", "time_limit"}
 """What the command line itself is made of."""
 
 DESCRIPTIONS = LINE | {"description", "formula", "model", "portable", "synthesis", "units", "words"}
-WORKBOOKS = LINE | {"checking", "engine", "extras", "formula", "library", "portable"}
+WORKBOOKS = LINE | {"checking", "engine", "extras", "formats", "formula", "library", "portable"}
 MECHANISMS = DESCRIPTIONS | {"compiled", "dynamics", "kinematics", "library", "sheet"}
 
 RUN = """

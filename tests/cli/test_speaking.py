@@ -9,7 +9,7 @@ from click.testing import CliRunner
 
 from mechsheet.cli import main, speaking
 from mechsheet.cli.speaking import language_of, machine_language
-from mechsheet.words.messages import TURKISH
+from mechsheet.words.messages.turkish import TURKISH
 
 ROOT = Path(__file__).parent.parent.parent
 SOURCE = ROOT / "src" / "mechsheet" / "cli"

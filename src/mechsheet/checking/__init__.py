@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+from mechsheet.on_demand import names_of
 
 if TYPE_CHECKING:
     from mechsheet.checking.baseline import Baseline, read_baseline
@@ -55,10 +57,4 @@ __all__ = [
     "with_twins",
 ]
 
-
-def __getattr__(name: str) -> Any:
-    if name not in _HOMES:
-        raise AttributeError(f"module 'mechsheet.checking' has no attribute {name!r}")
-    from importlib import import_module
-
-    return getattr(import_module(f"mechsheet.checking.{_HOMES[name]}"), name)
+__getattr__ = names_of(__name__, _HOMES)

@@ -102,9 +102,9 @@ def _recognised(workbook: Path, describe: Path | None, language: str | None, as_
 def _describe(known: Recognised, output: Path, language: str) -> None:
     """Write the description, as the template has it, with the workbook's dimensions, driver and assembly."""
     from mechsheet.description.templates import template_text
-    from mechsheet.formats.archive import replace_file
     from mechsheet.homework.recognition import settings_of, with_driver
     from mechsheet.library.changed import loads
+    from mechsheet.replacing import replace_file
 
     text = with_driver(known, template_text(known.template))
     found = loads(text, known.template, settings_of(known), language)

@@ -15,7 +15,7 @@ import click
 
 from mechsheet.arguments.outputs import file_in, is_there
 from mechsheet.diagnostics import DescriptionWarning, Fault, MechanismError, MechsheetError, OutputError, readable_name
-from mechsheet.formats.archive import is_stream
+from mechsheet.replacing import is_stream
 from mechsheet.said import Said, say
 
 from .speaking import fault_told, language_of, speak, told

@@ -161,7 +161,7 @@ def concluded(gate: Gate, reports: Sequence[Report], baseline: Baseline | None, 
     """Write the report and the baseline, say what is missing, and end with the exit code."""
     faults = [*faults, *unmeant(gate, reports)]
     if gate.junit_file is not None:
-        from mechsheet.formats.archive import replace_file
+        from mechsheet.replacing import replace_file
 
         from .junit import junit
 
@@ -192,7 +192,7 @@ def why_not_strict(report: Report) -> list[str]:
 
 
 def _conclude_baseline(gate: Gate, baseline: Baseline) -> None:
-    from mechsheet.formats.archive import replace_file
+    from mechsheet.replacing import replace_file
 
     name = baseline.path.as_posix()
     if gate.update_baseline:

@@ -46,10 +46,10 @@ def mark(
     contains no other student's data.
     """
     from mechsheet.formats import write
-    from mechsheet.formats.archive import make_folder, replace_file
     from mechsheet.homework.classroom.marks import as_dict, files_of, key_of_file
     from mechsheet.homework.classroom.marks import mark as mark_all
     from mechsheet.homework.classroom.marks_book import marks_csv, marks_workbook, pages
+    from mechsheet.replacing import make_folder, replace_file
 
     _refuse(output, csv_file, books, files_of(books))
     speak_of(against)

@@ -48,7 +48,7 @@ def new(template: str | None, output: str | None, show_list: bool) -> None:
     if output in (None, STANDARD_OUTPUT):
         print_file(text)
         return
-    from mechsheet.formats.archive import replace_file
+    from mechsheet.replacing import replace_file
 
     file = output_file(output, f"{template.removesuffix('.toml')}.toml")
     refuse_existing(file)

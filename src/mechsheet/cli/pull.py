@@ -29,7 +29,7 @@ def pull(workbook: Path, output: str | None, into: Path | None) -> None:
     mechsheet pull edited.xlsx --into mine.toml -o mine.toml
     """
     from mechsheet.checking.edited.pull import pull as pulled_from
-    from mechsheet.formats.archive import replace_file
+    from mechsheet.replacing import replace_file
 
     file = None if output in (None, STANDARD_OUTPUT) else output_file(output, f"{workbook.stem}.toml", (workbook,))
     if file is not None and not (into is not None and same_file(file, into)):

@@ -29,7 +29,7 @@ def schema(output: str | None) -> None:
     if output in (None, STANDARD_OUTPUT):
         print_file(text)
         return
-    from mechsheet.formats.archive import replace_file
+    from mechsheet.replacing import replace_file
 
     file = output_file(output, FILE)
     with folder_ready(output):

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet import sheet
 from mechsheet.compiled.evaluation import computed
 from mechsheet.dynamics.flywheel import Flywheel, flywheel
 from mechsheet.dynamics.solve import solve
@@ -20,8 +21,6 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.page.layout import lay_out_page
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.workbook import Workbook
 
@@ -76,7 +75,8 @@ class Compiled:
     @cached_property
     def _laid_out(self) -> tuple[Workbook, Plan]:
         page = self.mechanism.layout == "page"
-        return lay_out_page(self.mechanism, self.equations) if page else lay_out(self.mechanism, self.equations)
+        lay_out = sheet.lay_out_page if page else sheet.lay_out
+        return lay_out(self.mechanism, self.equations)
 
     @property
     def layout(self) -> Workbook:

@@ -12,8 +12,8 @@ from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_nam
 from mechsheet.exporting.identifiers import ascii_word
 from mechsheet.exporting.job import Job, Kind
 from mechsheet.exporting.kinds import KINDS
-from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.model import Mechanism
+from mechsheet.replacing import make_folder, replace_file
 from mechsheet.said import say
 
 __all__ = ["KINDS", "Job", "Kind", "export", "exported", "kind_of"]

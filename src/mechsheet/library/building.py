@@ -107,7 +107,7 @@ def targets(
 def is_folder(output: str | Path) -> bool:
     """Whether workbooks go into a folder of that name: as for every output, and a new name without an ending."""
     from mechsheet.arguments.outputs import names_folder
-    from mechsheet.formats.archive import is_stream
+    from mechsheet.replacing import is_stream
 
     path = Path(output)
     return names_folder(output) or (not path.suffix and not is_stream(path))
@@ -115,8 +115,8 @@ def is_folder(output: str | Path) -> bool:
 
 def refuse_edited(wanted: Iterable[Target]) -> None:
     """Raise OutputError when files are there that `build` did not write as they are now."""
-    from mechsheet.formats.archive import is_stream
     from mechsheet.formats.seal import is_untouched
+    from mechsheet.replacing import is_stream
 
     faults = []
     for target in wanted:
@@ -178,7 +178,7 @@ def _known(given: str | Iterable[str], known: Sequence[str], key: str, what: str
 
 def _format_of(path: Path, given: Sequence[str] | None) -> str:
     """The format of a file that is named: its ending; what has none (a device) is written in the format that was given."""
-    from mechsheet.formats.archive import is_stream
+    from mechsheet.replacing import is_stream
 
     ending = path.suffix.lower().removeprefix(".")
     if ending in FORMATS:

@@ -49,7 +49,7 @@ def plot(
             name=path.name,
         )
         raise MechsheetError(Fault(say("the ending of the name says how to draw"), readable_name(path), hint=hint))
-    from mechsheet.formats.archive import replace_file
+    from mechsheet.replacing import replace_file
 
     replace_file(path, drawn(mechanism, kind, at, language, vectors))
     return path

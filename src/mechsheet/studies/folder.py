@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name, system_reason
-from mechsheet.formats.archive import make_folder, replace_file
+from mechsheet.replacing import make_folder, replace_file
 from mechsheet.said import say
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.lock import NAME as LOCK

@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from mechsheet.diagnostics import Fault, OutputError, readable_name
-from mechsheet.formats.archive import output_error
+from mechsheet.replacing import output_error
 from mechsheet.said import say
 
 NAME = ".study.lock"

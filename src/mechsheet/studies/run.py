@@ -9,8 +9,8 @@ from typing import Any
 
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.formats import write
-from mechsheet.formats.archive import replace_file
 from mechsheet.model import Mechanism
+from mechsheet.replacing import replace_file
 from mechsheet.said import say
 from mechsheet.studies.book import book_of
 from mechsheet.studies.designs import Designs

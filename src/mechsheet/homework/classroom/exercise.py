@@ -20,7 +20,6 @@ from mechsheet.description import loads
 from mechsheet.description.text.file_names import is_device
 from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, readable_name, system_reason
 from mechsheet.formats import write
-from mechsheet.formats.archive import make_folder, replace_file
 from mechsheet.formula.scalar import evaluate
 from mechsheet.homework.classroom.task_sheet import task_sheet
 from mechsheet.homework.recognition import deciding
@@ -28,6 +27,7 @@ from mechsheet.homework.summaries import taken
 from mechsheet.homework.truth import truth_of
 from mechsheet.kinematics.means import rows_count_alike
 from mechsheet.model import Mechanism, Need, Vary
+from mechsheet.replacing import make_folder, replace_file
 from mechsheet.said import say
 
 DRAWS = 1000

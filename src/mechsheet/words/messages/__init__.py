@@ -1,4 +1,4 @@
-"""The Turkish of messages, by their English patterns; see `said`. A module for each subject."""
+"""Messages in the language of whoever reads them; see `said`. A module for each subject has their Turkish."""
 
 from __future__ import annotations
 
@@ -7,22 +7,14 @@ from dataclasses import replace
 from mechsheet.diagnostics import Fault
 from mechsheet.said import in_turkish
 
-from .asked import ASKED
-from .checks import CHECKS
-from .commands import COMMANDS
-from .files import FILES
-from .formulas import FORMULAS
-from .library import LIBRARY
-from .mechanism import MECHANISM
-from .studies import STUDIES
-from .text import TEXT
-
-TURKISH: dict[str, str] = TEXT | MECHANISM | ASKED | CHECKS | LIBRARY | STUDIES | FILES | FORMULAS | COMMANDS
-
 
 def text_in(text: str, language: str) -> str:
     """A message in "en" or "tr"."""
-    return in_turkish(text, TURKISH) if language == "tr" else text
+    if language != "tr":
+        return text
+    from .turkish import TURKISH  # a thousand texts, and most messages are English
+
+    return in_turkish(text, TURKISH)
 
 
 def in_language(fault: Fault, language: str) -> Fault:
