@@ -5,6 +5,7 @@ import sys
 
 import pytest
 
+LINE = {"arguments", "cli", "diagnostics", "on_demand", "replacing", "said", "time_limit"}
 """What the command line itself is made of."""
 
 DESCRIPTIONS = LINE | {"description", "formula", "model", "portable", "synthesis", "units", "words"}
