@@ -19,8 +19,6 @@ from pathlib import Path
 ROOT = Path(__file__).parent.parent
 TEMPLATE = str(ROOT / "templates" / "four-bar.toml")
 WORKBOOK = str(ROOT / "generated" / "four-bar.xlsx")
-RUN = "import sys; from mechsheet.cli import main; main()"
-NUMPY = "import numpy"
 COMMANDS = {
     "--help": (("--help",), None),
     "recalc": (("recalc", WORKBOOK), 3.0),
@@ -34,9 +32,9 @@ ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYT
 """Packages that are installed have their modules compiled."""
 
 
-def cpu_seconds(code: str, arguments: tuple[str, ...], folder: str) -> float:
-    """CPU time of one process and its children."""
-    command = [sys.executable, "-c", code, *arguments]
+def cpu_seconds(arguments: tuple[str, ...], folder: str) -> float:
+    """CPU time of one Python process and its children."""
+    command = [sys.executable, *arguments]
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, env=ENVIRONMENT, cwd=folder)
     said = process.stderr.read()
     _, status, usage = os.wait4(process.pid, 0)
@@ -56,8 +54,8 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="mechsheet-bench-") as folder:
         for run in range(options.runs + 1):
             for name in least:
-                code, arguments = (NUMPY, ()) if name == "numpy" else (RUN, COMMANDS[name][0])
-                used = cpu_seconds(code, arguments, folder)
+                arguments = ("-c", "import numpy") if name == "numpy" else ("-m", "mechsheet", *COMMANDS[name][0])
+                used = cpu_seconds(arguments, folder)
                 least[name] = min(least[name], used) if run else least[name]
     print(f"import numpy: {least['numpy'] * 1000:.0f} ms of CPU\n\n| command | times that | goal |\n|---|--:|--:|")
     missed = []
