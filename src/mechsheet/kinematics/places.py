@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from mechsheet import portable
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call, Node, TriangleAngle
+from mechsheet.formula.nodes import Call, Node, Symbol, TriangleAngle
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
@@ -162,11 +162,18 @@ class LinkPlaces:
                 return self._offsets[point] if point == end else -self._offsets[point]
         return self.place(end) - self.place(start)
 
-    def note_length(self, start: str, end: str) -> None:
-        """The two points are joints, and the link has no others: where a dimension is their distance, it is a length."""
+    def note_length(self, start: str, end: str) -> str:
+        """The two points are joints, and the link has no others: where a dimension is their distance, it is a length.
+
+        Its symbol is returned if it cannot be one, since it is not greater than 0; else "".
+        """
         way = self.way(start, end)
-        if way.polar and not self.ledger.is_positive(way.polar[0]):
-            self.ledger.is_positive(al.neg(way.polar[0]))
+        if not way.polar:
+            return ""
+        length = way.polar[0] if isinstance(way.polar[0], Symbol) else al.neg(way.polar[0])
+        if not isinstance(length, Symbol) or self.ledger.is_positive(length):
+            return ""
+        return length.name if length.name in self.ledger.dimensions else ""
 
     def known_length(self, first: str, second: str) -> Node | None:
         """The distance of two points where the description gives it as such."""

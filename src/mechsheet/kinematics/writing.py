@@ -479,11 +479,24 @@ def _in_pair(poses: Poses, drive: Drive) -> Member:
 
 
 def _note_lengths(poses: Poses) -> None:
-    """A moving link that joins two pins has a length, as the crank; where more pins are, they are places, of any sign."""
+    """A moving link that joins two pins has a length, as the crank; where more pins are, they are places, of any sign.
+
+    Raises MechanismError for a length that is given as 0 or less: the workbook's cell would refuse it.
+    """
+    given = {dim.symbol: dim for dim in poses.mechanism.dimensions if isinstance(dim.value, float)}
+    faults = []
     for link in poses.mechanism.links[1:]:
         pins = [point for point, bodies in poses.graph.pins if link.name in bodies]
-        if len(pins) == 2:
-            poses.places[link.name].note_length(*pins)
+        wrong = given.get(poses.places[link.name].note_length(*pins)) if len(pins) == 2 else None
+        if wrong is not None and not wrong.place:
+            message = say(
+                "{symbol} is the length of {link} from {start} to {end}: it must be greater than 0, not {value:.12g}",
+                symbol=wrong.symbol, link=link.name, start=pins[0], end=pins[1], value=wrong.value,
+            )  # fmt: skip
+            hint = say("which way the link points at first is said by the driver's start or by the sketch")
+            faults.append(Fault(message, key=f"dimensions.{wrong.symbol}", hint=hint))
+    if faults:
+        raise MechanismError(faults)
 
 
 def _outputs(mechanism: Mechanism, ledger: Ledger, whole: bool) -> None:

@@ -27,6 +27,12 @@ MECHANISM: dict[str, str] = {
         "çözümün dışında bırakılabilen uzuv, iki uzvu iki döner mafsalla birleştirendir"
     ),
     'give its points by coordinates: B = ["a3", 0]': 'noktalarını koordinatla verin: B = ["a3", 0]',
+    "{symbol} is the length of {link} from {start} to {end}: it must be greater than 0, not {value:.12g}": (
+        "{symbol}, {link} uzvunun {start}–{end} uzunluğudur: 0'dan büyük olmalıdır, {value:.12g} olamaz"
+    ),
+    "which way the link points at first is said by the driver's start or by the sketch": (
+        "uzvun başta hangi yöne baktığını tahrikin başlangıcı ya da taslak söyler"
+    ),
     "points of a redundant link cannot be given by distances": "fazladan uzvun noktaları uzaklıklarla verilemez",
     "no link is called {name}": "{name} adlı uzuv yok",
     "no link has a point {point}": "hiçbir uzuvda {point} noktası yok",
