@@ -414,11 +414,14 @@ class _Judge:
         return math.degrees(1.0) if self.plan.at.spots[symbol].degrees else 1.0
 
     def of_rows(self, words):
-        """Whether a number is of the rows only: of several stretches or one row, or where limits are known to a step."""
+        """Whether a number is of the rows only: of several stretches or one row, where limits are known to a step, or where
+        nobody looks between the rows."""
         unsettled = self.found.limits and self.verdict("within") in self.sheets.words("limits")
         stretches = self.truth.row_stretches
-        rows_only = len(stretches) > 1 or stretches[0][0] == stretches[0][1] or bool(unsettled)
-        self.say("rows only", self.plan.newton or (self.verdict("rows.only") in words) == rows_only, words)
+        rows_only = (
+            len(stretches) > 1 or stretches[0][0] == stretches[0][1] or bool(unsettled) or self.plan.between_unseen
+        )
+        self.say("rows only", (self.verdict("rows.only") in words) == rows_only, words)
         return rows_only
 
     def without_bound(self, symbol, words, shown):
@@ -562,13 +565,14 @@ class _Judge:
             self.say("transmission words", (self.verdict("fair") in words) == (not poor and not several), words)
             colour = sheets.colour(self.plan.blocks["verdicts"].rows[key], MEANING)
             self.say("transmission colour", colour == ("amber" if poor else "" if several else "green"), colour, words)
-        said = numbers_in(words)
+        said = numbers_in(words.partition(":")[0])
         digits = 0.051 if degrees else 0.0051
         if self.verdict("about") in words:
             digits += 0.02 * scale
-        right = len(said) >= 2 and 0 <= said[0] <= said[1] <= 90.0
-        right = right and abs(said[0] - least * scale) <= digits and abs(said[1] - most * scale) <= digits
-        self.say("transmission range", right, words, least * scale, most * scale)
+        # the best is said where it is the motion's: a right angle that it goes through need not be in a row
+        expected = [least * scale] if several or self.plan.rows_only else [least * scale, most * scale]
+        right = len(said) == len(expected) and np.allclose(said, expected, rtol=0, atol=digits) and max(said) <= 90.0
+        self.say("transmission range", right, words, *expected)
 
     def mean(self, column):
         """Over the motion: of a turn without the row that closes it all rows count."""

@@ -33,7 +33,7 @@ from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.classification import FourBar
-from mechsheet.sheet.plan import DRIVER, NUMBER, STATUS, Plan
+from mechsheet.sheet.plan import DRIVER, LEAST_PROBED, NUMBER, STATUS, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
 from mechsheet.sheet.quoted import ALL, SHOWN, formula
 from mechsheet.sheet.symbols import plain
@@ -73,7 +73,7 @@ class Extremes:
         self.loops = {loop.group: row + number for number, loop in enumerate(plan.found.four_bars)}
         row += len(self.loops) + 1 if self.loops else 0
         self.ends: dict[int, Block] = {}
-        if self.limits.count and self.quantities and plan.rows >= 4:
+        if self.limits.count and self.quantities and plan.rows >= LEAST_PROBED:
             self.ends = {FROM: Block(row, 1), TO: Block(row + 3, 1)}
             row += 6
         self.blocks: dict[tuple[str, Way], Block] = {}
@@ -184,7 +184,7 @@ class Extremes:
         plan, probes = self.plan, self.probes
         probes.put(self.whole_row, probes.side, plan.text("extremes.whole"), styles.LABEL)
         driver = plan.mechanism.driver
-        if not driver.link or driver.values or plan.rows < 4:
+        if not driver.link or driver.values or plan.rows < LEAST_PROBED:
             probes.work(self.whole_row, 1, "0")
             return
         turn = whole_turn(driver.unit.in_degrees)
@@ -483,7 +483,7 @@ class Extremes:
 
 def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
     """What is added to the words of an extreme, or of two, whose probes have not settled."""
-    if plan.newton:
+    if plan.between_unseen:
         return Text(plan.text("verdict.rows.only"))
     unsettled = Call("OR", tuple(Symbol(f"#{way}_about_{symbol}") for way in ways))
     settled = formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=unsettled, about=plan.text("verdict.about"))

@@ -405,13 +405,19 @@ class _Block:
         cell = self.value(key)
         poor = formula("value<limit", value=cell, limit=poor_limit(self.plan.mechanism))
         bad, good = self.text("poor"), self.text("fair")
-        # of rows only there may be worse between them: that it is good is not known
-        grade = formula('IF(poor,bad,IF(_rows_only,"",good))', poor=poor, bad=f": {bad}", good=f": {good}")
         after, digits = _after_number(unit), 1 if degrees else 2
+        up_to = joined(" … ", formula("ROUND(best,digits)", best=_in(best, degrees), digits=digits), after)
+        fair: Node = Text(f": {good}")
+        # of rows only there may be worse between them: that it is good is not known; nor need any row be at the best
+        if self.plan.rows_only:
+            up_to = Text("")
+        if self.plan.between_unseen:
+            fair = Text("")
+        elif not self.plan.rows_only:
+            up_to, fair = (formula('IF(_rows_only,"",said)', said=said) for said in (up_to, fair))
         words = self.bound(
-            'IFERROR(range&grade&about,"")', grade=grade, about=self.about(group.transmission),
-            range=joined(formula("ROUND(worst,digits)", worst=cell, digits=digits), f"{after} … ",
-                         formula("ROUND(best,digits)", best=_in(best, degrees), digits=digits), after),
+            'IFERROR(ROUND(worst,digits)&after&up_to&IF(poor,bad,fair)&about,"")', worst=cell, digits=digits, after=after,
+            up_to=up_to, poor=poor, bad=f": {bad}", fair=fair, about=self.about(group.transmission),
         )  # fmt: skip
         node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), degrees))
         self.line(key, f"μ{group.number}", unit, node, places(self.plan, "angle"), words)
