@@ -88,6 +88,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.leaps.none": ("no link turns far between two positions", "iki konum arasında büyük dönme yok"),
     "verdict.leaps.some": ("turns of over 90° in a step: smaller step", "bir adımda 90° üstü dönme: adımı küçültün"),
     "verdict.grashof": ("Grashof", "Grashof"),
+    "verdict.grashof.alone": ("loop {loop} alone", "yalnız {loop} devresi"),
     "verdict.grashof.one": ("crank-rocker, {link} can turn fully", "krank-sarkaç, {link} tam dönebilir"),
     "verdict.grashof.both": ("double crank (drag link)", "çift krank"),
     "verdict.grashof.coupler": ("double rocker, Grashof", "çift sarkaç (Grashof)"),

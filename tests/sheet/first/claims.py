@@ -20,6 +20,7 @@ from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.search import TURN
 from mechsheet.sheet.checks.geometry import distance
 from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.first.grashof import named
 from mechsheet.sheet.first.verdicts import closes_in_all
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.symbols import plain
@@ -347,6 +348,9 @@ class _Judge:
         else:
             said = numbers_in(line.split(";")[0])
             self.say("verdict", sorted(said[:2]) == sorted([truth.count, truth.rows]), line, truth.count)
+            if self.found.four_bars:  # of links behind the loop its type says nothing
+                loop = self.found.four_bars[0]
+                self.say("verdict", (loop.name in line) == (named(loop, self.plan) == loop.name), line)
             self.say("verdict colour", colour == "amber", colour)
 
     def some_poor(self):
@@ -403,7 +407,7 @@ class _Judge:
         else:
             word = ("both", "one", "coupler", "one")[index]
         link = link_words(names[index]).of(self.plan.language) if names[index] else ""
-        expected = f"{loop.name}: {self.verdict(f'grashof.{word}', link=link)}"
+        expected = f"{named(loop, self.plan)}: {self.verdict(f'grashof.{word}', link=link)}"
         doubtful = abs(abs(excess) - near) < near or (len(ties) > 1 and word in ("both", "one", "coupler"))
         if not doubtful:
             self.say("grashof words", sheets.words(key) == expected, sheets.words(key), expected)

@@ -22,7 +22,7 @@ from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
-from mechsheet.sheet.first.grashof import excess_of, turning_types, type_of
+from mechsheet.sheet.first.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.first.transmission import acute, poor_limit, some_poor
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
@@ -318,13 +318,14 @@ class _Block:
             **turning_types(loop, self.plan.language, text),
         )  # fmt: skip
         said = type_of(shortest, self.value(key), which, text)
-        words = formula('IFERROR(loop&": "&said,"")', loop=loop.name, said=said)
+        begin = f"{named(loop, self.plan)}: "
+        words = formula('IFERROR(begin&said,"")', begin=begin, said=said)
         excess = self.bound("excess", excess=excess_of(shortest, longest, total))
         self.line(
             key, self.text("grashof"), self.plan.mechanism.length_unit, excess, places(self.plan, "length"), words
         )
-        self.colour(key, "said=open", styles.BAD, said=self.words(key), open=f"{loop.name}: {text('open')}")
-        self.colour(key, "said=change", styles.WARN, said=self.words(key), change=f"{loop.name}: {text('change')}")
+        self.colour(key, "said=open", styles.BAD, said=self.words(key), open=begin + text("open"))
+        self.colour(key, "said=change", styles.WARN, said=self.words(key), change=begin + text("change"))
 
     def swing(self, link: Link) -> None:
         """By how much a link turns, and whether it is a crank or a rocker."""
@@ -529,7 +530,8 @@ class _Block:
         if plan.found.limits:
             parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
-            parts += ["; ", self.words(f"grashof_{loop.group}")]
+            complete = formula("count=rows", count=count, rows=rows)
+            parts.append(in_summary(loop, plan, self.words(f"grashof_{loop.group}"), complete))
         if plan.found.transmission:
             parts.append(self._worst_transmission())
         gap = self.words("largest_gap")
