@@ -110,6 +110,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.ratio.gears": (
         "ratio of {symbol}: needs a period of one turn", "{symbol} oranı: periyodu bir tur olmalıdır"
     ),
+    "verdict.ratio.uneven": ("ratio of {symbol}: needs a constant speed", "{symbol} oranı: hız sabit olmalıdır"),
     "verdict.ratio.none": ("time ratio of {symbol}: needs a whole turn", "{symbol} zaman oranı: tam bir tur gerekir"),
     "verdict.fair": ("good transmission", "bağlama iyi"),
     "verdict.poor": ("poor below 40°", "40° altı kötü"),

@@ -480,6 +480,8 @@ class _Judge:
         goes = truth.whole and truth.closes_everywhere and truth.count == truth.rows
         if truth.doubtful or truth.holes:
             return
+        if truth.mechanism.driver.uneven:
+            goes = False
         if (
             truth.equations.tied and abs(truth.step) * (truth.rows - 1) > 1.5 * TURN
         ):  # gears: back after how many turns?
@@ -507,7 +509,7 @@ class _Judge:
         candidates += self._ratio_of_places(symbol, low, high)
         about = sheets.words(f"time_ratio_{symbol}").endswith(self.verdict("about"))
         right = isinstance(shown, float) and any(
-            abs(shown - ratio) <= (2e-2 if about else 2e-3) * ratio for ratio in candidates
+            abs(shown - ratio) <= (2e-2 if about else 5e-4) * ratio for ratio in candidates
         )
         kind = "time_ratio" + ("" if self.continuous(symbol) else " (rows too far apart)")
         self.say(kind, right, shown, candidates[:3])

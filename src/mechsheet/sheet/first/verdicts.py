@@ -15,7 +15,7 @@ from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.efforts import AGREES
-from mechsheet.sheet.checks.extremes import Extremes, about, where_bounded
+from mechsheet.sheet.checks.extremes import Extremes, about, about_turns, where_bounded
 from mechsheet.sheet.checks.gaps import misfits_of
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
 from mechsheet.sheet.driving import driver_at
@@ -370,28 +370,30 @@ class _Block:
 
     def ratio(self, symbol: str) -> None:
         """Time of the slower way between the extremes over that of the faster: of a driver that turns evenly, or by its
-        motion law, again and again."""
-        law, ends, none = self.plan.mechanism.driver.law, "at", "ratio.none"
+        motion law, again and again; of one whose speed follows from its angle there is none."""
+        law, none = self.plan.mechanism.driver.law, "ratio.none"
         turn = whole_turn(self.driver.unit.in_degrees)
         closes = formula("wraps>0", wraps=Symbol(f"#wraps_{symbol}"))
         if law is not None:
             first, last = Symbol(SHOWN + law.start), Symbol(SHOWN + law.stop)
             closes = formula("AND(closes,ABS(ABS(last-first)/turn-1)<1E-9)", closes=closes, first=first, last=last,
                              turn=turn)  # fmt: skip
-            ends, turn = "place", float(self.plan.rows - 1)
         if self.plan.equations.equations.tied:  # what gears move is back after one turn, or after several
             closes = formula("AND(closes,ABS(_step)*(rows-1)<1.5*turn)", closes=closes, rows=self.plan.rows,
                              turn=turn) if law is None else closes  # fmt: skip
             none = "ratio.gears"
-        way = formula(
-            "MOD(high-low,turn)", high=Symbol(f"#max_{ends}_{symbol}"), low=Symbol(f"#min_{ends}_{symbol}"), turn=turn
-        )
-        value = formula("MAX(way,turn-way)/MIN(way,turn-way)", way=way, turn=turn)
+        # in rows, which are equally far from each other in time
+        high, low = (Symbol(f"#{way}_turns_{symbol}") for way in ("max", "min"))
+        period: Node | float = float(self.plan.rows - 1) if law else formula("turn/ABS(_step)", turn=turn)
+        way = formula("MOD(high-low,period)", high=high, low=low, period=period)
+        value = formula("MAX(way,period-way)/MIN(way,period-way)", way=way, period=period)
         node = self.bound("IF(closes,IFERROR(value,NA()),NA())", value=value, closes=closes)
+        if self.driver.uneven:
+            node, none = formula("NA()"), "ratio.uneven"
         cell = self.value(f"time_ratio_{symbol}")
         words = self.bound(
             'IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))',
-            ratio=cell, unsure=self.text("unsure"), about=self.about(symbol),
+            ratio=cell, unsure=self.text("unsure"), about=about_turns(self.plan, symbol),
             ways=self.text("ratio", symbol=plain(symbol)), none=self.text(none, symbol=plain(symbol)),
         )  # fmt: skip
         self.line(f"time_ratio_{symbol}", self.text("ratio.symbol"), "", node, 3, words)
