@@ -262,9 +262,7 @@ class _Block:
                         closed=self.text("gap.closed"), open=left_open)  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
         self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style, words)
-        # where rounding is largest says nothing, and another program rounds otherwise
-        place = self.checks.worst_at("gap")
-        self.at(key, formula('IFERROR(IF(gap>rounding,place,""),"")', gap=cell, rounding=rounding, place=place))
+        self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("gap")))
         wrong["over"] = self.text("gap.typed", sheet=self.checks.title)
         said = ",".join(f"said={name}" for name in wrong)
         self.colour(key, f"OR({said})", styles.BAD, said=self.words(key), **wrong)
