@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
-from mechsheet.formula.nodes import Call, Node
+from mechsheet.formula.nodes import Call, Node, symbols
 from mechsheet.formula.nodes import Number as NumberNode
 from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 
@@ -343,6 +343,11 @@ class Driver:
     def stepped(self) -> bool:
         """Whether its rows follow each other by one step."""
         return not self.values and self.law is None
+
+    @property
+    def uneven(self) -> bool:
+        """Whether its speed follows from where it is: then ways of the same length do not take the same time."""
+        return self.speed is not None and self.symbol in symbols(self.speed)
 
 
 @dataclass(frozen=True, slots=True)

@@ -60,6 +60,9 @@ NUMBER, DRIVER, STATUS = range(3)
 RATES_DRIVER, RATES_STATUS = range(2)
 """First columns of the sheets of rates and of forces."""
 
+LEAST_PROBED = 4
+"""With fewer rows nothing is looked for between them."""
+
 BLOCKS = 100
 """Blocks of passes are counted from so many times the number of their group."""
 
@@ -198,7 +201,12 @@ class Plan:
     @property
     def rows_only(self) -> bool:
         """Whether extremes are those of the rows."""
-        return bool(self.mechanism.driver.values) or self.rows < 4 or self.newton
+        return bool(self.mechanism.driver.values) or self.between_unseen
+
+    @property
+    def between_unseen(self) -> bool:
+        """Whether nobody looks between the rows, although the motion goes on there; where values are listed, it does not."""
+        return self.newton or (self.rows < LEAST_PROBED and not self.mechanism.driver.values)
 
     @property
     def efforts(self) -> tuple[str, ...]:

@@ -26,6 +26,7 @@ from mechsheet.said import say
 from mechsheet.sheet.checks.boundless import bounded, divisor_of
 from mechsheet.sheet.checks.turning import derivatives, differentiated
 from mechsheet.sheet.first.classification import classification
+from mechsheet.sheet.plan import LEAST_PROBED
 from mechsheet.sheet.table.lowering import lowered
 from mechsheet.studies.lowering import Lowered, Lowering
 from mechsheet.studies.motion import DIVISOR, Motion
@@ -69,6 +70,7 @@ class Designs:
     closing    there, for how far groups are from coming apart
     may_grow   quantities that can be without bound;  divisors: what those of them are divided by as absolute values
     unprobed   whether no margin says where a stretch of rows ends
+    between_unseen  whether there are so few rows that nothing is looked for between them
     decisive   names of the quantities that conditions and objectives read
     """
 
@@ -159,7 +161,8 @@ class Designs:
         ruling = list(dict.fromkeys([*ruling, *turning, *self.equations.tied, tolerance]))
         self.ruling = Called(lowering.columns(ruling, rows=True, closing=bool(self.cranks)), self.row_given)
         self.limits = bool(lowering.margins) and not mechanism.driver.values and self.rows > 1
-        self.rows_only = bool(mechanism.driver.values) or self.rows < 4 or mechanism.layout == "page"
+        self.between_unseen = self.rows < LEAST_PROBED and not mechanism.driver.values
+        self.rows_only = bool(mechanism.driver.values) or self.between_unseen or mechanism.layout == "page"
         self._doubts(wanted)
         divisors = {DIVISOR.format(symbol=symbol): node for symbol, node in self.divisors.items()}
         self.in_rows = Called(
@@ -217,7 +220,7 @@ class Designs:
         """What the rows cover, for each design: 1 for whole turns whose last row is the first again, 2 where that row is
         left out, else 0."""
         driver = self.mechanism.driver
-        if not driver.link or driver.values or self.rows < 4:
+        if not driver.link or driver.values or self.rows < LEAST_PROBED:
             return np.zeros(designs)
         values = self.given[driver.symbol]
         covered = abs(float(values[-1] - values[0])) / math.tau

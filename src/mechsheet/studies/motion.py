@@ -133,10 +133,13 @@ class Motion:
             self.remarks[quantity.name] = said
 
     def _of_rows(self, stretches: Stretches) -> Mask:
-        """Whether nobody looks between the rows: of several stretches, of one row, of one whose ends no margin tells."""
+        """Whether nobody looks between the rows: of several stretches, of one row, of one whose ends no margin tells; or of
+        few rows."""
         one = (stretches.number == 1) & (stretches.first == stretches.last)
         ends = self.designs.unprobed & (stretches.count < self.designs.rows)
-        return np.asarray((stretches.count > 0) & ((stretches.number > 1) | one | ends), bool)
+        return np.asarray(
+            (stretches.count > 0) & ((stretches.number > 1) | one | ends | self.designs.between_unseen), bool
+        )
 
     def _without_bound(
         self,

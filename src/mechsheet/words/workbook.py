@@ -89,6 +89,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.leaps.none": ("no link turns far between two positions", "iki konum arasında büyük dönme yok"),
     "verdict.leaps.some": ("turns of over 90° in a step: smaller step", "bir adımda 90° üstü dönme: adımı küçültün"),
     "verdict.grashof": ("Grashof", "Grashof"),
+    "verdict.grashof.alone": ("loop {loop} alone", "yalnız {loop} devresi"),
     "verdict.grashof.one": ("crank-rocker, {link} can turn fully", "krank-sarkaç, {link} tam dönebilir"),
     "verdict.grashof.both": ("double crank (drag link)", "çift krank"),
     "verdict.grashof.coupler": ("double rocker, Grashof", "çift sarkaç (Grashof)"),
@@ -110,6 +111,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.ratio.gears": (
         "ratio of {symbol}: needs a period of one turn", "{symbol} oranı: periyodu bir tur olmalıdır"
     ),
+    "verdict.ratio.uneven": ("ratio of {symbol}: needs a constant speed", "{symbol} oranı: hız sabit olmalıdır"),
     "verdict.ratio.none": ("time ratio of {symbol}: needs a whole turn", "{symbol} zaman oranı: tam bir tur gerekir"),
     "verdict.fair": ("good transmission", "bağlama iyi"),
     "verdict.poor": ("poor below 40°", "40° altı kötü"),

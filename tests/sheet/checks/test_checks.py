@@ -39,6 +39,27 @@ def test_rounding_only(name):
     assert gaps and all(isinstance(cell, float) for gap in gaps for cell in gap)
 
 
+def places(laid):
+    """By kind, where the columns have their worst values."""
+    checks = Checks(plan_of(laid.mechanism, solve(laid.mechanism)))
+    return [
+        (check.kind, laid.values.get(checks.title, checks.at_row, 2 + at)) for at, check in enumerate(checks.checks)
+    ]
+
+
+@pytest.mark.parametrize("name", ["four-bar-forces", "stephenson-iii-output"])
+def test_of_rounding_no_place_is_said(name):
+    """Where it is largest differs from program to program."""
+    laid = Laid(template_text(name))
+    small = ("gap", "velocity", "acceleration", "torque", "residual")
+    found = places(laid)
+    assert {kind for kind, _ in found} >= {"gap", "velocity", "acceleration"}
+    assert all(place == "" for kind, place in found if kind in small)
+    assert all(isinstance(place, float) for kind, place in found if kind in ("effort", "force", "det"))
+    laid.damage(laid.plan.table, laid.plan.at.spots["B.x"].col, lambda node: Binary("+", node, Number(1.0)))
+    assert any(isinstance(place, float) for kind, place in places(laid) if kind == "gap")
+
+
 def test_of_gaps_the_largest_is_shown_and_leaps_are_counted():
     """Gaps added up, or the largest of 0 and 1 for two leaps, would be other numbers on the first sheet."""
     checks = Checks(planned(template_text("watt-ii")))

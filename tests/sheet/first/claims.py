@@ -20,6 +20,7 @@ from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.search import TURN
 from mechsheet.sheet.checks.geometry import distance
 from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.first.grashof import named
 from mechsheet.sheet.first.verdicts import closes_in_all
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.symbols import plain
@@ -347,6 +348,9 @@ class _Judge:
         else:
             said = numbers_in(line.split(";")[0])
             self.say("verdict", sorted(said[:2]) == sorted([truth.count, truth.rows]), line, truth.count)
+            if self.found.four_bars:  # of links behind the loop its type says nothing
+                loop = self.found.four_bars[0]
+                self.say("verdict", (loop.name in line) == (named(loop, self.plan) == loop.name), line)
             self.say("verdict colour", colour == "amber", colour)
 
     def some_poor(self):
@@ -403,7 +407,7 @@ class _Judge:
         else:
             word = ("both", "one", "coupler", "one")[index]
         link = link_words(names[index]).of(self.plan.language) if names[index] else ""
-        expected = f"{loop.name}: {self.verdict(f'grashof.{word}', link=link)}"
+        expected = f"{named(loop, self.plan)}: {self.verdict(f'grashof.{word}', link=link)}"
         doubtful = abs(abs(excess) - near) < near or (len(ties) > 1 and word in ("both", "one", "coupler"))
         if not doubtful:
             self.say("grashof words", sheets.words(key) == expected, sheets.words(key), expected)
@@ -414,11 +418,14 @@ class _Judge:
         return math.degrees(1.0) if self.plan.at.spots[symbol].degrees else 1.0
 
     def of_rows(self, words):
-        """Whether a number is of the rows only: of several stretches or one row, or where limits are known to a step."""
+        """Whether a number is of the rows only: of several stretches or one row, where limits are known to a step, or where
+        nobody looks between the rows."""
         unsettled = self.found.limits and self.verdict("within") in self.sheets.words("limits")
         stretches = self.truth.row_stretches
-        rows_only = len(stretches) > 1 or stretches[0][0] == stretches[0][1] or bool(unsettled)
-        self.say("rows only", self.plan.newton or (self.verdict("rows.only") in words) == rows_only, words)
+        rows_only = (
+            len(stretches) > 1 or stretches[0][0] == stretches[0][1] or bool(unsettled) or self.plan.between_unseen
+        )
+        self.say("rows only", (self.verdict("rows.only") in words) == rows_only, words)
         return rows_only
 
     def without_bound(self, symbol, words, shown):
@@ -473,6 +480,8 @@ class _Judge:
         goes = truth.whole and truth.closes_everywhere and truth.count == truth.rows
         if truth.doubtful or truth.holes:
             return
+        if truth.mechanism.driver.uneven:
+            goes = False
         if (
             truth.equations.tied and abs(truth.step) * (truth.rows - 1) > 1.5 * TURN
         ):  # gears: back after how many turns?
@@ -500,7 +509,7 @@ class _Judge:
         candidates += self._ratio_of_places(symbol, low, high)
         about = sheets.words(f"time_ratio_{symbol}").endswith(self.verdict("about"))
         right = isinstance(shown, float) and any(
-            abs(shown - ratio) <= (2e-2 if about else 2e-3) * ratio for ratio in candidates
+            abs(shown - ratio) <= (2e-2 if about else 5e-4) * ratio for ratio in candidates
         )
         kind = "time_ratio" + ("" if self.continuous(symbol) else " (rows too far apart)")
         self.say(kind, right, shown, candidates[:3])
@@ -562,13 +571,14 @@ class _Judge:
             self.say("transmission words", (self.verdict("fair") in words) == (not poor and not several), words)
             colour = sheets.colour(self.plan.blocks["verdicts"].rows[key], MEANING)
             self.say("transmission colour", colour == ("amber" if poor else "" if several else "green"), colour, words)
-        said = numbers_in(words)
+        said = numbers_in(words.partition(":")[0])
         digits = 0.051 if degrees else 0.0051
         if self.verdict("about") in words:
             digits += 0.02 * scale
-        right = len(said) >= 2 and 0 <= said[0] <= said[1] <= 90.0
-        right = right and abs(said[0] - least * scale) <= digits and abs(said[1] - most * scale) <= digits
-        self.say("transmission range", right, words, least * scale, most * scale)
+        # the best is said where it is the motion's: a right angle that it goes through need not be in a row
+        expected = [least * scale] if several or self.plan.rows_only else [least * scale, most * scale]
+        right = len(said) == len(expected) and np.allclose(said, expected, rtol=0, atol=digits) and max(said) <= 90.0
+        self.say("transmission range", right, words, *expected)
 
     def mean(self, column):
         """Over the motion: of a turn without the row that closes it all rows count."""

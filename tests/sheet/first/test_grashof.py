@@ -1,5 +1,7 @@
 """The type of a four-bar loop: the same words in both layouts and in a study, also beside a change point."""
 
+import re
+
 import numpy as np
 import pytest
 from both_layouts import Book
@@ -8,6 +10,9 @@ from laid import template_text
 from mechsheet.studies.questions import turns_fully
 
 FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
+PRESS = re.sub(
+    r"(?ms)^\[dynamics\].*?(?=^\[assembly\])|^\[summary\].*|^speed = .*?$", "", template_text("toggle-press")
+)
 SYMBOLS = ("a1", "a2", "a3", "a4")
 
 
@@ -33,6 +38,20 @@ def test_both_layouts_say_the_same_type(language):
         fully = bool(turns_fully([np.array([length]) for length in lengths])[0])
         stuck = [sheets.plan.text(f"verdict.grashof.{word}") for word in ("none", "change", "open")]
         assert fully == (said[0] not in stuck), lengths
+
+
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+@pytest.mark.parametrize(
+    ("language", "alone"),
+    [("en", "loop A0AKB0 alone: crank-rocker, "), ("tr", "yalnız A0AKB0 devresi: krank-sarkaç, ")],
+)
+def test_of_a_linkage_of_more_links_it_is_the_type_of_the_loop_alone(layout, language, alone):
+    """The links behind the loop may come apart while its crank turns fully: then the type is no summary."""
+    book = Book(PRESS, layout, language)
+    assert f"; {alone}" in book.line
+    book.type(a5=60)
+    assert "47" in book.line and "73" in book.line
+    assert "A0AKB0" not in book.line and book.line_colour == "amber"
 
 
 def test_a_change_point_does_not_depend_on_lengths_outside_its_loop():

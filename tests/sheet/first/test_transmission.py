@@ -40,6 +40,15 @@ def test_what_is_said(layout, language):
             assert book.colour(book.row("transmission_1"), 4) != ("green" if worst < 40 else "amber")
 
 
+def test_of_rows_only_nothing_is_said_of_what_lies_between_them():
+    """Of two stretches no row is at a right angle, though one of them ends below it and the other begins above."""
+    book = Book(FOUR_BAR, "sheets").type(a1=60, a2=50, a3=45, a4=48)
+    assert book.words("transmission_1") == "11.8°: poor below 40° (rows only)"
+    few = Book(re.sub(r"(?m)^step = .*", "step = 180", FOUR_BAR), "sheets")  # three rows: 0, 180, 360
+    assert few.words("transmission_1") == "33.9°: poor below 40° (rows only)"
+    assert few.type(a2=15).words("transmission_1") == "55.1° (rows only)"
+
+
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 def test_the_worst_of_several_groups_decides(layout):
     """A rod against its guide counts from a right angle to it, two links from each other."""

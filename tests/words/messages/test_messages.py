@@ -12,7 +12,8 @@ from mechsheet.description.grammar import Either, Items, Kinds, Named, Table
 from mechsheet.description.schema import DESCRIPTION, REASONS
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.said import Said, say
-from mechsheet.words.messages import TURKISH, in_language
+from mechsheet.words.messages import in_language
+from mechsheet.words.messages.turkish import TURKISH
 
 SOURCE = Path(__file__).parents[3] / "src" / "mechsheet"
 FAULTY = sorted((Path(__file__).parents[2] / "errors").glob("*.toml"))

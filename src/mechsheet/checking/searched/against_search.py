@@ -274,7 +274,7 @@ class _Judge:
         key = f"time_ratio_{symbol}"
         if self.searched.sure:
             ratios = self.searched.time_ratio(symbol)
-            part = ABOUT if self._says(key, "about") else 20 * EXACT
+            part = ABOUT if self._says(key, "about") else 5 * EXACT
             self._number(key, ratios, part * min(ratios, default=1.0))
 
     def _transmission(self, group: Group) -> None:

@@ -95,6 +95,8 @@ class SearchedVerdicts:
     def time_ratio(self, symbol: str) -> list[float]:
         """Time of the slower way between the extremes over that of the faster; of extremes that are flat, several."""
         search = self.search
+        if search.mechanism.driver.uneven:
+            return []
         step = abs(search.step)
         if search.mechanism.driver.law is not None:  # its rows are equally far from each other in time
             if abs(step * (search.rows - 1) / TURN - 1) > 1e-9:

@@ -15,7 +15,7 @@ from mechsheet.kinematics.numeric import runs_of
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.assemblies import assembly_columns
-from mechsheet.sheet.checks.efforts import effort_columns
+from mechsheet.sheet.checks.efforts import AGREES, effort_columns
 from mechsheet.sheet.checks.fits import fit_columns
 from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
@@ -257,9 +257,14 @@ class _Writer:
         self._formula(at.most_row, col, most, styles.numbered(styles.RESULT, style.number_format))
         drivers = RangeRef(CellRef(at.first, DRIVER_COL, True, True), CellRef(at.last, DRIVER_COL, True, True))
         sought: Node = al.ONE if check.kind in COUNTED else CellRef(at.most_row, col, True)
-        where = formula(
-            'IFERROR(INDEX(drivers,MATCH(sought,column,0)),"")', drivers=drivers, sought=sought, column=column
-        )
+        where = formula("INDEX(drivers,MATCH(sought,column,0))", drivers=drivers, sought=sought, column=column)
+        if check.kind in (
+            *MEASURED,
+            "residual",
+        ):  # where rounding is largest says nothing, and other programs round otherwise
+            rounding = al.number(AGREES) if check.kind == "torque" else CellRef(ROUNDING_ROW, VALUE, True, True)
+            where = formula('IF(worst>rounding,where,"")', worst=sought, rounding=rounding, where=where)
+        where = formula('IFERROR(where,"")', where=where)
         self._formula(at.at_row, col, where, styles.numbered(styles.RESULT, "0.00"))
 
     def _unit(self, kind: Kind) -> str:

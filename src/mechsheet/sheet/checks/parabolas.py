@@ -40,8 +40,14 @@ BEFORE = -9.0
 FROM_END = 0.25
 """How far from the motion's first or last row the first probe is made, where the parabola's vertex lies beyond it."""
 
+ARRIVED = 1e-6
+"""Two probes that are no farther from each other [rows] have found the place; their difference is rounding."""
+
 ROOT = SIDE + 8
 """Working cells: the root of a probe's distance from a limit, or the distance."""
+
+DIFFERENCES = ROOT + 1
+"""Working cells: divided differences of the probes, of first, second and third order."""
 
 Point = tuple[Node, Node]
 """A place and the quantity there."""
@@ -70,6 +76,26 @@ class Parabolas:
         """All places, and what they are found from."""
         self._first_probes()
         self._further_probes()
+
+    def turn(self) -> Node:
+        """Where the cubic through all probes (Newton's form, over the way from the last one) has its extreme."""
+        at, known = ([cell(index) for index in range(PROBES + 1)] for cell in (self._at, self._value))
+        for order in range(1, PROBES):
+            for index in range(PROBES, order, -1):
+                known[index] = self.probes.work(
+                    self.block.row + index, DIFFERENCES + order - 1, "(y-y_before)/(x-x_before)", y=known[index],
+                    y_before=known[index - 1], x=at[index], x_before=at[index - order],
+                )  # fmt: skip
+        first, second, third = (self.probes.cell(self.block.row + PROBES, DIFFERENCES + order) for order in range(3))
+        far, before, last = at[-3:]
+        linear = formula("2*(second+third*(2*last-before-far))", second=second, third=third, last=last, before=before,
+                         far=far)  # fmt: skip
+        constant = formula("first+(last-before)*(second+third*(last-far))", first=first, second=second, third=third,
+                           last=last, before=before, far=far)  # fmt: skip
+        # of both roots the one beside the last probe
+        way = formula("2*constant/(linear+SIGN(linear)*SQRT(linear^2-12*third*constant))", linear=linear,
+                      constant=constant, third=third)  # fmt: skip
+        return formula("IF(ABS(last-before)<arrived,last,last-way)", last=last, before=before, arrived=ARRIVED, way=way)
 
     @property
     def _plan(self) -> Plan:

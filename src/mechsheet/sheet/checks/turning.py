@@ -42,8 +42,8 @@ def write(
     wraps: Node,
     rows: tuple[Node, Node],
     ends: tuple[Node, Node],
-) -> None:
-    """The two probes; the best row stands in the block's anchor.
+) -> Node:
+    """The two probes; the best row stands in the block's anchor. Where one more would be.
 
     wraps  more than 0 where the ends of the rows are neighbours
     rows   first and last row of the stretch;  ends: the places where it begins and ends, between rows
@@ -85,9 +85,15 @@ def write(
         row + 1, AT, "IF(crossed,here+side*IF(AND(s>0,s<1),s,t),beside)", crossed=crossed, here=here, side=side,
         s=inverse, t=part, beside=_newton(here, here, here_once, here_twice, wraps, ends),
     )  # fmt: skip
-    cells = [CellRef(row + 1, probes.at.spots[name].col, False, True) for name in (once, twice)]
-    rates = [formula(f"cell*step^{power}", cell=cell, step=step) for power, cell in enumerate(cells, 1)]
-    probes.work(row + 2, AT, "place", place=_newton(first, here, rates[0], rates[1], wraps, ends))
+
+    def from_probe(at: Node, index: int) -> Node:
+        """One Newton step from a probe."""
+        cells = [CellRef(row + index, probes.at.spots[name].col, True, True) for name in (once, twice)]
+        rates = [formula(f"cell*step^{power}", cell=cell, step=step) for power, cell in enumerate(cells, 1)]
+        return _newton(at, here, rates[0], rates[1], wraps, ends)
+
+    second = probes.work(row + 2, AT, "place", place=from_probe(first, 1))
+    return from_probe(second, 2)
 
 
 def derivatives(symbol: str) -> tuple[str, str]:

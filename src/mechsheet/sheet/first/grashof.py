@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from mechsheet.formula.nodes import Node
 from mechsheet.sheet.first.classification import FourBar
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.words.equations import link_words
 from mechsheet.words.workbook import Language
@@ -36,6 +37,23 @@ def type_of(shortest: Node, excess: Node, which: Node, text: Callable[[str], str
         excess=excess, shortest=shortest, open_from=2 * (1 + SAME), which=which, open=text("open"),
         change=text("change"), none=text("none"),
     )  # fmt: skip
+
+
+def named(loop: FourBar, plan: Plan) -> str:
+    """The loop as its type is said of it; where the mechanism has other links, too, it is said of the loop alone."""
+    return loop.name if _is_all(loop, plan) else plan.text("verdict.grashof.alone", loop=loop.name)
+
+
+def in_summary(loop: FourBar, plan: Plan, words: Node, complete: Node) -> Node:
+    """Its type for the line under the title. Of a four-bar that does not close everywhere it says why; of links behind
+    the loop it says nothing: then only where all is complete.
+    """
+    said = formula('"; "&words', words=words)
+    return said if _is_all(loop, plan) else formula('IF(complete,said,"")', complete=complete, said=said)
+
+
+def _is_all(loop: FourBar, plan: Plan) -> bool:
+    return len(plan.mechanism.links) == len(loop.sides(plan.mechanism.ground))
 
 
 def turning_types(loop: FourBar, language: Language, text: Callable[..., str]) -> dict[str, str]:

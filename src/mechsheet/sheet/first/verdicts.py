@@ -15,14 +15,14 @@ from mechsheet.model import ENERGY, Link, Synthesis, inertia_unit
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.efforts import AGREES
-from mechsheet.sheet.checks.extremes import Extremes, about, where_bounded
+from mechsheet.sheet.checks.extremes import Extremes, about, about_turns, where_bounded
 from mechsheet.sheet.checks.gaps import misfits_of
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs, task
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
-from mechsheet.sheet.first.grashof import excess_of, turning_types, type_of
+from mechsheet.sheet.first.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.first.transmission import acute, poor_limit, some_poor
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
@@ -273,9 +273,7 @@ class _Block:
                         closed=self.text("gap.closed"), open=left_open)  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
         self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style, words)
-        # where rounding is largest says nothing, and another program rounds otherwise
-        place = self.checks.worst_at("gap")
-        self.at(key, formula('IFERROR(IF(gap>rounding,place,""),"")', gap=cell, rounding=rounding, place=place))
+        self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("gap")))
         wrong["over"] = self.text("gap.typed", sheet=self.checks.title)
         said = ",".join(f"said={name}" for name in wrong)
         self.colour(key, f"OR({said})", styles.BAD, said=self.words(key), **wrong)
@@ -329,13 +327,14 @@ class _Block:
             **turning_types(loop, self.plan.language, text),
         )  # fmt: skip
         said = type_of(shortest, self.value(key), which, text)
-        words = formula('IFERROR(loop&": "&said,"")', loop=loop.name, said=said)
+        begin = f"{named(loop, self.plan)}: "
+        words = formula('IFERROR(begin&said,"")', begin=begin, said=said)
         excess = self.bound("excess", excess=excess_of(shortest, longest, total))
         self.line(
             key, self.text("grashof"), self.plan.mechanism.length_unit, excess, places(self.plan, "length"), words
         )
-        self.colour(key, "said=open", styles.BAD, said=self.words(key), open=f"{loop.name}: {text('open')}")
-        self.colour(key, "said=change", styles.WARN, said=self.words(key), change=f"{loop.name}: {text('change')}")
+        self.colour(key, "said=open", styles.BAD, said=self.words(key), open=begin + text("open"))
+        self.colour(key, "said=change", styles.WARN, said=self.words(key), change=begin + text("change"))
 
     def swing(self, link: Link) -> None:
         """By how much a link turns, and whether it is a crank or a rocker."""
@@ -380,28 +379,30 @@ class _Block:
 
     def ratio(self, symbol: str) -> None:
         """Time of the slower way between the extremes over that of the faster: of a driver that turns evenly, or by its
-        motion law, again and again."""
-        law, ends, none = self.plan.mechanism.driver.law, "at", "ratio.none"
+        motion law, again and again; of one whose speed follows from its angle there is none."""
+        law, none = self.plan.mechanism.driver.law, "ratio.none"
         turn = whole_turn(self.driver.unit.in_degrees)
         closes = formula("wraps>0", wraps=Symbol(f"#wraps_{symbol}"))
         if law is not None:
             first, last = Symbol(SHOWN + law.start), Symbol(SHOWN + law.stop)
             closes = formula("AND(closes,ABS(ABS(last-first)/turn-1)<1E-9)", closes=closes, first=first, last=last,
                              turn=turn)  # fmt: skip
-            ends, turn = "place", float(self.plan.rows - 1)
         if self.plan.equations.equations.tied:  # what gears move is back after one turn, or after several
             closes = formula("AND(closes,ABS(_step)*(rows-1)<1.5*turn)", closes=closes, rows=self.plan.rows,
                              turn=turn) if law is None else closes  # fmt: skip
             none = "ratio.gears"
-        way = formula(
-            "MOD(high-low,turn)", high=Symbol(f"#max_{ends}_{symbol}"), low=Symbol(f"#min_{ends}_{symbol}"), turn=turn
-        )
-        value = formula("MAX(way,turn-way)/MIN(way,turn-way)", way=way, turn=turn)
+        # in rows, which are equally far from each other in time
+        high, low = (Symbol(f"#{way}_turns_{symbol}") for way in ("max", "min"))
+        period: Node | float = float(self.plan.rows - 1) if law else formula("turn/ABS(_step)", turn=turn)
+        way = formula("MOD(high-low,period)", high=high, low=low, period=period)
+        value = formula("MAX(way,period-way)/MIN(way,period-way)", way=way, period=period)
         node = self.bound("IF(closes,IFERROR(value,NA()),NA())", value=value, closes=closes)
+        if self.driver.uneven:
+            node, none = formula("NA()"), "ratio.uneven"
         cell = self.value(f"time_ratio_{symbol}")
         words = self.bound(
             'IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))',
-            ratio=cell, unsure=self.text("unsure"), about=self.about(symbol),
+            ratio=cell, unsure=self.text("unsure"), about=about_turns(self.plan, symbol),
             ways=self.text("ratio", symbol=plain(symbol)), none=self.text(none, symbol=plain(symbol)),
         )  # fmt: skip
         self.line(f"time_ratio_{symbol}", self.text("ratio.symbol"), "", node, 3, words)
@@ -416,13 +417,19 @@ class _Block:
         cell = self.value(key)
         poor = formula("value<limit", value=cell, limit=poor_limit(self.plan.mechanism))
         bad, good = self.text("poor"), self.text("fair")
-        # of rows only there may be worse between them: that it is good is not known
-        grade = formula('IF(poor,bad,IF(_rows_only,"",good))', poor=poor, bad=f": {bad}", good=f": {good}")
         after, digits = _after_number(unit), 1 if degrees else 2
+        up_to = joined(" … ", formula("ROUND(best,digits)", best=_in(best, degrees), digits=digits), after)
+        fair: Node = Text(f": {good}")
+        # of rows only there may be worse between them: that it is good is not known; nor need any row be at the best
+        if self.plan.rows_only:
+            up_to = Text("")
+        if self.plan.between_unseen:
+            fair = Text("")
+        elif not self.plan.rows_only:
+            up_to, fair = (formula('IF(_rows_only,"",said)', said=said) for said in (up_to, fair))
         words = self.bound(
-            'IFERROR(range&grade&about,"")', grade=grade, about=self.about(group.transmission),
-            range=joined(formula("ROUND(worst,digits)", worst=cell, digits=digits), f"{after} … ",
-                         formula("ROUND(best,digits)", best=_in(best, degrees), digits=digits), after),
+            'IFERROR(ROUND(worst,digits)&after&up_to&IF(poor,bad,fair)&about,"")', worst=cell, digits=digits, after=after,
+            up_to=up_to, poor=poor, bad=f": {bad}", fair=fair, about=self.about(group.transmission),
         )  # fmt: skip
         node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), degrees))
         self.line(key, f"μ{group.number}", unit, node, places(self.plan, "angle"), words)
@@ -534,7 +541,8 @@ class _Block:
         if plan.found.limits:
             parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
-            parts += ["; ", self.words(f"grashof_{loop.group}")]
+            complete = formula("count=rows", count=count, rows=rows)
+            parts.append(in_summary(loop, plan, self.words(f"grashof_{loop.group}"), complete))
         if plan.found.transmission:
             parts.append(self._worst_transmission())
         gap = self.words("largest_gap")

@@ -15,7 +15,7 @@ from mechsheet.sheet.first import inputs, task
 from mechsheet.sheet.first.blocks import input_validation, unit_of_column, value_style
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
-from mechsheet.sheet.first.grashof import excess_of, turning_types, type_of
+from mechsheet.sheet.first.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
 from mechsheet.sheet.first.transmission import poor_limit, some_poor
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, over_rows
@@ -279,7 +279,8 @@ class Top:
             ground=ground, first=first, coupler=coupler, a=others[0], b=others[1], c=others[2],
             **turning_types(loop, plan.language, text),
         )  # fmt: skip
-        words = formula('IFERROR(said,"")', said=type_of(shortest, excess, which, text))
+        begin = "" if (name := named(loop, plan)) == loop.name else f"{name}: "
+        words = formula('IFERROR(said,"")', said=joined(begin, type_of(shortest, excess, which, text)))
         self.line(row, loop.name, plan.mechanism.length_unit, words)
         self.comments.append(Comment(row, SYMBOL, plan.text("notes.use.grashof")))
         value = excess_of(shortest, longest, total)
@@ -326,7 +327,8 @@ class Top:
             positions = formula("IF(rows=1,one,many)", rows=rows, one=text("page.verdict.position"), many=positions)
         parts: list[Node | str] = [counted, rows, positions]
         for loop in plan.found.four_bars[:1]:
-            parts += ["; ", CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], MEANING, True, True)]
+            kind = CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], MEANING, True, True)
+            parts.append(in_summary(loop, plan, kind, formula("n=rows", n=count, rows=rows)))
         any_poor: Node = Boolean(False)
         if plan.found.transmission:
             lines = [plan.blocks["verdicts"].rows[f"transmission_{each.number}"] for each in plan.found.transmission]

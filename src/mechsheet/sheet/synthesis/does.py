@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, RangeRef, Text
 from mechsheet.sheet import styles
+from mechsheet.sheet.first.grashof import named
 from mechsheet.sheet.first.transmission import POOR
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
@@ -272,8 +273,9 @@ class Does:
         excess = plan.at.cell(f"#grashof_{loop.group}", page.title, None)
         row = plan.blocks["verdicts"].rows[f"grashof_{loop.group}"]
         said = CellRef(row, FIRST_SHEET_WORDS, True, True, plan.main)
-        opened = Text(f"{loop.name}: {plan.text('verdict.grashof.open')}")
-        change = Text(f"{loop.name}: {plan.text('verdict.grashof.change')}")
+        opened, change = (
+            Text(f"{named(loop, plan)}: {plan.text(f'verdict.grashof.{word}')}") for word in ("open", "change")
+        )
         amber = "said=change"
         over: dict[str, Node | float] = {"said": said, "opened": opened, "change": change}
         words: list[tuple[str, Node | str]] = []

@@ -19,7 +19,7 @@ from mechsheet.sheet.checks.parabolas import BESIDE, PROBES, vertex_of
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.blocks import input_validation, shown_unit
 from mechsheet.sheet.over_rows import ENDS, NUMBERS, may_leave_out, mean_of_motion
-from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.plan import LEAST_PROBED, Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.cell_formula import Blocks, CellFormula, helper_blocks
@@ -42,7 +42,7 @@ class SummaryTable(Table):
         self.pairs = self.count * len(request.row_values)
         self.at = self.helpers_at + 1
         self.rows_end = FIRST + plan.rows - 1
-        self.probed = not plan.mechanism.driver.values and plan.rows >= 4
+        self.probed = not plan.mechanism.driver.values and plan.rows >= LEAST_PROBED
 
     def heads(self) -> list[tuple[str, tuple[Quantity, ...], list[tuple[int, int]]]]:
         """Those of the columns, and of the rows."""
