@@ -31,7 +31,7 @@ MECHANISM: dict[str, str] = {
         "{symbol}, {link} uzvunun {start}–{end} uzunluğudur: 0'dan büyük olmalıdır, {value:.12g} olamaz"
     ),
     "which way the link points at first is said by the driver's start or by the sketch": (
-        "uzvun başta hangi yöne baktığını tahrikin başlangıcı ya da taslak söyler"
+        "uzvun başta hangi yöne baktığını tahrikin başlangıcı ya da eskiz söyler"
     ),
     "points of a redundant link cannot be given by distances": "fazladan uzvun noktaları uzaklıklarla verilemez",
     "no link is called {name}": "{name} adlı uzuv yok",
