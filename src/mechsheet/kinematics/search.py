@@ -21,6 +21,7 @@ from mechsheet.kinematics.equations import Condition, Equations
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.means import rows_count_alike
 from mechsheet.kinematics.numeric import Array, runs_of, value
+from mechsheet.kinematics.period import SAME_AGAIN
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 
@@ -318,6 +319,9 @@ class Search:
     def _extremes(self, symbol: str, change: Change, rows_only: bool) -> Extremes | None:
         column = np.asarray(change(self.at[symbol]), float)
         shown = self._of_rows()
+        back = self.last == self.rows or abs(column[-1] - column[0]) <= SAME_AGAIN * np.ptp(column)
+        last = self.last if back else self.rows  # what does not come back with the mechanism has ends
+        shown &= self.u <= last
         if rows_only:
             shown = shown & (np.arange(len(self.u)) % self.fine == 0)
         found: list[float] = []
@@ -330,15 +334,16 @@ class Search:
             low = low[np.argsort(v[low])][:BASINS]
             best, where = float(v[low[0]]), float(self.u[low[0]])
             if self.stepped and not rows_only:
-                closer, place = self._closer(symbol, change, column, sign, self.u[low], shown)
+                closer, place = self._closer(symbol, change, column, sign, self.u[low], shown, last)
                 best, where = (closer, place) if closer < best else (best, where)
             found += [sign * best, where]
         return found[0], found[1], found[2], found[3]
 
     def _closer(
-        self, symbol: str, change: Change, column: Array, sign: float, starts: Array, shown: Mask
+        self, symbol: str, change: Change, column: Array, sign: float, starts: Array, shown: Mask, end: int
     ) -> tuple[float, float]:
-        """The least value (with a sign) between the places of the grid and at the edges of what is shown; its place."""
+        """The least value (with a sign) between the places of the grid, up to the row `end`, and at the edges of what is
+        shown; its place."""
         held, turns = self._held(column), self.is_angle(symbol)
 
         def near(u: Array) -> Array:
@@ -347,7 +352,7 @@ class Search:
             if turns:  # near the nearest place that exists
                 nearest = held[np.clip(np.rint((u - 1) * self.fine).astype(int), 0, len(self.u) - 1)]
                 raw = raw - TURN * np.round((raw - nearest) / TURN)
-            return np.where(self.exists(known), sign * raw, np.nan)
+            return np.where(self.exists(known) & (u <= end), sign * raw, np.nan)
 
         places, values = self._narrow(near, starts)
         last = len(shown) - 1

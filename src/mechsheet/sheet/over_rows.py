@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from mechsheet.formula.nodes import Call, Node, RangeRef, Text
+from mechsheet.kinematics.period import SAME_AGAIN
 from mechsheet.model import Driver
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
+from mechsheet.units import Unit, turn
 
 LEAST, MOST = "MINIFS", "MAXIFS"
 
@@ -67,6 +69,23 @@ def may_leave_out(plan: Plan) -> bool:
     way."""
     driver, tied = plan.mechanism.driver, plan.equations.equations.tied
     return bool(driver.link) and not driver.values and driver.law is None and not tied
+
+
+def ends_meet(plan: Plan, symbol: str, unit: Unit, column: Node, ends: tuple[Node, Node]) -> Node:
+    """Whether the rows at the ends of whole turns are neighbours for a quantity: it comes back with the mechanism.
+
+    An angle may have gone on by a turn. What reads an angle otherwise than through sines comes back or not, as its rows say;
+    where the last is left out they cannot, and the quantity ends with them.
+    """
+    start, end = ends
+    change = plan.periods.change(symbol)
+    if change == "nothing":
+        return formula("TRUE")
+    if change == "turns" and unit.kind == "angle" and not unit.per:
+        half = turn(plan.at.spots[symbol].degrees) / 2.0
+        return formula("ABS(start-end)<half", start=start, end=end, half=half)
+    return formula("AND(_whole=1,ABS(start-end)<=same*(MAX(column)-MIN(column)))", start=start, end=end, column=column,
+                   same=SAME_AGAIN)  # fmt: skip
 
 
 def _but_last(column: RangeRef) -> RangeRef:

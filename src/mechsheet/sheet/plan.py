@@ -22,6 +22,7 @@ from mechsheet.kinematics.equations import BANDS, FORCES, INNER, JOINT_FORCES, R
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.period import Periods
 from mechsheet.kinematics.rates.sensitivity import NO_BANDS, Sensitivities, toleranced
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, Dimension, Mechanism
@@ -131,6 +132,11 @@ class Plan:
     window: dict[str, Spot] = field(default_factory=dict)
     arrow_rows: range = range(0)
     synthesis: Rows | None = None
+
+    @cached_property
+    def periods(self) -> Periods:
+        """What a turn of the driver changes of each quantity."""
+        return Periods(self.equations.columns, self.mechanism.driven_symbols)
 
     @cached_property
     def size(self) -> float:

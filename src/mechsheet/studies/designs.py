@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,7 @@ from mechsheet.kinematics.driving import given_between, given_values, step_of
 from mechsheet.kinematics.equations import RATES
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.period import Periods
 from mechsheet.model import Condition, Mechanism, Study
 from mechsheet.said import say
 from mechsheet.sheet.checks.boundless import bounded, divisor_of
@@ -238,6 +240,17 @@ class Designs:
         """Whether a quantity is an angle, which may go on by whole turns."""
         unit = self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit
         return unit.kind == "angle" and not unit.per
+
+    def half_turn(self, symbol: str) -> float:
+        """How far the ends of a whole turn may be apart for a quantity, so that they are neighbours: as of `anchors_of`."""
+        change = self._periods.change(symbol)
+        if change == "nothing":
+            return math.inf
+        return math.pi if change == "turns" and self.is_angle(symbol) else 0.0
+
+    @cached_property
+    def _periods(self) -> Periods:
+        return Periods(self.equations.columns, self.mechanism.driven_symbols)
 
     # --- a chunk ----------------------------------------------------------------------------------------------------------
 

@@ -17,6 +17,7 @@ from typing import Literal, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet.kinematics.period import SAME_AGAIN
 from mechsheet.studies.remarks import at_pole, unsettled
 
 Array = NDArray[np.float64]
@@ -137,7 +138,8 @@ def anchors_of(
 
     column     the quantity, designs by rows;  best: its best rows and values;  worst: its other extreme in the rows
     whole      1, 2 or 0 for each design: whether rows cover whole turns
-    half_turn  pi where the quantity is an angle whose whole turns count, else infinite
+    half_turn  pi where the quantity is an angle whose whole turns count, 0 where it need not come back with the mechanism:
+               its rows say whether it does; else infinite
     ends       whether the ends of a whole turn are neighbours for probes: never by a motion law
     limits     whether the sheet looks for limits, and has a probe at both ends of the motion
     angles     angles without jumps, designs by rows
@@ -147,7 +149,9 @@ def anchors_of(
     each = np.arange(designs)
     place, most = best
     first, last = stretches.first, stretches.last
-    around = (whole > 0) & (first == 1) & (last == rows) & (np.abs(column[:, 0] - column[:, -1]) < half_turn)
+    apart = np.abs(column[:, 0] - column[:, -1])
+    meet = apart < half_turn if half_turn else (whole == 1) & (apart <= SAME_AGAIN * np.abs(most - worst))
+    around = (whole > 0) & (first == 1) & (last == rows) & meet
     wraps = np.where(around, whole, 0.0)
     beyond = wraps if ends else np.zeros(designs)
     if limits and rows >= LEAST_INNER:

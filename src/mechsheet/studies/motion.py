@@ -296,7 +296,7 @@ class _Rows:
             self.best((extreme[0], "max" if extreme[1] == "min" else "min"))[1],
             self.stretches,
             self._covered,
-            math.pi if designs.is_angle(extreme[0]) else math.inf,
+            designs.half_turn(extreme[0]),
             designs.mechanism.driver.law is None,
             designs.limits,
             [self._whole(self._out[name]) for name in names],

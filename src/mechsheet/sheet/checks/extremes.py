@@ -33,6 +33,7 @@ from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.classification import FourBar
+from mechsheet.sheet.over_rows import ends_meet
 from mechsheet.sheet.plan import DRIVER, LEAST_PROBED, NUMBER, STATUS, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
 from mechsheet.sheet.quoted import ALL, SHOWN, formula
@@ -349,18 +350,15 @@ class Extremes:
 
     def _wraps(self, symbol: str, cell: CellRef) -> None:
         """Whether the ends of the rows are neighbours: what the whole sheet says, or 0 where something is missing or the
-        quantity has gone on by a turn."""
+        quantity does not come back."""
         plan, probes = self.plan, self.probes
         first, last = self._rows_of_stretch()
-        turns = self._half_turn(symbol)
-        near = "ABS(start-end)<half" if turns else "TRUE"
-        start, end = (
-            CellRef(at, plan.at.spots[symbol].col, True, True, plan.table) for at in (plan.at.first, plan.at.last)
-        )
-        holes: dict[str, Node | float | str] = {"half": turns, "start": start, "end": end} if turns else {}
+        ends = [CellRef(at, plan.at.spots[symbol].col, True, True, plan.table) for at in (plan.at.first, plan.at.last)]
+        unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
+        meet = ends_meet(plan, symbol, unit, Symbol(ALL + symbol), (ends[0], ends[1]))
         probes.work(
-            cell.row, SIDE + 2, f"IFERROR(IF(AND(_whole>0,first=1,last=rows,{near}),_whole,0),0)",
-            first=first, last=last, rows=plan.rows, **holes,
+            cell.row, SIDE + 2, "IFERROR(IF(AND(_whole>0,first=1,last=rows,meet),_whole,0),0)",
+            first=first, last=last, rows=plan.rows, meet=meet,
         )  # fmt: skip
 
     def _rows_of_stretch(self) -> tuple[CellRef, CellRef]:
@@ -374,13 +372,6 @@ class Extremes:
     def _around(self, wraps: Node) -> Node:
         """Whether probes go on beyond the last row, into the first: never by a motion law, whose rows end in time."""
         return wraps if self.plan.mechanism.driver.law is None else al.ZERO
-
-    def _half_turn(self, symbol: str) -> float:
-        """Half a turn in the unit of a quantity that is an angle, else 0."""
-        unit = self.plan.mechanism.given_unit(symbol) or self.plan.equations.of(symbol).unit
-        if unit.kind != "angle" or unit.per:
-            return 0.0
-        return whole_turn(self.plan.at.spots[symbol].degrees) / 2.0
 
     def _result(self, symbol: str, way: Way, block: Block) -> None:
         """The best of the row and the probes, where it is, and whether the probes have settled."""

@@ -18,7 +18,7 @@ from mechsheet.sheet.checks.extremes import SETTLED
 from mechsheet.sheet.checks.parabolas import BESIDE, PROBES, vertex_of
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.blocks import input_validation, shown_unit
-from mechsheet.sheet.over_rows import ENDS, NUMBERS, may_leave_out, mean_of_motion
+from mechsheet.sheet.over_rows import ENDS, NUMBERS, ends_meet, may_leave_out, mean_of_motion
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import plain, rich
@@ -26,7 +26,6 @@ from mechsheet.sheet.table.cell_formula import Blocks, CellFormula, helper_block
 from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.table.two_way import CORNER_ROW, FIRST, HEAD_ROW, NAME_ROW, Body, Table, bracketed
 from mechsheet.sheet.workbook import Area, Axis, Cell, Column, Conditional, Fill, Style
-from mechsheet.units import turn as whole_turn
 
 
 class SummaryTable(Table):
@@ -211,23 +210,17 @@ class Helpers:
         return mean_of_motion(plan.mechanism.driver, self.column, [(self.column, NUMBERS)], turns)
 
     def _wraps(self) -> CellRef | None:
-        """Whether the rows at the ends are neighbours, as on the sheet of extremes: nothing is missing, and an angle has not
-        gone on by a turn."""
+        """Whether the rows at the ends are neighbours, as on the sheet of extremes: nothing is missing, and what is asked
+        comes back."""
         if not self.table.probed:
             return None
         if self.plan.mechanism.driver.law is not None:  # whose rows end in time
             return self._line("wraps", "0")
-        half = self._half_turn()
-        near = "ABS(start-end)<half" if half else "TRUE"
-        holes: dict[str, Node | float | str] = {"start": self.column.start, "end": self.column.end, "half": half}
-        return self._line("wraps", f"IFERROR(IF(AND(COUNT(column)=rows,{near}),_whole,0),0)", rows=self.plan.rows,
-                          **(holes if half else {}))  # fmt: skip
-
-    def _half_turn(self) -> float:
-        unit = self.found.unit(self.table.summary.of)
-        if unit.kind != "angle" or unit.per:
-            return 0.0
-        return whole_turn(self.plan.at.spots[self.table.summary.of].degrees) / 2.0
+        of, column = self.table.summary.of, self.column
+        meet = ends_meet(self.plan, of, self.found.unit(of), column, (column.start, column.end))
+        return self._line(
+            "wraps", "IFERROR(IF(AND(COUNT(column)=rows,meet),_whole,0),0)", rows=self.plan.rows, meet=meet
+        )
 
     def _extreme(self, way: Way, wraps: CellRef | None, style: Style) -> CellRef:
         """The rows of the smallest or largest value; the last of them has it."""
