@@ -10,6 +10,7 @@ from mechsheet.description import loads
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.library.show import overview_text
 from mechsheet.library.verdicts import verdicts_json
+from mechsheet.sheet.checks.boundless import may_grow
 
 NA = ErrorValue("#N/A")
 
@@ -116,3 +117,32 @@ def test_a_page_says_as_much_to_programs():
     said = json.loads(verdicts_json(loads(f'{text}\n[workbook]\nlayout = "page"\n')))
     assert said == json.loads(verdicts_json(loads(text)))
     assert said["swing_theta14"]["value"] == pytest.approx(78.94412837)
+
+
+@pytest.mark.parametrize(
+    ("formula", "grows"),
+    [
+        ("sin(theta14)*cos(theta13)", False),
+        ("where(theta14 - pi, C.x/a1, sqrt(abs(theta13))^2)", False),
+        ("theta13*exp(-theta14)", False),
+        ("1/(2 + cos(theta14))", True),
+        ("sin(1/theta14)", False),
+        ("tan(theta14)", True),
+        ("theta14^theta13", True),
+        ("omega14/100", True),
+    ],
+)
+def test_what_is_divided_by_nothing_that_varies_is_bounded(formula, grows):
+    outputs = f'asked = {{ formula = "{formula}", unit = "1" }}'
+    asked = '[summary]\nmost = { of = "asked", take = "max" }\n'
+    laid = Laid(f"{CRANK_ROCKER.partition('[outputs]')[0]}\n[outputs]\n{outputs}\n{asked}")
+    assert may_grow(laid.plan, "asked") == grows
+
+
+def test_a_bounded_output_does_not_grow_without_bound():
+    """Three of its rows lie as if its reciprocal went through 0 in a straight line."""
+    text = template_text("four-bar").partition("[outputs]")[0]
+    text += '[outputs]\nw = { formula = "sin(theta14)*cos(theta13)" }\n[summary]\nleast = { of = "w", take = "min" }\n'
+    laid = Laid(text).change(a1=48.13136312848412, a2=39.36807294533667, a3=54.5460355465693, a4=36.71428895818196)
+    value, words = summary(laid, "least")
+    assert -1 <= value <= 1 and WORDS["en"] not in words

@@ -8,11 +8,11 @@ that is divided by one is looked at with the sign of what stands in it: of y = a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import reduce
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Node, Symbol, Unary, transform, walk
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, symbols, transform, walk
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
@@ -40,9 +40,52 @@ def may_grow(plan: Plan, symbol: str) -> bool:
 
 
 def bounded(mechanism: Mechanism, equations: Equations, transmission: Iterable[Group]) -> set[str]:
-    """Quantities that cannot be without bound: the angles of links and between them, places of points."""
+    """Quantities that cannot be without bound: the angles of links and between them, places of points; and outputs that
+    follow from these by functions that keep what is bounded so."""
     found = {link.angle_symbol for link in mechanism.links} | {group.transmission for group in transmission}
-    return found | {equation.symbol for equation in equations.all if equation.role == "point"}
+    found |= {equation.symbol for equation in equations.all if equation.role == "point"}
+    driven = {*mechanism.driven_symbols, *mechanism.given_by_row}
+    columns = driven | {equation.symbol for equation in equations.columns}
+    outputs = (each.symbol for each in mechanism.outputs)
+    return found | {
+        symbol for symbol in outputs
+        if symbol in columns and _keeps_bounds(equations.of(symbol).expression, columns, found | driven)
+    }  # fmt: skip
+
+
+_WITHIN_BOUNDS = frozenset(("SIN", "COS", "ASIN", "ACOS", "ATAN", "ATAN2", "SIGN"))
+"""Functions that no argument leads beyond all bounds."""
+
+_KEEP_BOUNDS = frozenset(("SQRT", "SUMSQ", "ABS", "MIN", "MAX", "EXP", "RADIANS", "DEGREES", "PI"))
+"""Functions that no bounded arguments do."""
+
+
+def _keeps_bounds(node: Node, columns: Collection[str], known: Collection[str]) -> bool:
+    """Whether an expression is bounded: over columns that are known to be, and divided by none."""
+    match node:
+        case Number():
+            return True
+        case Symbol(name):
+            return name in known or name not in columns
+        case Binary("/", left, right):
+            return _keeps_bounds(left, columns, known) and not any(name in columns for name in symbols(right))
+        case Binary("^", left, Number(power)):
+            return power >= 0 and _keeps_bounds(left, columns, known)
+        case Binary("+" | "-" | "*"):
+            parts: Sequence[Node] = (node.left, node.right)
+        case Unary():
+            parts = (node.operand,)
+        case Call("IF"):
+            parts = node.args[1:]
+        case Call(name):
+            if name in _WITHIN_BOUNDS:
+                return True
+            if name not in _KEEP_BOUNDS:
+                return False
+            parts = node.args
+        case _:
+            return False
+    return all(_keeps_bounds(part, columns, known) for part in parts)
 
 
 def beyond_rows(value: Node, of_rows: Node, others: Node, rows: tuple[Node, Node]) -> Node:
