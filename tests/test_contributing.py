@@ -81,6 +81,11 @@ def test_a_kind_of_synthesis_is_named_in_no_other_module(name):
     assert all(covered(module, files) for module in found), found
 
 
+def test_a_take_is_named_in_no_other_module():
+    found = modules_with(r'"(take\.)?rms"')
+    assert set(found) == set(ROWS["a take of a summary"])
+
+
 @pytest.mark.parametrize("name", ["EXP", "LN"])
 def test_a_function_of_descriptions_is_named_where_it_is_said(name):
     found = {module for module in modules_with(rf'"{name}"') if not module.startswith("engine/")}
