@@ -35,6 +35,12 @@ _RULES: dict[str, Rule] = {
 }
 """Function of one argument -> its derivative by that argument."""
 
+WITHIN_BOUNDS = frozenset(("SIN", "COS", "ASIN", "ACOS", "ATAN", "ATAN2", "SIGN"))
+"""Functions that no argument leads beyond all bounds."""
+
+KEEP_BOUNDS = frozenset(("SQRT", "SUMSQ", "ABS", "MIN", "MAX", "EXP", "RADIANS", "DEGREES", "PI"))
+"""Functions that no bounded arguments do."""
+
 
 def derivative(node: Node, symbol: str) -> Node:
     """d node / d symbol. Raises ValueError for a node that has none (a text, a cell, a function without a rule)."""

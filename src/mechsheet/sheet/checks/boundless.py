@@ -12,6 +12,7 @@ from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import reduce
 
 from mechsheet.formula import algebra as al
+from mechsheet.formula.derivatives import KEEP_BOUNDS, WITHIN_BOUNDS
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, symbols, transform, walk
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.model import Mechanism
@@ -53,13 +54,6 @@ def bounded(mechanism: Mechanism, equations: Equations, transmission: Iterable[G
     }  # fmt: skip
 
 
-_WITHIN_BOUNDS = frozenset(("SIN", "COS", "ASIN", "ACOS", "ATAN", "ATAN2", "SIGN"))
-"""Functions that no argument leads beyond all bounds."""
-
-_KEEP_BOUNDS = frozenset(("SQRT", "SUMSQ", "ABS", "MIN", "MAX", "EXP", "RADIANS", "DEGREES", "PI"))
-"""Functions that no bounded arguments do."""
-
-
 def _keeps_bounds(node: Node, columns: Collection[str], known: Collection[str]) -> bool:
     """Whether an expression is bounded: over columns that are known to be, and divided by none."""
     match node:
@@ -78,9 +72,9 @@ def _keeps_bounds(node: Node, columns: Collection[str], known: Collection[str]) 
         case Call("IF"):
             parts = node.args[1:]
         case Call(name):
-            if name in _WITHIN_BOUNDS:
+            if name in WITHIN_BOUNDS:
                 return True
-            if name not in _KEEP_BOUNDS:
+            if name not in KEEP_BOUNDS:
                 return False
             parts = node.args
         case _:
