@@ -95,6 +95,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.grashof.coupler": ("double rocker, Grashof", "çift sarkaç (Grashof)"),
     "verdict.grashof.none": ("triple rocker, not Grashof", "üçlü sarkaç (Grashof değil)"),
     "verdict.grashof.change": ("change point", "katlanabilir (sınır durum)"),
+    "verdict.grashof.reach": (" (tolerances reach a change point)", " (toleranslar sınır duruma ulaşır)"),
     "verdict.grashof.open": ("cannot be closed", "kapatılamaz"),
     "verdict.crank": ("crank: turns fully", "krank: tam döner"),
     "verdict.rocker": ("rocker: swings by this much", "sarkaç: bu kadar salınır"),

@@ -17,6 +17,7 @@ import numpy as np
 
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.numeric import value as number_of
+from mechsheet.kinematics.rates.sensitivity import toleranced
 from mechsheet.kinematics.search import TURN
 from mechsheet.sheet.checks.geometry import distance
 from mechsheet.sheet.checks.limits import STRETCHES
@@ -343,8 +344,8 @@ class _Judge:
         elif truth.count == truth.rows:
             self.say("verdict", line.startswith(closes_in_all(self.plan)), line)
             if not truth.doubtful:
-                poor = self.some_poor()
-                self.say("verdict colour", colour == ("amber" if truth.holes or poor else "green"), colour, truth.holes)
+                doubts = truth.holes or self.some_poor() or self.verdict("grashof.reach") in line
+                self.say("verdict colour", colour == ("amber" if doubts else "green"), colour, truth.holes)
         else:
             said = numbers_in(line.split(";")[0])
             self.say("verdict", sorted(said[:2]) == sorted([truth.count, truth.rows]), line, truth.count)
@@ -386,14 +387,30 @@ class _Judge:
             (loop.coupler, loop.pin, loop.inner),
             (loop.last, loop.end, loop.inner),
         )
-        known = truth.dimensions
         constants = {name: float(column[0]) for name, column in truth.at.items() if truth.is_constant(name)}
-        lengths = [float(number_of(distance(*link), {**constants, **known})) for link in links]
+
+        def lengths_of(known):
+            return [float(number_of(distance(*link), {**constants, **known})) for link in links]
+
+        lengths = lengths_of(truth.dimensions)
         low, high, total = min(lengths), max(lengths), sum(lengths)
         excess = 2 * (low + high) - total
         key = f"grashof_{loop.group}"
         tolerance = 1e-8 * truth.size
         self.say("grashof", close(sheets.of(key), excess, tolerance), sheets.of(key), excess)
+        words = sheets.words(key)
+        if self.plan.mechanism.bands is not None:  # by differences, of dimensions that none other follows from
+            reach = 0.0
+            for dim in toleranced(truth.mechanism):
+                wide = dim.tolerance * (math.pi / 180 if dim.unit.in_degrees else 1.0)
+                way = 1e-6 * wide
+                value = truth.dimensions[dim.symbol]
+                ends = (lengths_of({**truth.dimensions, dim.symbol: value + side * way}) for side in (1, -1))
+                reach += sum(abs(high - low) for high, low in zip(*ends, strict=True)) / (2 * way) * wide
+            reached = self.verdict("grashof.reach") in words
+            if abs(abs(excess) - reach) > 1e-6 * reach:
+                self.say("grashof words", reached == (0 < abs(excess) <= reach), words, excess, reach)
+            words = words.removesuffix(self.verdict("grashof.reach"))
         near = 1e-9 * high
         index = lengths.index(low)
         ties = [i for i, length in enumerate(lengths) if abs(length - low) <= near]
@@ -410,7 +427,7 @@ class _Judge:
         expected = f"{named(loop, self.plan)}: {self.verdict(f'grashof.{word}', link=link)}"
         doubtful = abs(abs(excess) - near) < near or (len(ties) > 1 and word in ("both", "one", "coupler"))
         if not doubtful:
-            self.say("grashof words", sheets.words(key) == expected, sheets.words(key), expected)
+            self.say("grashof words", words == expected, words, expected)
 
     # --- quantities ------------------------------------------------------------------------------------------------------
 

@@ -1,5 +1,6 @@
 """The type of a four-bar loop: the same words in both layouts and in a study, also beside a change point."""
 
+import math
 import re
 
 import numpy as np
@@ -52,6 +53,29 @@ def test_of_a_linkage_of_more_links_it_is_the_type_of_the_loop_alone(layout, lan
     book.type(a5=60)
     assert "47" in book.line and "73" in book.line
     assert "A0AKB0" not in book.line and book.line_colour == "amber"
+
+
+@pytest.mark.parametrize(
+    ("language", "words"), [("en", "tolerances reach a change point"), ("tr", "toleranslar sınır duruma")]
+)
+def test_tolerances_that_reach_a_change_point(language, words):
+    """Those of the four lengths add up to 0.3; at 160 the linkage is at its change point."""
+    book = Book(template_text("hoeken").partition("[[charts]]")[0], "sheets", language)
+    for a1 in (80, 159.5, 159.75, 159.9, 160, 160.2, 160.5):
+        book.type(a1=a1)
+        reached = 0 < abs(a1 - 160) < 0.3
+        assert (words in book.words("grashof_1")) == reached, a1
+        assert (book.colour(book.row("grashof_1"), 4) == "amber") == (reached or a1 == 160), a1
+        assert (words in book.line) == reached
+        assert book.line_colour == "amber" or not reached
+
+
+def test_how_far_tolerances_reach_follows_from_where_points_are():
+    """The ground's length is the hypotenuse of two dimensions with a tolerance."""
+    book = Book(template_text("toggle-press").partition("[[charts]]")[0], "sheets")
+    spot = book.plan.at.spots["#reach_1"]
+    expected = 0.1 * (300 + 180) / math.hypot(300, 180) + 0.05 + 0.1 + 0.05
+    assert book.values.get(spot.sheet, spot.row, spot.col - 1) == pytest.approx(expected, rel=1e-12)
 
 
 def test_a_change_point_does_not_depend_on_lengths_outside_its_loop():

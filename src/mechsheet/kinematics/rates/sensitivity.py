@@ -22,7 +22,7 @@ from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Node, Symbol, symbols, transform, walk
+from mechsheet.formula.nodes import Node, Symbol, symbols, transform, walk, with_symbols
 from mechsheet.kinematics.cell_lengths import terms_of
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.model import Dimension, Mechanism
@@ -104,6 +104,19 @@ def sensitivities(mechanism: Mechanism, equations: Equations, quantities: Sequen
         found.append(writer.result(dimensions))
         read |= {group.number for group, _ in writer.held}
     return Sensitivities(partials.constants, tuple(sorted(read)), tuple(found))
+
+
+def of_constant(mechanism: Mechanism, equations: Equations, node: Node) -> dict[str, Node]:
+    """The derivatives of what follows from dimensions alone, written out, by all that have a tolerance and change it."""
+    partials = _Partials(mechanism, equations)
+    found = {}
+    for dim in toleranced(mechanism):
+        slope = partials.of(node, dim.symbol)
+        while not partials.constants.keys().isdisjoint(symbols(slope)):
+            slope = with_symbols(slope, partials.constants)
+        if not al.is_zero(slope):
+            found[dim.symbol] = slope
+    return found
 
 
 class _Partials:

@@ -38,12 +38,16 @@ from mechsheet.sheet.plan import DRIVER, LEAST_PROBED, NUMBER, STATUS, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
 from mechsheet.sheet.quoted import ALL, SHOWN, formula
 from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.table.bands import band_of_constant
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.workbook import Column, PrintSetup, Sheet
 from mechsheet.units import turn as whole_turn
 
 BOUNDLESS = SIDE + 7
 """The working cell that says whether a quantity grows without bound."""
+
+REACH = 6
+"""The working cell of a loop that says whether tolerances reach a change point; how far they reach stands before it."""
 
 SETTLED, IMPROVED = 1e-4, 5e-4
 """The last probe may be worse than the best by the first part of the range, and better than all others by the second; more,
@@ -122,6 +126,9 @@ class Extremes:
         for (symbol, way), block in self.bands.items():
             for name in self.plan.banded[symbol].derivatives:
                 spots[f"#{way} {name}"] = Spot(title, block.row + 1, self.probes.at.spots[name].col)
+        for group, row in self.loops.items() if self.plan.mechanism.bands is not None else ():
+            cell = self.probes.cell(row, REACH)
+            spots[f"#reach_{group}"] = Spot(title, cell.row, cell.col)
         for number, block in self.gaps.items():
             for key, work in ((f"#gap_least_{number}", 0), (f"#gap_row_{number}", 1)):
                 cell = self.probes.cell(block.row, SIDE + work)
@@ -180,12 +187,22 @@ class Extremes:
         return RangeRef(replace(cells.start, sheet=self.probes.title), replace(cells.end, sheet=self.probes.title))
 
     def _loop(self, loop: FourBar) -> None:
-        """The four lengths of a loop."""
-        row = self.loops[loop.group]
+        """The four lengths of a loop, and how far tolerances reach in the sum that its type follows from, at most."""
+        plan, row = self.plan, self.loops[loop.group]
         self.probes.put(row, self.probes.side, loop.name, styles.LABEL)
-        poses = self.plan.equations.poses
-        for work, (link, start, end) in enumerate(loop.sides(self.plan.mechanism.ground), 1):
+        poses = plan.equations.poses
+        for work, (link, start, end) in enumerate(loop.sides(plan.mechanism.ground), 1):
             self.probes.work(row, work, "length", length=length_in_cells(link, start, end, poses))
+        if plan.mechanism.bands is None:
+            return
+        bands = [
+            band_of_constant(plan.mechanism, plan.equations.equations, length_in_cells(*side, poses))
+            for side in loop.sides(plan.mechanism.ground)
+        ]
+        self.probes.work(
+            row, REACH, 'IF(AND(excess<>0,ABS(excess)<=band),words,"")', excess=Symbol(f"#grashof_{loop.group}"),
+            band=self.probes.work(row, REACH - 1, "band", band=al.total(bands)), words=plan.text("verdict.grashof.reach"),
+        )  # fmt: skip
 
     def _whole(self) -> None:
         """What the sweep covers: 1 for whole turns whose last row is the first again, 2 where that row is left out,

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 
-from mechsheet.formula.nodes import Node, RangeRef
+from mechsheet.formula.nodes import Node, RangeRef, Text
 from mechsheet.model import Mechanism
-from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.units import behind_number
 
 POOR = 40.0
 """Angles of transmission [deg] below this are poor: most of the force only loads the joints."""
@@ -20,6 +22,23 @@ def poor_limit(mechanism: Mechanism) -> float:
 def some_poor(mechanism: Mechanism, angles: RangeRef) -> Node:
     """Whether one of the angles is poor; those that there are none of do not count."""
     return formula('COUNTIF(angles,"<"&limit)>0', angles=angles, limit=poor_limit(mechanism))
+
+
+def from_to(plan: Plan, worst: Node, best: Node, poor: Node) -> Node:
+    """From where to where it goes, and whether that is good, in words.
+
+    Of rows only there may be worse between them: that it is good is not known; nor need any row be at the best.
+    """
+    unit = plan.mechanism.angle_unit
+    after, digits = behind_number(unit.text), 1 if unit.in_degrees else 2
+    up_to = joined(" … ", formula("ROUND(best,digits)", best=best, digits=digits), after)
+    bad, fair = (Text(f": {plan.text(f'verdict.{word}')}") for word in ("poor", "fair"))
+    if not plan.rows_only:
+        up_to, known = (formula('IF(_rows_only,"",said)', said=said) for said in (up_to, fair))
+    else:
+        up_to, known = Text(""), Text("") if plan.between_unseen else fair
+    return formula("ROUND(worst,digits)&after&up_to&IF(poor,bad,known)", worst=worst, digits=digits, after=after,
+                   up_to=up_to, poor=poor, bad=bad, known=known)  # fmt: skip
 
 
 def acute(low: Node, high: Node, from_right: bool) -> tuple[tuple[Node, Node], Node]:

@@ -23,13 +23,14 @@ from mechsheet.sheet.first import inputs, task
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.grashof import excess_of, in_summary, named, turning_types, type_of
-from mechsheet.sheet.first.transmission import acute, poor_limit, some_poor
+from mechsheet.sheet.first.transmission import acute, from_to, poor_limit, some_poor
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.start_table import assemblies_lost
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
+from mechsheet.units import behind_number
 from mechsheet.units import turn as whole_turn
 
 
@@ -82,7 +83,7 @@ class _Block:
         self.rows = writer.plan.blocks["verdicts"].rows
         self.driver = writer.plan.mechanism.driver
         self.turning = self.driver.unit.kind == "angle"
-        self.unit = _after_number(self.driver.unit.text)
+        self.unit = behind_number(self.driver.unit.text)
 
     # --- small things -----------------------------------------------------------------------------------------
 
@@ -328,13 +329,17 @@ class _Block:
         )  # fmt: skip
         said = type_of(shortest, self.value(key), which, text)
         begin = f"{named(loop, self.plan)}: "
-        words = formula('IFERROR(begin&said,"")', begin=begin, said=said)
+        bands = self.plan.mechanism.bands is not None
+        reach = self.bound("reach", reach=Symbol(f"#reach_{loop.group}")) if bands else ""
+        words = formula('IFERROR(said,"")', said=joined(begin, said, reach))
         excess = self.bound("excess", excess=excess_of(shortest, longest, total))
         self.line(
             key, self.text("grashof"), self.plan.mechanism.length_unit, excess, places(self.plan, "length"), words
         )
         self.colour(key, "said=open", styles.BAD, said=self.words(key), open=begin + text("open"))
         self.colour(key, "said=change", styles.WARN, said=self.words(key), change=begin + text("change"))
+        if bands:
+            self.colour(key, "ISNUMBER(FIND(reach,said))", styles.WARN, said=self.words(key), reach=text("reach"))
 
     def swing(self, link: Link) -> None:
         """By how much a link turns, and whether it is a crank or a rocker."""
@@ -413,32 +418,19 @@ class _Block:
         low, high = Symbol(f"#min_{group.transmission}"), Symbol(f"#max_{group.transmission}")
         at = [Symbol(f"#{way}_at_{group.transmission}") for way in ("min", "max")]
         folded, best = acute(low, high, from_right=group.kind != "RRR")
-        degrees, unit = self.plan.mechanism.angle_unit.in_degrees, self.plan.mechanism.angle_unit.text
-        cell = self.value(key)
+        unit, cell = self.plan.mechanism.angle_unit, self.value(key)
         poor = formula("value<limit", value=cell, limit=poor_limit(self.plan.mechanism))
-        bad, good = self.text("poor"), self.text("fair")
-        after, digits = _after_number(unit), 1 if degrees else 2
-        up_to = joined(" … ", formula("ROUND(best,digits)", best=_in(best, degrees), digits=digits), after)
-        fair: Node = Text(f": {good}")
-        # of rows only there may be worse between them: that it is good is not known; nor need any row be at the best
-        if self.plan.rows_only:
-            up_to = Text("")
-        if self.plan.between_unseen:
-            fair = Text("")
-        elif not self.plan.rows_only:
-            up_to, fair = (formula('IF(_rows_only,"",said)', said=said) for said in (up_to, fair))
-        words = self.bound(
-            'IFERROR(ROUND(worst,digits)&after&up_to&IF(poor,bad,fair)&about,"")', worst=cell, digits=digits, after=after,
-            up_to=up_to, poor=poor, bad=f": {bad}", fair=fair, about=self.about(group.transmission),
-        )  # fmt: skip
-        node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), degrees))
-        self.line(key, f"μ{group.number}", unit, node, places(self.plan, "angle"), words)
+        said = from_to(self.plan, cell, _in(best, unit.in_degrees), poor)
+        words = self.bound('IFERROR(said&about,"")', said=said, about=self.about(group.transmission))
+        node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), unit.in_degrees))
+        self.line(key, f"μ{group.number}", unit.text, node, places(self.plan, "angle"), words)
         at_low = formula(
             "IF(one<=other+1E-6,place,elsewhere)", one=folded[0], other=folded[1], place=at[0], elsewhere=at[1]
         )
         self.at(key, self.bound("IFERROR(place,NA())", place=at_low))
         self.colour(key, "AND(ISNUMBER(value),poor)", styles.WARN, value=cell, poor=poor)
-        self.colour(key, "ISNUMBER(FIND(good,said))", styles.GOOD, said=self.words(key), good=good)
+        good = formula("ISNUMBER(FIND(good,said))", said=self.words(key), good=self.text("fair"))
+        self.colour(key, "good", styles.GOOD, good=good)
 
     # --- velocities -------------------------------------------------------------------------------------------
 
@@ -583,6 +575,9 @@ class _Block:
             doubts = formula(
                 "OR(doubts,met<>exactly)", doubts=doubts, met=self.words("task"), exactly=task.exactly(plan)
             )
+        if plan.found.four_bars and plan.mechanism.bands is not None:
+            doubts = formula("OR(doubts,ISNUMBER(FIND(reach,said)))", doubts=doubts, said=said,
+                             reach=self.text("grashof.reach"))  # fmt: skip
         if lost is not None:
             doubts = formula("OR(doubts,lost=begun)", doubts=doubts, lost=lost, begun=self.text("same_assembly.begun"))
         self.writer.conditionals.append(Conditional(area, bad, styles.BAD))
@@ -615,7 +610,3 @@ def closes_in_all(plan: Plan) -> str:
 
 def _in(value: Node, degrees: bool) -> Node:
     return formula("DEGREES(value)", value=value) if degrees else value
-
-
-def _after_number(unit: str) -> str:
-    return unit if unit in ("°", "") else f" {unit}"

@@ -23,6 +23,7 @@ from mechsheet.kinematics.rates.sensitivity import (
     Sensitivity,
     by_symbol,
     determinant_symbol,
+    of_constant,
     sensitivities,
     toleranced,
 )
@@ -70,6 +71,18 @@ class Banded:
             al.mul(Symbol(name), Symbol(tolerance_symbol(dimension)))
             for name, dimension in zip(self.derivatives, self.dimensions, strict=True)
         )
+
+
+def band_of_constant(mechanism: Mechanism, equations: Equations, node: Node) -> Node:
+    """The worst case of what follows from dimensions alone."""
+    parts = []
+    for name, slope in of_constant(mechanism, equations, node).items():
+        known = al.value_of(slope)
+        size = formula("ABS(slope)", slope=slope) if known is None else al.number(abs(known))
+        unit = next(dim.unit for dim in mechanism.dimensions if dim.symbol == name)
+        tolerance: Node = Symbol(tolerance_symbol(name))
+        parts.append(al.mul(size, Call("RADIANS", (tolerance,)) if unit.in_degrees else tolerance))
+    return al.total(parts)
 
 
 def found_bands(mechanism: Mechanism, equations: Equations) -> Sensitivities:
