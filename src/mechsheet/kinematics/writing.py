@@ -32,7 +32,7 @@ from mechsheet.kinematics.newton.carriers import ChainWriter, Solution
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.newton.picking import pick_assembly, words_of
 from mechsheet.kinematics.newton.steps import settled
-from mechsheet.kinematics.newton.tracing import cannot_follow, way
+from mechsheet.kinematics.newton.tracing import cannot_follow, cannot_show, way
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import angle_of, cartesian, number
 from mechsheet.kinematics.poses import Member, Poses
@@ -337,9 +337,7 @@ def _shown(mechanism: Mechanism, at: Quantity) -> tuple[Group, ...]:
     try:
         return write_equations(there, {}, outputs=False).groups
     except NeverClosesError as error:
-        message = say("the sketch cannot show this position: there {links} cannot be joined", links=error.links)
-        hint = say("check `at`, which is in the driver's unit, and the lengths of these links")
-        raise MechanismError(Fault(message, key="assembly.at", hint=hint)) from error
+        raise cannot_show(error.links) from error
 
 
 def standing(mechanism: Mechanism, at: float) -> Mechanism:
@@ -428,8 +426,10 @@ def _traced(
     followed = replace(still, drivers=_listed_at(mechanism, path), sketch=replace(mechanism.sketch, at=None))
     values = sweep(followed, write_equations(followed, {}, outputs=False), path)
     closes = np.all(np.isfinite([values[name] for name in variables]), axis=0).tolist()
-    if not closes[-1]:
-        raise cannot_follow(links, mechanism.driver, path[closes.index(False)])
+    if not closes[0]:
+        raise cannot_show(links)
+    if not all(closes):  # behind a place where it comes apart Newton's method may find any assembly
+        raise cannot_follow(links, mechanism.driver, at, path[closes.index(False)])
     return {name: float(values[name][-1]) for name in variables}
 
 

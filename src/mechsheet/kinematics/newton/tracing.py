@@ -22,9 +22,17 @@ def way(start: float, end: float, turns: bool) -> Array:
     return np.linspace(start, end, min(max(count, FEWEST), MOST) + 1)
 
 
-def cannot_follow(links: Words, driver: Driver, place: float) -> MechanismError:
-    """The mechanism comes apart on the way, at this value of the driver [rad or length unit]."""
+def cannot_show(links: Words) -> MechanismError:
+    """There is no position where the sketch is said to show one."""
+    message = say("the sketch cannot show this position: there {links} cannot be joined", links=links)
+    hint = say("check `at`, which is in the driver's unit, and the lengths of these links")
+    return MechanismError(Fault(message, key="assembly.at", hint=hint))
+
+
+def cannot_follow(links: Words, driver: Driver, at: float, place: float) -> MechanismError:
+    """What the sketch shows at the driver's value `at` comes apart on the way, at another [rad or length unit]."""
     where = {"symbol": driver.symbol, "value": float(driver.unit.to_shown(place))}
+    start = float(driver.unit.to_shown(at))
     return MechanismError(
         Fault(
             say(
@@ -34,6 +42,11 @@ def cannot_follow(links: Words, driver: Driver, place: float) -> MechanismError:
                 **where,
             ),
             key="assembly.at",
-            hint=say("sketch a position of the same stretch, or begin the sweep in it"),
+            hint=say(
+                "begin the sweep at {symbol} = {start:.4g}, where it exists, or sketch a position of the first one's "
+                "stretch",
+                symbol=driver.symbol,
+                start=start,
+            ),
         )
     )

@@ -343,8 +343,8 @@ MECHANISM: dict[str, str] = {
     "they come apart at {symbol} = {value:.4g}": (
         "eskizdeki konumdan ilk konuma izlenemiyor, {symbol} = {value:.4g} değerinde ayrılıyorlar: {links}"
     ),
-    "sketch a position of the same stretch, or begin the sweep in it": (
-        "eskizde aynı aralıktan bir konum çizin ya da tahriki o aralıkta başlatın"
+    "begin the sweep at {symbol} = {start:.4g}, where it exists, or sketch a position of the first one's stretch": (
+        "tahriki bulunduğu {symbol} = {start:.4g} değerinde başlatın ya da eskizde ilk konumun aralığından bir konum çizin"
     ),
     "the sketch cannot show this position: there {links} cannot be joined": (
         "eskiz bu konumu gösteremez, orada birleşemiyorlar: {links}"
