@@ -56,7 +56,7 @@ def bounded(mechanism: Mechanism, equations: Equations, transmission: Iterable[G
 _WITHIN_BOUNDS = frozenset(("SIN", "COS", "ASIN", "ACOS", "ATAN", "ATAN2", "SIGN"))
 """Functions that no argument leads beyond all bounds."""
 
-_KEEP_BOUNDS = frozenset(("SQRT", "SUMSQ", "ABS", "MIN", "MAX", "EXP", "RADIANS", "DEGREES", "PI"))
+_KEEP_BOUNDS = frozenset(("SQRT", "SUMSQ", "ABS", "MIN", "MAX", "RADIANS", "DEGREES", "PI"))
 """Functions that no bounded arguments do."""
 
 
