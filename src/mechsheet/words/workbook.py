@@ -172,6 +172,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "take.range": ("range of {symbol}", "{symbol} aralığı"),
     "take.first": ("first {symbol}", "ilk {symbol}"),
     "take.last": ("last {symbol}", "son {symbol}"),
+    "verdict.task.miss": ("largest miss of what is asked", "istenenden en büyük sapma"),
     "take.rms": ("root mean square of {symbol}", "{symbol} etkin (karesel ortalama) değeri"),
     "take.mean": ("mean {symbol}", "ortalama {symbol}"),
     "chart.angles": ("Angles against {driver}", "{driver} ile açılar"),

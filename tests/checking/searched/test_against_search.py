@@ -51,6 +51,13 @@ def judged(name, layout="sheets", damage=None, **typed):
     return against_search(book_of(built(name, layout)[0].layout), values, plan, name)
 
 
+def test_a_redundant_link_that_does_not_fit_is_off_by_its_length_in_either_assembly():
+    """In the other one the slot that stands for it is passed the other way."""
+    for mode in (1, -1):
+        found = judged("double-parallelogram", a4=224.375, mode_2=mode)
+        assert found.agrees, found
+
+
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize("typed", [{}, {"a1": 110}, {"a1": 200}])
 def test_a_four_bar_says_what_the_search_finds(layout, typed):

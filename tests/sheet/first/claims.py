@@ -332,7 +332,8 @@ class _Judge:
         if self.plan.newton and line == self.verdict("same_assembly.begun"):
             return  # which assembly Newton's method has found, a search from row to row does not know
         if truth.count == 0:
-            self.say("verdict", line.startswith(self.verdict("line.nowhere")[:12]), line)
+            ended = self.plan.newton and line == self.verdict("line.ended")
+            self.say("verdict", ended or line == self.verdict("line.nowhere"), line)
             self.say("verdict colour", colour == "red", colour)
             return
         if self.plan.newton and (lost := self.rows_off_their_trend()):

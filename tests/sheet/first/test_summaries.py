@@ -110,3 +110,10 @@ def test_an_output_of_summaries_reads_an_angle_as_radians():
     swing = cell(laid, "swing")
     assert cell(laid, "half") == pytest.approx(swing / 2)
     assert cell(laid, "rise") == pytest.approx(math.sin(math.radians(swing / 2)))
+
+
+def test_of_a_task_without_a_solution_no_summary_says_an_error():
+    """No margin says where rows end there; nothing closes, so there is no row to count from."""
+    laid = Laid(template_text("quick-return-lever")).change(time_ratio=0.99)
+    assert laid.spot("#rows_closed") == 0
+    assert cell(laid, "stroke", 4) == f"stroke: 0 of {laid.plan.rows} positions"

@@ -129,7 +129,7 @@ class _Judge:
             (x, y), (x_end, y_end) = places[str(slot.through)], places[slot.point]
             length = portable.hypot(x_end - x, y_end - y)
             column = search.in_rows(each.symbol)[search.row_there]
-            off = float(np.max(np.abs(column - length)))
+            off = float(np.max(np.abs(np.abs(column) - length)))  # of the other assembly it points the other way
             worst = max(worst, off)
             if off > GAP * search.size:
                 found = link_words(each.link).of(mechanism.language)

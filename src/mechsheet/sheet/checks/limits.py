@@ -115,8 +115,9 @@ class Limits:
         rests = [self.plan.at.cell(f"#rest_{number}", probes.title, None) for number in range(1, self.count + 1)]
         first, last = (self.of_stretch(1, work) for work in (FIRST_ROW, LAST_ROW))
         unsettled = probes.work(
-            self.row, 2, "rests>settled" if rests else "last-first+1<rows" if self.unprobed else "FALSE",
-            rests=Call("MAX", tuple(rests)), settled=SETTLED, first=first, last=last, rows=plan.rows,
+            self.row, 2,
+            "rests>settled" if rests else "IF(stretches=0,FALSE,last-first+1<rows)" if self.unprobed else "FALSE",
+            rests=Call("MAX", tuple(rests)), settled=SETTLED, first=first, last=last, rows=plan.rows, stretches=stretches,
         )  # fmt: skip
         probes.work(
             self.row, 3, "OR(stretches>1,unsettled,AND(stretches=1,first=last))",

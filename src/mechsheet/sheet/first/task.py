@@ -36,14 +36,20 @@ def wrong(plan: Plan, task: Synthesis) -> Node:
     return formula("COUNTIF(marks,mark)", marks=marks, mark=NO)
 
 
-def said(plan: Plan, task: Synthesis, count: CellRef) -> Node:
-    """The words; `count` is the cell of the number."""
+def most_missed(plan: Plan, task: Synthesis) -> Node:
+    """By how much the mechanism of a page misses what is asked, at most: with the lengths that it has."""
+    return al.largest(_misses(plan, task, exact=False))
+
+
+def said(plan: Plan, count: CellRef, most: CellRef | None = None) -> Node:
+    """The words; `count` is the cell of the number, `most` on a page that of the largest miss."""
     if plan.synthesis is not None:
         title = plan.at.titles["synthesis"]
         line = CellRef(LINE_ROW, SYMBOL, True, True, title)
         meets = CellRef(plan.synthesis.of["does", "meets"], USED, True, True, title)
         return formula("IF(count>0,line,met)", count=count, line=line, met=meets)
-    most = al.largest(_misses(plan, task, exact=False))
+    if most is None:
+        raise ValueError("a page has no sheet of synthesis: its words follow from the largest miss")
     about = joined(plan.text("synthesis.meets.about"), formula("ROUND(most,4)", most=most))
     return formula(
         f"IFERROR(IF(most>{EXACT},about,exactly),IF(count>0,lost,rounded))", most=most, about=about,

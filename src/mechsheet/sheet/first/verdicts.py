@@ -151,7 +151,7 @@ class _Block:
     def task(self, asked: Synthesis) -> None:
         """Whether the dimensions that are found from a task do what it asks."""
         said, exactly = self.words("task"), task.exactly(self.plan)
-        words = self.bound("words", words=task.said(self.plan, asked, self.value("task")))
+        words = self.bound("words", words=task.said(self.plan, self.value("task")))
         self.line("task", self.text("task"), "", self.bound("wrong", wrong=task.wrong(self.plan, asked)), 0, words)
         self.colour("task", "wrong>0", styles.BAD, wrong=self.value("task"))
         self.colour("task", "said<>exactly", styles.WARN, said=said, exactly=exactly)

@@ -171,7 +171,11 @@ def _plan_top(plan: PagePlan) -> None:
     _block(plan, "derived", [*(dim.symbol for dim in derived), *plan.lengths, *constants])
     grashof = [f"grashof_{loop.group}" for loop in found.four_bars]
     transmission = [f"transmission_{group.number}" for group in found.transmission]
-    _block(plan, "verdicts", ["inputs", *(["task"] if found.task else []), "rows_closed", *grashof, *transmission])
+    _block(
+        plan,
+        "verdicts",
+        ["inputs", *(["task", "task_miss"] if found.task else []), "rows_closed", *grashof, *transmission],
+    )
     _block(plan, "summary", (each.symbol for each in mechanism.motion_numbers))
     _block(plan, "variables", ())
     _name_places(plan, modes)

@@ -224,7 +224,7 @@ class Top:
         of_rows = f'"{plan.text("page.of")}"0'
         self.fill(row, UNIT, Call("COUNT", (filled,)), styles.numbered(styles.UNIT, of_rows))
         if plan.found.task is not None:
-            self._task(rows["task"], plan.found.task)
+            self._task(rows["task"], rows["task_miss"], plan.found.task)
         for loop in plan.found.four_bars:
             self._grashof(rows[f"grashof_{loop.group}"], loop)
         for group in plan.found.transmission:
@@ -239,10 +239,13 @@ class Top:
         no_position = plan.at.bind(Call("NOT", (there,)), plan.main)
         self.conditionals += inputs.red_where_wrong(plan, no_position if plan.drawn else None)
 
-    def _task(self, row: int, asked: Synthesis) -> None:
-        """Whether the dimensions that are found from a task do what it asks."""
+    def _task(self, row: int, row_of_miss: int, asked: Synthesis) -> None:
+        """Whether the dimensions that are found from a task do what it asks, and by how much they miss it."""
         plan, count = self.plan, CellRef(row, VALUE, True, True)
-        self.line(row, plan.text("verdict.task"), "", task.said(plan, asked, count))
+        self.line(row, plan.text("verdict.task"), "", task.said(plan, count, CellRef(row_of_miss, VALUE, True, True)))
+        self.line(row_of_miss, plan.text("verdict.task"), "", plan.text("verdict.task.miss"))
+        miss = formula("IFERROR(most,NA())", most=task.most_missed(plan, asked))
+        self.fill(row_of_miss, VALUE, miss, styles.numbered(styles.RESULT, "0.0E+00"))
         self.fill(row, VALUE, task.wrong(plan, asked), styles.decimals(styles.RESULT, 0))
         area, words = Area(row, MEANING, row, LAST), CellRef(row, MEANING, True, True)
         doubt = formula("words<>exactly", words=words, exactly=task.exactly(plan))
