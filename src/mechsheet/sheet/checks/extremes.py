@@ -430,7 +430,7 @@ class Extremes:
         followed to where one more probe would be, unless that is far away.
         """
         probes, row, best = self.probes, block.row, self._place(block.row, block.probes + len(self.ends) + 1)
-        there = probes.work(row, TURN + 2, "turn", turn=turn)
+        there = probes.work(row, TURN + 2, 'IFERROR(turn,"")', turn=turn)
         probes.work(row, TURN, "IFERROR(IF(ABS(there-best)>most,best,there),best)", there=there, best=best, most=BESIDE)
         probes.work(row, TURN + 1, "IFERROR(ABS(there-best)>most,TRUE)", there=there, best=best, most=MOVED)
 

@@ -83,7 +83,7 @@ class Parabolas:
         for order in range(1, PROBES):
             for index in range(PROBES, order, -1):
                 known[index] = self.probes.work(
-                    self.block.row + index, DIFFERENCES + order - 1, "(y-y_before)/(x-x_before)", y=known[index],
+                    self.block.row + index, DIFFERENCES + order - 1, 'IFERROR((y-y_before)/(x-x_before),"")', y=known[index],
                     y_before=known[index - 1], x=at[index], x_before=at[index - order],
                 )  # fmt: skip
         first, second, third = (self.probes.cell(self.block.row + PROBES, DIFFERENCES + order) for order in range(3))
