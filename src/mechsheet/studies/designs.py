@@ -187,8 +187,8 @@ class Designs:
         loose = bool(assignments.crossings) or any(group.only_undetermined for group in equations.groups)
         self.unprobed = loose and not assignments.margins and not mechanism.driver.values
         transmission = classification(mechanism, assignments).transmission
-        self.may_grow = set() if self.rows_only else {*wanted} - bounded(mechanism, equations, transmission)
         columns = {equation.symbol for equation in equations.columns} | self.given.keys()
+        self.may_grow = set() if self.rows_only else {*wanted} & columns - bounded(mechanism, equations, transmission)
         self.divisors: dict[str, Node] = {}
         for symbol in sorted(self.may_grow - self.given.keys()):
             divisor = divisor_of(equations.of(symbol).expression, lambda each: not columns.isdisjoint(symbols(each)))

@@ -67,6 +67,23 @@ def test_on_a_page_in_a_table_and_in_a_study(name, value):
 
 
 @pytest.mark.parametrize(
+    ("speed", "name", "values"),
+    [
+        ("10", "omega12", [10.0, 10.0]),
+        ("10", "alpha12", [0.0, 0.0]),
+        ("10\nacceleration = 3", "alpha12", [3.0, 3.0]),
+        ('"a2/5"', "omega12", [6.0, 7.0]),
+    ],
+)
+def test_the_drivers_speed_in_a_study(speed, name, values):
+    """It is no column: it cannot grow between the rows. Once this was a traceback."""
+    part = '[study]\nvary = { a2 = [30, 35, 5] }\nkeep = ["z_max > -1000"]\nmaximize = ["z_mean"]\n'
+    found = Designs(loads(asked(with_speed(speed), name) + part)).kept(0, 2).columns
+    for take in TAKES:
+        assert list(found[f"z_{take}"]) == pytest.approx([0.0, 0.0] if take == "range" else values)
+
+
+@pytest.mark.parametrize(
     ("text", "chart"),
     [
         (with_speed(10), 'x = "theta12"\ny = ["omega14", "omega12"]'),
