@@ -1,7 +1,7 @@
 """How large a workbook is, for a person who has to read it: formulas, columns, lengths; and what each may come to.
 
 Counted on the workbook as it is laid out. `benchmarks/bench_budgets.py` prints the table of all templates,
-`test_budgets.py` holds the budgets.
+`test_budgets.py` holds columns and lengths.
 """
 
 from __future__ import annotations
@@ -22,9 +22,6 @@ ROOT = Path(__file__).parents[2]
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
 PAGES = sorted(path.stem.removesuffix("-page") for path in (ROOT / "generated").glob("*-page.xlsx"))
 """Templates that are generated in both layouts."""
-
-FOUR_BAR = {("sheets", "names"): 1_500, ("sheets", "anchors"): 1_500, ("page", "anchors"): 420}
-"""Formulas of a four-bar of 25 rows, whose template has anchors."""
 
 FOUR_BAR_COLUMNS = {"sheets": 19, "page": 15}
 ALL = 187_500
@@ -49,33 +46,8 @@ PLAIN_TOGETHER = 130_000
 """Formulas of the templates that need nothing but positions (some have velocities by now): they had 409,100 when every
 table was computed twice."""
 
-BESIDE, SHARE = 500, 2.5
-"""Formulas but two-way tables are at most so many, and so many times those of Positions."""
-
 A_PASS = 10
 """Columns of a pass of Newton's method for each unknown."""
-MOVED, LOADED = 2, 1.5
-"""And so many times those of Rates and of Forces: velocities have their own checks, forces a column for both efforts."""
-
-SYNTHESIS = 560
-"""And so many of a synthesis: its steps, their changes with each input, the figure, the curve."""
-
-LARGE_BESIDE_FEW_ROWS = {
-    "fivelink": 800,
-    "adjustable-pump": 630,
-    "cylinder-boom": 890,
-    "peaucellier": 910,
-    "cardan-gear": 555,
-    "rack-slider": 765,
-    "scissor-lift": 510,
-    "excavator": 550,
-    "crank-rocker-swing": 515,
-}  # wheels are drawn, too
-"""Of 19 to 37 rows: what does not grow with the rows (drawing, extremes) is about half. Five working cells for each
-extreme make it right beside a limit and at an end of the motion, three more where a quantity turns back make a ratio of
-times right (nine without derivatives), four for each limit where several groups can come apart;
-lines that may turn parallel have a column of checks."""
-
 IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anchors"): 160}
 """Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""
 
@@ -83,10 +55,6 @@ ELSEWHERE = {"names": 400, "anchors": 520}
 """Characters of the longest formula beside the table of several sheets."""
 LONGER = {"planar-3rpr": 430, "stephenson-iii-output": 417, "stephenson-ii-class-iv": 405}
 """Whether the accelerations of four links fit, which Newton's method has found at once."""
-KILOBYTES = {"sheets": 67, "page": 28}
-"""Of the four-bar's .xlsx in either layout."""
-MORE_ROWS = {361: 230, 36_001: 12_700}
-"""Kilobytes of a four-bar of so many rows, with names: formulas that are alike are written once."""
 
 
 @dataclass(frozen=True)

@@ -1,55 +1,32 @@
-"""The workbook stays small: cells, columns, files, and formulas short enough to be read."""
+"""What a person reads stays small: columns, and formulas short enough to be read.
+
+Cells and bytes in all are printed by `benchmarks/bench_budgets.py`, and held by nothing: as a gate they bred special cases.
+"""
 
 import pytest
 from budgets import (
     A_PASS,
-    ALL,
-    BESIDE,
     ELSEWHERE,
-    FOUR_BAR,
     FOUR_BAR_COLUMNS,
     IN_TABLE,
-    KILOBYTES,
-    LARGE_BESIDE_FEW_ROWS,
-    LOADED,
     LONGER,
-    MORE_ROWS,
-    MOVED,
-    PLAIN,
-    PLAIN_TOGETHER,
-    ROOT,
-    SHARE,
-    SYNTHESIS,
     TEMPLATES,
     compiled,
-    many_rows,
     size_of,
 )
 
 from chosen import some
-from mechsheet.description import load
 from mechsheet.kinematics.newton.system import FIRST_PASSES
-from mechsheet.library.building import build
 from mechsheet.sheet.table.positions import heading
 
 
-@pytest.mark.parametrize(("layout", "references"), FOUR_BAR)
-def test_four_bar(layout, references):
-    """The template has anchors, the smallest form has names, and both have a budget."""
-    size = size_of(compiled("four-bar", layout, references))
-    assert size.cells <= FOUR_BAR[layout, references]
-    assert size.columns <= FOUR_BAR_COLUMNS[layout]
-
-
-@pytest.mark.ci  # builds them all; a single one's budget is held everywhere
-def test_all_templates():
-    assert sum(size_of(compiled(name)).cells for name in TEMPLATES) <= ALL
-    assert len(PLAIN) == 29
-    assert sum(size_of(compiled(name)).cells for name in PLAIN) <= PLAIN_TOGETHER
+@pytest.mark.parametrize("layout", FOUR_BAR_COLUMNS)
+def test_columns_of_a_four_bar(layout):
+    assert size_of(compiled("four-bar", layout)).columns <= FOUR_BAR_COLUMNS[layout]
 
 
 @pytest.mark.parametrize("name", TEMPLATES)
-def test_cells_beside_the_table(name):
+def test_other_sheets_have_few_columns_for_each_of_the_table(name):
     size = size_of(compiled(name))
     # what follows from the unknowns of Newton's method stands in its passes
     passes = [group.system.passes for group in compiled(name).equations.groups if group.system]
@@ -57,9 +34,6 @@ def test_cells_beside_the_table(name):
     assert size.forces <= 2.5 * size.table
     bands = compiled(name).plan.mechanism.bands
     assert size.tolerance <= size.table * (len(bands.quantities) if bands else 0)
-    beside = LARGE_BESIDE_FEW_ROWS.get(name, BESIDE) + (SYNTHESIS if compiled(name).mechanism.synthesis else 0)
-    most = SHARE * size.table + MOVED * size.rates + LOADED * size.forces + size.tolerance + beside
-    assert size.cells - size.two_way <= most
 
 
 def test_velocities_and_forces_of_a_four_bar_with_three_masses():
@@ -98,16 +72,3 @@ def test_formulas_are_short(name, references):
     assert size.longest <= IN_TABLE["sheets", references]
     assert size.elsewhere <= max(LONGER.get(name, 0), ELSEWHERE[references])
     assert size.ifs <= 1
-
-
-@pytest.mark.parametrize("layout", KILOBYTES)
-def test_files_are_small(layout, tmp_path):
-    (path,) = build(load(ROOT / "templates/four-bar.toml"), tmp_path / "four-bar.xlsx", layout=layout)
-    assert path.stat().st_size <= 1000 * KILOBYTES[layout]
-
-
-@pytest.mark.ci  # the longer one takes seconds
-@pytest.mark.parametrize("rows", MORE_ROWS)
-def test_files_of_many_rows_are_small(rows, tmp_path):
-    found = build(many_rows(rows), tmp_path / "four-bar.xlsx")
-    assert found[0].stat().st_size <= 1000 * MORE_ROWS[rows]
