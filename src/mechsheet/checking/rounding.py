@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import CellRef, NameRef, Node, Number, RangeRef, Scalar, walk
+from mechsheet.formula.nodes import Binary, CellRef, NameRef, Node, Number, RangeRef, Scalar, walk
 
 ROUNDING = 1e-14
 """What is lost when numbers cancel, as a part of the largest number that the formula reads."""
@@ -35,6 +35,8 @@ class Rounding:
     def _sizes(self, formula: Node, title: str) -> Iterator[float]:
         for node in with_names(formula, self._names):
             for part in walk(node):
+                if isinstance(part, Binary) and part.op == "/":
+                    yield from self._divided(part, title)
                 if isinstance(part, Number):
                     yield abs(part.value)
                 elif isinstance(part, CellRef):
@@ -45,6 +47,14 @@ class Rounding:
                     top, bottom = sorted((part.start.row, part.end.row))
                     for col in range(left, right + 1):
                         yield self._column(sheet, col, top, bottom)
+
+    def _divided(self, quotient: Binary, title: str) -> Iterator[float]:
+        """What is lost in a dividend, as in that of a slope between two places, is divided with it."""
+        match quotient.right:
+            case Binary("-", CellRef() as one, CellRef() as other):
+                here, there = (self._values.get(cell.sheet or title, cell.row, cell.col) for cell in (one, other))
+                if type(here) is float and type(there) is float and here != there:
+                    yield from (size / abs(here - there) for size in self._sizes(quotient.left, title))
 
     def _column(self, sheet: str, col: int, top: int, bottom: int) -> float:
         """The largest number in rows top..bottom: long ranges piece by piece, as many formulas may read nearly the same."""
