@@ -240,11 +240,13 @@ def _commas_hint(shape: Items, path: Path, report: Report) -> str:
 
 
 def _named(value: dict[str, Any], shape: Named, path: Path, report: Report) -> Any:
-    if shape.most is not None and len(value) > shape.most > shape.least:
-        report.at(path, say("expected at most {most} {what}s, found {found}", most=shape.most, what=say(shape.what),
-                            found=len(value)))  # fmt: skip
+    too_many = shape.most is not None and len(value) > shape.most
+    if too_many and shape.most != shape.least:  # so many that nobody wants them listed
+        message = say("expected at most {most} {what}s, found {found}", most=shape.most, what=say(shape.what),
+                      found=len(value))  # fmt: skip
+        report.at(path, message)
         return BAD
-    if len(value) < shape.least or (shape.most is not None and len(value) > shape.most):
+    if too_many or len(value) < shape.least:
         pattern = "expected at least {least} {what}, found {found}"
         if shape.least == shape.most:
             pattern = "expected exactly {least} {what}, found {found}"

@@ -19,7 +19,7 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import at_values, given_between
 from mechsheet.kinematics.equations import Condition, Equations
 from mechsheet.kinematics.lengths import largest_length
-from mechsheet.kinematics.means import rows_count_alike
+from mechsheet.kinematics.means import LEAST_OF_TURN, rows_count_alike
 from mechsheet.kinematics.numeric import Array, runs_of, value
 from mechsheet.kinematics.period import SAME_AGAIN
 from mechsheet.kinematics.sweep import sweep
@@ -99,7 +99,7 @@ class Search:
         self.last = self.rows
         self._look()
         self.row_there = self.there[:: self.fine]
-        if self._one_row_more() and self.row_there.all():
+        if self._one_row_more and self.row_there.all():
             self.last += 1
             self._look()
         self._known_extremes: dict[tuple[str, bool], Extremes | None] = {}
@@ -267,20 +267,17 @@ class Search:
     @property
     def whole(self) -> bool:
         """Whether the driver covers whole turns: its last value is its first again, or the next one would be."""
-        if not self.mechanism.driver.link or not self.stepped or self.rows < 4:
+        if not self.mechanism.driver.link or not self.stepped or self.rows < LEAST_OF_TURN:
             return False
         covered = abs(self.step) * (self.rows - 1) / TURN
         if self.equations.tied:  # what gears turn is not back with every turn of the driver
             return abs(round(covered) - covered) < 1e-9 and round(covered) > 0 and self._ties_are_back()
-        return self._one_row_more() or (abs(round(covered) - covered) < 1e-9 and round(covered) > 0)
+        return self._one_row_more or (abs(round(covered) - covered) < 1e-9 and round(covered) > 0)
 
+    @property
     def _one_row_more(self) -> bool:
         """Whether one row more would be the first again."""
-        if not self.mechanism.driver.link or not self.stepped or self.rows < 4:
-            return False
-        turns = abs(self.step) * self.rows / TURN
-        evenly = self.mechanism.driver.law is None and not self.equations.tied
-        return evenly and abs(round(turns) - turns) < 1e-9 and round(turns) > 0
+        return self.stepped and self._alike
 
     @cached_property
     def counts_alike(self) -> bool:

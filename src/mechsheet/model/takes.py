@@ -18,7 +18,6 @@ from typing import Literal
 
 from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, transform
 
-Part = Literal["least", "largest", "first", "last", "mean"]
 Way = Literal["min", "max"]
 
 WAYS: dict[str, Way] = {"least": "min", "largest": "max"}

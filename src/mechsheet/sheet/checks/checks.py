@@ -44,6 +44,7 @@ Kind = Literal[
 ]  # fmt: skip
 
 MEASURED: tuple[Kind, ...] = ("gap", "velocity", "acceleration", "torque")
+ROUNDED: tuple[Kind, ...] = (*MEASURED, "residual")
 """What is nothing but rounding where all is well."""
 
 ARRIVED: tuple[Kind, ...] = ("residual", "needed", "det")
@@ -116,11 +117,10 @@ class Checks:
         columns = [check.kind == kind and group in (None, check.group) for check in self.checks]
         if not any(columns):
             return al.ZERO
-        ends = [
-            [CellRef(self.most_row, DATA + index, True, True, self.title) for index in (first, beyond - 1)]
-            for first, beyond in runs_of(columns)
-        ]
-        parts = [first if first == last else RangeRef(first, last) for first, last in ends]
+        parts: list[Node] = []
+        for first, beyond in runs_of(columns):
+            start, end = (CellRef(self.most_row, DATA + at, True, True, self.title) for at in (first, beyond - 1))
+            parts.append(start if start == end else RangeRef(start, end))
         return al.nested("SUM" if kind in COUNTED else "MIN" if kind == "det" else "MAX", parts)
 
     def worst_at(self, kind: Kind) -> Node:
@@ -243,7 +243,7 @@ class _Writer:
         words = plan.text(f"checks.{check.kind}", number=check.group)
         self._put(at.head_row, col, f"{words} [{unit}]" if unit else words, styles.HEAD)
         style = styles.decimals(styles.COLUMN, 4 if check.kind in ("margin", "crossing", *SIZES) else 0)
-        style = styles.ERROR if check.kind in (*MEASURED, "residual") else style
+        style = styles.ERROR if check.kind in ROUNDED else style
         style = styles.numbered(styles.COLUMN, styles.DETERMINANT) if check.kind == "det" else style
         skip = 0 if check.kind in (*MEASURED, *SIZES, *ARRIVED) else 1
         rows = plan.rows - skip - (1 if check.kind == "margin" else 0)
@@ -258,10 +258,7 @@ class _Writer:
         drivers = RangeRef(CellRef(at.first, DRIVER_COL, True, True), CellRef(at.last, DRIVER_COL, True, True))
         sought: Node = al.ONE if check.kind in COUNTED else CellRef(at.most_row, col, True)
         where = formula("INDEX(drivers,MATCH(sought,column,0))", drivers=drivers, sought=sought, column=column)
-        if check.kind in (
-            *MEASURED,
-            "residual",
-        ):  # where rounding is largest says nothing, and other programs round otherwise
+        if check.kind in ROUNDED:  # where rounding is largest says nothing, and other programs round otherwise
             rounding = al.number(AGREES) if check.kind == "torque" else CellRef(ROUNDING_ROW, VALUE, True, True)
             where = formula('IF(worst>rounding,where,"")', worst=sought, rounding=rounding, where=where)
         where = formula('IFERROR(where,"")', where=where)

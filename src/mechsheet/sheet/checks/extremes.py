@@ -14,6 +14,7 @@ from typing import Literal
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks import parabolas, turning
@@ -210,7 +211,7 @@ class Extremes:
         plan, probes = self.plan, self.probes
         probes.put(self.whole_row, probes.side, plan.text("extremes.whole"), styles.LABEL)
         driver = plan.mechanism.driver
-        if not driver.link or driver.values or plan.rows < LEAST_PROBED:
+        if not driver.link or driver.values or plan.rows < LEAST_OF_TURN:
             probes.work(self.whole_row, 1, "0")
             return
         turn = whole_turn(driver.unit.in_degrees)

@@ -1,8 +1,8 @@
 """Whether a mechanism whose dimensions are found from a task does what is asked: a line of the first sheet, or of a page.
 
 Its number is how many things are wrong: on sheets how many verdicts of the sheet of synthesis are red, on a page, which
-has no such sheet, how much of what is asked is missed. Its words are those of the first red verdict, else how well what is
-asked is met. The line under the title says them too.
+has no such sheet, how many things that are asked are missed; there the largest miss has a line of its own. Its words are
+those of the first red verdict, else how well what is asked is met. The line under the title says them too.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.does import EXACT, NO
 from mechsheet.sheet.synthesis.naming import Naming
 from mechsheet.sheet.synthesis.planning import verdicts_of
-from mechsheet.sheet.synthesis.rows import LINE_ROW, ROUNDED, SYMBOL, USED
+from mechsheet.sheet.synthesis.rows import LINE_ROW, ROUNDED, SYMBOL, USED, Rows
 from mechsheet.sheet.synthesis.tables import apart
 from mechsheet.synthesis.kinds import kind_of
 
@@ -23,6 +23,11 @@ from mechsheet.synthesis.kinds import kind_of
 def exactly(plan: Plan) -> str:
     """What is said where nothing is missed."""
     return plan.text("synthesis.meets.exactly")
+
+
+def doubtful(plan: Plan, words: Node) -> Node:
+    """Whether the words say something else."""
+    return formula("words<>exactly", words=words, exactly=exactly(plan))
 
 
 def wrong(plan: Plan, task: Synthesis) -> Node:
@@ -41,15 +46,16 @@ def most_missed(plan: Plan, task: Synthesis) -> Node:
     return al.largest(_misses(plan, task, exact=False))
 
 
-def said(plan: Plan, count: CellRef, most: CellRef | None = None) -> Node:
-    """The words; `count` is the cell of the number, `most` on a page that of the largest miss."""
-    if plan.synthesis is not None:
-        title = plan.at.titles["synthesis"]
-        line = CellRef(LINE_ROW, SYMBOL, True, True, title)
-        meets = CellRef(plan.synthesis.of["does", "meets"], USED, True, True, title)
-        return formula("IF(count>0,line,met)", count=count, line=line, met=meets)
-    if most is None:
-        raise ValueError("a page has no sheet of synthesis: its words follow from the largest miss")
+def said(plan: Plan, rows: Rows, count: CellRef) -> Node:
+    """The words, from the sheet of synthesis with such rows; `count` is the cell of the number."""
+    title = plan.at.titles["synthesis"]
+    line = CellRef(LINE_ROW, SYMBOL, True, True, title)
+    meets = CellRef(rows.of["does", "meets"], USED, True, True, title)
+    return formula("IF(count>0,line,met)", count=count, line=line, met=meets)
+
+
+def said_of_miss(plan: Plan, count: CellRef, most: CellRef) -> Node:
+    """The words of a page; `count` and `most` are the cells of the number and of the largest miss."""
     about = joined(plan.text("synthesis.meets.about"), formula("ROUND(most,4)", most=most))
     return formula(
         f"IFERROR(IF(most>{EXACT},about,exactly),IF(count>0,lost,rounded))", most=most, about=about,

@@ -24,21 +24,25 @@ def some_poor(mechanism: Mechanism, angles: RangeRef) -> Node:
     return formula('COUNTIF(angles,"<"&limit)>0', angles=angles, limit=poor_limit(mechanism))
 
 
+def angle_words(plan: Plan, angle: Node) -> tuple[Node, str]:
+    """An angle as words say it, and its unit."""
+    unit = plan.mechanism.angle_unit
+    return formula("ROUND(angle,digits)", angle=angle, digits=1 if unit.in_degrees else 2), behind_number(unit.text)
+
+
 def from_to(plan: Plan, worst: Node, best: Node, poor: Node) -> Node:
     """From where to where it goes, and whether that is good, in words.
 
     Of rows only there may be worse between them: that it is good is not known; nor need any row be at the best.
     """
-    unit = plan.mechanism.angle_unit
-    after, digits = behind_number(unit.text), 1 if unit.in_degrees else 2
-    up_to = joined(" … ", formula("ROUND(best,digits)", best=best, digits=digits), after)
+    up_to: Node = joined(" … ", *angle_words(plan, best))
     bad, fair = (Text(f": {plan.text(f'verdict.{word}')}") for word in ("poor", "fair"))
     if not plan.rows_only:
         up_to, known = (formula('IF(_rows_only,"",said)', said=said) for said in (up_to, fair))
     else:
         up_to, known = Text(""), Text("") if plan.between_unseen else fair
-    return formula("ROUND(worst,digits)&after&up_to&IF(poor,bad,known)", worst=worst, digits=digits, after=after,
-                   up_to=up_to, poor=poor, bad=bad, known=known)  # fmt: skip
+    words = joined(*angle_words(plan, worst))
+    return formula("words&up_to&IF(poor,bad,known)", words=words, up_to=up_to, poor=poor, bad=bad, known=known)
 
 
 def acute(low: Node, high: Node, from_right: bool) -> tuple[tuple[Node, Node], Node]:

@@ -150,12 +150,14 @@ class _Block:
 
     def task(self, asked: Synthesis) -> None:
         """Whether the dimensions that are found from a task do what it asks."""
-        said, exactly = self.words("task"), task.exactly(self.plan)
-        words = self.bound("words", words=task.said(self.plan, self.value("task")))
+        if self.plan.synthesis is None:
+            raise ValueError("a task without the rows of its sheet")
+        words = self.bound("words", words=task.said(self.plan, self.plan.synthesis, self.value("task")))
+        doubt = task.doubtful(self.plan, self.words("task"))
         self.line("task", self.text("task"), "", self.bound("wrong", wrong=task.wrong(self.plan, asked)), 0, words)
         self.colour("task", "wrong>0", styles.BAD, wrong=self.value("task"))
-        self.colour("task", "said<>exactly", styles.WARN, said=said, exactly=exactly)
-        self.colour("task", "said=exactly", styles.GOOD, said=said, exactly=exactly)
+        self.colour("task", "doubt", styles.WARN, doubt=doubt)
+        self.colour("task", "said=exactly", styles.GOOD, said=self.words("task"), exactly=task.exactly(self.plan))
 
     # --- rows and stretches -----------------------------------------------------------------------------------
 
@@ -572,9 +574,7 @@ class _Block:
                 "OR(doubts,poor)", doubts=doubts, poor=some_poor(plan.mechanism, self._transmissions(VALUE))
             )
         if plan.found.task is not None:
-            doubts = formula(
-                "OR(doubts,met<>exactly)", doubts=doubts, met=self.words("task"), exactly=task.exactly(plan)
-            )
+            doubts = formula("OR(doubts,doubt)", doubts=doubts, doubt=task.doubtful(plan, self.words("task")))
         if plan.found.four_bars and plan.mechanism.bands is not None:
             doubts = formula("OR(doubts,ISNUMBER(FIND(reach,said)))", doubts=doubts, said=said,
                              reach=self.text("grashof.reach"))  # fmt: skip

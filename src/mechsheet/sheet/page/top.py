@@ -17,7 +17,7 @@ from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.first.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.first.transmission import poor_limit, some_poor
+from mechsheet.sheet.first.transmission import angle_words, poor_limit, some_poor
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, over_rows
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
@@ -26,7 +26,7 @@ from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.sheet.wrapping import height_of, label_lines
-from mechsheet.units import Unit, behind_number, turn
+from mechsheet.units import Unit, turn
 
 SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 """Columns of the top; the meaning has three of the table's columns."""
@@ -242,13 +242,15 @@ class Top:
     def _task(self, row: int, row_of_miss: int, asked: Synthesis) -> None:
         """Whether the dimensions that are found from a task do what it asks, and by how much they miss it."""
         plan, count = self.plan, CellRef(row, VALUE, True, True)
-        self.line(row, plan.text("verdict.task"), "", task.said(plan, count, CellRef(row_of_miss, VALUE, True, True)))
+        self.line(
+            row, plan.text("verdict.task"), "", task.said_of_miss(plan, count, CellRef(row_of_miss, VALUE, True, True))
+        )
         self.line(row_of_miss, plan.text("verdict.task"), "", plan.text("verdict.task.miss"))
         miss = formula("IFERROR(most,NA())", most=task.most_missed(plan, asked))
         self.fill(row_of_miss, VALUE, miss, styles.numbered(styles.RESULT, "0.0E+00"))
         self.fill(row, VALUE, task.wrong(plan, asked), styles.decimals(styles.RESULT, 0))
         area, words = Area(row, MEANING, row, LAST), CellRef(row, MEANING, True, True)
-        doubt = formula("words<>exactly", words=words, exactly=task.exactly(plan))
+        doubt = task.doubtful(plan, words)
         self.conditionals.append(Conditional(area, formula("count>0", count=count), styles.BAD))
         self.conditionals.append(Conditional(area, doubt, styles.WARN))
 
@@ -308,12 +310,9 @@ class Top:
         cell, limit = CellRef(row, VALUE, True, True), poor_limit(plan.mechanism)
         unit = plan.mechanism.angle_unit
         poor = formula('IF(value<limit,words,"")', value=cell, limit=limit, words=f": {plan.text('verdict.poor')}")
-        least_words = joined(
-            plan.text("page.transmission"),
-            formula("ROUND(value,digits)", value=cell, digits=1 if unit.in_degrees else 2),
-            f"{behind_number(unit.text)}{plan.text('page.transmission.rows')}", poor,
-        )  # fmt: skip
-        self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=least_words))
+        said, after = angle_words(plan, cell)
+        words = joined(plan.text("page.transmission"), said, f"{after}{plan.text('page.transmission.rows')}", poor)
+        self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=words))
         poor = formula("AND(ISNUMBER(value),value<limit)", value=cell, limit=limit)
         self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=self.cell("#rows_closed"), least=least)
@@ -351,7 +350,7 @@ class Top:
             number, met = (CellRef(row, col, True, True) for col in (VALUE, MEANING))
             closes = task.with_task(closes, number, met)
             missed = formula("number>0", number=number)
-            doubts = formula("met<>exactly", met=met, exactly=task.exactly(plan))
+            doubts = task.doubtful(plan, met)
         good = formula("IF(n=0,nowhere,good)", n=count, good=closes, nowhere=text("page.verdict.nowhere"))
         words = inputs.words(plan, wrong, there, good)
         self.fill(VERDICT_ROW, SYMBOL, words, styles.LINE)

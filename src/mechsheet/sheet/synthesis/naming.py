@@ -36,9 +36,11 @@ class Naming:
 
 def _mode(plan: Plan, task: Synthesis) -> Node | None:
     """The mode of the mechanism's cell, counted as the task counts it; None where it has none."""
-    symbols = [*task.mode, *(plan.equations.groups[loop.group - 1].mode for loop in plan.found.four_bars)]
-    group = next((group for group in plan.equations.groups if group.mode and group.mode in symbols[:1]), None)
-    if group is None:
+    groups = plan.equations.groups
+    taken = [group for group in groups if group.mode in task.mode]
+    of_loop = [groups[loop.group - 1] for loop in plan.found.four_bars]
+    group = next(iter((*taken, *of_loop)), None)
+    if group is None or not group.mode:
         return None
     mode = Symbol(group.mode)
     return mode if counts_from_driven(plan.mechanism, group.pins) else al.neg(mode)
