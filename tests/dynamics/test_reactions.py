@@ -14,7 +14,7 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.dyads import DEAD
+from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower

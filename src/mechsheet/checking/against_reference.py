@@ -24,7 +24,7 @@ from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import symbols
 from mechsheet.formula.references import cell_address
-from mechsheet.kinematics.dyads import DEAD
+from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.newton.leaving import LEAP
 from mechsheet.kinematics.numeric import value

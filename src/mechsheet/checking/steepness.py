@@ -9,7 +9,7 @@ import numpy as np
 from mechsheet import reference
 from mechsheet.checking.inputs import Array
 from mechsheet.formula.nodes import symbols
-from mechsheet.kinematics.dyads import DEAD
+from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import FORCES, INNER, RATES
 from mechsheet.kinematics.numeric import value
 from mechsheet.sheet.plan import Plan

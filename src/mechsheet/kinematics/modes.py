@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.kinematics.dyads import Solved
+from mechsheet.kinematics.dyads.solved import Solved
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array

@@ -17,12 +17,16 @@ from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values, given_values, listed_values
-from mechsheet.kinematics.dyads import Determinant, Solved
+from mechsheet.kinematics.dyads.lines import solve_prp, solve_rpp
+from mechsheet.kinematics.dyads.rpr import solve_rpr
+from mechsheet.kinematics.dyads.rrp import solve_rrp
+from mechsheet.kinematics.dyads.rrr import solve_rrr
+from mechsheet.kinematics.dyads.solved import Determinant, Solved
+from mechsheet.kinematics.dyads.within import member, sketched_mode, solve_within
 from mechsheet.kinematics.equations import Equation, Equations, Group, System, assembly_of, validate
 from mechsheet.kinematics.graph import Graph, graph_of
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.lengths import largest_given
-from mechsheet.kinematics.lines import solve_prp, solve_rpp
 from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility
 from mechsheet.kinematics.modes import NeverClosesError, pick_mode
@@ -37,12 +41,8 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import angle_of, cartesian, number
 from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rates.coefficients import Written, add_rates, wanted
-from mechsheet.kinematics.rpr import solve_rpr
-from mechsheet.kinematics.rrp import solve_rrp
-from mechsheet.kinematics.rrr import solve_rrr
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.kinematics.ties import Tied
-from mechsheet.kinematics.within import member, sketched_mode, solve_within
 from mechsheet.model import FurtherDriver, Mechanism, Quantity, Words
 from mechsheet.said import say
 from mechsheet.units import ANGLE, LENGTH

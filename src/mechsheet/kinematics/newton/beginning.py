@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.kinematics.dyads import DEAD
+from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.modes import BetweenModesError
 from mechsheet.kinematics.numeric import Array, evaluate_equation, value

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Binary as NodeBinary
 from mechsheet.formula.nodes import Call, Node, Number, Symbol, renamed, transform
-from mechsheet.kinematics.dyads import DEAD
+from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import Condition, System
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.carriers import Solution, holder

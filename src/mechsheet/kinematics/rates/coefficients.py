@@ -22,7 +22,7 @@ from mechsheet.formula.derivatives import derivative
 from mechsheet.formula.nodes import Call, Node, Symbol, symbols, with_symbols
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.cell_lengths import LONGEST
-from mechsheet.kinematics.dyads import Determinant, Solved
+from mechsheet.kinematics.dyads.solved import Determinant, Solved
 from mechsheet.kinematics.equations import Fit
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.carriers import Solution

@@ -16,7 +16,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Binary, Call, Node, Symbol, TriangleAngle
 from mechsheet.kinematics.assur import Dyad
-from mechsheet.kinematics.dyads import DEAD, Determinant, Solved, known_way
+from mechsheet.kinematics.dyads.solved import DEAD, Determinant, Solved, known_way
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.places import triangle_closes

@@ -17,7 +17,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Binary, Call, Node
 from mechsheet.kinematics.assur import Dyad
-from mechsheet.kinematics.dyads import Solved, half_turn_unless, known_way, leg, leg_left
+from mechsheet.kinematics.dyads.solved import Solved, half_turn_unless, known_way, leg, leg_left
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.places import angle_of

@@ -15,7 +15,7 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import ONE_ASSEMBLY, Solved, lines_cross
+from mechsheet.kinematics.dyads.solved import ONE_ASSEMBLY, Solved, lines_cross
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.ledger import Ledger

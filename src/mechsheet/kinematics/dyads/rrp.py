@@ -16,7 +16,7 @@ from __future__ import annotations
 from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import Solved, along_and_across, half_turn_unless, leg, leg_left
+from mechsheet.kinematics.dyads.solved import Solved, along_and_across, half_turn_unless, leg, leg_left
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.poses import Poses

@@ -19,10 +19,10 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.algebra import Angle
 from mechsheet.formula.nodes import TriangleAngle, symbols
 from mechsheet.kinematics.assur import Dyad, Pin
-from mechsheet.kinematics.dyads import Solved
+from mechsheet.kinematics.dyads.rrr import three_pins, triangle_exists
+from mechsheet.kinematics.dyads.solved import Solved
 from mechsheet.kinematics.places import Place, arm_of, cartesian, number
 from mechsheet.kinematics.poses import Assembly, Member, Poses
-from mechsheet.kinematics.rrr import three_pins, triangle_exists
 from mechsheet.model import Sketch
 from mechsheet.units import ANGLE
 from mechsheet.words.equations import phrase
