@@ -17,7 +17,7 @@ from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.library import linkage
 from within_cases import LOADER, loader
 
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
+TEMPLATES = Path(__file__).parents[3] / "templates"
 
 
 def test_random_cylinders_between_links_that_move():
