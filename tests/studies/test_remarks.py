@@ -57,7 +57,7 @@ def said_in_workbook(mechanism, values, modes):
     found = {}
     for name, row in compiled.plan.blocks["summary"].rows.items():
         words = str(compiled.value(Spot(compiled.plan.main, row, MEANING)))
-        remark = re.search(r" \((about|grows without bound|rows only)\)$", words)
+        remark = re.search(r" \((about|or beyond|grows without bound|rows only)\)$", words)
         found[name] = compiled.number(Spot(compiled.plan.main, row, VALUE)), remark[0] if remark else ""
     return found, compiled.number(compiled.plan.at.spots["#stretches"])
 

@@ -77,16 +77,21 @@ def overview_text(mechanism: Mechanism) -> str:
     return "\n".join(lines)
 
 
+DOUBTS = ("verdict.about", "verdict.beyond", "verdict.rows.only")
+"""What the first sheet may say of a number beside it."""
+
+
 def _single(compiled: Compiled, single: Summary | Output) -> str:
     """`mu_min = 33.89 °`: a summary, or an output of summaries, as the first sheet has it."""
     plan = compiled.plan
     spot = plan.at.spots[f"#summary {single.symbol}"]
-    value = compiled.value(spot)
+    value, said = compiled.value(spot), str(compiled.value(replace(spot, col=MEANING)))
     if not isinstance(value, float):
-        without = plan.text("verdict.boundless") in str(compiled.value(replace(spot, col=MEANING)))
+        without = plan.text("verdict.boundless") in said
         return f"{single.symbol}: {'grows without bound' if without else 'none'}"
     unit = plan.mechanism.shown(single.unit) if isinstance(single, Output) else unit_of_column(plan, single.of)
-    return f"{single.symbol} = {value:.6g}{behind_number(unit.text)}"
+    doubt = next((words("en", key) for key in DOUBTS if said.endswith(plan.text(key))), "")
+    return f"{single.symbol} = {value:.6g}{behind_number(unit.text)}{doubt}"
 
 
 def _tie(mechanism: Mechanism, relation: Relation) -> str:

@@ -19,7 +19,7 @@ from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.formula.nodes import Node, symbols
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_between, given_values, step_of
-from mechsheet.kinematics.equations import RATES
+from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.period import Periods
@@ -70,6 +70,7 @@ class Designs:
     ruling     the one for what conditions ask of the rows;  in_rows: for all quantities there
     at_places  by quantity the one for it at other places;  derivatives: for its derivatives, where the workbook has them
     closing    there, for how far groups are from coming apart
+    spiking    groups whose dead centres make spikes in what is asked for;  spiky: quantities that have them
     may_grow   quantities that can be without bound;  divisors: what those of them are divided by as absolute values
     unprobed   whether no margin says where a stretch of rows ends
     between_unseen  whether there are so few rows that nothing is looked for between them
@@ -166,6 +167,7 @@ class Designs:
         self.between_unseen = self.rows < LEAST_PROBED and not mechanism.driver.values
         self.rows_only = bool(mechanism.driver.values) or self.between_unseen or mechanism.layout == "page"
         self._doubts(wanted)
+        wanted |= dict.fromkeys(group.transmission for group in self.spiking)
         divisors = {DIVISOR.format(symbol=symbol): node for symbol, node in self.divisors.items()}
         self.in_rows = Called(
             lowering.columns([*wanted, *self.equations.tied], rows=True, anchors=True, nodes=divisors), self.row_given
@@ -189,11 +191,24 @@ class Designs:
         transmission = classification(mechanism, assignments).transmission
         columns = {equation.symbol for equation in equations.columns} | self.given.keys()
         self.may_grow = set() if self.rows_only else {*wanted} & columns - bounded(mechanism, equations, transmission)
+        self.spiky = set() if self.rows_only else {symbol for symbol in wanted if self._reads_rates(symbol)}
+        self.spiking = transmission if self.spiky else ()
         self.divisors: dict[str, Node] = {}
         for symbol in sorted(self.may_grow - self.given.keys()):
             divisor = divisor_of(equations.of(symbol).expression, lambda each: not columns.isdisjoint(symbols(each)))
             if divisor is not None:
                 self.divisors[symbol] = divisor
+
+    def _reads_rates(self, symbol: str) -> bool:
+        """Whether a quantity is, or reads, a velocity or a force."""
+        columns = {equation.symbol: equation for equation in self.equations.columns}
+        stack, seen = [symbol], set[str]()
+        while stack:
+            name = stack.pop()
+            if name in columns and name not in seen:
+                seen.add(name)
+                stack += columns[name].reads
+        return any(columns[name].role in (*RATES, *FORCES) for name in seen)
 
     @property
     def _read(self) -> set[str]:

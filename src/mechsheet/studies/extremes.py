@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.kinematics.period import SAME_AGAIN
-from mechsheet.studies.remarks import at_pole, unsettled
+from mechsheet.studies.remarks import ABOUT, BEYOND, Codes, at_pole, unsettled
+from mechsheet.studies.rivals import beyond, promised
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -105,6 +106,7 @@ class Anchors:
     middle               the row whose neighbours the first parabola goes through; before, value, after: values there
     wraps                1, 2 where the ends of the motion are neighbours (their row twice, or not), else 0
     turns                values, in the best row, of the angles without jumps that probes need
+    rival                the most that another row promises beside it (`rivals`)
     pole                 whether the middle row and its neighbours are those beside a place where the quantity has no bound
     """
 
@@ -118,6 +120,7 @@ class Anchors:
     after: Array
     wraps: Array
     turns: Array
+    rival: Array
     pole: Mask
 
 
@@ -167,15 +170,17 @@ def anchors_of(
     for at, angle in enumerate(angles):
         turns[:, at] = angle[each, place]
     at_row, at_middle = (np.asarray(index + 1.0, float) for index in (place, middle))
-    return Anchors(most, worst, at_row, value, at_middle, before, here, after, wraps, turns, pole)
+    rival = promised(way == "max", column, place, (first, last), beyond, most, worst)
+    return Anchors(most, worst, at_row, value, at_middle, before, here, after, wraps, turns, rival, pole)
 
 
 def _begun_from(way: Way, column: Array, place: NDArray[np.intp], looked_at: Mask) -> NDArray[np.intp]:
     """The rows (from 0) from which probes go on: where the best is the first or the last and no vertex lies inside, the best
     of all but the two there, if it is better than the neighbour of that end."""
     sign, last = (1.0 if way == "max" else -1.0), column.shape[1] - 1
+    best = place  # the other one may be at the other end
     for end, inward in ((0, 1), (last, -1)):
-        designs = np.flatnonzero(looked_at & (place == end))
+        designs = np.flatnonzero(looked_at & (best == end))
         if not len(designs):
             continue
         y = sign * column[designs]
@@ -233,8 +238,8 @@ def refined(
     ends: bool,
     probe: Probe,
     slopes: Slopes | None = None,
-) -> tuple[Array, Mask]:
-    """The extremes of designs of one stretch, and whether they are about right only.
+) -> tuple[Array, Codes]:
+    """The extremes of designs of one stretch, and what is to be said of them.
 
     edges   where their stretches begin and end, between rows;  ends: as in `anchors_of`
     slopes  where the workbook has the quantity's derivatives, too
@@ -267,7 +272,9 @@ def refined(
         at_end = ~around.beyond & ((place == low) | (place == high))
         about = unsettled(best, probed, extreme, anchors.worst, at_end)
     of_rows = (stretches.number > 1) | (first == last) | ~np.isfinite(best)
-    return np.where(of_rows, anchors.most, extreme), about & ~of_rows
+    elsewhere = beyond(way == "max", anchors.rival, extreme, anchors.most, anchors.worst)
+    codes = np.where(of_rows, 0, np.where(elsewhere, BEYOND, np.where(about, ABOUT, 0))).astype(np.int8)
+    return np.where(of_rows, anchors.most, extreme), codes
 
 
 Point = tuple[Array, Array]

@@ -18,6 +18,7 @@ from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import WAYS, Condition, Take
+from mechsheet.sheet.checks.extremes import NEARER
 from mechsheet.sheet.checks.turning import derivatives
 from mechsheet.studies.extremes import (
     Anchors,
@@ -33,7 +34,7 @@ from mechsheet.studies.extremes import (
     stretches_of,
 )
 from mechsheet.studies.lowering import ANCHOR, INSIDE, THERE
-from mechsheet.studies.remarks import ABOUT, BOUNDLESS, ROWS_ONLY, Codes, beyond_rows
+from mechsheet.studies.remarks import BEYOND, BOUNDLESS, ROWS_ONLY, Codes, beyond_rows
 
 if TYPE_CHECKING:
     from mechsheet.studies.designs import Called, Designs
@@ -63,9 +64,9 @@ class Motion:
     def __init__(self, designs: Designs, inside: Mapping[str, Array], known: Mapping[str, Array]) -> None:
         self.designs = designs
         quantities = designs.questions.quantities
-        self.extremes: tuple[Extreme, ...] = tuple(
-            dict.fromkeys((quantity.of, way) for quantity in quantities for way in quantity.ways)
-        )
+        extremes = [(quantity.of, way) for quantity in quantities for way in quantity.ways]
+        extremes += [(group.transmission, way) for group in designs.spiking for way in WAYS.values()]
+        self.extremes: tuple[Extreme, ...] = tuple(dict.fromkeys(extremes))
         self.failed = np.zeros(len(designs.questions.others), np.int64)
         self.alive: Mask = np.ones(len(next(iter(inside.values()))), bool)
         with np.errstate(all="ignore"):
@@ -112,10 +113,11 @@ class Motion:
         stretches = joined(parts)
         anchors = {key: joined(each) for key, each in found_anchors.items()}
         found = {key: each.best for key, each in anchors.items()}
-        about: dict[Extreme, Mask] = {}
+        doubts: dict[Extreme, Codes] = {}
         if not designs.rows_only:
-            for key, (value, unsettled) in self._refined(anchors, stretches, inside).items():
-                found[key], about[key] = value, unsettled
+            for key, (value, codes) in self._refined(anchors, stretches, inside).items():
+                found[key], doubts[key] = value, codes
+        spikes = self._spikes(anchors, found, count)
         for quantity in designs.questions.quantities:
             if quantity.ways:
                 number = _of_extremes(quantity, {way: found[quantity.of, way] for way in quantity.ways})
@@ -126,11 +128,27 @@ class Motion:
             self.quantities[quantity.name] = np.where(fine, number * quantity.factor, np.nan)
             said = np.zeros(count, np.int8)
             for way in quantity.ways:
-                said[about.get((quantity.of, way), np.zeros(count, bool))] = ABOUT
+                said = np.maximum(said, doubts.get((quantity.of, way), said))
+            if quantity.ways and quantity.of in designs.spiky:
+                said[spikes] = BEYOND
             said[without] = BOUNDLESS
             if quantity.ways and quantity.of != designs.mechanism.driver.symbol:
                 said[self._of_rows(stretches)] = ROWS_ONLY
             self.remarks[quantity.name] = said
+
+    def _spikes(self, anchors: Mapping[Extreme, Anchors], found: Mapping[Extreme, Array], count: int) -> Mask:
+        """Where a group comes much nearer to a dead centre between the rows than in them."""
+        spikes = np.zeros(count, bool)
+        for group in self.designs.spiking:
+            lows, highs = (
+                (found[key], anchors[key].most) for key in ((group.transmission, way) for way in WAYS.values())
+            )
+            least, of_rows = (
+                np.minimum(low, math.pi - high) if group.kind == "RRR" else math.pi / 2 - np.maximum(-low, high)
+                for low, high in zip(lows, highs, strict=True)
+            )
+            spikes |= least < NEARER * of_rows
+        return spikes
 
     def _of_rows(self, stretches: Stretches) -> Mask:
         """Whether nobody looks between the rows: of several stretches, of one row, of one whose ends no margin tells; or of
@@ -163,8 +181,8 @@ class Motion:
 
     def _refined(
         self, anchors: Mapping[Extreme, Anchors], stretches: Stretches, inside: Mapping[str, Array]
-    ) -> dict[Extreme, tuple[Array, Mask]]:
-        """The extremes of all but what is given row by row, and whether they are about right only."""
+    ) -> dict[Extreme, tuple[Array, Codes]]:
+        """The extremes of all but what is given row by row, and what is to be said of them."""
         designs = self.designs
         first, last = stretches.first.astype(float), stretches.last.astype(float)
         low, high = first.copy(), last.copy()

@@ -1,9 +1,9 @@
 """What the workbook says of a number beside it, of many designs at once; and which designs are set apart because of it.
 
-The words and the limits are those of the first sheet (`sheet/checks/extremes.py`, `boundless.py`): *(about)* where the last
-probe still changed the extreme, *(grows without bound)* where there is none, *(rows only)* where nobody looked between the
-rows. A design is set apart where a condition or an objective reads a number of the last two kinds: it is kept and told of,
-but not compared with others.
+The words and the limits are those of the first sheet (`sheet/checks/extremes.py`, `boundless.py`): *(about)* where the
+last probe still changed the extreme, *(or beyond)* where it may be beside another row or in a spike, *(grows without
+bound)* where there is none, *(rows only)* where nobody looked between the rows. A design is set apart where a condition or
+an objective reads a number of the last two kinds: it is kept and told of, but not compared with others.
 """
 
 from __future__ import annotations
@@ -22,10 +22,15 @@ Mask = NDArray[np.bool_]
 Codes = NDArray[np.int8]
 Texts = NDArray[np.object_]
 
-ABOUT, BOUNDLESS, ROWS_ONLY = 1, 2, 3
+ABOUT, BEYOND, BOUNDLESS, ROWS_ONLY = 1, 2, 3, 4
 """Codes of remarks, 0 for none: of two the larger is said, as on the first sheet."""
 
-WORDS = {ABOUT: "verdict.about", BOUNDLESS: "verdict.boundless", ROWS_ONLY: "verdict.rows.only"}
+WORDS = {
+    ABOUT: "verdict.about",
+    BEYOND: "verdict.beyond",
+    BOUNDLESS: "verdict.boundless",
+    ROWS_ONLY: "verdict.rows.only",
+}
 
 
 def unsettled(best: Array, probes: list[Array], value: Array, worst: Array, at_end: Mask) -> Mask:

@@ -1,9 +1,8 @@
 """Extremes of quantities, held against the same motion in far more rows."""
 
-import re
-
 import numpy as np
 import pytest
+from swept import four_bar, swept
 
 from mechsheet.compiled import compiled_of
 from mechsheet.description.templates import template_text
@@ -14,30 +13,6 @@ from studying import in_workbook
 
 ROWS = {"closed by its last row": (360, 15), "without the row that closes it": (345, 15), "open": (300, 15)}
 STUDY = "[study]\nvary = { a2 = { values = [35, 30] } }\n"
-
-
-def swept(text, rows):
-    """A description with another sweep from 0 on: its last value and its step."""
-    last, step = rows
-    for key, value in (("start", 0), ("stop", last), ("step", step)):
-        text = re.sub(rf"(?m)^{key} = .*$", f"{key} = {value}", text, count=1)
-    return text
-
-
-def four_bar(formula, unit=""):
-    """The template with one output, and its extremes."""
-    text = template_text("four-bar")
-    unit = f', unit = "{unit}"' if unit else ""
-    return (
-        text[: text.index("[outputs]")]
-        + f"""
-[outputs]
-asked = {{ formula = "{formula}"{unit} }}
-[summary]
-low = {{ of = "asked", take = "min" }}
-high = {{ of = "asked", take = "max" }}
-"""
-    )
 
 
 def dense(text, rows, of):

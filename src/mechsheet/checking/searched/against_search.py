@@ -169,7 +169,7 @@ class _Judge:
         return found
 
     def _says(self, key: str, word: str) -> bool:
-        """Whether the words beside a number say that it is `about` right, `within` a step, or of `rows.only`."""
+        """Whether the words beside a number say that it is `about` right, `within` a step, of `rows.only`, or `beyond`."""
         spot = self.plan.at.spots[f"#{key}"]
         words = self.values.get(spot.sheet, spot.row, MEANING)
         return isinstance(words, str) and self.plan.text(f"verdict.{word}") in words
@@ -262,9 +262,18 @@ class _Judge:
         expected = self.searched.extent(symbol, self._says(key, "rows.only"))
         if not expected and len(self.search.row_stretches) == 1:
             return
+        expected = self._as_far(key, expected, self.searched.extent(symbol, True))
         if self.searched.sure or not expected:
             least = 1e-8 * (self.searched.scale(symbol) if self.search.is_angle(symbol) else self.search.size)
             self._number(key, expected, self._part(key) * max(expected, default=0.0) + least)
+
+    def _as_far(self, key: str, expected: list[float], of_rows: list[float]) -> list[float]:
+        """What is expected; where the sheet says that there may be more elsewhere, all from that of the rows on is right."""
+        found = self._found(key)
+        if not (expected and of_rows and isinstance(found, float) and self._says(key, "beyond")):
+            return expected
+        low, high = sorted((expected[0], of_rows[0]))
+        return [min(max(found, low), high)]
 
     def _part(self, key: str) -> float:
         return ABOUT if self._says(key, "about") else EXACT
@@ -288,4 +297,6 @@ class _Judge:
                 least, _, most = found
                 scale = self.searched.angle_scale
                 part = ABOUT if not self.page and self._says(key, "about") else EXACT
-                self._number(key, [least], part * max(most - least, 1e-3 * scale) + ROUNDED * scale)
+                of_rows = None if self.page else self.searched.transmission(group, rows_only=True)
+                expected = self._as_far(key, [least], [of_rows[0]] if of_rows else [])
+                self._number(key, expected, part * max(most - least, 1e-3 * scale) + ROUNDED * scale)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -73,7 +73,10 @@ def _judge(values: Any, judged: SearchedVerdicts, tally: Tally, summary: Summary
     expected = expected_of(judged, summary)
     if expected is None or not expected.sure:
         return
-    settled = not (isinstance(words, str) and plan.text("verdict.about") in words)
+    said = words if isinstance(words, str) else ""
+    if plan.text("verdict.beyond") in said:  # it may be elsewhere: beside another row
+        expected = replace(expected, whole=False)
+    settled = plan.text("verdict.about") not in said
     tally.note(expected.apart(number, settled) * tally.tolerance, where, number, expected.value)
 
 
@@ -110,7 +113,8 @@ class Expected:
     value, of_rows  as the motion has it, and the rows alone
     range           of the quantity;  rounded: so much is rounding
     turn            of an angle that is known up to whole turns, else 0
-    whole           whether all positions exist;  sure: whether the motion is known well enough to ask
+    whole           whether all positions exist, and all have been looked at
+    sure            whether the motion is known well enough to ask
     """
 
     value: float
@@ -124,7 +128,8 @@ class Expected:
     def apart(self, shown: Scalar, settled: bool) -> float:
         """How far a cell's value is off, as a part of what is allowed.
 
-        Where some positions do not exist it may be anything between that of the rows and that of the motion.
+        Where some positions do not exist, or have not been looked at, it may be anything between that of the rows and that
+        of the motion.
         """
         if not isinstance(shown, float) or not math.isfinite(shown):
             return math.inf

@@ -10,14 +10,17 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Literal
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.means import LEAST_OF_TURN
+from mechsheet.model import WAYS
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks import parabolas, turning
+from mechsheet.sheet.checks import parabolas, rivals, turning
 from mechsheet.sheet.checks.boundless import (
     STRAIGHT,
     STRAIGHT_SIGNED,
@@ -34,6 +37,7 @@ from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.classification import FourBar
+from mechsheet.sheet.first.transmission import acute
 from mechsheet.sheet.over_rows import ends_meet
 from mechsheet.sheet.plan import DRIVER, LEAST_PROBED, NUMBER, STATUS, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
@@ -53,6 +57,17 @@ REACH = 6
 SETTLED, IMPROVED = 1e-4, 5e-4
 """The last probe may be worse than the best by the first part of the range, and better than all others by the second; more,
 and the value is said to be about right."""
+
+SURE, ABOUT, BEYOND, ROWS = 1, 2, 3, 4
+"""What the cell beside an extreme says: that it is right, about right, that it may be elsewhere, beyond what is
+given, or that it is of rows only."""
+
+STEEP = 5
+"""The working cell that says whether velocities and forces have a spike between two rows."""
+
+NEARER = 0.5
+"""An angle of transmission that is less than this part of the rows' least one between them makes such a spike: velocities
+and forces go with one over its sine, so they are twice as large there."""
 
 TURN = DIFFERENCES
 """Working cells: where the quantity turns back, whether that is about right only, where one more probe would be."""
@@ -153,6 +168,8 @@ class Extremes:
             rows = [plan.blocks["verdicts"].rows[f"transmission_{group.number}"] for group in plan.found.transmission]
             least = RangeRef(*(CellRef(row, FIRST_SHEET_VALUE, True, True, plan.main) for row in (rows[0], rows[-1])))
             probes.work(self.whole_row, 4, "MATCH(MIN(least),least,0)", least=least)
+        if self._steepest:
+            probes.work(self.whole_row, STEEP, "steep", steep=self._steepest)
         self.limits.write()
         for number, block in self.gaps.items():
             self._gap(number, block)
@@ -173,7 +190,7 @@ class Extremes:
             columns=(
                 Column(NUMBER, NUMBER, 5), Column(DRIVER, DRIVER, 11), Column(STATUS, STATUS, 14),
                 Column(STATUS + 1, probes.side - 2, 11), Column(probes.side - 1, probes.side - 1, 14),
-                Column(probes.side, probes.side + DIFFERENCES + 2, 11),
+                Column(probes.side, probes.side + rivals.TWIN, 11),
             ),
             row_heights=((TITLE_ROW, 26.0), (HEAD_ROW, 30.0)),
             freeze=(FIRST, STATUS),
@@ -405,7 +422,7 @@ class Extremes:
         if count == 1:
             probes.work(row + 2, SIDE + 1, "INDEX(drivers,place)", styles.RESULT, place=place,
                         drivers=Symbol(ALL + plan.mechanism.driver.symbol))  # fmt: skip
-            probes.work(row + 2, SIDE + 2, "FALSE")
+            probes.work(row + 2, SIDE + 2, "sure", sure=SURE)
             return
         wraps = self._around(self._wraps_of(symbol))
         within = formula(
@@ -417,12 +434,45 @@ class Extremes:
         # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
         probes.work(
             row + 2, SIDE + 2,
-            "IF(AND(wraps=0,OR(place=low,place=high)),FALSE,"
-            "OR(ABS(value-last)>settled*ABS(value-other),ABS(value-before)>improved*ABS(value-other)))",
+            f"IF(_rows_only,{ROWS},IFERROR(IF(elsewhere,{BEYOND},IF(AND(wraps=0,OR(place=low,place=high)),{SURE},"
+            "IF(OR(ABS(value-last)>settled*ABS(value-other),ABS(value-before)>improved*ABS(value-other)),"
+            f"{ABOUT},{SURE}))),{SURE}))",
+            elsewhere=self._elsewhere(symbol, row),
             value=value, last=probes.cell(row + block.probes, VALUE), settled=SETTLED, improved=IMPROVED, other=other,
             before=Call(way.upper(), (probes.cells_down(row, VALUE, block.probes),)), wraps=wraps, place=place,
             low=low, high=high,
         )  # fmt: skip
+        most = probes.cell(row, SIDE + 3)
+        allowed = formula("settled*ABS(most-other)", settled=SETTLED, most=most, other=other)
+        rivals.write(
+            probes, row, way, symbol, self._rows_of_stretch(), wraps, value, allowed, probes.cell(row, AT), most
+        )
+
+    @cached_property
+    def _steepest(self) -> Node | None:
+        """Whether a group comes much nearer to a dead centre between the rows than in them: then its velocities and forces
+        have a spike there, of which the rows show nothing. None without an angle of transmission."""
+        tests = []
+        for group in () if self.plan.rows_only else self.plan.found.transmission:
+            low, high = (self.blocks[group.transmission, way].row for way in WAYS.values())
+            found, rows = (
+                Call("MIN", acute(self.probes.cell(low + at, SIDE + work), self.probes.cell(high + at, SIDE + work),
+                                  group.kind != "RRR")[0])
+                for at, work in ((2, 0), (0, 3))
+            )  # fmt: skip
+            tests.append(formula("found<part*rows", found=found, rows=rows, part=NEARER))
+        return Call("OR", tuple(tests)) if tests else None
+
+    def _elsewhere(self, symbol: str, row: int) -> Node:
+        """Whether a quantity may be beyond what the probes have found: beside another row, or, where it is or reads a
+        velocity or a force, in a spike."""
+        rival = rivals.there_are(self.probes, row)
+        roles = {each.symbol: each.equation.role for each in self.probes.columns if each.equation is not None}
+        if self._steepest is None or not any(
+            roles.get(name) in (*RATES, *FORCES) for name in self.probes.needed([symbol])
+        ):
+            return rival
+        return formula("OR(rival,spikes)", rival=rival, spikes=self.probes.cell(self.whole_row, STEEP))
 
     def _turns(self, block: Block, turn: Node) -> None:
         """Where the quantity turns back, for a ratio of times, and whether that is about right only.
@@ -433,7 +483,9 @@ class Extremes:
         probes, row, best = self.probes, block.row, self._place(block.row, block.probes + len(self.ends) + 1)
         there = probes.work(row, TURN + 2, 'IFERROR(turn,"")', turn=turn)
         probes.work(row, TURN, "IFERROR(IF(ABS(there-best)>most,best,there),best)", there=there, best=best, most=BESIDE)
-        probes.work(row, TURN + 1, "IFERROR(ABS(there-best)>most,TRUE)", there=there, best=best, most=MOVED)
+        probes.work(
+            row, TURN + 1, f"IF(IFERROR(ABS(there-best)>most,TRUE),{ABOUT},{SURE})", there=there, best=best, most=MOVED
+        )
 
     def _boundless(self, symbol: str, way: Way, block: Block) -> None:
         """Whether the quantity has no largest or smallest value."""
@@ -512,27 +564,29 @@ class Extremes:
 
 
 def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
-    """What is added to the words of an extreme, or of two, whose probes have not settled."""
+    """What is added to the words of an extreme, or of two: how much it is to be doubted."""
+    rows = plan.text("verdict.rows.only")
     if plan.between_unseen:
-        return Text(plan.text("verdict.rows.only"))
-    settled = _settled(plan, symbol, ways, ("about",))
-    return formula("IF(_rows_only,rows,settled)", rows=plan.text("verdict.rows.only"), settled=settled)
+        return Text(rows)
+    said = _doubt(plan, symbol, ways, ("about",), ("about", "beyond", "rows.only"))
+    if not may_grow(plan, symbol):
+        return said
+    return formula("IF(_rows_only,rows,said)", rows=rows, said=said)  # whether there is a bound nobody knows then
 
 
 def about_turns(plan: Plan, symbol: str) -> Node:
-    """The same of a ratio of times over whole turns: the places count, too."""
-    return _settled(plan, symbol, ("min", "max"), ("about", "turns_about"))
+    """The same of a ratio of times over whole turns: places count, too; one that may be elsewhere makes it about right."""
+    return _doubt(plan, symbol, ("min", "max"), ("about", "turns_about"), ("about", "about"))
 
 
-def _settled(plan: Plan, symbol: str, ways: Sequence[Way], flags: Sequence[str]) -> Node:
-    unsettled = Call("OR", tuple(Symbol(f"#{way}_{flag}_{symbol}") for flag in flags for way in ways))
-    settled = formula('IF(IFERROR(unsettled,FALSE),about,"")', unsettled=unsettled, about=plan.text("verdict.about"))
+def _doubt(plan: Plan, symbol: str, ways: Sequence[Way], flags: Sequence[str], words: Sequence[str]) -> Node:
+    """The words of the largest doubt: those of the cells' numbers from 2 on."""
+    doubt = Call("MAX", tuple(Symbol(f"#{way}_{flag}_{symbol}") for flag in flags for way in ways))
+    said: Node = Call("CHOOSE", (doubt, Text(""), *(Text(plan.text(f"verdict.{word}")) for word in words)))
     without = boundless(plan, symbol, ways)
     if without is not None:
-        settled = formula(
-            "IF(without,words,settled)", without=without, words=plan.text("verdict.boundless"), settled=settled
-        )
-    return settled
+        said = formula("IF(without,words,said)", without=without, words=plan.text("verdict.boundless"), said=said)
+    return said
 
 
 def boundless(plan: Plan, symbol: str, ways: Sequence[Way]) -> Node | None:

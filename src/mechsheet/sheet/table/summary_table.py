@@ -8,12 +8,14 @@ of extremes. Places count rows from the middle of three neighbours. What is give
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import cached_property
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, transform
 from mechsheet.model import WAYS, Dimension, Quantity, Summary, TableRequest, Way
 from mechsheet.sheet import styles
+from mechsheet.sheet.checks import rivals
 from mechsheet.sheet.checks.extremes import SETTLED
 from mechsheet.sheet.checks.parabolas import BESIDE, PROBES, vertex_of
 from mechsheet.sheet.driving import driver_at
@@ -249,12 +251,46 @@ class Helpers:
         self.settled.append(
             self._line(
                 "settled",
-                "IF(AND(here<>middle,result=best),TRUE,ABS(result-last)<=settled*(most-least))",
-                here=here, middle=middle, result=result, best=best, last=known[-1], settled=SETTLED,
-                most=self._over_rows("max"), least=self._over_rows("min"),
+                "AND(rivals=0,OR(AND(here<>middle,result=best),ABS(result-last)<=settled*(most-least)))",
+                rivals=self._rivals(way, wraps, here, best, result), here=here, middle=middle, result=result, best=best,
+                last=known[-1], settled=SETTLED, most=self._over_rows("max"), least=self._over_rows("min"),
             )
         )  # fmt: skip
         return result
+
+    def _rivals(self, way: Way, wraps: CellRef, here: CellRef, best: CellRef, result: CellRef) -> CellRef:
+        """How many other rows may have more beside them, as on the sheet of extremes, where every position exists."""
+        own, before, after = (
+            RangeRef(
+                replace(self.column.start, row=FIRST + at), replace(self.column.end, row=self.table.rows_end - 2 + at)
+            )
+            for at in (1, 0, 2)
+        )
+        allowed = formula(
+            "settled*(most-least)", settled=SETTLED, most=self._over_rows("max"), least=self._over_rows("min")
+        )
+        more, less, on, off = (">", "<", "+", "-") if way == "max" else ("<", ">", "-", "+")
+        limits = {
+            "twin": formula(f"best{off}allowed", best=best, allowed=allowed),
+            "promise": formula(f"result{on}allowed", result=result, allowed=allowed),
+        }
+        count = formula(
+            f"SUMPRODUCT({rivals.FAR}*{rivals.peak(more)}*{rivals.promises(more, less)})", own=own, before=before,
+            after=after, number=formula("ROW(own)-offset", own=own, offset=FIRST + 1), here=here,
+            again=formula(rivals.AGAIN, wraps=wraps, here=here, rows=self.plan.rows), **limits,
+        )  # fmt: skip
+        ends = [self._rival_at_end(at, wraps, here, rivals.at_end(more, less), limits) for at in (0, 1)]
+        return self._line("rivals", "IFERROR(count+one+other,0)", count=count, one=ends[0], other=ends[1])
+
+    def _rival_at_end(self, at: int, wraps: CellRef, here: CellRef, test: str, limits: dict[str, Node]) -> Node:
+        """The same of the first row (at 0) or the last one."""
+        rows = [replace(self.column.start, row=row) for row in range(FIRST, self.table.rows_end + 1)]
+        own, after, third, *_, near, far = rows if at == 0 else rows[::-1]
+        outside = formula(rivals.OUTSIDE, wraps=wraps, own=own, after=after, third=third, near=near, far=far)
+        end, other = (1, self.plan.rows) if at == 0 else (self.plan.rows, 1)
+        return formula(
+            test, here=here, end=end, other=other, wraps=wraps, outside=outside, own=own, after=after, **limits
+        )
 
     def _over_rows(self, way: Way) -> Node:
         return Call(f"{way.upper()}IFS", (self.column, self.column, Text(NUMBERS)))
