@@ -13,7 +13,7 @@ from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.text.index import Path
 from mechsheet.formula.nodes import Symbol
-from mechsheet.model import TAKES, ChartRequest, Driver, Quantity, Summary, TableRequest
+from mechsheet.model import TAKES, ChartRequest, Driver, Ends, Quantity, Summary, TableRequest
 from mechsheet.said import say
 
 
@@ -121,8 +121,20 @@ def charts(data: list[Any], driver: Driver | None, scope: Scope) -> tuple[ChartR
         _check_moves(paths, (*path, "paths"), scope)
         if hodographs:
             _check_velocities(hodographs, (*path, "hodographs"), scope)
-        result.append(ChartRequest(words(entry.get("title")), x, tuple(y), tuple(paths), tuple(hodographs)))
+        ends = [_ends_of_axis(entry, axis, path, scope) for axis in ("x", "y")]
+        result.append(ChartRequest(words(entry.get("title")), x, tuple(y), tuple(paths), tuple(hodographs), *ends))
     return tuple(result)
+
+
+def _ends_of_axis(entry: dict[str, Any], axis: str, path: Path, scope: Scope) -> Ends:
+    """Where an axis of curves begins and ends, where the description says so; paths are drawn at true scale."""
+    low, high = (None if entry.get(key) is BAD else entry.get(key) for key in (f"{axis}_min", f"{axis}_max"))
+    for key, end in (("min", low), ("max", high)):
+        if end is not None and not entry.get("y"):
+            scope.report.at((*path, f"{axis}_{key}"), say("a chart at true scale has no axes of its own"))
+    if low is not None and high is not None and low >= high:
+        scope.report.at((*path, f"{axis}_max"), say("an axis ends above where it begins"))
+    return low, high
 
 
 def _check_twice(names: list[Any], path: Path, scope: Scope) -> None:

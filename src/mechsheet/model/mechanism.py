@@ -408,15 +408,24 @@ class Summary:
     cell: str | None = None
 
 
+Ends: TypeAlias = tuple[float | None, float | None]
+"""Where an axis begins and ends."""
+
+
 @dataclass(frozen=True, slots=True)
 class ChartRequest:
-    """Curves of `y` against `x`, or the paths of points at true scale, or those of the ends of their velocity vectors."""
+    """Curves of `y` against `x`, or the paths of points at true scale, or those of the ends of their velocity vectors.
+
+    x_ends, y_ends  where the axes of curves begin and end, as they are shown; None: chosen
+    """
 
     title: Words | None = None
     x: str = ""
     y: tuple[str, ...] = ()
     paths: tuple[str, ...] = ()
     hodographs: tuple[str, ...] = ()
+    x_ends: Ends = (None, None)
+    y_ends: Ends = (None, None)
 
 
 @dataclass(frozen=True, slots=True)

@@ -33,13 +33,14 @@ class Scale:
 def scale_of(axis: Axis, numbers: Iterable[Points], start: float, end: float) -> Scale:
     """The axis as the workbook wants it; what it leaves open is chosen so that all numbers are seen."""
     if axis.low is not None and axis.high is not None:
-        step = axis.step or (axis.high - axis.low)
-        count = round((axis.high - axis.low) / step)
-        return Scale(axis.low, axis.high, start, end, tuple(axis.low + step * n for n in range(count + 1)))
+        step = axis.step or nice_step((axis.high - axis.low) / (MOST_TICKS - 1), "°" in axis.title)
+        first, last = math.ceil(axis.low / step - 1e-9), math.floor(axis.high / step + 1e-9)
+        return Scale(axis.low, axis.high, start, end, tuple(step * n for n in range(first, last + 1)))
     found = np.concatenate([column[np.isfinite(column)] for column in numbers])
     low, high = (float(found.min()), float(found.max())) if len(found) else (0.0, 1.0)
     if high - low <= 1e-9 * max(abs(low), abs(high)):
         low, high = low - 1.0, high + 1.0
+    low, high = low if axis.low is None else axis.low, high if axis.high is None else axis.high
     step = nice_step((high - low) / (MOST_TICKS - 1), "°" in axis.title)
     first, last = math.floor(low / step + 1e-9), math.ceil(high / step - 1e-9)
     return Scale(first * step, last * step, start, end, tuple(n * step for n in range(first, last + 1)))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism
 from mechsheet.sheet.checks.checks import Checks, checks_sheet
@@ -11,7 +13,7 @@ from mechsheet.sheet.drawing.charts import chart_requests, charts_of, traced_poi
 from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.first.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.notes.notes import notes_sheet
-from mechsheet.sheet.plan import Plan, plan_of
+from mechsheet.sheet.plan import HIDDEN, Plan, plan_of
 from mechsheet.sheet.synthesis.alt import alt_sheet
 from mechsheet.sheet.synthesis.sheet import synthesis_sheet
 from mechsheet.sheet.table.forces import forces_sheet
@@ -53,6 +55,8 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
         *((iterations_sheet(plan),) if plan.iterations else ()),
         description_sheet(plan),
     )
+    hidden = {plan.at.titles.get(key) for key in HIDDEN}
+    sheets = tuple(replace(sheet, hidden=sheet.hidden or sheet.title in hidden) for sheet in sheets)
     return with_typed_constants(Workbook(sheets, tuple(plan.names), properties_of(plan))), plan
 
 

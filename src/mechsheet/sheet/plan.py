@@ -52,6 +52,9 @@ SHEETS = ("mechanism", "positions", "drawing", "checks", "extremes", "notes", "d
 """Keys of the sheets that every workbook has; "rates", "forces", "tolerance" stand behind the positions of one that has
 them."""
 
+HIDDEN = ("drawing", "checks", "extremes", "iterations")
+"""Those that are hidden when the workbook opens: the proof, and what is drawn. They are not printed."""
+
 HEADING_ROWS = 3
 """Rows over the table: group, symbol with unit, formula as text."""
 

@@ -170,7 +170,7 @@ class SeriesRef:
 
 @dataclass(frozen=True, slots=True)
 class Series:
-    """One curve: straight lines between points (never smoothed: one smooth series bends all of them in LibreOffice).
+    """One curve; see `Chart.smooth` for what is drawn between its points.
 
     name        a constant, or a cell (its sheet given)
     line        colour of the line, "" for none;  width in points;  dash "solid" | "dash" | "dot"
@@ -213,7 +213,8 @@ class Axis:
 @dataclass(frozen=True, slots=True)
 class Chart:
     """A scatter chart. `inner` is the plot area as fractions (x, y, width, height) of the frame: with a square one and
-    fixed equal axes a circle is round. Cells with #N/A leave a gap."""
+    fixed equal axes a circle is round. Cells with #N/A leave a gap. `smooth`: whether curves are bent between their points;
+    of a whole chart, since in LibreOffice one smooth series bends all."""
 
     title: str
     anchor: Anchor
@@ -224,6 +225,7 @@ class Chart:
     inner: tuple[float, float, float, float] | None = None
     name: str = ""
     alt_text: str = ""
+    smooth: bool = False
 
 
 @dataclass(frozen=True, slots=True)

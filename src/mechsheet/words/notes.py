@@ -63,6 +63,12 @@ NOTES: dict[str, tuple[str, str]] = {
         "{extremes} sayfası satırların arasındaki konumları hesaplar: ilk sayfadaki sınırlar, en küçük ve en büyük değerler "
         "oradadır.",
     ),
+    "notes.use.hidden": (
+        "{hidden} are hidden: they hold the proof and what the drawing is made of. To see them, click a sheet's tab with "
+        "the right button and choose Unhide (in Calc: Show Sheet).",
+        "{hidden} gizlidir: kanıtı ve çizimin verilerini taşırlar. Görmek için bir sayfa sekmesine sağ tıklayıp Göster'i "
+        "(Calc'ta: Sayfayı Göster) seçin.",
+    ),
     "notes.use.delete": (
         "This sheet {notes} and the sheets of two-way tables may be deleted: nothing reads them. The others read one "
         "another; without one of them cells show #REF!, or charts are empty.",

@@ -57,7 +57,10 @@ RATES: dict[str, tuple[str, str]] = {
     "verdict.velocities_fit": ("velocities", "hızlar"),
     "verdict.accelerations_fit": ("accelerations", "ivmeler"),
     "verdict.rates.fit": ("they fit the links: rounding only", "uzuvlarla uyuşuyor: yalnız yuvarlama"),
-    "verdict.rates.not": ("they do not fit the links: see {sheet}", "uzuvlarla uyuşmuyor: {sheet} sayfasına bakın"),
+    "verdict.rates.not": (
+        "they do not fit the links: see the hidden sheet {sheet}",
+        "uzuvlarla uyuşmuyor: gizli {sheet} sayfasına bakın",
+    ),
     "notes.use.rates": (
         "The sheet {rates} has the velocities and accelerations in the rows of the positions. Grey are the influence "
         "coefficients, which depend on the position alone: change {speed} or {acceleration} and the black columns follow.",

@@ -79,11 +79,12 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.gap": ("joints", "mafsallar"),
     "verdict.gap.closed": ("largest gap of a joint: rounding only", "en büyük mafsal açıklığı: yalnız yuvarlama"),
     "verdict.gap.redundant": (
-        "{link} does not fit: see sheet {sheet}", "{link} uymuyor: {sheet} sayfasına bakın",
+        "{link} does not fit: see the hidden sheet {sheet}", "{link} uymuyor: gizli {sheet} sayfasına bakın",
     ),
-    "verdict.gap.open": ("a joint is open: see the sheet {sheet}", "bir mafsal açık: {sheet} sayfasına bakın"),
+    "verdict.gap.open": ("a joint is open: see the hidden sheet {sheet}", "bir mafsal açık: gizli {sheet} sayfasına bakın"),
     "verdict.gap.typed": (
-        "a formula was typed over: see the sheet {sheet}", "bir formülün üstüne yazılmış: {sheet} sayfasına bakın"
+        "a formula was typed over: see the hidden sheet {sheet}",
+        "bir formülün üstüne yazılmış: gizli {sheet} sayfasına bakın"
     ),
     "verdict.leaps": ("turns", "dönmeler"),
     "verdict.leaps.none": ("no link turns far between two positions", "iki konum arasında büyük dönme yok"),

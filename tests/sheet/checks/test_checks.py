@@ -16,7 +16,7 @@ from mechsheet.sheet.plan import plan_of
 from mechsheet.sheet.workbook import Cell
 
 CLOSED = {"en": "largest gap of a joint: rounding only", "tr": "en büyük mafsal açıklığı: yalnız yuvarlama"}
-OPEN = "a joint is open: see the sheet Checks"
+OPEN = "a joint is open: see the hidden sheet Checks"
 
 
 def columns(laid, kind):
@@ -145,7 +145,7 @@ def test_numbers_typed_over_formulas_are_counted(symbol):
         sheets.append(sheet)
     laid.values = evaluate(book_of(replace(laid.workbook, sheets=tuple(sheets))))
     assert laid.spot("#typed") == 1
-    assert laid.words("largest_gap") == laid.verdict == "a formula was typed over: see the sheet Checks"
+    assert laid.words("largest_gap") == laid.verdict == "a formula was typed over: see the hidden sheet Checks"
 
 
 LEVER = """

@@ -93,7 +93,38 @@ def test_axes_say_symbol_and_unit():
     assert displacements.y_axis.title == "s₁₄ [mm]"
     assert outputs.y_axis.title == "μ, ν [°]"
     assert [curve.dash for curve in outputs.series if curve.in_legend] == ["solid", "dash"]  # in black and white, too
-    assert (angles.y_axis.low, angles.y_axis.high) == (None, None)  # dimensions change while the file lives
+    assert (outputs.y_axis.low, outputs.y_axis.high) == (None, None)  # dimensions change while the file lives
+
+
+def charts(text):
+    """The curves of the first sheet, by title."""
+    return {chart.title: chart for chart in laid(text)[0].sheets[0].charts}
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_dwell_far_from_0_fills_its_chart(sign):
+    """The output of the six-link is between 71 and 99 degrees: on an axis from 0 its dwell would be a line among lines."""
+    text = (ROOT / "templates/six-link-dwell.toml").read_text(encoding="utf-8")
+    chart = charts(text)["Output with a dwell from 200 to 260 degrees"]
+    assert (chart.y_axis.low, chart.y_axis.high) == (50.0, None)
+    text = SLIDER_CRANK.replace('"a2*s14"', f'"{sign}*a2*(a3 + s14/8)"')  # from 13,750 to 14,375
+    axis = next(chart.y_axis for title, chart in charts(text).items() if title.startswith("area"))
+    assert (axis.low, axis.high) == ((13_400.0, None) if sign > 0 else (None, -13_400.0))
+
+
+def test_ends_of_axes_that_the_description_gives():
+    text = (
+        SLIDER_CRANK + '[[charts]]\ntitle = "One"\nx = "theta12"\ny = ["mu"]\ny_min = -90\nx_min = 45.5\nx_max = 90\n'
+    )
+    one = charts(text)["One"]
+    assert (one.x_axis.low, one.x_axis.high, one.y_axis.low, one.y_axis.high) == (45.5, 90, -90, None)
+
+
+def test_curves_are_bent_unless_they_leap():
+    text = SLIDER_CRANK.replace('far = { formula = "100*s14"', 'far = { formula = "a2/sin(theta12 - 0.1)"')
+    found = charts(text)
+    assert not next(chart.smooth for title, chart in found.items() if "far" in title)
+    assert {chart.smooth for title, chart in found.items() if title and "far" not in title} == {True}
 
 
 @pytest.mark.parametrize(("start", "stop", "low", "high", "step"), [

@@ -23,6 +23,8 @@ look the same (a low quotation mark, the Greek question mark) are none."""
 _DASHES = {"dash": ("rect", "400%", "300%"), "dot": ("round", "100%", "150%")}
 """Shape, length and distance of the strokes, in widths of the line."""
 
+SMOOTH = ' chart:interpolation="cubic-spline" chart:spline-resolution="20"'
+
 
 def chart_styles() -> str:
     """The styles part of every chart: the dashes that its lines may have."""
@@ -115,6 +117,7 @@ def _plot(chart: Chart, styles: _Styles) -> str:
         place = "".join(f' svg:{side}="{points(round(value, 6))}"' for side, value in box)
         region = f"<chart:coordinate-region{place}/>"
     position = "" if chart.inner else ' chart:auto-position="true" chart:auto-size="true"'
+    position += SMOOTH if chart.smooth else ""
     look = styles.add(f'chart:treat-empty-cells="leave-gap" chart:include-hidden-cells="true"{position}')
     wall = styles.add(graphic='draw:stroke="none" draw:fill="none"')
     ranges = attribute(" ".join(chart_ranges(chart)))

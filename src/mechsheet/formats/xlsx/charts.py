@@ -11,15 +11,15 @@ from mechsheet.sheet.workbook import Axis, Chart, Series, SeriesRef
 
 from ..house_style import AXIS_COLOR, FONT, GRID_COLOR, HAIR_LINE, TEXT_COLOR, TEXT_SIZE, TITLE_SIZE
 from ..xml_text import legal
-from .library import StraightScatter
+from .library import FullScatter
 
 _GRID, _AXIS, _TEXT = f"#{GRID_COLOR}", f"#{AXIS_COLOR}", f"#{TEXT_COLOR}"
 _DASHES = {"solid": "solid", "dash": "dash", "dot": "round_dot"}
 
 
-def new_chart(chart: Chart, language: str) -> StraightScatter:
+def new_chart(chart: Chart, language: str) -> FullScatter:
     """The chart with all its series; its size is the anchor's."""
-    made = StraightScatter(language)
+    made = FullScatter(language, chart.smooth)
     made.embedded = True
     made.chart_name = legal(chart.name)
     made.set_title({"name_font": _font(TITLE_SIZE, True)} if chart.title else {"none": True})

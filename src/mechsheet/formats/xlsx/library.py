@@ -127,8 +127,8 @@ class OneCellDrawing(Drawing):  # type: ignore[misc]
         self.fh.write("<xdr:clientData/></xdr:oneCellAnchor>")
 
 
-class StraightScatter(ChartScatter):  # type: ignore[misc]
-    """A scatter chart that says of every series that it is not smooth, and all else that programs take in several ways.
+class FullScatter(ChartScatter):  # type: ignore[misc]
+    """A scatter chart that says of every series whether it is smooth, and all else that programs take in several ways.
 
     LibreOffice takes a series without the element for a smooth one unless the file says it is Excel 2007's, and one
     smooth series bends all others of the chart. The public options leave elements out that have XlsxWriter's defaults.
@@ -139,9 +139,10 @@ class StraightScatter(ChartScatter):  # type: ignore[misc]
     _write_axis_font                     the font of labels
     """
 
-    def __init__(self, language: str) -> None:
+    def __init__(self, language: str, smooth: bool) -> None:
         super().__init__({"subtype": "straight_with_markers"})
         self.language = language
+        self.smooth = smooth
 
     def _write_lang(self) -> None:
         # Corners said: a missing element means square ones to Excel, round ones to readers that follow the schema.
@@ -155,7 +156,7 @@ class StraightScatter(ChartScatter):  # type: ignore[misc]
         self.fh.write('<c:plotVisOnly val="0"/>')
 
     def _write_c_smooth(self, smooth: object) -> None:
-        self.fh.write('<c:smooth val="0"/>')
+        self.fh.write(f'<c:smooth val="{int(self.smooth)}"/>')
 
     def _write_number_format(self, axis: dict[str, Any]) -> None:
         # Never linked to the source: LibreOffice would number the axis with the decimals of the cells.

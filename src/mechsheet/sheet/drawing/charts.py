@@ -1,6 +1,7 @@
 """The charts of the first sheet: the drawing, curves against the driver, and paths of points; which, and where they stand.
 
-The vertical axis of a curve is left to the program: a range fixed here would be wrong as soon as a dimension changes.
+The vertical axis of a curve is left to the program, since a range fixed here would be wrong as soon as a dimension changes;
+but programs let it begin at 0, where a curve that is far from 0 cannot be read: there one end is fixed, with much room.
 The driver's axis is fixed, since its rows are: steps of 15, 30 or 45 degrees where the driver turns.
 """
 
@@ -12,11 +13,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from mechsheet import portable
 from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.rates.coefficients import free_points
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import ENERGY, TIME, ChartRequest, Mechanism, rate_symbols
+from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, Mechanism, rate_symbols
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.first.blocks import shown_unit
@@ -55,6 +57,15 @@ SAME_SCALE = 20.0
 
 PROBED = 61
 """Rows that are looked at before the charts are chosen."""
+
+FAR_FROM_ZERO = 1 / 3
+"""Curves that vary by less than this part of their size are far from 0."""
+
+ROOM = 0.5
+"""So large a part of what they vary by is left between them and the end of the axis: dimensions may change."""
+
+LEAP = 0.5
+"""A change from one row to the next of more than this part of a curve's whole height is a leap."""
 
 STILL = 1e-9
 """A change of less than this part of the size counts as none."""
@@ -199,9 +210,10 @@ def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
             markers.append(marker(plain(symbol), x, y, color))
     title = chart_title(plan, request)
     return Chart(
-        title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), driver_axis(plan, request.x),
-        value_axis(plan, request.y),
+        title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), driver_axis(plan, request.x, request.x_ends),
+        value_axis(plan, request),
         legend="right" if sum(curve.in_legend for curve in curves) > 1 else "", alt_text=title,
+        smooth=are_smooth(plan, request.y),
     )  # fmt: skip
 
 
@@ -228,11 +240,40 @@ def _ends_of_band(plan: Plan, across: str, symbol: str, color: str) -> list[Seri
     ]  # fmt: skip
 
 
-def value_axis(plan: Plan, symbols: Sequence[str]) -> Axis:
-    """The axis of curves: their symbols, and in brackets the units that they have."""
-    units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in symbols))
-    names = ", ".join(plain(symbol) for symbol in symbols)
-    return Axis(f"{names} [{', '.join(units)}]" if units != [""] else names)
+def value_axis(plan: Plan, request: ChartRequest) -> Axis:
+    """The axis of curves: their symbols, and in brackets the units that they have; its ends where they are asked for, or
+    where curves are far from 0."""
+    units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in request.y))
+    names = ", ".join(plain(symbol) for symbol in request.y)
+    low, high = request.y_ends if any(end is not None for end in request.y_ends) else _nearer_than_zero(plan, request.y)
+    return Axis(f"{names} [{', '.join(units)}]" if units != [""] else names, low, high)
+
+
+def _nearer_than_zero(plan: Plan, symbols: Sequence[str]) -> Ends:
+    """The end on the side of 0, of an axis of curves that are far from it, as they are shown."""
+    shown = [np.degrees(plan.nominal[name]) if plan.at.spots[name].degrees else plan.nominal[name] for name in symbols]
+    values = np.abs(np.concatenate(shown))
+    values = values[np.isfinite(values)]
+    signs = {bool(np.nanmin(column) < 0) for column in shown if np.isfinite(column).any()}
+    if len(signs) != 1:
+        return None, None
+    nearest, farthest = float(values.min()), float(values.max())
+    varies = farthest - nearest
+    if not STILL * farthest < varies < FAR_FROM_ZERO * farthest:
+        return None, None
+    step = 10.0 ** math.floor(float(portable.log10(varies)))
+    end = math.floor((nearest - ROOM * varies) / step + STILL) * step
+    return (None, -end) if signs == {True} else (end, None)
+
+
+def are_smooth(plan: Plan, symbols: Sequence[str]) -> bool:
+    """Whether curves may be bent between their points: all but those that leap, or grow without bound, between two rows."""
+    for symbol in symbols:
+        column = plan.nominal[symbol]
+        steps, there = np.abs(np.diff(column)), column[np.isfinite(column)]
+        if len(there) and np.max(steps[np.isfinite(steps)], initial=0.0) > LEAP * np.ptp(there):
+            return False
+    return True
 
 
 def chart_title(plan: Plan, request: ChartRequest) -> str:
@@ -255,13 +296,13 @@ def chart_title(plan: Plan, request: ChartRequest) -> str:
     return plan.text("chart.outputs", symbol=", ".join(plain(symbol) for symbol in request.y), driver=driver)
 
 
-def driver_axis(plan: Plan, symbol: str) -> Axis:
-    """An axis from the first to the last driver value, in steps of a sensible part of a turn."""
+def driver_axis(plan: Plan, symbol: str, ends: Ends = (None, None)) -> Axis:
+    """An axis from the first to the last driver value, in steps of a sensible part of a turn; or with the ends given."""
     unit = shown_unit(plan, symbol)
     title = f"{plain(symbol)} [{unit}]" if unit else plain(symbol)
     driver = plan.mechanism.driver
-    if symbol != driver.symbol or not driver.unit.in_degrees:
-        return Axis(title)
+    if symbol != driver.symbol or not driver.unit.in_degrees or any(end is not None for end in ends):
+        return Axis(title, *ends)
     low, high = math.degrees(min(plan.driver)), math.degrees(max(plan.driver))
     if high <= low:
         return Axis(title)

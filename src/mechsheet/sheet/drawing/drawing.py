@@ -324,7 +324,7 @@ def _path_chart(page: Page, request: ChartRequest, cells: Mapping[str, PointCell
         page.row += 1
     return Chart(
         title, Anchor(0, 0, SIZE, SIZE), (*series, *frame.series), HIDDEN_AXIS, HIDDEN_AXIS,
-        legend="", inner=PATH_INNER, alt_text=title,
+        legend="", inner=PATH_INNER, alt_text=title, smooth=True,
     )  # fmt: skip
 
 

@@ -269,21 +269,21 @@ def _scale_bar(page: Page, half: CellRef, unit: str) -> tuple[Series, ...]:
         show_name=True, label_side="center", in_legend=False,
     )  # fmt: skip
     page.row += 1
+    # two points and no more: in a smooth chart LibreOffice would bend a line through ticks at its ends
     start = page.row
-    for end, height in ((0, TICK), (0, -TICK), (0, 0.0), (1, 0.0), (1, TICK), (1, -TICK)):
-        page.put(NAME, text("drawing.bar") if page.row == start else "")
-        if end:
-            page.formula(CHART_X, al.add(al.number(LEFT), al.div(length, half)))
-        else:
-            page.put(CHART_X, LEFT, NUMBER_STYLE)
-        page.put(CHART_Y, BOTTOM + height, NUMBER_STYLE)
-        page.row += 1
+    page.put(NAME, text("drawing.bar"))
+    page.put(CHART_X, LEFT, NUMBER_STYLE)
+    page.put(CHART_Y, BOTTOM, NUMBER_STYLE)
+    page.row += 1
+    page.formula(CHART_X, al.add(al.number(LEFT), al.div(length, half)))
+    page.put(CHART_Y, BOTTOM, NUMBER_STYLE)
+    page.row += 1
     bar = Series(
-        text("drawing.bar"), page.reference(start, CHART_X, page.row - 1), page.reference(start, CHART_Y, page.row - 1),
-        line=INK, width=1.5, in_legend=False,
+        text("drawing.bar"), page.reference(start, CHART_X, start + 1), page.reference(start, CHART_Y, start + 1),
+        line=INK, width=2.0, in_legend=False,
     )  # fmt: skip
     return bar, name
 
 
-LEFT, BOTTOM, TICK = -0.95, -0.95, 0.02
-"""Where the scale bar starts in the window, and half the height of its ends."""
+LEFT, BOTTOM = -0.95, -0.95
+"""Where the scale bar starts in the window."""

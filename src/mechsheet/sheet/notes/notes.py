@@ -10,7 +10,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.first.given import words_of
 from mechsheet.sheet.notes.loops import LoopRates
 from mechsheet.sheet.notes.mathematics import Part, symbol_parts, written
-from mechsheet.sheet.plan import STATUS, Plan
+from mechsheet.sheet.plan import HIDDEN, STATUS, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.lowering import Assignment
 from mechsheet.sheet.table.positions import column_unit, group_title, mathematics
@@ -42,6 +42,7 @@ PARAGRAPHS = (
     "checks",
     "grashof",
     "extremes",
+    "hidden",
     "missing",
     "delete",
 )
@@ -137,6 +138,7 @@ class _Page:
             "unit": plan.mechanism.length_unit,
             "checks": titles["checks"],
             "extremes": titles["extremes"],
+            "hidden": ", ".join(titles[key] for key in HIDDEN if key in titles),
             "positions": titles["positions"],
             "mechanism": titles["mechanism"],
             "table": plan.text("sheet.table"),

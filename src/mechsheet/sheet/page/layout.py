@@ -7,10 +7,10 @@ from dataclasses import replace
 from itertools import pairwise
 
 from mechsheet.kinematics.equations import Equations
-from mechsheet.model import ChartRequest, Mechanism
+from mechsheet.model import ChartRequest, Ends, Mechanism
 from mechsheet.sheet import styles
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.drawing.charts import STEPS, chart_requests, chart_title, dash_of, value_axis
+from mechsheet.sheet.drawing.charts import STEPS, are_smooth, chart_requests, chart_title, dash_of, value_axis
 from mechsheet.sheet.drawing.drawing import marker
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.mechanism import position_controls
@@ -179,9 +179,9 @@ def _curves(plan: PagePlan, request: ChartRequest, drawing: PageDrawing | None) 
             markers.append(marker(plain(symbol), at[0], at[1], color))
     title = chart_title(plan, request)
     return Chart(
-        title, Anchor(0, 0, CHART_WIDTH, CHART_HEIGHT), (*curves, *markers), _axis(plan, request.x),
-        value_axis(plan, request.y),
-        legend="bottom" if len(curves) > 1 else "", alt_text=title,
+        title, Anchor(0, 0, CHART_WIDTH, CHART_HEIGHT), (*curves, *markers), _axis(plan, request.x, request.x_ends),
+        value_axis(plan, request),
+        legend="bottom" if len(curves) > 1 else "", alt_text=title, smooth=are_smooth(plan, request.y),
     )  # fmt: skip
 
 
@@ -190,14 +190,14 @@ def _column(plan: PagePlan, symbol: str) -> SeriesRef:
     return SeriesRef(plan.main, Area(plan.at.first, spot.col, plan.at.last, spot.col))
 
 
-def _axis(plan: PagePlan, symbol: str) -> Axis:
+def _axis(plan: PagePlan, symbol: str, ends: Ends = (None, None)) -> Axis:
     """Degrees in sensible steps; its ends are left to the program, since start, step and rows are not fixed."""
     unit = shown_unit(plan, symbol)
     title = f"{plain(symbol)} [{unit}]" if unit else plain(symbol)
     if symbol != plan.mechanism.driver.symbol or not plan.mechanism.driver.unit.in_degrees:
-        return Axis(title)
+        return Axis(title, *ends)
     extent = math.degrees(max(plan.driver) - min(plan.driver))
-    return Axis(title, step=next((float(step) for step in STEPS if extent / step <= 8), None) if extent else None)
+    return Axis(title, *ends, next((float(step) for step in STEPS if extent / step <= 8), None) if extent else None)
 
 
 def _controls(plan: PagePlan) -> tuple[Control, ...]:

@@ -33,6 +33,8 @@ MECHANISM: dict[str, str] = {
     "which way the link points at first is said by the driver's start or by the sketch": (
         "uzvun başta hangi yöne baktığını tahrikin başlangıcı ya da eskiz söyler"
     ),
+    "a chart at true scale has no axes of its own": "gerçek ölçekli grafiğin kendi eksenleri yoktur",
+    "an axis ends above where it begins": "eksen başladığı yerden büyük bir değerde biter",
     "points of a redundant link cannot be given by distances": "fazladan uzvun noktaları uzaklıklarla verilemez",
     "no link is called {name}": "{name} adlı uzuv yok",
     "no link has a point {point}": "hiçbir uzuvda {point} noktası yok",
