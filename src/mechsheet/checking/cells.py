@@ -43,9 +43,9 @@ def angles_in(plan: Plan) -> Angles:
         if column.equation.unit.kind == "angle":
             periods[plan.table, column.col] = turn(plan.at.spots[column.symbol].degrees)
     # a table's angle before it goes on from the cell above: of atan2(0, -1) a rounding error makes half a turn or minus that
-    for table in tables_of(plan) if plan.at.titles.get("extremes", plan.main) != plan.main else ():
-        if isinstance(table, SummaryTable):
-            periods |= {(table.title, col): turn(False) for col in table.helpers.columns_of_raw_angles}
+    for table in tables_of(plan):
+        cell = table.helpers.found if isinstance(table, SummaryTable) else table.found
+        periods |= {(table.title, col): turn(False) for col in cell.columns_of_raw_angles}
     lengths = [abs(dim.value) for dim in plan.mechanism.dimensions if isinstance(dim.value, float) and is_length(dim)]
     return Angles(periods, min(1.0, max(lengths, default=1.0) or 1.0))
 

@@ -52,8 +52,6 @@ def compare_tables(book: Book, values: Any, plan: Plan, inputs: Inputs, tally: T
 
     Columns are left out whose head holds no number, or no length where there must be one: they are sweeps of nothing.
     """
-    if plan.mechanism.layout != "sheets":
-        return
     for table in tables_of(plan):
         if isinstance(table, SummaryTable) or book.sheet(table.title) is None:
             continue
@@ -145,12 +143,14 @@ class _Judge:
     def _start(self, symbol: str) -> float:
         """The angle [rad] near which all columns start; see `CellFormula.start`."""
         plan, branch = self.plan, self.cell.windows[symbol]
-        first, spot = plan.at.spots["#first_1"], plan.at.spots[symbol]
-        row = self.values.get(first.sheet, first.row, first.col)
-        if isinstance(row, float) and 1 <= row <= plan.rows:
-            angle = self.values.get(spot.sheet, plan.at.first + int(row) - 1, spot.col)
+        said, spot = plan.at.spots["#status"], plan.at.spots[symbol]
+        first = next(
+            (row for row in range(plan.rows) if self.values.get(said.sheet, said.row + row, said.col) == plan.ok), None
+        )
+        if first is not None:
+            angle = self.values.get(spot.sheet, spot.row + first, spot.col)
             if isinstance(angle, float):
-                way = float(self.driver[int(row) - 1] - self.driver[0])
+                way = float(self.driver[first] - self.driver[0])
                 return (math.radians(angle) if spot.degrees else angle) - branch.slope * way
         return branch.centre + branch.slope * float(plan.driver[0])
 

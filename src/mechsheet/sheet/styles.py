@@ -15,6 +15,12 @@ SERIES = ("1F4E79", "C8501E", "2E8B57", "7B3FA0", "B8860B", "00838F", "AD1457", 
 DASHES: tuple[Dash, ...] = ("solid", "dash", "dot")
 """Lines of curves, in order: some of the colours are of one grey in print."""
 
+
+def dash_of_curve(index: int) -> Dash:
+    """The line of a curve, counted from 0: shifted by one after each round, so that blues and greens do not share theirs."""
+    return DASHES[(index + index // len(DASHES)) % len(DASHES)]
+
+
 TITLE = Style("mechsheet title", bold=True, size=16, color=HEAD_FILL)
 SUBTITLE = Style("mechsheet subtitle", italic=True, color=QUIET)
 SECTION = Style("mechsheet section", bold=True, size=11, color="FFFFFF", fill=HEAD_FILL)

@@ -40,7 +40,7 @@ FORCES: dict[str, tuple[str, str]] = {
         "reactions and virtual work agree", "tepkiler ile virtüel iş uyuşuyor"
     ),
     "verdict.effort.not": (
-        "they do not agree: see the hidden sheet {sheet}", "uyuşmuyorlar: gizli {sheet} sayfasına bakın"
+        "they do not agree: see hidden {sheet}", "uyuşmuyorlar: gizli {sheet} sayfasına bakın"
     ),
     "verdict.largest_effort": (
         "largest size among the rows", "satırlar içinde en büyük değeri"

@@ -17,6 +17,10 @@ PAGE: dict[str, tuple[str, str]] = {
         "#N/A: no position there. For more rows copy the last one down.",
         "#YOK: orada konum yok. Daha çok satır için son satırı aşağı kopyalayın.",
     ),
+    "page.note.summaries": (
+        "Two-way tables of summaries are in the layout of several sheets.",
+        "Özetlerin iki yönlü tabloları çok sayfalı düzendedir.",
+    ),
     "page.note.legs": (
         "A leg of a right triangle by the arcsine of its angle, rounded to 12 digits, so that 1 + 10⁻¹⁶ at a dead "
         "centre is no error. Near dead centres the arcsine loses digits: an angle within 0.03° of ±90° is known to "
@@ -47,6 +51,7 @@ PAGE: dict[str, tuple[str, str]] = {
     "page.verdict.positions": (" positions", ""),
     "page.verdict.position": (" position", ""),
     "page.transmission": ("transmission angle at least ", "bağlama açısı en az "),
+    "page.transmission.row": ("transmission, these rows", "bağlama açısı, bu satırlar"),
     "page.transmission.rows": (" in these rows", " (bu satırlarda)"),
     "page.take.rows": ("{label} (these rows)", "{label} (bu satırlarda)"),
     "page.drawing": ("For the drawing", "Çizim için"),

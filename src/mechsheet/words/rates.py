@@ -58,8 +58,8 @@ RATES: dict[str, tuple[str, str]] = {
     "verdict.accelerations_fit": ("accelerations", "ivmeler"),
     "verdict.rates.fit": ("they fit the links: rounding only", "uzuvlarla uyuşuyor: yalnız yuvarlama"),
     "verdict.rates.not": (
-        "they do not fit the links: see the hidden sheet {sheet}",
-        "uzuvlarla uyuşmuyor: gizli {sheet} sayfasına bakın",
+        "they do not fit the links: see hidden {sheet}",
+        "uzuvlarla uyuşmuyor: gizli {sheet} sayfası",
     ),
     "notes.use.rates": (
         "The sheet {rates} has the velocities and accelerations in the rows of the positions. Grey are the influence "

@@ -79,7 +79,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.gap": ("joints", "mafsallar"),
     "verdict.gap.closed": ("largest gap of a joint: rounding only", "en büyük mafsal açıklığı: yalnız yuvarlama"),
     "verdict.gap.redundant": (
-        "{link} does not fit: see the hidden sheet {sheet}", "{link} uymuyor: gizli {sheet} sayfasına bakın",
+        "{link} does not fit: see hidden {sheet}", "{link} uymuyor: gizli {sheet} sayfasına bakın",
     ),
     "verdict.gap.open": ("a joint is open: see the hidden sheet {sheet}", "bir mafsal açık: gizli {sheet} sayfasına bakın"),
     "verdict.gap.typed": (
@@ -217,6 +217,10 @@ WORDS: dict[str, tuple[str, str]] = {
         "#N/A: the links cannot be joined there.",
         "Başlık satırındaki sarı hücreler ve ilk sayfadaki boyutlar değiştirilebilir. "
         "#YOK (#N/A): uzuvlar orada birleştirilemez.",
+    ),
+    "table.folded": (
+        "What a cell is computed from is folded away right of the chart.",
+        "Hücrelerin hesabındaki ara değerler grafiğin sağında katlıdır.",
     ),
     "table.summary.hint": (
         "The yellow cells of the head row and of the first column may be changed, and so may the dimensions on the first "

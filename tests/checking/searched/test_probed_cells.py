@@ -69,7 +69,7 @@ def test_a_tables_angle_is_known_up_to_a_turn_until_it_goes_on_from_the_cell_abo
     compiled, _ = built()
     plan, values = evaluated()
     (table,) = (table for table in tables_of(plan) if table.title == "Table swing")
-    raw, row = table.helpers.columns_of_raw_angles[0], FIRST + 9
+    raw, row = table.helpers.found.columns_of_raw_angles[0], FIRST + 9
 
     def agrees(col, apart):
         def theirs(sheet, *place):

@@ -149,9 +149,9 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
 
 def _table_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]]]:
     """The heads of the two-way tables: the input cells of their sheets, from left to right, then downwards."""
-    if expected.plan.mechanism.layout == "page":  # which has no tables
-        return
-    for index, table in enumerate(tables_of(expected.plan)):
+    requests = expected.plan.mechanism.tables
+    for table in tables_of(expected.plan):
+        index = next(number for number, request in enumerate(requests) if request is table.request)
         for heads, quantities, cells in table.heads():
             for number, (quantity, cell) in enumerate(zip(quantities, cells, strict=True)):
                 if isinstance(quantity, float):

@@ -89,8 +89,7 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
     if judge.filled_further():
         return judge.tally.result()
     judge_summaries(values, judge.searched, judge.tally)
-    if mechanism.layout == "sheets":
-        judge_tables(values, plan, judge.tally, search)
+    judge_tables(values, plan, judge.tally, search)
     return judge.result()
 
 

@@ -51,7 +51,7 @@ class Searched:
         now = {title: moves.now(title) for title, _ in rows}
         self.rows = {(now[title], moves.of(now[title]).rows.now(row)) for title, row in rows}
         self.tables: dict[str, tuple[int, int, int]] = {}
-        for table in tables_of(plan) if extremes != plan.main else ():
+        for table in tables_of(plan):
             if isinstance(table, SummaryTable):
                 title = moves.now(table.title)
                 rows_now = moves.of(title).rows

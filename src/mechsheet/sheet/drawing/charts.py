@@ -224,7 +224,7 @@ def dash_of(plan: Plan, request: ChartRequest, index: int) -> Dash:
     """
     if any(symbol in plan.efforts for symbol in request.y):
         return "dash" if request.y[index] in plan.efforts[1:] else "solid"
-    return "solid" if any(symbol in plan.banded for symbol in request.y) else styles.DASHES[index % len(styles.DASHES)]
+    return "solid" if any(symbol in plan.banded for symbol in request.y) else styles.dash_of_curve(index)
 
 
 def _ends_of_band(plan: Plan, across: str, symbol: str, color: str) -> list[Series]:
@@ -251,29 +251,31 @@ def value_axis(plan: Plan, request: ChartRequest) -> Axis:
 
 def _nearer_than_zero(plan: Plan, symbols: Sequence[str]) -> Ends:
     """The end on the side of 0, of an axis of curves that are far from it, as they are shown."""
-    shown = [np.degrees(plan.nominal[name]) if plan.at.spots[name].degrees else plan.nominal[name] for name in symbols]
-    values = np.abs(np.concatenate(shown))
-    values = values[np.isfinite(values)]
-    signs = {bool(np.nanmin(column) < 0) for column in shown if np.isfinite(column).any()}
-    if len(signs) != 1:
+    values = np.concatenate([_as_described(plan, symbol) for symbol in symbols])
+    if not len(values) or values.min() < 0 < values.max():
         return None, None
-    nearest, farthest = float(values.min()), float(values.max())
+    nearest, farthest = sorted(np.abs([values.min(), values.max()]).tolist())
     varies = farthest - nearest
     if not STILL * farthest < varies < FAR_FROM_ZERO * farthest:
         return None, None
     step = 10.0 ** math.floor(float(portable.log10(varies)))
     end = math.floor((nearest - ROOM * varies) / step + STILL) * step
-    return (None, -end) if signs == {True} else (end, None)
+    return (None, -end) if values.min() < 0 else (end, None)
+
+
+def _as_described(plan: Plan, symbol: str) -> Array:
+    """A curve's numbers with the dimensions as described, as they are shown; none of a column that sums up others."""
+    column = plan.nominal.get(symbol, np.empty(0))
+    there = column[np.isfinite(column)]
+    return np.degrees(there) if plan.at.spots[symbol].degrees else there
 
 
 def are_smooth(plan: Plan, symbols: Sequence[str]) -> bool:
     """Whether curves may be bent between their points: all but those that leap, or grow without bound, between two rows."""
-    for symbol in symbols:
-        column = plan.nominal[symbol]
-        steps, there = np.abs(np.diff(column)), column[np.isfinite(column)]
-        if len(there) and np.max(steps[np.isfinite(steps)], initial=0.0) > LEAP * np.ptp(there):
-            return False
-    return True
+    columns = [_as_described(plan, symbol) for symbol in symbols]
+    return not any(
+        np.max(np.abs(np.diff(column)), initial=0.0) > LEAP * np.ptp(column) for column in columns if len(column)
+    )
 
 
 def chart_title(plan: Plan, request: ChartRequest) -> str:

@@ -22,6 +22,7 @@ from mechsheet.sheet.page.table import Table, note_last
 from mechsheet.sheet.page.top import LAST, MEANING, UNIT, VALUE, Top
 from mechsheet.sheet.plan import VERDICT_ROW
 from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.table.requested import table_sheets
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,
@@ -52,7 +53,7 @@ VERDICT_HEIGHT, TITLE_HEIGHT, HEAD_HEIGHT = 34.0, 28.0, 24.0
 def lay_out_page(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, PagePlan]:
     """The workbook of one visible sheet (its formulas have no values yet) and the plan that it follows."""
     plan = plan_page(mechanism, equations)
-    sheets = (_page(plan), description_sheet(plan))
+    sheets = (_page(plan), *table_sheets(plan), description_sheet(plan))
     return with_typed_constants(Workbook(sheets, tuple(plan.names), properties_of(plan))), plan
 
 

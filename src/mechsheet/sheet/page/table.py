@@ -66,7 +66,9 @@ class Table:
         parts = [part for each in plan.equations.columns for part in walk(each.expression)]
         used = {part.name for part in parts if isinstance(part, Call)}
         key = "page.note" if "ACOS" in used else "page.note.legs" if "ASIN" in used else "page.note.plain"
-        self.cells.append(Cell(plan.note_row, 0, plan.text(key), styles.NOTE))
+        left_out = any(request.of_summary for request in plan.mechanism.tables)
+        note = plan.text(key) + (" " + plan.text("page.note.summaries") if left_out else "")
+        self.cells.append(Cell(plan.note_row, 0, note, styles.NOTE))
         self.merges.append(Merge(Area(plan.note_row, 0, plan.note_row, note_last(plan))))
 
     def _group_title(self, number: int) -> str:

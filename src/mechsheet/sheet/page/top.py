@@ -309,14 +309,17 @@ class Top:
             least = formula("half/2-MAX(high,-low)", low=low, high=high, half=half)
         cell, limit = CellRef(row, VALUE, True, True), poor_limit(plan.mechanism)
         unit = plan.mechanism.angle_unit
-        poor = formula('IF(value<limit,words,"")', value=cell, limit=limit, words=f": {plan.text('verdict.poor')}")
-        said, after = angle_words(plan, cell)
-        words = joined(plan.text("page.transmission"), said, f"{after}{plan.text('page.transmission.rows')}", poor)
-        self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=words))
         poor = formula("AND(ISNUMBER(value),value<limit)", value=cell, limit=limit)
+        words = joined(
+            plan.text("page.transmission.row"), formula('IF(poor,words,"")', poor=poor, words=self._poor_words())
+        )
+        self.line(row, f"μ{group.number}", unit.text, words)
         self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=self.cell("#rows_closed"), least=least)
         self.fill(row, VALUE, value, value_style(plan, "angle"))
+
+    def _poor_words(self) -> str:
+        return f": {self.plan.text('verdict.poor')}"
 
     def _line_under_the_title(self) -> None:
         """Whether it closes in the rows of the table, its type, its transmission; or that an input is none."""
@@ -334,13 +337,14 @@ class Top:
         any_poor: Node = Boolean(False)
         if plan.found.transmission:
             lines = [plan.blocks["verdicts"].rows[f"transmission_{each.number}"] for each in plan.found.transmission]
-            said, angles = (
-                RangeRef(CellRef(lines[0], col, True, True), CellRef(lines[-1], col, True, True))
-                for col in (MEANING, VALUE)
-            )
+            angles = RangeRef(CellRef(lines[0], VALUE, True, True), CellRef(lines[-1], VALUE, True, True))
             any_poor = some_poor(plan.mechanism, angles)
-            worst = formula("INDEX(said,MATCH(MIN(angles),angles,0))", said=said, angles=angles)
-            parts += ["; ", worst if len(lines) > 1 else said.start]
+            worst, after = angle_words(plan, formula("MIN(angles)", angles=angles) if len(lines) > 1 else angles.start)
+            words = joined(
+                "; ", text("page.transmission"), worst, f"{after}{text('page.transmission.rows')}",
+                formula('IF(poor,words,"")', poor=any_poor, words=self._poor_words()),
+            )  # fmt: skip
+            parts.append(formula('IFERROR(words,"")', words=words))
         wrong, there = self.cell("#inputs"), self._there()
         closes: Node = joined(*parts)
         missed: Node = Boolean(False)

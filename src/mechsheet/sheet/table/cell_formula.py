@@ -11,19 +11,22 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, Symbol
+from mechsheet.formula.nodes import MAX_COLUMNS, Call, CellRef, Node, Symbol
 from mechsheet.kinematics.angle_branch import WINDOWED, branches_of, reading_taken, taken_near
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.expansion import definitions, expand, needed, varying
+from mechsheet.sheet.table.expansion import LIMITS, definitions, expand, needed, varying
 from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.workbook import Cell, Fill
 from mechsheet.units import ANGLE, Unit
 
 ABOVE, START, FIRST_DRIVER = "{symbol} above", "{symbol} start", "first driver"
 """Symbols of an angle's block of its own: the cell above, the one above the first row; and of the driver's first value."""
+
+MOST_HELPERS = 100_000
+"""Cells of helpers beside a table: as many again as a large table of positions has."""
 
 CELL = "a cell of the table"
 """The symbol of what a cell shows."""
@@ -91,8 +94,11 @@ class CellFormula:
         own = [apart[symbol] for symbol in self.angles]
         if closing:  # many cells: only short formulas should wait for the cell above
             own += self.angles
-        expansion = expand(CELL, rules, self._bound, self.helper, own)
-        self.formula, self.helpers = expansion.formula, expansion.helpers
+        for limit in LIMITS:
+            expansion = expand(CELL, rules, self._bound, self.helper, own, limit)
+            self.formula, self.helpers = expansion.formula, expansion.helpers
+            if self._has_room():
+                break
 
     # --- cells ------------------------------------------------------------------------------------------------
 
@@ -108,6 +114,18 @@ class CellFormula:
     def above(self, index: int) -> CellRef:
         """The cell above that."""
         return CellRef(self.blocks.head, self.blocks.col(index))
+
+    def _has_room(self) -> bool:
+        """Whether the helpers fit on the sheet, and are not too many to be computed at each change."""
+        blocks = len(self.helpers)
+        return blocks * self.blocks.count * self.plan.rows <= MOST_HELPERS and self.blocks.col(blocks) < MAX_COLUMNS
+
+    @property
+    def columns_of_raw_angles(self) -> list[int]:
+        """Columns of helpers that are angles [rad] as they are found, before each is taken within half a turn of another."""
+        raw = [index for index, (symbol, _) in enumerate(self.helpers)
+               if index >= len(self.angles) and self.unit(symbol).kind == "angle"]  # fmt: skip
+        return [self.blocks.col(index) + across for index in raw for across in range(self.blocks.count)]
 
     def unit(self, symbol: str) -> Unit:
         """The unit of a quantity in the equations."""
@@ -139,7 +157,7 @@ class CellFormula:
         """The angle [rad] near which all columns start: that of the table of positions in the first row that exists, carried
         back to the first row; with no such row what it is with the dimensions as described."""
         plan, window = self.plan, self.windows[symbol]
-        row = plan.at.cell("#first_1", self.title, None)
+        row = formula("MATCH(ok,said,0)", ok=plan.ok, said=plan.at.column("#status", self.title))
         angle = self._there(symbol, row)
         if window.slope:
             there = self._there(self.driver.symbol, row)

@@ -2,8 +2,8 @@
 
 A table has no columns for intermediate symbols, so each is replaced by its equation, over and over, until only cells are
 left. An equation that reads the row above (the turns that an angle has gone through) is taken as in the first row of a
-sweep: every cell of a table is a sweep of its own. Where a formula would grow beyond `LIMIT`, the symbols that make it long
-get cells of their own: the helpers.
+sweep: every cell of a table is a sweep of its own. Where a formula would grow longer than wanted, the symbols that make it
+long get cells of their own: the helpers.
 """
 
 from __future__ import annotations
@@ -20,8 +20,9 @@ from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.model import Mechanism
 from mechsheet.sheet.table.lowering import Assignments
 
-LIMIT = 7_500
-"""Characters of one formula in the language where it has most. Excel takes 8,192 of the text as its user reads it."""
+LIMITS = (250, 1_000, 7_500)
+"""Characters of one formula in the language where it has most: what can be read, or more where there is no room for so many
+helpers. Excel takes 8,192 of the text as its user reads it."""
 
 DEEPEST = 60
 """Levels of one formula, below the 64 that a spreadsheet takes."""
@@ -67,6 +68,7 @@ def expand(
     bound: Callable[[str], Node],
     helper: Callable[[int], Node],
     apart: Sequence[str] = (),
+    limit: int = LIMITS[-1],
 ) -> Expansion:
     """The formula of the symbol `wanted`.
 
@@ -74,8 +76,9 @@ def expand(
     bound   the cell (or name) of a leaf
     helper  the cell of the n-th block of helpers, as the top-left cell of any block reads it
     apart   symbols that get the first blocks of helpers, in this order, however short they are
+    limit   characters of a formula
     """
-    work = _Work(rules, bound, helper, apart)
+    work = _Work(rules, bound, helper, apart, limit)
     used = needed(wanted, rules)
     for symbol, rule in rules.items():
         if symbol in used:
@@ -102,8 +105,10 @@ class _Work:
         rules: Mapping[str, Node],
         bound: Callable[[str], Node],
         helper: Callable[[int], Node],
-        apart: Sequence[str] = (),
+        apart: Sequence[str],
+        limit: int,
     ) -> None:
+        self.limit = limit
         self.rules = rules
         self.bound = bound
         self.helper = helper
@@ -143,7 +148,7 @@ class _Work:
 
     def _too_long(self, rule: Node, uses: Counter[str], plain: int) -> bool:
         length = plain + sum(count * (self.lengths[name] + 2 - len(name)) for name, count in uses.items())
-        return length > LIMIT or depth(rule) + max((self.depths[name] for name in uses), default=0) > DEEPEST
+        return length > self.limit or depth(rule) + max((self.depths[name] for name in uses), default=0) > DEEPEST
 
     def _move_out(self, symbol: str) -> None:
         cell = self.helper(len(self.helpers))

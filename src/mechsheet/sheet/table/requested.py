@@ -17,7 +17,10 @@ def table_sheets(plan: Plan) -> tuple[Sheet, ...]:
 
 
 def tables_of(plan: Plan) -> list[Table]:
-    """The tables, each with its sheet's title. MechanismError where a cell would need the row above."""
+    """The tables, each with its sheet's title. MechanismError where a cell would need the row above.
+
+    A page leaves those of summaries out, and says so: it has no cells that look between the rows.
+    """
     if plan.mechanism.tables:
         need_closed_form(
             plan.equations.equations, say("a two-way table cannot hold this"), "tables", say("leave the table out")
@@ -25,6 +28,8 @@ def tables_of(plan: Plan) -> list[Table]:
     taken = {title.casefold() for title in plan.at.titles.values()}
     found = []
     for request in plan.mechanism.tables:
+        if request.of_summary and plan.mechanism.layout == "page":
+            continue
         title = _sheet_title(plan, request, taken)
         taken.add(title.casefold())
         kind = SummaryTable if request.of_summary else Table

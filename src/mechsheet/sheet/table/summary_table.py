@@ -33,8 +33,6 @@ from mechsheet.sheet.workbook import Area, Axis, Cell, Column, Conditional, Fill
 class SummaryTable(Table):
     """One of them while it is being laid out."""
 
-    hint = "table.summary.hint"
-
     def __init__(self, plan: Plan, request: TableRequest, title: str) -> None:
         super().__init__(plan, request, title)
         self.last = FIRST + len(request.row_values) - 1
@@ -55,6 +53,10 @@ class SummaryTable(Table):
         return [self.column, self.row]
 
     # --- what is written around -------------------------------------------------------------------------------
+
+    def hint_words(self) -> str:
+        """What may be changed, and what the colours say."""
+        return self.plan.text("table.summary.hint")
 
     def value_words(self) -> str:
         """The summary and its unit."""
@@ -116,13 +118,6 @@ class Helpers:
             request.rows: CellRef(NAME_ROW, self.table.at, row_abs=True),
             request.column: CellRef(HEAD_ROW, self.table.at, row_abs=True),
         }
-
-    @property
-    def columns_of_raw_angles(self) -> list[int]:
-        """Columns of angles [rad] as they are found, before each is taken within half a turn of the cell above."""
-        blocks = [self.found.blocks.col(index) for index, (symbol, _) in enumerate(self.found.helpers)
-                  if symbol in self.found.angles]  # fmt: skip
-        return [first + col for first in blocks for col in range(self.table.pairs)]
 
     # --- all --------------------------------------------------------------------------------------------------
 

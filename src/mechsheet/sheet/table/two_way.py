@@ -7,6 +7,7 @@ dimension as inputs (`B$7`). What a cell says, and the helpers beside the table,
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from mechsheet.formula.nodes import Call, CellRef
 from mechsheet.formula.printer import quote_sheet
@@ -57,12 +58,7 @@ class Body:
 
 
 class Table:
-    """One table while it is being laid out.
-
-    hint  key of the words below the title
-    """
-
-    hint = "table.hint"
+    """One table while it is being laid out."""
 
     def __init__(self, plan: Plan, request: TableRequest, title: str) -> None:
         self.plan = plan
@@ -103,7 +99,7 @@ class Table:
 
     def body(self) -> Body:
         """The driver's values, the table, and the helpers beside it."""
-        plan, found = self.plan, self.formula()
+        plan, found = self.plan, self.found
         style = styles.decimals(styles.COLUMN, places(plan, found.unit(self.request.value).kind))
         helper_cells, helper_fills = helper_blocks(found, CORNER_ROW)
         last = found.blocks.col(len(found.helpers)) - 2
@@ -114,7 +110,9 @@ class Table:
                 Fill(FIRST, 1, found.formula, style, rows=plan.rows, cols=self.count),
                 *helper_fills,
             ),
-            (Column(self.helpers_at, last, 11, level=1),) if found.helpers else (),
+            (Column(self.helpers_at, last, 11, level=1, hidden=True), Column(last + 1, last + 1, 3, collapsed=True))
+            if found.helpers
+            else (),
             (self.missing(),),
         )
 
@@ -129,6 +127,11 @@ class Table:
         return Conditional(area, formula("ISNA(cell)", cell=CellRef(FIRST, 1)), styles.MISSING)
 
     # --- formulas ---------------------------------------------------------------------------------------------
+
+    @cached_property
+    def found(self) -> CellFormula:
+        """See `formula`."""
+        return self.formula()
 
     def formula(self) -> CellFormula:
         """The formula of a cell, and the helpers that it needs."""
@@ -150,7 +153,7 @@ class Table:
         cells = [
             Cell(TITLE_ROW, 0, words, styles.TITLE),
             Cell(ABOUT_ROW, 0, self._about(), styles.SUBTITLE),
-            Cell(HINT_ROW, 0, plan.text(self.hint), styles.NOTE),
+            Cell(HINT_ROW, 0, self.hint_words(), styles.NOTE),
             Cell(CORNER_ROW, 0, self.value_words(), styles.SECTION),
             Cell(CORNER_ROW, 1, rich(request.column, bracketed(self.column.unit.text) + " →"), styles.SECTION),
             *(Cell(CORNER_ROW, col, None, styles.SECTION) for col in range(2, 1 + self.count)),
@@ -181,6 +184,10 @@ class Table:
     def heads(self) -> list[tuple[str, tuple[Quantity, ...], list[tuple[int, int]]]]:
         """The inputs of the sheet: key of the description, what it gives, and the cells (row, column)."""
         return [("columns", self.request.columns, [(HEAD_ROW, 1 + index) for index in range(self.count)])]
+
+    def hint_words(self) -> str:
+        """What may be changed, and where the helpers are."""
+        return self.plan.text("table.hint") + (" " + self.plan.text("table.folded") if self.found.helpers else "")
 
     def value_words(self) -> str:
         """What the cells show, and its unit."""
@@ -223,7 +230,7 @@ class Table:
                 x,
                 SeriesRef(self.title, Area(FIRST, col, self.last, col)),
                 line=styles.SERIES[(col - 1) % len(styles.SERIES)],
-                dash=styles.DASHES[(col - 1) % len(styles.DASHES)],
+                dash=styles.dash_of_curve(col - 1),
             )
             for col in range(1, 1 + self.count)
         )
