@@ -6,9 +6,7 @@ other. The turns follow from the motion, from the first position to the one that
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from mechsheet import description
+from mechsheet.description.reader import read_again
 from mechsheet.description.text.rewrite import number_text, with_value
 from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import MechsheetError
@@ -40,8 +38,6 @@ def with_phases(mechanism: Mechanism, file: str = "<text>") -> Mechanism:
             if isinstance(each.relation, Gear):
                 phase = round(phase, DEGREES_WRITTEN if mechanism.angle_unit.in_degrees else DEGREES_WRITTEN + 2)
             source = with_value(source, ("joints", order, "phase"), number_text(phase))
-        found = description.loads(source.text, file)
+        return read_again(mechanism, source.text, file)
     except MechsheetError:  # whoever solves it hears why
         return mechanism
-    sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
-    return replace(found, sketch=sketch, file=mechanism.file, redundant=mechanism.redundant)

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import replace
 
-from mechsheet import description
+from mechsheet.description.reader import read_again
 from mechsheet.description.text.rewrite import with_value
 from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import MechsheetError
@@ -31,13 +31,12 @@ def with_redundant(mechanism: Mechanism, file: str = "<text>") -> Mechanism:
             source = parse(mechanism.text, file)
             for name in names:
                 source = with_value(source, ("links", name, "redundant"), "true")
-            found = description.loads(source.text, file)
+            found = read_again(mechanism, source.text, file)
             marked = tuple(
                 replace(each, also=_instead(each.link.name, names, sets)) if each.link.name in names else each
                 for each in found.redundant
             )
-            sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
-            return replace(found, redundant=marked, sketch=sketch, file=mechanism.file)
+            return replace(found, redundant=marked)
     return mechanism
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import solve
@@ -10,7 +10,9 @@ from mechsheet.library import changed
 
 
 def told(name, **overrides):
-    mechanism = changed.loads(template_text(name), overrides={key: str(value) for key, value in overrides.items()})
+    mechanism = changed.loads(
+        template_text(name), overrides=Overrides({key: str(value) for key, value in overrides.items()})
+    )
     return doubts(mechanism, solve(mechanism))
 
 
