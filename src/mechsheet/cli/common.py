@@ -63,7 +63,7 @@ def at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
     from mechsheet.description.locate import located
 
     def at_line(error: MechanismError) -> MechsheetError:
-        return located(error, mechanism.text, _name_of(path))
+        return located(error, mechanism.listing, _name_of(path))
 
     speak(mechanism.language)
     with doubts_told(at_line):

@@ -24,7 +24,7 @@ from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.description.text.file_names import is_device
 from mechsheet.description.text.origin import with_origin
 from mechsheet.description.text.rewrite import with_value
-from mechsheet.description.text.source import Source, parse_as_meant, read_text
+from mechsheet.description.text.source import Source, parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, readable_name
 from mechsheet.model import Dimension, Driver, Dynamics, FurtherDriver, Joint, Link, Mechanism, Sketch, Solution, Words
 from mechsheet.said import say
@@ -61,8 +61,14 @@ def loads(text: str, file: str = "<text>", overrides: Overrides = AS_IT_IS) -> M
 
 
 def read_again(mechanism: Mechanism, text: str, file: str = "<text>") -> Mechanism:
-    """The mechanism after a change of its text; what stands in no text stays as it was."""
-    found = loads(text, file)
+    """The mechanism after a change of its text; what stands in no text stays as it was.
+
+    What is wrong with it is told at the lines of the text before: nobody has seen the one that was changed.
+    """
+    report = Report(parse(mechanism.listing, file))
+    found = _read(parse(text, file), report)
+    if found is None:
+        raise DescriptionError(report.in_order())
     also = {each.link.name: each.also for each in mechanism.redundant}
     return replace(
         found,
@@ -81,21 +87,16 @@ def with_settings(mechanism: Mechanism, overrides: Overrides, file: str = "<text
     """
     if overrides.faults:
         raise DescriptionError(overrides.faults)
-    source, _ = parse_as_meant(mechanism.text, file)
-    for key, wanted in (("language", overrides.language), ("layout", overrides.layout)):
-        if wanted not in (None, getattr(mechanism, key)):
-            source = with_value(source, ("workbook", key), f'"{wanted}"')
-    text, own = source.text, source.text.rstrip()
-    if overrides.tolerance and mechanism.bands is None:
-        text = with_origin(f"{own}\n\n[tolerance]\n", own, file)
-    if text == mechanism.text:
+    keys = [key for key in ("language", "layout") if getattr(overrides, key) not in (None, getattr(mechanism, key))]
+    bands = overrides.tolerance and mechanism.bands is None
+    if not keys and not bands:
         return mechanism
-    try:
-        return read_again(mechanism, text, file)
-    except DescriptionError as error:
-        last = own.count("\n") + 1  # who asks by an option has no line [tolerance] to look at
-        told = [replace(each, line=None, source="") if (each.line or 0) > last else each for each in error.faults]
-        raise DescriptionError(told) from None
+    source = parse(mechanism.text, file)
+    for key in keys:
+        source = with_value(source, ("workbook", key), f'"{getattr(overrides, key)}"')
+    own = source.text.rstrip()
+    text = with_origin(f"{own}\n\n[tolerance]\n", own, file) if bands else source.text
+    return read_again(mechanism, text, file)
 
 
 def _check_format(source: Source) -> None:
@@ -260,6 +261,7 @@ class _Reading:
             sketch=self.sketch,
             dynamics=self.masses,
             text=self.source.text,
+            listing=self.report.source.text,
             **self.parts,
         )
 

@@ -44,7 +44,7 @@ def file_of(text: str, file: str, kind: str, at: float | None, layout: str, lang
         if kind == "gif":
             return drawn(mechanism, kind)
     except MechanismError as error:
-        raise located(error, mechanism.text, file) from error
+        raise located(error, mechanism.listing, file) from error
     raise Refusal(f'no kind of file is called "{kind}"')
 
 
@@ -68,4 +68,4 @@ def checked(text: str, file: str, layout: str, language: str) -> list[str]:
             report = replace(check(path), file=name)
         return [verdict(compiled_of(mechanism)), *report_lines(report)]
     except MechanismError as error:
-        raise located(error, mechanism.text, file) from error
+        raise located(error, mechanism.listing, file) from error

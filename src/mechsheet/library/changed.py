@@ -128,7 +128,7 @@ def _faults_of_modes(pairs: Sequence[tuple[str, str]], mechanism: Mechanism, fil
     try:
         groups = {group.mode: group for group in solve_unpicked(mechanism).groups if group.mode}
     except MechanismError as error:
-        raise located(error, mechanism.text, file) from error
+        raise located(error, mechanism.listing, file) from error
     by_task = () if mechanism.synthesis is None else mechanism.synthesis.mode
     found = (_fault_of_mode(name, value, groups, by_task, file) for name, value in pairs)
     return [fault for fault in found if fault is not None]
@@ -163,7 +163,7 @@ def _with_modes(mechanism: Mechanism, wanted: Mapping[str, int], file: str) -> M
         try:
             groups = solve(mechanism, wanted).groups
         except MechanismError as error:
-            raise located(error, mechanism.text, file) from error
+            raise located(error, mechanism.listing, file) from error
     modes = {group.mode: group.mode_value for group in groups if group.mode} | dict(wanted)
     try:
         source = with_modes(parse(mechanism.text, file), modes)

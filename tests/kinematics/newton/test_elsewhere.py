@@ -36,6 +36,12 @@ def test_an_assembly_that_the_sketch_leaves(name, overrides, words, hint):
     assert [words in fault.message and hint in fault.hint for fault in found] == [True] * bool(words)
 
 
+@pytest.mark.parametrize("other", [{"language": "tr"}, {"layout": "page"}])
+def test_what_the_workbook_is_like_does_not_matter(other):
+    mechanism = changed.loads(template_text("planar-3rpr"), overrides=Overrides({"y2": "2.4"}, **other))
+    assert doubts(mechanism, solve(mechanism)) == tuple(told("planar-3rpr", y2=2.4))
+
+
 def test_groups_of_newton_move_by_a_law():
     """Watt's sun and planet driven in so many seconds: the rows are tried before anything has a time."""
     driver = "start = 0\nstop = 720\nstep = 15"

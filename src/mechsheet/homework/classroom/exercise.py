@@ -246,7 +246,7 @@ def _never(mechanism: Mechanism, needs: Sequence[Need]) -> DescriptionError:
     message = say("no draw of {draws} meets it: {names}", draws=DRAWS, names=" and ".join(need.text for need in needs))
     shown = f"{mechanism.file}.toml" if mechanism.file else "<text>"
     return DescriptionError(
-        parse(mechanism.text, shown).fault(("exercise", "need"), message, say("wider ranges in vary"))
+        parse(mechanism.listing, shown).fault(("exercise", "need"), message, say("wider ranges in vary"))
     )
 
 
