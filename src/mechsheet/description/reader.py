@@ -60,13 +60,13 @@ def loads(text: str, file: str = "<text>", overrides: Overrides = AS_IT_IS) -> M
     return with_settings(mechanism, overrides, file)
 
 
-def read_again(mechanism: Mechanism, text: str, file: str = "<text>") -> Mechanism:
-    """The mechanism after a change of its text; what stands in no text stays as it was.
+def read_again(mechanism: Mechanism, source: Source) -> Mechanism:
+    """The mechanism whose text was changed to that of `source`; what stands in no text stays as it was.
 
     What is wrong with it is told at the lines of the text before: nobody has seen the one that was changed.
     """
-    report = Report(parse(mechanism.listing, file))
-    found = _read(parse(text, file), report)
+    report = Report(parse(mechanism.listing, source.file))
+    found = _read(source, report)
     if found is None:
         raise DescriptionError(report.in_order())
     also = {each.link.name: each.also for each in mechanism.redundant}
@@ -94,9 +94,10 @@ def with_settings(mechanism: Mechanism, overrides: Overrides, file: str = "<text
     source = parse(mechanism.text, file)
     for key in keys:
         source = with_value(source, ("workbook", key), f'"{getattr(overrides, key)}"')
-    own = source.text.rstrip()
-    text = with_origin(f"{own}\n\n[tolerance]\n", own, file) if bands else source.text
-    return read_again(mechanism, text, file)
+    if bands:
+        own = source.text.rstrip()
+        source = parse(with_origin(f"{own}\n\n[tolerance]\n", own, file), file)
+    return read_again(mechanism, source)
 
 
 def _check_format(source: Source) -> None:

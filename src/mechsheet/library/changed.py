@@ -1,6 +1,7 @@
-"""Reading a description with what a caller changes (`Overrides`), assembly modes among it.
+"""Reading a description with what a caller changes (`Overrides`), and with what it leaves to its links and its sketch.
 
-All of it is written into the description's text, so that it travels in the workbook: modes as a sketch that means them.
+All of it is written into the description's text, so that it travels in the workbook: modes as a sketch that means them,
+links that nobody has marked as redundant with such a mark, phases of gears in the turn in which they are sketched.
 """
 
 from __future__ import annotations
@@ -20,11 +21,10 @@ from mechsheet.description.reader import read_again, with_settings
 from mechsheet.description.report import suggestion
 from mechsheet.description.text.numbers import typed_number
 from mechsheet.description.text.origin import with_origin
+from mechsheet.description.text.rewrite import number_text, with_value
 from mechsheet.description.text.source import parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, MechsheetError, readable_name
-from mechsheet.library.phases_from_sketch import with_phases
-from mechsheet.library.redundant_links import with_redundant
-from mechsheet.model import Mechanism
+from mechsheet.model import Gear, Mechanism
 from mechsheet.said import say
 
 if TYPE_CHECKING:
@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 
 MOST = 16
 """Assemblies of one group."""
+
+DEGREES_WRITTEN = 1
+"""Decimals of a phase [deg] that is read off a sketch; of other ones two more."""
 
 _MODE = re.compile(r"mode[_0-9]*", re.IGNORECASE)
 """What means an assembly mode where no dimension is called so."""
@@ -45,8 +48,7 @@ def load(path: str | Path, overrides: Overrides = AS_IT_IS) -> Mechanism:
 def loads(text: str, file: str = "<text>", overrides: Overrides = AS_IT_IS) -> Mechanism:
     """The mechanism that a text describes, with changes; `file` is what messages call it.
 
-    Among the values may be assembly modes: `mode_1` -> 1 or -1. Beside what is asked for, links that are redundant are
-    marked, and phases are in the turn that the sketch shows.
+    Among the values may be assembly modes: `mode_1` -> 1 or -1.
 
     Raises DescriptionError with every fault, MechanismError when the modes cannot be told apart by a sketch.
     """
@@ -55,7 +57,7 @@ def loads(text: str, file: str = "<text>", overrides: Overrides = AS_IT_IS) -> M
     own = replace(overrides, values=rest, layout=None, tolerance=False)
     faults = [fault for name, value in modes if (fault := _value_fault(name, value, file)) is not None]
     try:
-        found = with_phases(with_redundant(description.loads(text, file, own), file), file)
+        found = _with_phases(_with_redundant(description.loads(text, file, own), file), file)
         faults += _faults_of_modes(modes, found, file)
     except MechsheetError as error:
         if not modes:
@@ -170,5 +172,68 @@ def _with_modes(mechanism: Mechanism, wanted: Mapping[str, int], file: str) -> M
     except MechanismError as error:
         options = ", ".join(f"{mode}={value}" for mode, value in wanted.items())
         raise MechanismError(Fault(fault.message, file, key=option_of(options)) for fault in error.faults) from error
-    found = read_again(mechanism, source.text, file)
+    found = read_again(mechanism, source)
     return replace(found, sketch=replace(found.sketch, doubted=False))
+
+
+# --- what nobody has said ------------------------------------------------------------------------------------------
+
+
+def _with_redundant(mechanism: Mechanism, file: str) -> Mechanism:
+    """The mechanism with redundant links left out of what has to be solved, where there are any and it does not matter
+    which; else as it is."""
+    from mechsheet.kinematics.graph import graph_of
+    from mechsheet.kinematics.mobility import mobility
+
+    if mobility(graph_of(mechanism)) > len(mechanism.drivers):
+        return mechanism
+    from mechsheet.kinematics.redundancy import redundant_links
+
+    sets = redundant_links(mechanism)
+    for names in sets:
+        with suppress(MechsheetError):  # one whose points are given by distances cannot be marked
+            source = parse(mechanism.text, file)
+            for name in names:
+                source = with_value(source, ("links", name, "redundant"), "true")
+            found = read_again(mechanism, source)
+            marked = tuple(
+                replace(each, also=_instead(each.link.name, names, sets)) if each.link.name in names else each
+                for each in found.redundant
+            )
+            return replace(found, redundant=marked)
+    return mechanism
+
+
+def _instead(name: str, left_out: Collection[str], sets: Sequence[Collection[str]]) -> tuple[str, ...]:
+    """The links that would do as well in the place of one of those that are left out."""
+    rest = {*left_out} - {name}
+    others = [other for each in sets for other in each if {*each} == rest | {other} and other != name]
+    return tuple(dict.fromkeys(others))
+
+
+def _with_phases(mechanism: Mechanism, file: str) -> Mechanism:
+    """The mechanism with the phases that its sketch shows, where those that were read off it are of another turn.
+
+    A sketch shows an angle, not in which of its turns it is: with a ratio of 0.5 a turn more of one wheel is half a turn of
+    the other. The turns follow from the motion, from the first position to the one that is sketched.
+    """
+    if not any(relation.read_off for relation in mechanism.relations):
+        return mechanism
+    from mechsheet.kinematics.sketched import out_of_phase
+    from mechsheet.kinematics.solve import solve
+
+    try:
+        off = {
+            each.relation.order: each for each in out_of_phase(mechanism, solve(mechanism)) if each.relation.read_off
+        }
+        if not off:
+            return mechanism
+        source = parse(mechanism.text, file)
+        for order, each in off.items():
+            phase = each.meant(mechanism)
+            if isinstance(each.relation, Gear):
+                phase = round(phase, DEGREES_WRITTEN if mechanism.angle_unit.in_degrees else DEGREES_WRITTEN + 2)
+            source = with_value(source, ("joints", order, "phase"), number_text(phase))
+        return read_again(mechanism, source)
+    except MechsheetError:  # whoever solves it hears why
+        return mechanism
