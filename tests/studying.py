@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from mechsheet.compiled import Compiled
+from mechsheet.description import Overrides
 from mechsheet.description.templates import template_text
 from mechsheet.library.changed import loads
 from mechsheet.model import Mechanism
@@ -15,7 +16,7 @@ vary = { a2 = [20, 60, 5], a3 = { from = 46, to = 118, by = 8 }, a4 = { values =
 
 def study_of(part: str = FOUR_BAR, template: str = "four-bar", rows: int | None = None) -> Mechanism:
     """A template with a study."""
-    return loads(f"{template_text(template)}\n{part}", rows=None if rows is None else str(rows))
+    return loads(f"{template_text(template)}\n{part}", overrides=Overrides(rows=None if rows is None else str(rows)))
 
 
 def small(count: int = 30_000) -> Mechanism:
@@ -36,7 +37,7 @@ def in_workbook(mechanism: Mechanism, values: dict[str, float], modes: dict[str,
     """The summaries of a design as its workbook's formulas compute them."""
     changes = [(name, repr(float(value))) for name, value in values.items()]
     changes += [(name, str(mode)) for name, mode in modes.items()]
-    compiled = Compiled(loads(mechanism.text, overrides=changes))
+    compiled = Compiled(loads(mechanism.text, overrides=Overrides(changes)))
     row = compiled.plan.blocks["summary"].rows
     from mechsheet.sheet.addresses import Spot
     from mechsheet.sheet.plan import VALUE

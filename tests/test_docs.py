@@ -17,7 +17,7 @@ import pytest
 import mechsheet
 from mechsheet.cli import main as commands
 from mechsheet.compiled import Compiled
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.description.grammar import Either, Items, Kinds, Named, Shape, Table
 from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.templates import template_names
@@ -301,7 +301,7 @@ def test_the_press_that_gets_a_motor_and_a_flywheel(page):
         value, mean, inertia = (number.replace(",", ".") for number in said)
         other = text.replace("fluctuation = 0.1", f"fluctuation = {value}") if name == "fluctuation" else text
         other = other.replace("value = 60,", f"value = {value},") if name == "speed" else other
-        found = Compiled(loads(other, overrides={name: value} if name in ("F", "die") else {})).flywheel
+        found = Compiled(loads(other, overrides=Overrides({name: value} if name in ("F", "die") else {}))).flywheel
         assert fits(found.mean, mean), name
         assert fits(found.inertia, inertia), name
 

@@ -10,8 +10,8 @@ from functools import partial
 from pathlib import Path
 
 from mechsheet.checking import Report, check
-from mechsheet.description import load
-from mechsheet.description.reader import with_layout
+from mechsheet.description import Overrides, load
+from mechsheet.description.reader import with_settings
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.library.building import FORMATS, Target, build, told, write_all
 
@@ -54,7 +54,7 @@ def _built(description: Path, generated: Path) -> tuple[str, bool]:
     asked = {path for path in files if path.suffix == ".xlsx" and description.stem in SMALLEST}
     if description.stem in PAGES:
         pages = [Target(generated / f"{description.stem}-page.{ending}", ending) for ending in FORMATS]
-        files += write_all(told(with_layout(mechanism, "page")), pages)
+        files += write_all(told(with_settings(mechanism, Overrides(layout="page"))), pages)
     for path in files:
         report = check(path, ["formulas"] if path in asked else [])
         fine = fine and report.agrees

@@ -22,7 +22,7 @@ from screenshot import screenshot
 
 import mechsheet
 from mechsheet.checking.programs import convert_with_libreoffice
-from mechsheet.description import load, loads
+from mechsheet.description import Overrides, load, loads
 from mechsheet.formats import write
 from mechsheet.homework.classroom.exercise import KEY, exercise
 from mechsheet.homework.classroom.marks import mark
@@ -130,7 +130,7 @@ class Prints:
         """A template's workbook, in English, as it is printed."""
         if (name, layout) not in self.made:
             target = self.folder / f"{name}-{layout}.xlsx"
-            books = build(load(TEMPLATES / f"{name}.toml", language="en"), target, layout=layout)
+            books = build(load(TEMPLATES / f"{name}.toml", Overrides(language="en")), target, layout=layout)
             self.made[name, layout] = convert_with_libreoffice(books, "pdf", self.folder)[0]
         return self.made[name, layout]
 
@@ -160,7 +160,7 @@ def marked(folder: Path) -> Image.Image:
     """The marks of a small class, whose workbooks are filled in here as students do."""
     text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
     asked = "[exercise]\nasked = { theta13 = 2, theta14 = 2 }\nvary = { a2 = [30, 38, 0.5], a3 = [60, 66, 0.5] }"
-    mechanism = loads(f"{text}\n{asked}\n", "four-bar.toml", language="en")
+    mechanism = loads(f"{text}\n{asked}\n", "four-bar.toml", Overrides(language="en"))
     people = folder / "class.csv"
     people.write_text("\n".join(["id,name", *(f"{1001 + n},{name}" for n, name in enumerate(CLASS))]), encoding="utf-8")
     made = exercise(mechanism, people, folder / "week")

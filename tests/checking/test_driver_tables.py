@@ -11,7 +11,7 @@ from mechsheet.checking import against_reference
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.engine import evaluate
 from mechsheet.exporting.workbooks import functions_workbook
 from mechsheet.formula.nodes import Binary, Number, transform
@@ -23,7 +23,7 @@ TEMPLATES = Path(__file__).parents[2] / "templates"
 def with_table(name, value, column, numbers, **dimensions):
     text = (TEMPLATES / f"{name}.toml").read_text(encoding="utf-8").partition("[[tables]]")[0]
     table = f'[[tables]]\nrows = "theta12"\ncolumns = {{ {column} = {numbers} }}\nvalue = "{value}"\n'
-    return Compiled(loads(text + table, overrides=dimensions))
+    return Compiled(loads(text + table, overrides=Overrides(dimensions)))
 
 
 def compared(compiled, typed=None, workbook=None):

@@ -12,7 +12,7 @@ import pytest
 from click.testing import CliRunner
 
 from mechsheet.cli import main
-from mechsheet.description.reader import with_layout
+from mechsheet.description import Overrides
 from mechsheet.description.templates import template_text
 from mechsheet.library.building import build
 from mechsheet.library.changed import loads
@@ -84,7 +84,7 @@ def folder(tmp_path_factory):
     """The folder, and the names of what is wrong in it."""
     folder, wrong = tmp_path_factory.mktemp("books"), []
     for base, (template, layout) in BASES.items():
-        mechanism = with_layout(loads(template_text(template), file=f"{base}.toml"), layout)
+        mechanism = loads(template_text(template), f"{base}.toml", Overrides(layout=layout))
         (path,) = build(mechanism, folder / f"{base}.xlsx")
         for name, change in (CHANGES | (OF_SHEETS if layout == "sheets" else {})).items():
             book = openpyxl.load_workbook(path)

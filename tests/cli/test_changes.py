@@ -53,3 +53,21 @@ def test_nothing_is_written_where_an_option_is_wrong(tmp_path):
         assert "<stdin>: --rows: a sweep has at least 2 rows, not 1\n" in result.stderr
         assert '<stdin>: --step: "x" is not a dimension\n' in result.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    "options", [(), ("--language", "tr"), ("--layout", "page"), ("--rows", "9", "--language", "tr")]
+)
+def test_lines_are_those_of_the_file(options):
+    """Whatever is added to the text on its way into the workbook."""
+    text = FOUR_BAR.replace("B = [50, 55]", "B = [63, 0]").partition("[workbook]")[0]
+    text = text.replace("[dimensions]", '[workbook]\nreferences = "names"\n[dimensions]')
+    line = text.splitlines().index("[assembly]") + 1
+    result = run("build", "-", "-o", "/nowhere/a.xlsx", *options, text=text)
+    assert result.exit_code == 2 and f"<stdin>:{line}: assembly: " in result.stderr
+
+
+def test_an_option_has_no_line():
+    result = run("build", "-", "--tolerance", "--layout", "page", text=template_text("engine"))
+    lines = [line for line in result.stderr.splitlines() if line.startswith("<stdin>")]
+    assert [line.split(": ")[0] for line in lines] == ["<stdin>", "<stdin>", "<stdin>:63"]

@@ -9,6 +9,7 @@ import pytest
 from click.testing import CliRunner
 
 from mechsheet.cli import main
+from mechsheet.description import Overrides
 from mechsheet.description.templates import template_text
 from mechsheet.library.building import build
 from mechsheet.library.changed import loads
@@ -80,7 +81,7 @@ def test_a_mechanism_that_closes_nowhere(language, layout, tmp_path):
         "[workbook]\n", f'[workbook]\nlayout = "{layout}"\n', 1
     )
     assert "[workbook]" in text
-    (path,) = build(loads(text, file="four-bar.toml", language=language), tmp_path)
+    (path,) = build(loads(text, "four-bar.toml", Overrides(language=language)), tmp_path)
     assert run("check", path).exit_code == 0
 
     def longer(book):
@@ -102,7 +103,7 @@ def test_a_task_that_the_mechanism_misses(language, layout, tmp_path):
         + f'[workbook]\nlayout = "{layout}"\n'
     )
     assert "lam = 300" in text
-    (path,) = build(loads(text, file="quick-return-slider.toml", language=language), tmp_path)
+    (path,) = build(loads(text, "quick-return-slider.toml", Overrides(language=language)), tmp_path)
     found = run("check", path)
     assert found.exit_code == 1, found.output
     assert re.search("agree, BUT|uyuşuyor, AMA", found.output)

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechsheet.description import load, loads
+from mechsheet.description import Overrides, load, loads
 from mechsheet.diagnostics import DescriptionError
 
 DATA = Path(__file__).parents[1] / "data"
@@ -38,7 +38,7 @@ values = [0]
 
 def test_values_in_place() -> None:
     before = load(EVERYTHING)
-    after = load(EVERYTHING, {"a1": "8", "a2": "2.25", "phi0": " -45 "})
+    after = load(EVERYTHING, Overrides({"a1": "8", "a2": "2.25", "phi0": " -45 "}))
     shown = {dimension.symbol: dimension.shown for dimension in after.dimensions}
     assert (shown["a1"], shown["a2"], shown["phi0"], shown["half"]) == (8, 2.25, -45, 0.5)
     assert after.dimensions[2].value == math.radians(-45)
@@ -76,7 +76,7 @@ def test_wherever_a_dimension_stands(layout: str) -> None:
         link = "bar"
         values = [0]
     """
-    after = loads(f"format = 1\n{layout}\n{rest}", overrides={"a1": "65", "b": "1e-5"})
+    after = loads(f"format = 1\n{layout}\n{rest}", overrides=Overrides({"a1": "65", "b": "1e-5"}))
     assert {dimension.symbol: dimension.shown for dimension in after.dimensions} == {"a1": 65, "b": 1e-5}
     assert loads(after.text) == after
 
@@ -84,7 +84,7 @@ def test_wherever_a_dimension_stands(layout: str) -> None:
 @settings(deadline=None)
 @given(st.floats(-1e90, 1e90).filter(lambda x: x == 0 or abs(x) > 1e-90))
 def test_any_number(value: float) -> None:
-    after = load(EVERYTHING, {"turn": repr(value)})
+    after = load(EVERYTHING, Overrides({"turn": repr(value)}))
     assert after.dimensions[4].shown == value
     assert loads(after.text) == after
 
@@ -94,7 +94,7 @@ def test_any_number(value: float) -> None:
     [(".5", 0.5), ("5.", 5), ("+007", 7), ("1E3", 1000), ("-0.0", 0), ("12345678901234567", 1.2345678901234568e16)],
 )
 def test_spellings(typed: str, value: float) -> None:
-    after = load(EVERYTHING, {"turn": typed})
+    after = load(EVERYTHING, Overrides({"turn": typed}))
     assert after.dimensions[4].shown == value
     assert loads(after.text) == after
 
@@ -132,7 +132,7 @@ def test_spellings(typed: str, value: float) -> None:
 )  # fmt: skip
 def test_faults(name: str, value: str, message: str) -> None:
     with pytest.raises(DescriptionError) as caught:
-        load(EVERYTHING, {name: value})
+        load(EVERYTHING, Overrides({name: value}))
     assert message in str(caught.value)
 
 
@@ -155,7 +155,7 @@ def test_faults(name: str, value: str, message: str) -> None:
     ],
 )
 def test_expressions(name: str, typed: str, text: str) -> None:
-    after = loads(BAR, overrides={name: typed})
+    after = loads(BAR, overrides=Overrides({name: typed}))
     assert [dimension.shown for dimension in after.dimensions if dimension.symbol == name] == [float(text)]
     (line,) = set(after.text.splitlines()) - set(BAR.splitlines())
     assert re.fullmatch(rf"{name} = (?:{{ value = )?{re.escape(text)}\b.*", line)
@@ -163,27 +163,29 @@ def test_expressions(name: str, typed: str, text: str) -> None:
 
 
 def test_names_mean_what_the_changes_before_made_of_them() -> None:
-    after = loads(BAR, overrides=[("a2", "a1/2"), ("a1", "10"), ("a2", "a2 + early"), ("half", "a2/a1")])
+    after = loads(BAR, overrides=Overrides([("a2", "a1/2"), ("a1", "10"), ("a2", "a2 + early"), ("half", "a2/a1")]))
     shown = {dimension.symbol: dimension.shown for dimension in after.dimensions}
     assert (shown["a1"], shown["a2"], shown["half"]) == (10, 8.5, 0.85)
 
 
 def test_names_in_either_normal_form() -> None:
     text = BAR.replace("half =", '"açı" =').replace("half", "açı")
-    after = loads(text, overrides={unicodedata.normalize("NFD", "açı"): unicodedata.normalize("NFD", "açı*1.5")})
+    after = loads(
+        text, overrides=Overrides({unicodedata.normalize("NFD", "açı"): unicodedata.normalize("NFD", "açı*1.5")})
+    )
     assert {dimension.symbol: dimension.shown for dimension in after.dimensions}["açı"] == 0.75
 
 
 def test_a_name_without_a_value_is_told_where_it_is_read() -> None:
     """Also when a later change gives it one: what is typed is never passed over in silence."""
     with pytest.raises(DescriptionError, match='phi0=gamma3: has no value: "gamma3" has none'):
-        loads(BAR, overrides=[("half", "2"), ("phi0", "gamma3"), ("half", "0.5")])
+        loads(BAR, overrides=Overrides([("half", "2"), ("phi0", "gamma3"), ("half", "0.5")]))
 
 
 def test_faults_of_values_and_of_the_description_together() -> None:
     text = EVERYTHING.read_text(encoding="utf-8").replace('"crank"\nrelative', '"cronk"\nrelative')
     with pytest.raises(DescriptionError) as caught:
-        loads(text, overrides={"a9": "1", "a1": "x"})
+        loads(text, overrides=Overrides({"a9": "1", "a1": "x"}))
     assert [fault.key for fault in caught.value.faults] == ["overrides: a9=1", "overrides: a1=x", "driver.link"]
 
 
@@ -200,7 +202,7 @@ def test_faults_of_values_and_of_the_description_together() -> None:
 def test_an_entry_that_is_faulty_itself(entry: str, said: str) -> None:
     text = EVERYTHING.read_text(encoding="utf-8").replace('half = { value = 0.5, unit = "1" }', f"half = {entry}")
     with pytest.raises(DescriptionError, match=said):
-        loads(text, overrides={"half": "1"})
+        loads(text, overrides=Overrides({"half": "1"}))
 
 
 @pytest.mark.parametrize(
@@ -215,7 +217,7 @@ def test_an_entry_that_is_faulty_itself(entry: str, said: str) -> None:
 )
 def test_language_in_the_text(before: str, after: str) -> None:
     text = (DATA / "slider-crank.toml").read_text(encoding="utf-8")
-    mechanism = loads(text + before, language="tr")
+    mechanism = loads(text + before, overrides=Overrides(language="tr"))
     assert mechanism.text == text + after
     assert loads(mechanism.text) == mechanism
 
@@ -225,13 +227,13 @@ def test_language_in_the_text(before: str, after: str) -> None:
 )
 def test_language_in_the_text_above_all_tables(first: str) -> None:
     text = (DATA / "slider-crank.toml").read_text(encoding="utf-8")
-    mechanism = loads(f"{first}\n{text}", language="tr")
+    mechanism = loads(f"{first}\n{text}", overrides=Overrides(language="tr"))
     assert mechanism.language == "tr"
     assert loads(mechanism.text) == mechanism
 
 
 def test_a_value_of_a_task_is_set_likewise() -> None:
     text = (Path(__file__).parents[2] / "templates/quick-return-slider.toml").read_text(encoding="utf-8")
-    task = loads(text, overrides={"stroke": "120"})
+    task = loads(text, overrides=Overrides({"stroke": "120"}))
     assert {dimension.symbol: dimension.shown for dimension in task.dimensions}["stroke"] == 120
     assert "stroke = 120\n" in task.text

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from mechsheet.description import load, loads
-from mechsheet.description.reader import with_layout
+from mechsheet.description import Overrides, load, loads
+from mechsheet.description.reader import with_settings
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.formula.nodes import Symbol, Unary
@@ -107,10 +107,10 @@ def test_layout_of_the_workbook() -> None:
     assert (page.layout, page.drawn, page.references) == ("page", False, "anchors")
     named = loads(f'{text}\n[workbook]\nlayout = "page"\nreferences = "names"\n')
     assert named.references == "names"
-    assert loads(with_layout(plain, "page").text).layout == "page"
-    assert with_layout(page, None) is page
+    assert loads(with_settings(plain, Overrides(layout="page")).text).layout == "page"
+    assert with_settings(page, Overrides()) is page
     with pytest.raises(DescriptionError, match='"sheets", "page"'):
-        with_layout(plain, "book")
+        with_settings(plain, Overrides(layout="book"))
 
 
 def test_every_key_head(everything: Mechanism) -> None:
@@ -232,9 +232,9 @@ def test_line_ends_and_byte_order_mark() -> None:
 
 
 def test_language() -> None:
-    assert load(DATA / "four-bar.toml", language="tr").language == "tr"
+    assert load(DATA / "four-bar.toml", Overrides(language="tr")).language == "tr"
     with pytest.raises(DescriptionError, match='unknown language "de"'):
-        load(DATA / "four-bar.toml", language="de")
+        load(DATA / "four-bar.toml", Overrides(language="de"))
 
 
 def test_ground_without_points() -> None:

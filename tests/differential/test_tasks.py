@@ -16,7 +16,7 @@ from chosen import IN_CI, first
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.checking.searched.probed_cells import compare_program
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError
 from mechsheet.engine import evaluate
@@ -114,9 +114,9 @@ def test_what_is_typed_moves_everything_as_if_it_were_built_anew(tmp_path):
         assert found.cells > 500
 
 
-def compiled_into(path, name, overrides=None):
+def compiled_into(path, name, overrides=()):
     """The workbook of a packaged description, with fewer rows and other values in its task; where its cells are."""
-    workbook, plan = compile_workbook(changed.loads(template_text(name), name, overrides, rows="9"))
+    workbook, plan = compile_workbook(changed.loads(template_text(name), name, Overrides(overrides, rows="9")))
     write(workbook, path)
     return plan.at.spots
 

@@ -13,7 +13,7 @@ from test_drawings import points_of_dxf, points_of_svg
 
 from chosen import ITERATED, LISTED, but, some
 from mechsheet import reference
-from mechsheet.description import load
+from mechsheet.description import Overrides, load
 from mechsheet.exporting import Job, dxf, latex, markdown, position, shapes, svg
 from mechsheet.exporting.mathtext import symbol_math
 from mechsheet.exporting.solution import Display, Table, solution
@@ -47,7 +47,7 @@ def test_every_template(path, language, monkeypatch, tmp_path):
     once = cache(lambda _, at, least: sample(mechanism, at, None, least))
     for module in (shapes, position):
         monkeypatch.setattr(module, "sample", lambda mechanism, at, _, least=121: once(mechanism.name, at, least))
-    mechanism = load(path, language=language)
+    mechanism = load(path, Overrides(language=language))
     at, values = at_a_position(mechanism)
     drawn_points(mechanism, at, values, tmp_path)
     blocks = solution(Job(mechanism, "it", at))

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from exported import TEMPLATES
 
-from mechsheet.description import load, loads
+from mechsheet.description import Overrides, load, loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting import Job, export, latex, markdown
 from mechsheet.exporting.mathtext import point_math, symbol_math
@@ -34,7 +34,7 @@ def calculator():
         )
         assert changed != text
         text = changed
-    return written(loads(text, language="en"), 60)
+    return written(loads(text, overrides=Overrides(language="en")), 60)
 
 
 def test_the_texts_calculator_example(calculator):
@@ -94,7 +94,7 @@ def test_radians(tmp_path):
     text = BY_NAME["four-bar"].read_text(encoding="utf-8")
     text = text.replace("[mechanism]\n", '[mechanism]\nangle_unit = "rad"\n', 1)
     text = re.sub(r"(?s)\[driver\].*?\n\n", '[driver]\nlink = "crank"\nvalues = [0.5, 1, 1.5]\n\n', text)
-    document = written(loads(text, language="en"), 1.0)
+    document = written(loads(text, overrides=Overrides(language="en")), 1.0)
     assert r"\theta_{12} &= 1.0000\ \mathrm{rad}" in document
     assert "circ" not in document.replace("180^\\circ", "")
     assert r"\cos\left(1.0000\right)" in document
@@ -138,7 +138,7 @@ def test_same_bytes(tmp_path):
 )
 def test_latex_compiles(name, language, tmp_path):
     """No error, nothing undefined, no line over the margin."""
-    export(load(BY_NAME[name], language=language), "latex", tmp_path / "it.tex")
+    export(load(BY_NAME[name], Overrides(language=language)), "latex", tmp_path / "it.tex")
     command = [shutil.which("pdflatex"), "-interaction=nonstopmode", "-halt-on-error", "-no-shell-escape", "it.tex"]
     ran = subprocess.run(
         command, cwd=tmp_path, capture_output=True, text=True, encoding="latin-1", check=False, timeout=60

@@ -14,7 +14,7 @@ import pytest
 
 from chosen import ITERATED, LISTED, TASKS, but, part
 from mechsheet.compiled import Compiled
-from mechsheet.description import load, loads
+from mechsheet.description import Overrides, load, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.exporting import Job, exported
 from mechsheet.exporting.basic import function_names
@@ -42,7 +42,7 @@ needs_libreoffice = pytest.mark.skipif(shutil.which("soffice") is None, reason="
 
 @cache
 def mechanism_of(name: str, language: str | None = None):
-    return load(ROOT / "templates" / f"{name}.toml", {}, language)
+    return load(ROOT / "templates" / f"{name}.toml", Overrides(language=language))
 
 
 def module_of(mechanism) -> bytes:
@@ -207,7 +207,7 @@ def calls_of(mechanism) -> tuple[list[str], list[float | None], list[str]]:
 def test_functions_in_libreoffice_give_what_the_workbook_has():
     """1e-10 of the size; of the other templates, the module compiles and its first and last functions give numbers."""
     mechanisms = [load(ROOT / "templates" / f"{name}.toml") for name in VALUED]
-    mechanisms.append(load(ROOT / "templates" / "four-bar.toml", {"a1": "100"}))  # some rows do not exist
+    mechanisms.append(load(ROOT / "templates" / "four-bar.toml", Overrides({"a1": "100"})))  # some rows do not exist
     calls = [calls_of(mechanism) for mechanism in mechanisms]
     jobs = [
         Office(module=module_of(mechanism), formulas=formulas)

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
@@ -93,7 +93,7 @@ def test_what_is_divided_by_0_at_a_limit_has_the_sign_it_has_beside_it():
         "L": "1224.5386768709998", "x0": "235.0483797891515", "y0": "-39.05173368316974", "L0": "234.98289441433133",
         "u": "531.1815516349145", "v": "-71.7198134438593",
     }  # fmt: skip
-    mechanism = loads(text, overrides=changed)
+    mechanism = loads(text, overrides=Overrides(changed))
     equations = solve(mechanism)
     groups = tuple(
         replace(group, assembly=group.assembly_of(1.0)) if group.mode == "mode_1" else group

@@ -4,14 +4,15 @@ import json
 
 import pytest
 
+from mechsheet.description import Overrides
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.library.changed import loads
 from mechsheet.library.dimensions import dimensions_json, dimensions_text
 
 
-def dimensions(name, overrides=None):
-    return json.loads(dimensions_json(loads(template_text(name), name, overrides)))
+def dimensions(name, overrides=()):
+    return json.loads(dimensions_json(loads(template_text(name), name, Overrides(overrides))))
 
 
 def test_given_and_derived():
@@ -58,7 +59,7 @@ def test_what_a_task_does_not_say_can_be_set(name, values, found):
 
 
 def test_the_text_says_then_what_was_set_and_nothing_that_excludes_it():
-    text = loads(template_text("crank-rocker-swing"), "c.toml", {"a2": "60", "round": "0.1"}).text
+    text = loads(template_text("crank-rocker-swing"), "c.toml", Overrides({"a2": "60", "round": "0.1"})).text
     assert "a2 = 60" in text
     assert "round = 0.1" in text
     assert "best" not in text.partition("[dimensions]")[0].partition("[synthesis]")[2]
@@ -81,13 +82,13 @@ def test_the_text_says_then_what_was_set_and_nothing_that_excludes_it():
 )
 def test_what_cannot_be_changed_is_told(name, value, told):
     with pytest.raises(DescriptionError, match=told):
-        loads(template_text("function-generator"), "f.toml", {name: value})
+        loads(template_text("function-generator"), "f.toml", Overrides({name: value}))
 
 
 @pytest.mark.parametrize(("name", "value", "told"), [("best", "no", "expected true"), ("A.moving", "[1, 2]", "no dim")])
 def test_a_choice_is_true(name, value, told):
     with pytest.raises(DescriptionError, match=told):
-        loads(template_text("crank-rocker-swing"), "c.toml", {name: value})
+        loads(template_text("crank-rocker-swing"), "c.toml", Overrides({name: value}))
 
 
 def test_the_table_says_what_is_used_of_the_assembly_too():

@@ -5,7 +5,7 @@ import pytest
 
 import mechsheet
 from mechsheet.compiled import Compiled
-from mechsheet.description.reader import with_layout
+from mechsheet.description import Overrides
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.homework.summaries import taken
@@ -34,7 +34,7 @@ def test_the_root_mean_square_of_a_torque_heats_the_motor(layout, form, tmp_path
     linkage = mechsheet.loads(with_takes())
     (path,) = mechsheet.build(linkage, tmp_path / f"motor.{form}", layout=layout)
     assert mechsheet.check(path).agrees
-    compiled = Compiled(with_layout(loads(with_takes()), layout))
+    compiled = Compiled(loads(with_takes(), overrides=Overrides(layout=layout)))
     found = compiled.number(compiled.plan.at.spots["#summary z_rms"])
     assert found == pytest.approx(root_of_mean_square(linkage.solve()["T12"]), rel=1e-12)
 

@@ -11,7 +11,7 @@ import pytest
 from drawn_points import expected, fitted
 from mechsheet import reference
 from mechsheet.compiled.evaluation import book_of
-from mechsheet.description import load
+from mechsheet.description import Overrides, load
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.engine import PORTABLE, evaluate
 from mechsheet.kinematics.dimensions import dimension_values
@@ -24,7 +24,7 @@ TEMPLATES = Path(__file__).parents[2] / "templates"
 
 @cache
 def template(name, **changes):
-    return load(TEMPLATES / f"{name}.toml", changes)
+    return load(TEMPLATES / f"{name}.toml", Overrides(changes))
 
 
 def marked(scene):

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.description import load
+from mechsheet.description import Overrides, load
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import solve
@@ -46,7 +46,7 @@ def table(name: str) -> Array:
 
 def template(name: str, **overrides: str) -> tuple[Mechanism, Equations]:
     """A template, with dimensions changed, and its equations."""
-    mechanism = load(TEMPLATES / f"{name}.toml", overrides=overrides)
+    mechanism = load(TEMPLATES / f"{name}.toml", Overrides(overrides))
     return mechanism, solve(mechanism)
 
 

@@ -17,7 +17,7 @@ from printed_numbers import (
 )
 
 from mechsheet import reference
-from mechsheet.description import load, loads
+from mechsheet.description import Overrides, load, loads
 from mechsheet.kinematics.solve import solve
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
@@ -78,7 +78,7 @@ def test_pump_table_with_the_texts_pi(column, s1):
     right_angle = 'B = [0, "a4"]'
     assert right_angle in text
     cut = text.replace(right_angle, f'B = {{ r = "a4", angle = "{CUT_PI}/2" }}')
-    mechanism = loads(cut, overrides={"s1": str(s1)})
+    mechanism = loads(cut, overrides=Overrides({"s1": str(s1)}))
     found = at(mechanism, solve(mechanism), published[:, 0] * CUT_PI / 180)["s15"]
     assert np.max(np.abs(found - published[:, column])) < 5e-5
     transcribed = pump_as_printed(published[:, 0], s1, -1, CUT_PI)

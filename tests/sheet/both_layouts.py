@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.engine import compile_book
 from mechsheet.sheet import styles
 from mechsheet.sheet.workbook import Fill
@@ -20,7 +20,7 @@ class Book:
 
     def __init__(self, text, layout, language="en"):
         text = re.sub(r"\[workbook\]\n", "", text) + f'\n[workbook]\nlayout = "{layout}"\n'
-        made = Compiled(loads(text, language=language))
+        made = Compiled(loads(text, overrides=Overrides(language=language)))
         self.plan = made.plan
         first = next(sheet for sheet in made.layout.sheets if sheet.title == self.plan.main)
         self.rules = first.conditionals

@@ -6,7 +6,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from mechsheet.compiled.evaluation import book_of
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.dynamics.solve import solve
 from mechsheet.engine import compile_book, evaluate
 from mechsheet.engine.layout import Area
@@ -24,7 +24,7 @@ def template_text(name):
 @lru_cache(maxsize=24)
 def once(text, language, overrides):
     """What descriptions that come again have in common: mechanism, workbook, plan and values."""
-    mechanism = loads(text, language=language, overrides=dict(overrides))
+    mechanism = loads(text, overrides=Overrides(overrides, language=language))
     workbook, plan = lay_out(mechanism, solve(mechanism))
     return mechanism, workbook, plan, evaluate(book_of(workbook))
 

@@ -4,14 +4,14 @@ import re
 
 from laid import template_text
 
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.plan import plan_of
 
 
 def planned(text, **overrides):
     """The plan of a description's workbook."""
-    mechanism = loads(text, overrides=overrides)
+    mechanism = loads(text, overrides=Overrides(overrides))
     return plan_of(mechanism, solve(mechanism))
 
 

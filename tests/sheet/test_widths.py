@@ -7,7 +7,7 @@ import pytest
 from laid import template_text
 
 from mechsheet.compiled import Compiled
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.engine.texts.number_formats import formatted
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.units import Unit
@@ -39,13 +39,13 @@ def too_wide(workbook):
 def test_no_number_is_wider_than_its_column(name, layout):
     """Determinants, areas, moments in N mm: numbers whose size the description decides, and none of its lengths."""
     text = re.sub(r"(?m)^layout *=.*$|^\[workbook\]$", "", template_text(name))
-    mechanism = loads(f'{text}\n[workbook]\nlayout = "{layout}"\n', rows="3")
+    mechanism = loads(f'{text}\n[workbook]\nlayout = "{layout}"\n', overrides=Overrides(rows="3"))
     assert too_wide(Compiled(mechanism).workbook) == []
 
 
 def test_decimals_are_those_that_say_something():
     """Second coefficients of a slide [1/mm²] are far below 1e-4 in millimetres, its D [mm²] far above 1e4."""
-    plan = Compiled(loads(template_text("four-bar"), rows="3")).plan
+    plan = Compiled(loads(template_text("four-bar"), overrides=Overrides(rows="3"))).plan
     assert plan.size == 126.6
     units = {"mm": "length", "mm²": "number", "1/mm": "number", "1/mm²": "number", "1": "number"}
     assert [places_of(plan, Unit(kind, name)) for name, kind in units.items()] == [2, 0, 7, 7, 4]

@@ -10,6 +10,7 @@ import pytest
 from chosen import IN_CI
 from mechsheet import open_book
 from mechsheet.compiled import Compiled
+from mechsheet.description import Overrides
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.library.changed import loads
 from mechsheet.sheet.addresses import Spot
@@ -40,7 +41,7 @@ def with_parts(template, parts, study, rows=None):
     for heading, more in parts.items():
         assert f"{heading}\n" in text
         text = text.replace(heading, more, 1)
-    return loads(f"{text}\n{study}", rows=rows)
+    return loads(f"{text}\n{study}", overrides=Overrides(rows=rows))
 
 
 CASES = {
@@ -53,7 +54,9 @@ CASES = {
 def said_in_workbook(mechanism, values, modes):
     """The number and the remark of each summary on the first sheet of a design's workbook."""
     changes = [(name, repr(value)) for name, value in values.items()]
-    compiled = Compiled(loads(mechanism.text, overrides=changes + [(name, str(mode)) for name, mode in modes.items()]))
+    compiled = Compiled(
+        loads(mechanism.text, overrides=Overrides(changes + [(name, str(mode)) for name, mode in modes.items()]))
+    )
     found = {}
     for name, row in compiled.plan.blocks["summary"].rows.items():
         words = str(compiled.value(Spot(compiled.plan.main, row, MEANING)))

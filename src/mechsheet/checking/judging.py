@@ -99,7 +99,7 @@ def _check_description(path: Path, work: _Work) -> Report:
     try:
         return _check_built(mechanism, readable_name(path), work)
     except MechanismError as error:
-        raise located(error, mechanism.text, readable_name(path)) from error
+        raise located(error, mechanism.listing, readable_name(path)) from error
 
 
 def _check_built(mechanism: Mechanism, shown: str, work: _Work) -> Report:

@@ -152,7 +152,7 @@ def workbook_of(path: Path) -> Iterator[Path]:
         try:
             (built,) = build(mechanism, folder)
         except MechanismError as error:
-            raise located(error, mechanism.text, readable_name(path)) from error
+            raise located(error, mechanism.listing, readable_name(path)) from error
         yield built
 
 

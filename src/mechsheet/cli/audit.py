@@ -13,7 +13,7 @@ from mechsheet.diagnostics import Fault, MechsheetError, readable_name
 from mechsheet.said import say
 from mechsheet.time_limit import limited
 
-from .common import JSON, MOST_SECONDS, Changes, at_lines_of, described, progress, say_written, seconds_option
+from .common import JSON, MOST_SECONDS, at_lines_of, described, progress, say_written, seconds_option
 from .helping import Explained
 from .speaking import spoken
 
@@ -68,7 +68,7 @@ def audit(
     from mechsheet.homework.audit import audit as judge
     from mechsheet.homework.words_of import lines
 
-    mechanism = described(description, Changes(), language)
+    mechanism = described(description, language=language)
     named = readable_name(workbook)
     with at_lines_of(mechanism, description), progress(workbook.name) as tell, limited(seconds, named):
         tell("auditing")
@@ -101,12 +101,13 @@ def _recognised(workbook: Path, describe: Path | None, language: str | None, as_
 
 def _describe(known: Recognised, output: Path, language: str) -> None:
     """Write the description, as the template has it, with the workbook's dimensions, driver and assembly."""
+    from mechsheet.description import Overrides
     from mechsheet.description.templates import template_text
     from mechsheet.homework.recognition import settings_of, with_driver
     from mechsheet.library.changed import loads
     from mechsheet.replacing import replace_file
 
     text = with_driver(known, template_text(known.template))
-    found = loads(text, known.template, settings_of(known), language)
+    found = loads(text, known.template, Overrides(settings_of(known), language=language))
     replace_file(output, found.text.encode())
     say_written([output])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +15,6 @@ from .common import (
     FORMATS_COMPLETED,
     STANDARD_INPUT,
     STANDARD_OUTPUT,
-    Changes,
     OutputName,
     at_lines_of,
     change_options,
@@ -79,7 +77,6 @@ def build(
 
     A workbook in which somebody has saved changes is left as it is, unless you say --force.
     """
-    from mechsheet.description.reader import with_layout, with_tolerance
     from mechsheet.library.building import refuse_edited, targets, told, write_all
     from mechsheet.library.verdicts import verdict
 
@@ -88,12 +85,10 @@ def build(
             Fault(say("a workbook is written to a file, not printed"), key="-o", hint=say("for example -o out.xlsx"))
         )
     paths = _each_once(descriptions)
-    asked = Changes(**changes)
     mechanisms = []
     for path in paths:
-        own = described(path, asked if design is None else _of_design(path, design, asked), language)
-        mechanism = with_layout(own, layout, readable_name(path))
-        mechanisms.append(with_tolerance(mechanism, readable_name(path)) if tolerance else mechanism)
+        own = changes if design is None else _of_design(path, design, changes)
+        mechanisms.append(described(path, language=language, layout=layout, tolerance=tolerance, **own))
     wanted = [targets(mechanism, output, formats, functions) for mechanism in mechanisms]
     _refuse_shared(paths, wanted)
     if not force:
@@ -107,7 +102,7 @@ def build(
         click.echo(f"{readable_name(path)}: {verdict(compiled)}", err=True)
 
 
-def _of_design(path: Path, design: str, changes: Changes) -> Changes:
+def _of_design(path: Path, design: str, changes: dict[str, Any]) -> dict[str, Any]:
     """The changes that make a description a design of a study, and those asked for besides."""
     from mechsheet.kinematics.dimensions import dimension_values
     from mechsheet.kinematics.driving import driver_values
@@ -116,18 +111,18 @@ def _of_design(path: Path, design: str, changes: Changes) -> Changes:
     if path == STANDARD_INPUT:
         raise MechsheetError(Fault(say("a design is built from a file"), key="design"))
     pairs, rows, text = design_of(design)
-    plain = described(path, Changes())
+    plain = described(path)
     own = str(len(driver_values(plain, dimension_values(plain))))
-    swept = rows if rows and rows != own and changes.rows is None and changes.step is None else None
-    if described(path, Changes(rows=swept)).text != text:
+    swept = rows if rows and rows != own and changes["rows"] is None and changes["step"] is None else None
+    if described(path, rows=swept).text != text:
         note(
             say(
                 "{file} differs from the description of the study: the design is built as it says now",
                 file=readable_name(path),
             )
         )
-    settings = (*(f"{name}={value}" for name, value in pairs), *changes.settings)
-    return replace(changes, settings=settings, rows=swept or changes.rows)
+    settings = (*(f"{name}={value}" for name, value in pairs), *changes["settings"])
+    return changes | {"settings": settings, "rows": swept or changes["rows"]}
 
 
 def _each_once(descriptions: Sequence[Path]) -> list[Path]:

@@ -7,7 +7,7 @@ import re
 import sys
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -28,30 +28,22 @@ Command = TypeVar("Command", bound=Callable[..., Any])
 STANDARD_INPUT = Path("-")
 
 
-@dataclass(frozen=True, slots=True)
-class Changes:
-    """The options of `change_options` as they were given."""
-
-    settings: tuple[str, ...] = ()
-    rows: str | None = None
-    step: str | None = None
-
-
-def described(path: Path, changes: Changes, language: str | None = None) -> Mechanism:
-    """The mechanism of a file, or of standard input when it is called `-`, with the changes that options ask for."""
-    from mechsheet.description import MAX_BYTES, text_of
+def described(path: Path, settings: Iterable[str] = (), **others: Any) -> Mechanism:
+    """The mechanism of a file, or of standard input when it is called `-`, with `a1=65` of --set and other `Overrides`."""
+    from mechsheet.description import MAX_BYTES, Overrides, text_of
     from mechsheet.description.text.source import read_text
     from mechsheet.library.changed import loads
 
-    pairs, faults = _pairs(changes.settings)
+    pairs, faults = _pairs(settings)
+    overrides = Overrides(pairs, **others)
     try:
         if path != STANDARD_INPUT:
             text = read_text(path)
         else:
             content = b"" if sys.stdin is None else sys.stdin.buffer.read(MAX_BYTES + 1)  # None: it was closed
             text = text_of(content, _name_of(path))
-        speak(language or language_of(text))
-        mechanism = loads(text, _name_of(path), pairs, language, changes.rows, changes.step)
+        speak(overrides.language or language_of(text))
+        mechanism = loads(text, _name_of(path), overrides)
     except MechsheetError as error:
         if not faults:
             raise
@@ -71,7 +63,7 @@ def at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
     from mechsheet.description.locate import located
 
     def at_line(error: MechanismError) -> MechsheetError:
-        return located(error, mechanism.text, _name_of(path))
+        return located(error, mechanism.listing, _name_of(path))
 
     speak(mechanism.language)
     with doubts_told(at_line):
@@ -142,7 +134,7 @@ def settings_of(options: tuple[str, ...]) -> dict[str, str]:
     return dict(pairs)
 
 
-def _pairs(options: tuple[str, ...]) -> tuple[list[tuple[str, str]], list[Fault]]:
+def _pairs(options: Iterable[str]) -> tuple[list[tuple[str, str]], list[Fault]]:
     """`a1=65` options as pairs of name and value, in their order; and what is no such pair."""
     found = []
     faults = []
@@ -181,7 +173,7 @@ def with_options(options: Sequence[Any], command: Command) -> Command:
 
 
 def change_options(command: Command) -> Command:
-    """The options of every command that reads a description: what is changed in it. See `Changes`."""
+    """The options of every command that reads a description: what is changed in it. See `described`."""
     return with_options(_CHANGES, command)
 
 

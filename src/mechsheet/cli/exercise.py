@@ -8,7 +8,7 @@ import click
 
 from mechsheet.diagnostics import MechsheetError
 
-from .common import Changes, at_lines_of, described, progress, say_written
+from .common import at_lines_of, described, progress, say_written
 from .helping import Explained
 from .speaking import note
 
@@ -35,7 +35,7 @@ def exercise(description: Path, class_list: Path, output: Path, seed: int, langu
     from mechsheet.homework.classroom.exercise import faults_of_class
 
     try:
-        mechanism = described(description, Changes(), language)
+        mechanism = described(description, language=language)
     except MechsheetError as error:  # all that is wrong at once, with the list as well
         raise MechsheetError([*error.faults, *faults_of_class(class_list)]) from error
     with at_lines_of(mechanism, description), progress(class_list.name) as tell:

@@ -13,7 +13,6 @@ from mechsheet.said import say
 
 from .common import (
     STANDARD_OUTPUT,
-    Changes,
     at_lines_of,
     change_options,
     completing,
@@ -76,7 +75,7 @@ def export(
     from mechsheet.exporting import export as write
 
     wanted = kind_of(kind)
-    mechanism = described(description, Changes(**changes), language)
+    mechanism = described(description, language=language, **changes)
     if output == STANDARD_OUTPUT and frames is not None:
         raise MechsheetError(Fault(say("several files are not printed"), key="-o", hint=say("name a folder")))
     if output == STANDARD_OUTPUT:

@@ -9,7 +9,7 @@ import click
 
 from mechsheet.arguments.outputs import folder_ready
 
-from .common import Changes, at_lines_of, change_options, described, output_file, output_option, progress, say_written
+from .common import at_lines_of, change_options, described, output_file, output_option, progress, say_written
 from .helping import Explained
 
 
@@ -36,7 +36,7 @@ def plot(
     """
     from mechsheet.plotting import plot as draw
 
-    mechanism = described(description, Changes(**changes), language)
+    mechanism = described(description, language=language, **changes)
     path = output_file(output, f"{mechanism.stem}.svg", (description,))
     with progress(description.name) as tell, at_lines_of(mechanism, description), folder_ready(output):
         tell("drawing")

@@ -9,7 +9,7 @@ import click
 
 from mechsheet.diagnostics import readable_name
 
-from .common import JSON, Changes, at_lines_of, change_options, described, progress
+from .common import JSON, at_lines_of, change_options, described, progress
 from .helping import Explained
 from .streams import print_file
 
@@ -53,7 +53,7 @@ def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **cha
     from mechsheet.library import dimensions, tolerances, verdicts
     from mechsheet.library import show as shows
 
-    mechanism = described(description, Changes(**changes))
+    mechanism = described(description, **changes)
     with at_lines_of(mechanism, description), progress(description.name) as tell:
         tell("solving")
         if what == "equations":

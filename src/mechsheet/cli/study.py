@@ -14,7 +14,7 @@ import click
 from mechsheet.diagnostics import Fault, MechanismError
 from mechsheet.said import Said, say
 
-from .common import FORMATS_COMPLETED, Changes, at_lines_of, bar_of, change_options, described
+from .common import FORMATS_COMPLETED, at_lines_of, bar_of, change_options, described
 from .helping import Explained
 from .speaking import told
 
@@ -63,7 +63,7 @@ def study(
     from mechsheet.library.studying import bytes_of, known_formats
     from mechsheet.studies.run import studied
 
-    mechanism = described(description, Changes(**changes))
+    mechanism = described(description, **changes)
     memory = bytes_of(limit_memory)
     forms = known_formats(formats)
     with at_lines_of(mechanism, description), _bar() as tell:

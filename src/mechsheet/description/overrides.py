@@ -1,4 +1,4 @@
-"""Changing a description's dimensions as the command line asks: the values as typed are checked, then written into its text.
+"""What a caller changes in a description: `Overrides`; its values as typed are checked, then written into the text.
 
 The text is changed first and read afterwards, so what is read is what the workbook will carry.
 """
@@ -6,7 +6,8 @@ The text is changed first and read afterwards, so what is read is what the workb
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TypeAlias
 
 from mechsheet.description.asked.task_values import task_names, task_place, with_task_value
@@ -19,13 +20,49 @@ from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import Fault
 from mechsheet.said import say
 
-Overrides: TypeAlias = Mapping[str, str] | Sequence[tuple[str, str]]
+LANGUAGES = ("en", "tr")
+LAYOUTS = ("sheets", "page")
+
+Values: TypeAlias = Mapping[str, str] | Sequence[tuple[str, str]]
 """Name and value as typed, in their order; a name may come again."""
 
 
-def in_order(values: Overrides) -> Sequence[tuple[str, str]]:
-    """The pairs (name, value as typed)."""
-    return list(values.items()) if isinstance(values, Mapping) else values
+@dataclass(frozen=True, slots=True)
+class Overrides:
+    """What stands in place of what a description says; nothing of all that is not given.
+
+    values            of dimensions, of the task of a synthesis, of assembly modes: {"a1": "65"}; see `with_values`
+    rows, step        of the driver's sweep, as typed: see `with_sweep`
+    language, layout  of the workbook: "en" or "tr", "sheets" or "page"
+    tolerance         bands of all outputs and summaries, where the description asks for none
+    """
+
+    values: Values = ()
+    rows: str | None = None
+    step: str | None = None
+    language: str | None = None
+    layout: str | None = None
+    tolerance: bool = False
+
+    @property
+    def pairs(self) -> Sequence[tuple[str, str]]:
+        """The values as pairs."""
+        return list(self.values.items()) if isinstance(self.values, Mapping) else self.values
+
+    @property
+    def faults(self) -> list[Fault]:
+        """What no description can have."""
+        found = []
+        if self.language not in (None, *LANGUAGES):
+            message = say("unknown language {language}", language=quoted(str(self.language)))
+            found.append(Fault(message, hint=say('languages: "en", "tr"')))
+        if self.layout not in (None, *LAYOUTS):
+            message = say("unknown layout {layout}", layout=quoted(str(self.layout)))
+            found.append(Fault(message, hint=say('layouts: "sheets", "page"')))
+        return found
+
+
+AS_IT_IS = Overrides()
 
 
 def option_of(given: str) -> str:
@@ -38,14 +75,14 @@ def name_of(given: str) -> str:
     return unicodedata.normalize("NFC", given.strip())
 
 
-def with_values(source: Source, values: Overrides) -> tuple[Source, list[Fault]]:
-    """The source with dimensions changed to `values`, and what is wrong with these.
+def with_values(source: Source, pairs: Iterable[tuple[str, str]]) -> tuple[Source, list[Fault]]:
+    """The source with other values, (name, value as typed) each, and what is wrong with these.
 
     A value is a number in the dimension's own unit, or an expression (see `typed_value`): names in it mean the dimensions
     after the changes before it.
     """
     faults: list[Fault] = []
-    for given, value in in_order(values):
+    for given, value in pairs:
         source, found = _with_value(source, name_of(given), value, option_of(f"{given}={value}"))
         faults += found
     return source, faults

@@ -14,7 +14,7 @@ from mechsheet.description.driving import driver, drivers, rates
 from mechsheet.description.driving.sweep import with_sweep
 from mechsheet.description.forces import dynamics, flywheel, force_names
 from mechsheet.description.head import choice, part, scope_of
-from mechsheet.description.overrides import Overrides, with_values
+from mechsheet.description.overrides import AS_IT_IS, Overrides, with_values
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import Report
 from mechsheet.description.schema import DESCRIPTION, FORMAT
@@ -24,50 +24,29 @@ from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.description.text.file_names import is_device
 from mechsheet.description.text.origin import with_origin
 from mechsheet.description.text.rewrite import with_value
-from mechsheet.description.text.source import Source, parse_as_meant, read_text
-from mechsheet.diagnostics import DescriptionError, Fault, readable_name
+from mechsheet.description.text.source import Source, parse, parse_as_meant, read_text
+from mechsheet.diagnostics import DescriptionError, readable_name
 from mechsheet.model import Dimension, Driver, Dynamics, FurtherDriver, Joint, Link, Mechanism, Sketch, Solution, Words
 from mechsheet.said import say
 
-LANGUAGES = ("en", "tr")
-LAYOUTS = ("sheets", "page")
 
-
-def load(path: str | FilePath, overrides: Overrides | None = None, language: str | None = None) -> Mechanism:
-    """The mechanism that a file describes.
-
-    path       a description, format 1
-    overrides  dimension -> number or expression as text, in their order: {"a1": "65"}; see `with_values`
-    language   "en" or "tr", in place of the description's own
+def load(path: str | FilePath, overrides: Overrides = AS_IT_IS) -> Mechanism:
+    """The mechanism that a file describes, format 1, with changes.
 
     Raises DescriptionError with every fault found, each with file, line and key. `Mechanism.text` is the file with the
     overrides written into it, so that reading it again gives the same mechanism.
     """
-    return replace(loads(read_text(path), readable_name(path), overrides, language), file=FilePath(path).stem)
+    return replace(loads(read_text(path), readable_name(path), overrides), file=FilePath(path).stem)
 
 
-def loads(
-    text: str,
-    file: str = "<text>",
-    overrides: Overrides | None = None,
-    language: str | None = None,
-    *,
-    rows: str | None = None,
-    step: str | None = None,
-) -> Mechanism:
-    """The mechanism that a text describes; `file` is what messages call it. See `load`.
-
-    step, rows  of the driver's sweep, as text: see `with_sweep`
-    """
+def loads(text: str, file: str = "<text>", overrides: Overrides = AS_IT_IS) -> Mechanism:
+    """The mechanism that a text describes; `file` is what messages call it. See `load`."""
     source, faults = parse_as_meant(text, file)
     mistyped = {fault.line for fault in faults}
-    if language is not None and language not in LANGUAGES:
-        faults.append(
-            Fault(say("unknown language {language}", language=quoted(language)), hint=say('languages: "en", "tr"'))
-        )
+    faults += overrides.faults
     if not faults:
-        source, faults_of_values = with_values(source, overrides or ())
-        source, faults_of_sweep = with_sweep(source, rows, step)
+        source, faults_of_values = with_values(source, overrides.pairs)
+        source, faults_of_sweep = with_sweep(source, overrides.rows, overrides.step)
         faults += faults_of_values + faults_of_sweep
     _check_format(source)
     report = Report(source)
@@ -76,48 +55,49 @@ def loads(
     faults += [fault for fault in report.in_order() if fault.line is None or fault.line not in mistyped]
     if faults or mechanism is None:
         raise DescriptionError(sorted(faults, key=lambda fault: fault.line or 0))
-    if language is not None and language != mechanism.language:
-        mechanism = loads(with_value(source, ("workbook", "language"), f'"{language}"').text, file)
-    if overrides:
+    if overrides.values:
         mechanism = replace(mechanism, sketch=replace(mechanism.sketch, doubted=False))
-    return mechanism
+    return with_settings(mechanism, overrides, file)
 
 
-def with_layout(mechanism: Mechanism, layout: str | None, file: str = "<text>") -> Mechanism:
-    """The mechanism with a layout of its workbook, "sheets" or "page", in place of its description's own (None: that).
+def read_again(mechanism: Mechanism, source: Source) -> Mechanism:
+    """The mechanism whose text was changed to that of `source`; what stands in no text stays as it was.
 
-    It stands in its text, too; `file` is what messages call that. Raises DescriptionError for a layout that is not known,
-    or that cannot hold what the description asks for.
+    What is wrong with it is told at the lines of the text before: nobody has seen the one that was changed.
     """
-    if layout is None or layout == mechanism.layout:
-        return mechanism
-    if layout not in LAYOUTS:
-        raise DescriptionError(
-            Fault(say("unknown layout {layout}", layout=quoted(layout)), hint=say('layouts: "sheets", "page"'))
-        )
-    source, _ = parse_as_meant(mechanism.text, file)
-    found = loads(with_value(source, ("workbook", "layout"), f'"{layout}"').text, file)
-    sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
-    return replace(found, file=mechanism.file, sketch=sketch, redundant=mechanism.redundant)
+    report = Report(parse(mechanism.listing, source.file))
+    found = _read(source, report)
+    if found is None:
+        raise DescriptionError(report.in_order())
+    also = {each.link.name: each.also for each in mechanism.redundant}
+    return replace(
+        found,
+        file=mechanism.file,
+        before=mechanism.before,
+        sketch=replace(found.sketch, doubted=mechanism.sketch.doubted),
+        redundant=tuple(replace(each, also=also.get(each.link.name)) for each in found.redundant),
+    )
 
 
-def with_tolerance(mechanism: Mechanism, file: str = "<text>") -> Mechanism:
-    """The mechanism with bands of all its outputs and summaries, where its description asks for none.
+def with_settings(mechanism: Mechanism, overrides: Overrides, file: str = "<text>") -> Mechanism:
+    """The mechanism with another language, another layout of its workbook, and bands, as far as these are asked for.
 
-    It stands in its text, too; `file` is what messages call that. Raises DescriptionError where nothing can have a band.
+    All of it stands in its text, too; `file` is what messages call that. Raises DescriptionError for what is not known,
+    for a layout that cannot hold what the description asks for, and where nothing can have a band.
     """
-    if mechanism.bands is not None:
+    if overrides.faults:
+        raise DescriptionError(overrides.faults)
+    keys = [key for key in ("language", "layout") if getattr(overrides, key) not in (None, getattr(mechanism, key))]
+    bands = overrides.tolerance and mechanism.bands is None
+    if not keys and not bands:
         return mechanism
-    source, _ = parse_as_meant(mechanism.text, file)
-    own = source.text.rstrip()
-    try:
-        found = loads(with_origin(f"{own}\n\n[tolerance]\n", own, file), file)
-    except DescriptionError as error:
-        last = own.count("\n") + 1  # who asks by an option has no line [tolerance] to look at
-        told = [replace(each, line=None, source="") if (each.line or 0) > last else each for each in error.faults]
-        raise DescriptionError(told) from None
-    sketch = replace(found.sketch, doubted=mechanism.sketch.doubted)
-    return replace(found, file=mechanism.file, sketch=sketch, redundant=mechanism.redundant)
+    source = parse(mechanism.text, file)
+    for key in keys:
+        source = with_value(source, ("workbook", key), f'"{getattr(overrides, key)}"')
+    if bands:
+        own = source.text.rstrip()
+        source = parse(with_origin(f"{own}\n\n[tolerance]\n", own, file), file)
+    return read_again(mechanism, source)
 
 
 def _check_format(source: Source) -> None:
@@ -282,6 +262,7 @@ class _Reading:
             sketch=self.sketch,
             dynamics=self.masses,
             text=self.source.text,
+            listing=self.report.source.text,
             **self.parts,
         )
 

@@ -9,13 +9,12 @@ from pathlib import Path
 from mechsheet.checking import check
 from mechsheet.checking.report_lines import report_lines
 from mechsheet.compiled import compiled_of
+from mechsheet.description import Overrides
 from mechsheet.description.locate import located
-from mechsheet.description.reader import loads, with_layout
 from mechsheet.diagnostics import MechanismError
 from mechsheet.drawing_page.questions import Refusal
 from mechsheet.library.building import build
-from mechsheet.library.phases_from_sketch import with_phases
-from mechsheet.library.redundant_links import with_redundant
+from mechsheet.library.changed import loads
 from mechsheet.library.verdicts import verdict
 from mechsheet.model import Mechanism
 from mechsheet.plotting import drawn
@@ -45,16 +44,15 @@ def file_of(text: str, file: str, kind: str, at: float | None, layout: str, lang
         if kind == "gif":
             return drawn(mechanism, kind)
     except MechanismError as error:
-        raise located(error, mechanism.text, file) from error
+        raise located(error, mechanism.listing, file) from error
     raise Refusal(f'no kind of file is called "{kind}"')
 
 
 def _mechanism(text: str, file: str, layout: str, language: str) -> Mechanism:
     if language not in ("", "en", "tr") or layout not in ("", "sheets", "page"):
         raise Refusal("no such language or layout")
-    mechanism = with_phases(with_redundant(loads(text, file, None, language or None), file), file)
-    mechanism = replace(mechanism, file=Path(file).stem)
-    return with_layout(mechanism, layout or None)
+    found = loads(text, file, Overrides(language=language or None, layout=layout or None))
+    return replace(found, file=Path(file).stem)
 
 
 def checked(text: str, file: str, layout: str, language: str) -> list[str]:
@@ -70,4 +68,4 @@ def checked(text: str, file: str, layout: str, language: str) -> list[str]:
             report = replace(check(path), file=name)
         return [verdict(compiled_of(mechanism)), *report_lines(report)]
     except MechanismError as error:
-        raise located(error, mechanism.text, file) from error
+        raise located(error, mechanism.listing, file) from error

@@ -10,15 +10,13 @@ from typing import Any
 from mechsheet.compiled import Compiled
 from mechsheet.description.locate import located
 from mechsheet.description.parts import Parts, parts_of
-from mechsheet.description.reader import loads
 from mechsheet.description.text.source import Source, parse
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
-from mechsheet.library.phases_from_sketch import with_phases
-from mechsheet.library.redundant_links import with_redundant
+from mechsheet.library.changed import loads
 from mechsheet.model import Cartesian, Distances, Driver, Joint, Link, Mechanism, Polar, Quantity, Words
 from mechsheet.words.messages import text_in
 
@@ -57,7 +55,7 @@ def read(text: str, file: str) -> Reading:
     parts = parts_of(source)
     count, loose = _counted(parts)
     try:
-        mechanism = with_phases(with_redundant(loads(text, file), file), file)
+        mechanism = loads(text, file)
     except MechsheetError as error:
         told = [*error.faults, *(fault for fault in located(MechanismError(loose), text, file).faults)]
         return Reading(text, source, parts, None, tuple(told), count)

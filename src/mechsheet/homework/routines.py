@@ -16,7 +16,7 @@ from functools import lru_cache
 from typing import Literal, TypeAlias
 
 from mechsheet.compiled import Compiled
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.engine import evaluate
 from mechsheet.exporting.functions import functions_of
@@ -70,7 +70,7 @@ def _plain(name: str) -> str:
 @lru_cache(maxsize=2)
 def _routines(language: Language) -> dict[str, tuple[str, Node]]:
     """Plain name -> (name, LAMBDA) of all routines of a language; configurations of the pump are those of its sketch."""
-    mechanism = loads(template_text(PUMP), PUMP, language=language)
+    mechanism = loads(template_text(PUMP), PUMP, Overrides(language=language))
     compiled = Compiled(mechanism)
     functions = functions_of(Source(compiled), language)
     names = {function.key: function.name for function in functions}

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from mechsheet.description.reader import with_layout, with_tolerance
+from mechsheet.description import Overrides
+from mechsheet.description.reader import with_settings
 from mechsheet.diagnostics import Fault, MechsheetError, OutputError, near_miss, readable_name
 from mechsheet.model import Mechanism
 from mechsheet.said import say
@@ -73,9 +74,7 @@ def build(
     the mechanism cannot be solved, OutputError when a file cannot be written or holds somebody's changes,
     MechsheetError for formats that are not known or do not fit the file.
     """
-    mechanism = with_layout(mechanism, layout)
-    if tolerance:
-        mechanism = with_tolerance(mechanism)
+    mechanism = with_settings(mechanism, Overrides(layout=layout, tolerance=tolerance))
     wanted = targets(mechanism, output, formats, functions)
     if not force:
         refuse_edited(wanted)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from mechsheet.arguments.numbers import number_text, whole_number_given
 from mechsheet.counted import counted
+from mechsheet.description.overrides import Overrides
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.extras import missing_package
 from mechsheet.model import Mechanism
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from mechsheet.compiled import Compiled
 
 Value: TypeAlias = "str | float | Fraction | Decimal | np.number[Any]"
-Overrides: TypeAlias = Mapping[str, Value]
+Values: TypeAlias = Mapping[str, Value]
 
 
 class Motion(Mapping[str, NDArray[np.float64]]):
@@ -157,7 +158,7 @@ def _linkage(mechanism: Mechanism) -> Linkage:
 
 def load(
     path: str | Path,
-    overrides: Overrides | None = None,
+    overrides: Values | None = None,
     language: str | None = None,
     *,
     rows: int | None = None,
@@ -176,13 +177,13 @@ def load(
     """
     from mechsheet.library import changed
 
-    return _linkage(changed.load(path, _texts(overrides), language, *_sweep(rows, step)))
+    return _linkage(changed.load(path, _overrides(overrides, language, rows, step)))
 
 
 def loads(
     text: str,
     file: str = "<text>",
-    overrides: Overrides | None = None,
+    overrides: Values | None = None,
     language: str | None = None,
     *,
     rows: int | None = None,
@@ -191,12 +192,12 @@ def loads(
     """The same from a text; `file` is what messages call it."""
     from mechsheet.library import changed
 
-    return _linkage(changed.loads(text, file, _texts(overrides), language, *_sweep(rows, step)))
+    return _linkage(changed.loads(text, file, _overrides(overrides, language, rows, step)))
 
 
 def template(
     name: str,
-    overrides: Overrides | None = None,
+    overrides: Values | None = None,
     language: str | None = None,
     *,
     rows: int | None = None,
@@ -211,20 +212,21 @@ def template(
     return loads(template_text(name), name, overrides, language, rows=rows, step=step)
 
 
-def _sweep(rows: int | None, step: Value | None) -> tuple[str | None, str | None]:
-    """Rows and step as texts. Raises MechsheetError for what is no number."""
+def _overrides(values: Values | None, language: str | None, rows: int | None, step: Value | None) -> Overrides:
+    """What is given as texts. Raises MechsheetError for what is no number, with every such value."""
+    texts = _texts(values)
     count = None if rows is None else str(whole_number_given(rows, "rows"))
-    return count, step if step is None or isinstance(step, str) else number_text(step, "step")
+    by = step if step is None or isinstance(step, str) else number_text(step, "step")
+    return Overrides(texts, count, by, language)
 
 
-def _texts(overrides: Overrides | None) -> dict[str, str]:
-    """The values as texts. Raises MechsheetError with every value that is no number."""
-    if not isinstance(overrides, Mapping | None):
+def _texts(values: Values | None) -> dict[str, str]:
+    if not isinstance(values, Mapping | None):
         hint = say('{"a1": 65}: the dimension, and its value in its own unit')
         raise MechsheetError(Fault(say("expected a mapping of values"), key="overrides", hint=hint))
     texts: dict[str, str] = {}
     faults: list[Fault] = []
-    for name, value in (overrides or {}).items():
+    for name, value in (values or {}).items():
         try:
             texts[str(name)] = value if isinstance(value, str) else number_text(value, str(name))
         except MechsheetError as error:

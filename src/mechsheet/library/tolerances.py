@@ -7,7 +7,8 @@ import math
 from dataclasses import replace
 from typing import TypedDict
 
-from mechsheet.description.reader import with_tolerance
+from mechsheet.description import Overrides
+from mechsheet.description.reader import with_settings
 from mechsheet.library.building import told
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot
@@ -43,7 +44,7 @@ def bands_of(mechanism: Mechanism, file: str = "<text>") -> dict[str, Band]:
     Raises DescriptionError where no dimension has a tolerance or nothing can have a band, MechanismError where the mechanism
     cannot be solved.
     """
-    compiled = told(with_tolerance(mechanism, file))
+    compiled = told(with_settings(mechanism, Overrides(tolerance=True), file))
     plan = compiled.plan
 
     def number(spot: Spot) -> float | None:

@@ -476,6 +476,7 @@ class Mechanism:
     redundant    links that are left out of what has to be solved
     file         the stem of the file that it was read from, "" when it was read from none
     before       the same without the changes that a caller asked for; None when there are none
+    listing      the text whose lines messages name: the file with the values asked for, without what was added
     """
 
     name: str
@@ -510,6 +511,7 @@ class Mechanism:
     text: str = ""
     file: str = field(default="", compare=False)
     before: Mechanism | None = field(default=None, compare=False)
+    listing: str = field(default="", compare=False, repr=False)
 
     @property
     def whole_links(self) -> tuple[Link, ...]:

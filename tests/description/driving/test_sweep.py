@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.kinematics.dimensions import dimension_values
@@ -42,7 +42,7 @@ def swept(mechanism):
     ],
 )
 def test_rows_and_step_in_the_text(name, rows, step, written):
-    before, after = loads(TEXTS[name]), loads(TEXTS[name], rows=rows, step=step)
+    before, after = loads(TEXTS[name]), loads(TEXTS[name], overrides=Overrides(rows=rows, step=step))
     assert f"\n{written}\n" in after.text
     old, new = swept(before), swept(after)
     assert new[0] == old[0]
@@ -56,17 +56,17 @@ def test_rows_and_step_in_the_text(name, rows, step, written):
 
 def test_what_follows_from_expressions_goes_on_following():
     """The sweep between two derived angles has its rows also after a dimension was changed in the text."""
-    text = loads(TEXTS["roberts"], rows="11").text
-    assert len(swept(loads(text, overrides={"a2": "250"}))) == 11
-    changed = loads(TEXTS["roberts"], {"a2": "250"}, rows="11")
-    assert np.array_equal(swept(changed), swept(loads(text, {"a2": "250"})))
+    text = loads(TEXTS["roberts"], overrides=Overrides(rows="11")).text
+    assert len(swept(loads(text, overrides=Overrides({"a2": "250"})))) == 11
+    changed = loads(TEXTS["roberts"], overrides=Overrides({"a2": "250"}, rows="11"))
+    assert np.array_equal(swept(changed), swept(loads(text, overrides=Overrides({"a2": "250"}))))
 
 
 def test_a_sweep_that_is_not_whole_is_completed():
     text = TEXTS["four-bar"].replace("stop = 360\n", "").replace("step = 15\n", "")
-    assert swept(loads(text, rows="3", step="20")).tolist() == pytest.approx([0, 20, 40])
+    assert swept(loads(text, overrides=Overrides(rows="3", step="20"))).tolist() == pytest.approx([0, 20, 40])
     with pytest.raises(DescriptionError, match='"stop" and "step" are missing'):
-        loads(text, rows="3")
+        loads(text, overrides=Overrides(rows="3"))
 
 
 @pytest.mark.parametrize(
@@ -93,7 +93,7 @@ def test_a_sweep_that_is_not_whole_is_completed():
 )
 def test_faults(rows, step, messages):
     with pytest.raises(DescriptionError) as caught:
-        loads(TEXTS["four-bar"], "four-bar.toml", rows=rows, step=step)
+        loads(TEXTS["four-bar"], "four-bar.toml", Overrides(rows=rows, step=step))
     assert all(message in str(caught.value) for message in messages), str(caught.value)
     assert len(caught.value.faults) == (rows is not None and step == "1,8") + 1
     assert {(fault.file, fault.line) for fault in caught.value.faults} == {("four-bar.toml", None)}
@@ -102,21 +102,21 @@ def test_faults(rows, step, messages):
 def test_faults_together():
     text = TEXTS["four-bar"].replace('link = "crank"', 'link = "cronk"')
     with pytest.raises(DescriptionError) as caught:
-        loads(text, overrides={"a9": "1"}, rows="1")
+        loads(text, overrides=Overrides({"a9": "1"}, rows="1"))
     assert [fault.key for fault in caught.value.faults] == ["overrides: a9=1", "rows", "driver.link"]
 
 
 def test_from_one_value_to_the_same_no_step_leads():
     text = TEXTS["four-bar"].replace("stop = 360", "stop = 0")
     with pytest.raises(DescriptionError, match="rows: start and stop are the same: no step makes 5 rows"):
-        loads(text, rows="5")
-    assert len(swept(loads(text, rows="5", step="3"))) == 5
+        loads(text, overrides=Overrides(rows="5"))
+    assert len(swept(loads(text, overrides=Overrides(rows="5", step="3")))) == 5
 
 
 def test_values_one_by_one_are_no_sweep():
     text = TEXTS["four-bar"].replace("start = 0\nstop = 360\nstep = 15", "values = [0, 30, 90]")
     with pytest.raises(DescriptionError) as caught:
-        loads(text, rows="5", step="3")
+        loads(text, overrides=Overrides(rows="5", step="3"))
     assert [fault.key for fault in caught.value.faults] == ["step", "rows"]
     assert "listed one by one" in str(caught.value)
 
@@ -126,5 +126,5 @@ def test_a_faulty_sweep_is_told_once(start):
     text = TEXTS["four-bar"].replace("start = 0", f"start = {start}")
     for changes in ({"rows": "5"}, {"step": "5"}, {"rows": "5", "step": "5"}):
         with pytest.raises(DescriptionError) as caught:
-            loads(text, **changes)
+            loads(text, overrides=Overrides(**changes))
         assert [fault.key for fault in caught.value.faults] == ["driver.start"]

@@ -9,8 +9,7 @@ import pytest
 from mechsheet import portable
 from mechsheet.compiled.evaluation import book_of
 from mechsheet.compiled.mechanism import compiled_of
-from mechsheet.description import load
-from mechsheet.description.reader import with_layout
+from mechsheet.description import Overrides, load
 from mechsheet.engine import PORTABLE, compile_book, evaluate
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import Call, walk
@@ -133,7 +132,7 @@ def test_all_that_descriptions_may_use_is_portable():
      ("five-bar-robot", "sheets"), ("adjustable-pump", "sheets")],
 )  # fmt: skip
 def test_all_that_workbooks_use_is_portable(name, layout):
-    mechanism = with_layout(load(ROOT / "templates" / f"{name}.toml"), layout)
+    mechanism = load(ROOT / "templates" / f"{name}.toml", Overrides(layout=layout))
     used = {
         node.name
         for sheet in book_of(compiled_of(mechanism).layout).sheets

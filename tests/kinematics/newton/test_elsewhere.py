@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import solve
@@ -10,7 +10,9 @@ from mechsheet.library import changed
 
 
 def told(name, **overrides):
-    mechanism = changed.loads(template_text(name), overrides={key: str(value) for key, value in overrides.items()})
+    mechanism = changed.loads(
+        template_text(name), overrides=Overrides({key: str(value) for key, value in overrides.items()})
+    )
     return doubts(mechanism, solve(mechanism))
 
 
@@ -32,6 +34,12 @@ def told(name, **overrides):
 def test_an_assembly_that_the_sketch_leaves(name, overrides, words, hint):
     found = told(name, **overrides)
     assert [words in fault.message and hint in fault.hint for fault in found] == [True] * bool(words)
+
+
+@pytest.mark.parametrize("other", [{"language": "tr"}, {"layout": "page"}])
+def test_what_the_workbook_is_like_does_not_matter(other):
+    mechanism = changed.loads(template_text("planar-3rpr"), overrides=Overrides({"y2": "2.4"}, **other))
+    assert doubts(mechanism, solve(mechanism)) == tuple(told("planar-3rpr", y2=2.4))
 
 
 def test_groups_of_newton_move_by_a_law():

@@ -6,7 +6,7 @@ import pytest
 from laid import Laid, template_text
 
 import mechsheet
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.library.show import overview_text
 from mechsheet.library.verdicts import verdicts_json
@@ -100,7 +100,7 @@ def test_a_row_beside_the_pole_of_an_absolute_value():
 
 
 def test_programs_and_check_are_told_the_same(tmp_path):
-    mechanism = loads(AROUND, overrides={"a2": "50"})
+    mechanism = loads(AROUND, overrides=Overrides({"a2": "50"}))
     said = json.loads(verdicts_json(mechanism))
     assert said["ratio_max"]["value"] is None and WORDS["en"] in said["ratio_max"]["words"]
     assert abs(said["ratio_max"]["where"]) == pytest.approx(160.41, abs=0.01)

@@ -6,7 +6,7 @@ import pytest
 from laid import Laid, template_text
 
 from mechsheet.compiled import Compiled
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.search import Search
 from mechsheet.library.show import overview_text
@@ -37,7 +37,7 @@ def cell(laid, name, col=1):
 
 def of_search(laid, **dimensions):
     """Swing and transmission angles as a search between the rows has them [rad]."""
-    mechanism = loads(TEXT, overrides={key: str(value) for key, value in dimensions.items()})
+    mechanism = loads(TEXT, overrides=Overrides({key: str(value) for key, value in dimensions.items()}))
     compiled = Compiled(mechanism)
     search = Search(mechanism, compiled.equations, compiled.given)
     low, _, high, _ = search.extremes("theta14")
@@ -91,7 +91,10 @@ def test_the_named_cell_of_an_output_of_every_row_is_at_the_position_shown():
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_on_a_page_they_are_of_its_rows(language):
     compiled = Compiled(
-        loads(TEXT.replace("[outputs]", '[workbook]\nlayout = "page"\n[outputs]', 1), language=language)
+        loads(
+            TEXT.replace("[outputs]", '[workbook]\nlayout = "page"\n[outputs]', 1),
+            overrides=Overrides(language=language),
+        )
     )
     plan = compiled.plan
     rows = [compiled.value(plan.at.spots["theta14"], row) for row in range(plan.rows)]

@@ -14,7 +14,7 @@ from mechsheet.checking import check
 from mechsheet.checking.cells import compare_cells
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.engine import evaluate
 from mechsheet.formats import read
 from mechsheet.formula.nodes import CellRef, NameRef, RangeRef, shifted, walk
@@ -47,7 +47,9 @@ class Page:
     """A description in this layout, and the values of its cells."""
 
     def __init__(self, text, language=None, names=False, **overrides):
-        mechanism = loads(text, language=language, overrides={key: str(value) for key, value in overrides.items()})
+        mechanism = loads(
+            text, overrides=Overrides({key: str(value) for key, value in overrides.items()}, language=language)
+        )
         self.mechanism = replace(mechanism, layout="page", references="names" if names else "anchors")
         self.compiled = Compiled(self.mechanism)
         self.workbook, self.plan = self.compiled.layout, self.compiled.plan

@@ -7,7 +7,7 @@ import pytest
 
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.references import cell_address
 from mechsheet.library.session import Session
@@ -22,7 +22,7 @@ class Chart:
     """The sheet of a description: its cells, what is typed into the task."""
 
     def __init__(self, text, language="en"):
-        compiled = Compiled(loads(text, language=language))
+        compiled = Compiled(loads(text, overrides=Overrides(language=language)))
         self.spots, self.title = compiled.plan.at.spots, compiled.plan.at.titles["alt"]
         self.session = Session(book_of(compiled.layout))
 

@@ -10,7 +10,7 @@ import pytest
 from chosen import part
 from judging import positions_only
 from mechsheet.compiled.evaluation import computed
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.formula.nodes import CellRef, ErrorValue, shifted, walk
 from mechsheet.formula.printer import print_formula
@@ -26,7 +26,7 @@ CASES = tomllib.loads((ROOT / "tests/cases/tables.toml").read_text(encoding="utf
 
 
 def template(name, **overrides):
-    return loads((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8"), overrides=overrides)
+    return loads((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8"), overrides=Overrides(overrides))
 
 
 def blocks(sheet, plan, count):
@@ -90,7 +90,7 @@ def test_equals_positions(case):
     )
     numbers = 0
     for col, value in enumerate(case["values"], 1):
-        single, single_plan = positions_only(loads(text, overrides={case["column"]: str(value)}))
+        single, single_plan = positions_only(loads(text, overrides=Overrides({case["column"]: str(value)})))
         single = computed(single)
         for row, expected in enumerate(shown_column(single, single_plan, case["value"]), FIRST):
             found = table.value(row, col)
@@ -131,13 +131,13 @@ def test_angles_do_not_jump(name, value, column, values, language):
     text = (ROOT / f"templates/{name}.toml").read_text(encoding="utf-8").partition("[[tables]]")[0]
     text = text.partition("[[charts]]")[0].partition("[workbook]")[0]
     request = f'[[tables]]\nrows = "theta12"\ncolumns = {{ {column} = {values} }}\nvalue = "{value}"\n'
-    workbook, plan = compile_workbook(loads(text + request, language=language))
+    workbook, plan = compile_workbook(loads(text + request, overrides=Overrides(language=language)))
     sheet = next(sheet for sheet in workbook.sheets if value in sheet.title)
     table, *_ = blocks(sheet, plan, len(values))
     for col, number in enumerate(values, 1):
         cells = [table.value(FIRST + row, col) for row in range(plan.rows)]
         ours = np.array([cell if isinstance(cell, float) else np.nan for cell in cells])
-        mechanism = loads(text, overrides={column: str(number)})
+        mechanism = loads(text, overrides=Overrides({column: str(number)}))
         try:
             start = rough_poses(mechanism, plan.equations.equations)
             theirs = np.degrees(variables(refer(mechanism, start=start))[value])

@@ -201,18 +201,11 @@ def _written(source: Source, changes: Sequence[Change], target: Expected, file: 
 
 def _with_change(source: Source, change: Change) -> Source:
     match change.key:
-        case ("dimensions", str(symbol)):
-            path: Place = ("dimensions", symbol)
-            inside: Place = (*path, "value")
-            return with_number(source, inside if inside in source.spots else path, _given(change))
-        case ("driver", "speed" | "acceleration" as key):
-            inside = ("driver", str(key), "value")
-            return with_number(source, inside if inside in source.spots else change.key, _given(change))
         case ("synthesised", str(symbol)):
             source = without_key(source, ("dimensions", symbol, "synthesis"))
             return with_number(source, ("dimensions", symbol, "value"), _given(change))
         case ("tolerance", str(symbol)):
-            path = ("dimensions", symbol, "tolerance")
+            path: Place = ("dimensions", symbol, "tolerance")
             return without_key(source, path) if change.now is None else with_number(source, path, change.now)
         case ("tables", int(table), str(heads), int(index)):
             symbol = next(iter(source.data["tables"][table][heads]))

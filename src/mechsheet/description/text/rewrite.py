@@ -25,7 +25,12 @@ def number_text(value: float, old: str = "") -> str:
 
 
 def with_number(source: Source, path: Path, value: float) -> Source:
-    """The source with a number at `path`, spelled as the one that stands there, or as a new key of the table around it."""
+    """The source with a number at `path`, spelled as the one that stands there, or as a new key of the table around it.
+
+    Where a table stands with a `value`, that is the number.
+    """
+    if (*path, "value") in source.spots:
+        path = (*path, "value")
     spot = source.spots.get(path)
     return with_value(source, path, number_text(value, source.text[spot.start : spot.end] if spot else ""))
 

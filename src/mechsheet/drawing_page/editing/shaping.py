@@ -126,8 +126,7 @@ def _with_fit(source: Source, parts: Parts, fit: Fit, digits: int) -> Source:
         own = digits if dim.unit.kind == "length" else 2 if dim.unit.in_degrees else 5
         old, new = dim.unit.to_shown(parts.numbers[symbol]), round(dim.unit.to_shown(value), own)
         if abs(new - old) > 0.5 * 10.0**-own:
-            place = ("dimensions", symbol, "value")
-            source = with_number(source, place if place in source.spots else place[:2], new)
+            source = with_number(source, ("dimensions", symbol), new)
     for path, value in fit.plain.items():
         angle = path[-1] == "angle"
         unit = parts.angle_unit
@@ -286,7 +285,7 @@ def typed(reading: Reading, name: str, value: str) -> str:
         return reading.text
     if name in SWEEP:
         return _swept(source, SWEEP[name], value)
-    new, faults = with_values(source, {name: value})
+    new, faults = with_values(source, [(name, value)])
     if faults:
         raise DescriptionError(faults)
     compiled = reading.compiled

@@ -16,7 +16,7 @@ from typing import Any
 
 from mechsheet import reference
 from mechsheet.compiled import Compiled
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.description.text.file_names import is_device
 from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, readable_name, system_reason
 from mechsheet.formats import write
@@ -246,7 +246,7 @@ def _never(mechanism: Mechanism, needs: Sequence[Need]) -> DescriptionError:
     message = say("no draw of {draws} meets it: {names}", draws=DRAWS, names=" and ".join(need.text for need in needs))
     shown = f"{mechanism.file}.toml" if mechanism.file else "<text>"
     return DescriptionError(
-        parse(mechanism.text, shown).fault(("exercise", "need"), message, say("wider ranges in vary"))
+        parse(mechanism.listing, shown).fault(("exercise", "need"), message, say("wider ranges in vary"))
     )
 
 
@@ -281,4 +281,4 @@ def _holds(need: Need, values: Mapping[str, float], all_rows: bool) -> bool:
 def with_dimensions(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Mechanism:
     """The mechanism with a student's dimensions, which are in their own units."""
     texts = {symbol: repr(value) for symbol, value in dimensions.items()}
-    return loads(mechanism.text, mechanism.file or "<text>", texts, mechanism.language)
+    return loads(mechanism.text, mechanism.file or "<text>", Overrides(texts))
