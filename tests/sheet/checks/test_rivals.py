@@ -10,6 +10,7 @@ from swept import four_bar, swept
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.compiled import compiled_of
 from mechsheet.compiled.evaluation import book_of
+from mechsheet.description import Overrides
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.engine import evaluate
 from mechsheet.library.changed import loads
@@ -38,7 +39,7 @@ def law(stop, rows):
 
 
 def changed(text, **values):
-    return loads(text, overrides=[(name, repr(value)) for name, value in values.items()])
+    return loads(text, overrides=Overrides({name: repr(value) for name, value in values.items()}))
 
 
 def shown(mechanism, name):
