@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from mechsheet.formula.nodes import Call, Node, RangeRef, Text
 from mechsheet.kinematics.period import SAME_AGAIN
 from mechsheet.model import Driver
-from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.plan import ROW_COUNT, Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.units import Unit, turn
 
@@ -46,9 +45,9 @@ def mean_of_motion(driver: Driver, column: RangeRef, tests: Sequence[Test], turn
     alike = Call("AVERAGEIFS", (column, *(part for each, text in tests for part in (each, Text(text)))))
     if driver.values or column.start.row == column.end.row:
         return alike
-    upper, lower = _but_last(column), _but_first(column)
+    upper, lower = but_last(column), but_first(column)
     both = tuple(
-        part for each, text in tests for half in (_but_last(each), _but_first(each)) for part in (half, Text(text))
+        part for each, text in tests for half in (but_last(each), but_first(each)) for part in (half, Text(text))
     )
     mean = formula("(one+other)/2", one=Call("AVERAGEIFS", (upper, *both)), other=Call("AVERAGEIFS", (lower, *both)))
     if turns is not None:
@@ -59,7 +58,7 @@ def mean_of_motion(driver: Driver, column: RangeRef, tests: Sequence[Test], turn
 def mean_of_rows(plan: Plan, symbol: str, sheet: str) -> Node:
     """That of a column of the tables, over rows in which the mechanism closes, for a formula on a sheet."""
     said = plan.at.column("#status", sheet)
-    turns = formula("AND(_whole=2,_rows_closed=rows)", rows=plan.rows) if may_leave_out(plan) else None
+    turns = formula("AND(_whole=2,_rows_closed=rows)", rows=ROW_COUNT) if may_leave_out(plan) else None
     column = plan.at.column(symbol, sheet)
     return mean_of_motion(plan.mechanism.driver, column, [(said, plan.text("status.ok"))], turns)
 
@@ -88,12 +87,14 @@ def ends_meet(plan: Plan, symbol: str, unit: Unit, column: Node, ends: tuple[Nod
                    same=SAME_AGAIN)  # fmt: skip
 
 
-def _but_last(column: RangeRef) -> RangeRef:
-    return replace(column, end=replace(column.end, row=column.end.row - 1))
+def but_last(column: RangeRef) -> Node:
+    """All rows but the last, wherever rows are inserted."""
+    return formula("start:INDEX(column,ROWS(column)-1)", start=column.start, column=column)
 
 
-def _but_first(column: RangeRef) -> RangeRef:
-    return replace(column, start=replace(column.start, row=column.start.row + 1))
+def but_first(column: RangeRef) -> Node:
+    """All rows but the first."""
+    return formula("INDEX(column,2):INDEX(column,ROWS(column))", column=column)
 
 
 def at_end(end: str, column: Node, *besides: Node) -> Node:

@@ -39,7 +39,7 @@ from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.transmission import acute
 from mechsheet.sheet.over_rows import ends_meet
-from mechsheet.sheet.plan import DRIVER, LEAST_PROBED, NUMBER, STATUS, Plan
+from mechsheet.sheet.plan import DRIVER, LEAST_PROBED, NUMBER, ROW_COUNT, STATUS, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
 from mechsheet.sheet.quoted import ALL, SHOWN, formula
 from mechsheet.sheet.symbols import plain
@@ -232,7 +232,7 @@ class Extremes:
             probes.work(self.whole_row, 1, "0")
             return
         turn = whole_turn(driver.unit.in_degrees)
-        covered = formula("ABS(_step)*(rows-1)/turn", rows=plan.rows, turn=turn)
+        covered = formula("ABS(_step)*(rows-1)/turn", rows=ROW_COUNT, turn=turn)
         if driver.law is not None:
             covered = formula("ABS(last-first)/turn", first=Symbol(SHOWN + driver.law.start),
                               last=Symbol(SHOWN + driver.law.stop), turn=turn)  # fmt: skip
@@ -254,7 +254,7 @@ class Extremes:
             "IF(ABS(ROUND(covered,0)-covered)<1E-9,IF(ROUND(covered,0)>0,1,0),"
             "IF(ABS(ROUND(more,0)-more)<1E-9,2,0))",
             covered=covered,
-            more=formula("ABS(_step)*rows/turn", rows=plan.rows, turn=turn),
+            more=formula("ABS(_step)*rows/turn", rows=ROW_COUNT, turn=turn),
         )  # fmt: skip
 
     def _is_back(self, symbol: str) -> Node:
@@ -346,7 +346,7 @@ class Extremes:
             "INDEX(firsts,MATCH(most,bests,0))", most=most, bests=bests,
             firsts=probes.cells_down(limits.stretch_rows[0], FIRST_ROW, STRETCHES),
         )  # fmt: skip
-        at = formula("begin-1+MATCH(most,INDEX(column,begin):INDEX(column,rows),0)", begin=begin, rows=self.plan.rows,
+        at = formula("begin-1+MATCH(most,INDEX(column,begin):INDEX(column,rows),0)", begin=begin, rows=ROW_COUNT,
                      most=most, column=column)  # fmt: skip
         return most, at
 
@@ -366,7 +366,7 @@ class Extremes:
         later, earlier = RangeRef(y[3], y[rows]), RangeRef(y[1], y[rows - 2])
         other = probes.work(
             block.row, SIDE + 5, f"IF(best=1,{way.upper()}(later),IF(best=rows,{way.upper()}(earlier),NA()))",
-            best=best, rows=rows, later=later, earlier=earlier,
+            best=best, rows=ROW_COUNT, later=later, earlier=earlier,
         )  # fmt: skip
         better, worse = ("<", ">=") if way == "min" else (">", "<=")
         at_first, at_last = (
@@ -393,7 +393,7 @@ class Extremes:
         meet = ends_meet(plan, symbol, unit, Symbol(ALL + symbol), (ends[0], ends[1]))
         probes.work(
             cell.row, SIDE + 2, "IFERROR(IF(AND(_whole>0,first=1,last=rows,meet),_whole,0),0)",
-            first=first, last=last, rows=plan.rows, meet=meet,
+            first=first, last=last, rows=ROW_COUNT, meet=meet,
         )  # fmt: skip
 
     def _rows_of_stretch(self) -> tuple[CellRef, CellRef]:
@@ -426,7 +426,7 @@ class Extremes:
             return
         wraps = self._around(self._wraps_of(symbol))
         within = formula(
-            "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=plan.rows
+            "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=ROW_COUNT
         )
         probes.work(row + 2, SIDE + 1, "driver", styles.RESULT, driver=driver_at(plan, within))
         other = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, SIDE + 3)
@@ -508,7 +508,7 @@ class Extremes:
         around = self._around(self._wraps_of(symbol))
         before, here, after = (
             in_row(self.plan, divisor, number)
-            for number in neighbours(probes.cell(row + 1, SIDE + 3), around, self.plan.rows)
+            for number in neighbours(probes.cell(row + 1, SIDE + 3), around, ROW_COUNT)
         )
         value = {work: probes.cell(row + 1, SIDE + work) for work in (4, 6)}
         return (

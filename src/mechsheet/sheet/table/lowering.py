@@ -280,8 +280,8 @@ class _Lowering:
         return self.tests[equation.exists]
 
     def _direction(self, equation: Equation, y: Node, x: Node) -> None:
-        """ATAN2 and whole turns. It begins anew under the heading, and after a row without a direction (none is known, or pins
-        coincide)."""
+        """ATAN2 and whole turns. It begins anew under the heading, and after a row without a direction (none is known, or
+        pins coincide)."""
         raw = al.atan2(x, y)
         apart = pins_apart(self.equations, equation)
         turns = formula("IFERROR(ROUND((above-raw)/turn,0),0)", above=Previous(equation.symbol), raw=raw, turn=TURN)
