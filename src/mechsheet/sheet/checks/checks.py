@@ -6,7 +6,7 @@ The table's rows are those of the table of positions. Over each column stand its
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from mechsheet.formula import algebra as al
@@ -19,7 +19,7 @@ from mechsheet.sheet.checks.efforts import AGREES, effort_columns
 from mechsheet.sheet.checks.fits import fit_columns
 from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
-from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.table.rates import dead_words
 from mechsheet.sheet.table.status import status_words
@@ -311,6 +311,27 @@ def typed_over(plan: Plan) -> Node:
             corners = (plan.at.first, RATES_DRIVER), (plan.at.last, columns[-1].col)
             areas.append(RangeRef(*(CellRef(row, col, True, True, title) for row, col in corners)))
     return al.total(_without_formula(each) for each in areas)
+
+
+def sheets_in_rows(plan: Plan) -> dict[str, CellRef]:
+    """The sheets that have a row for each row of the table of positions, and where the driver stands in the first one."""
+    begun = plan.at.spots["#begun"]
+    found = {begun.sheet: CellRef(begun.row, DRIVER_COL, True, True, begun.sheet)}
+    beside = {"rates": plan.rates, "forces": plan.forces, "iterations": plan.iterations, "tolerance": plan.bands}
+    titles = [plan.at.titles[key] for key, columns in beside.items() if columns]
+    return found | {title: CellRef(plan.at.first, RATES_DRIVER, True, True, title) for title in titles}
+
+
+def rows_apart(plan: Plan) -> Node:
+    """0 where all of these have the rows of the table: not where somebody has inserted rows in one sheet alone."""
+    own = Symbol(ALL + plan.mechanism.driver.symbol)
+    return al.total(
+        formula(
+            "IF(ROWS(rows)=_rows,IFERROR(SUMPRODUCT((rows<>own)*1),0),1)", own=own,
+            rows=RangeRef(top, replace(top, row=top.row + plan.rows - 1)),
+        )
+        for top in sheets_in_rows(plan).values()
+    )  # fmt: skip
 
 
 def _without_formula(area: RangeRef) -> Node:

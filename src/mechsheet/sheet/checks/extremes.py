@@ -30,6 +30,7 @@ from mechsheet.sheet.checks.boundless import (
     may_grow,
     unsigned_divisor,
 )
+from mechsheet.sheet.checks.checks import rows_apart
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.parabolas import BESIDE, DIFFERENCES, Parabolas, neighbours, vertex_of
@@ -62,8 +63,9 @@ SURE, ABOUT, BEYOND, ROWS = 1, 2, 3, 4
 """What the cell beside an extreme says: that it is right, about right, that it may be elsewhere, beyond what is
 given, or that it is of rows only."""
 
-STEEP = 5
-"""The working cell that says whether velocities and forces have a spike between two rows."""
+STEEP, ROWS_APART = 5, 6
+"""The working cells that say whether velocities and forces have a spike between two rows, and whether all sheets have the
+same rows."""
 
 NEARER = 0.5
 """An angle of transmission that is less than this part of the rows' least one between them makes such a spike: velocities
@@ -123,6 +125,7 @@ class Extremes:
         spots["#whole"] = Spot(title, whole.row, whole.col)
         spots["#fine"] = Spot(title, whole.row, whole.col + 1)
         spots["#there"] = Spot(title, whole.row, whole.col + 2)
+        spots["#rows_apart"] = Spot(title, whole.row, whole.col + ROWS_APART - 1)
         if len(self.plan.found.transmission) > 1:
             spots["#worst_group"] = Spot(title, whole.row, whole.col + 3)
         for (symbol, way), block in self.blocks.items():
@@ -170,6 +173,7 @@ class Extremes:
             probes.work(self.whole_row, 4, "MATCH(MIN(least),least,0)", least=least)
         if self._steepest:
             probes.work(self.whole_row, STEEP, "steep", steep=self._steepest)
+        probes.work(self.whole_row, ROWS_APART, "apart", apart=rows_apart(plan))
         self.limits.write()
         for number, block in self.gaps.items():
             self._gap(number, block)

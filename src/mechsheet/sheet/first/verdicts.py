@@ -13,7 +13,7 @@ from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, RangeRef, Symb
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import ENERGY, Link, Synthesis, inertia_unit
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.checks import Checks
+from mechsheet.sheet.checks.checks import Checks, sheets_in_rows
 from mechsheet.sheet.checks.efforts import AGREES
 from mechsheet.sheet.checks.extremes import Extremes, about, about_turns, where_bounded
 from mechsheet.sheet.checks.gaps import misfits_of
@@ -278,12 +278,16 @@ class _Block:
             wrong[f"misfit_{number}"] = misfit = self.text("gap.redundant", link=link, sheet=self.checks.title)
             left_open = formula("IF(own>rounding,misfit,other)", own=self.checks.worst("gap", group), rounding=rounding,
                                 misfit=misfit, other=left_open)  # fmt: skip
-        words = formula('IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed)))',
+        sheets = ", ".join(sheets_in_rows(plan))
+        wrong["apart"] = self.text("gap.apart", table=plan.table, sheets=sheets)
+        words = formula('IF(_rows_apart>0,apart,IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed))))',
+                        apart=wrong["apart"],
                         typed=plan.at.cell("#typed", plan.main, None), count=self.value("rows_closed"), gap=cell,
                         rounding=rounding, over=self.text("gap.typed", sheet=self.checks.title),
                         closed=self.text("gap.closed"), open=left_open)  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
-        self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style, words)
+        self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style,
+                  self.bound("words", words=words))  # fmt: skip
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("gap")))
         wrong["over"] = self.text("gap.typed", sheet=self.checks.title)
         said = ",".join(f"said={name}" for name in wrong)
