@@ -138,6 +138,8 @@ def equations_text(mechanism: Mechanism) -> str:
             part = (equation.group, what)
             lines += ["", _group_heading(equations, equation.group) + what]
         lines.append(_line(equation))
+        if equation.first is not None:
+            lines[-1] += f"    (first row: {print_formula(equation.first, 'text')})"
     return "\n".join(lines)
 
 

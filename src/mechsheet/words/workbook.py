@@ -155,7 +155,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "legend.missing": ("#N/A: no position there", "#YOK: orada konum yok"),
     "sweep.start": ("first value of the driver", "tahrikin ilk değeri"),
     "sweep.step": ("step from row to row", "satırdan satıra adım"),
-    "sweep.stop": ("last value (rows are fixed: {rows})", "son değer (satır sayısı sabit: {rows})"),
+    "sweep.stop": ("last value ({rows} rows as built)", "son değer (kurulduğunda {rows} satır)"),
     "position.number": ("row of the table, 0 to {last}", "tablo satırı, 0 ile {last} arası"),
     "unit.number": ("", ""),
     "hint.positive.title": ("A length", "Bir uzunluk"),
