@@ -6,12 +6,13 @@ from pathlib import Path
 
 from mechsheet.checking.edited.edits import Edits, edits_of
 from mechsheet.checking.edited.expected import expected_for
+from mechsheet.checking.edited.inserted_rows import NOTHING
 from mechsheet.checking.inputs import description_in
 from mechsheet.compiled.evaluation import book_of, computed
 from mechsheet.description import load
 from mechsheet.dynamics.solve import solve
 from mechsheet.formats import write
-from mechsheet.formula.nodes import Node, shifted
+from mechsheet.formula.nodes import CellRef, ErrorValue, Node, RangeRef, shifted, transform
 from mechsheet.formula.parser import parse_formula
 from mechsheet.formula.references import parse_cell
 from mechsheet.sheet.layout import lay_out
@@ -91,3 +92,93 @@ def audited(workbook: Workbook) -> Edits:
 
 
 expected_once = lru_cache(maxsize=8)(lambda text: expected_for(text, "inside"))
+
+
+def moved(workbook, title, rows=NOTHING, cols=NOTHING, now=None):
+    """The workbook after a spreadsheet program has inserted or deleted there, or renamed the sheet."""
+    now = now or title
+
+    def new_ref(ref, own):
+        if (ref.sheet or own) != title:
+            return ref
+        row, col = rows.now(ref.row), cols.now(ref.col)
+        if row is None or col is None:
+            return ErrorValue("#REF!")
+        return replace(ref, row=row, col=col, sheet=None if ref.sheet is None else now)
+
+    def new_formula(node, own):
+        def change(part):
+            return new_ref(part, own) if isinstance(part, CellRef) else part
+
+        def ranged(part):
+            if isinstance(part, RangeRef) and part.start.sheet is not None:
+                return RangeRef(part.start, replace(part.end, sheet=part.start.sheet))
+            return part
+
+        return transform(transform(node, ranged), change)
+
+    def pieces(fill, own):
+        """In one if its first and its last cell, and their references, move alike: one shift begins in one place."""
+        down, right = fill.rows - 1, fill.cols - 1
+        first, last = new_formula(fill.formula, own), new_formula(shifted(fill.formula, down, right), own)
+        corners = [(fill.row, fill.col), (fill.row + down, fill.col + right)]
+        if own == title:
+            corners = [(rows.now(row), cols.now(col)) for row, col in corners]
+        if None not in sum(corners, ()) and shifted(first, down, right) == last:
+            (top, left), (bottom, end) = corners
+            if (bottom - top, end - left) == (down, right):
+                yield replace(fill, row=top, col=left, formula=first)
+                return
+        for row in range(fill.row, fill.row + fill.rows):
+            for col in range(fill.col, fill.col + fill.cols):
+                formula = new_formula(shifted(fill.formula, row - fill.row, col - fill.col), own)
+                place = (rows.now(row), cols.now(col)) if own == title else (row, col)
+                if None not in place:
+                    yield Fill(*place, formula)
+
+    def new_sheet(sheet):
+        fills = tuple(piece for fill in sheet.fills for piece in pieces(fill, sheet.title))
+        if sheet.title != title:
+            return replace(sheet, fills=fills)
+        cells = [(rows.now(cell.row), cols.now(cell.col), cell) for cell in sheet.cells]
+        kept = tuple(replace(cell, row=row, col=col) for row, col, cell in cells if row is not None and col is not None)
+        return replace(
+            sheet, title=now, cells=kept, fills=fills, merges=(), validations=(), conditionals=(), charts=(), controls=(),
+            comments=(),
+        )  # fmt: skip
+
+    names = tuple(
+        replace(name, sheet=now, row=rows.now(name.row), col=cols.now(name.col)) if name.sheet == title else name
+        for name in workbook.names
+    )
+    sheets = tuple(
+        replace(new_sheet(sheet), charts=(), controls=(), conditionals=(), validations=()) for sheet in workbook.sheets
+    )
+    return replace(workbook, sheets=sheets, names=names)
+
+
+def filled_down(workbook: Workbook, title: str, source: int, last: int, columns: int) -> Workbook:
+    """The workbook after a person has filled a row of a sheet down to another, in so many columns."""
+
+    def new_sheet(sheet: Sheet) -> Sheet:
+        if sheet.title != title:
+            return sheet
+        kept: list[Fill] = []
+        new: list[Fill] = []
+        for fill in sheet.fills:
+            if fill.col >= columns or fill.cols > 1:
+                kept.append(fill)
+                continue
+            if fill.row <= source < fill.row + fill.rows:
+                formula = shifted(fill.formula, source - fill.row)
+                new.append(replace(fill, row=source, rows=last - source + 1, formula=formula))
+            above, below = min(source - fill.row, fill.rows), fill.row + fill.rows - 1 - last
+            if above > 0:
+                kept.append(replace(fill, rows=above))
+            if below > 0:
+                start = max(fill.row, last + 1)
+                rows = fill.row + fill.rows - start
+                kept.append(replace(fill, row=start, rows=rows, formula=shifted(fill.formula, start - fill.row)))
+        return replace(sheet, fills=(*kept, *new))
+
+    return replace(workbook, sheets=tuple(map(new_sheet, workbook.sheets)))

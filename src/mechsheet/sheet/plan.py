@@ -15,7 +15,7 @@ import numpy as np
 
 from mechsheet import portable
 from mechsheet.formula.names import folded, safe_name
-from mechsheet.formula.nodes import Node
+from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import BANDS, FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
@@ -38,6 +38,9 @@ from mechsheet.sheet.table.start_columns import start_columns
 from mechsheet.sheet.workbook import Name
 from mechsheet.synthesis.kinds import kind_of
 from mechsheet.words.workbook import Language, words
+
+ROW_COUNT = Symbol("#rows")
+"""How many rows the table of positions has: counted in a cell, since a person may insert some."""
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
 """Columns of the blocks on the first sheet."""
@@ -381,6 +384,7 @@ def _plan_names_and_blocks(plan: Plan) -> None:
         _spot(plan, f"#{key}", row, False, safe_name(key, taken), taken)
         if key in plan.found.placed:
             _spot(plan, f"#{key}_at", row, False, safe_name(f"{key}_at", taken), taken, TOLERANCE)
+    plan.at.spots[ROW_COUNT.name] = Spot(plan.main, plan.blocks["verdicts"].rows["rows_closed"], UNIT)
 
 
 INPUT_BLOCKS = ("motion", "drivers", "gears", "masses", "loads")

@@ -20,8 +20,10 @@ NOTES: dict[str, tuple[str, str]] = {
         "işareti değiştirin.",
     ),
     "notes.use.sweep": (
-        "First value and step of the driver {driver} may be changed; the number of rows ({rows}) stays.",
-        "{driver} tahrikinin ilk değeri ve adımı değiştirilebilir; satır sayısı ({rows}) sabittir.",
+        "First value and step of the driver {driver} may be changed. There are {rows} rows; for more, insert them above the "
+        "last one, in every sheet with a row for each position, and fill the row above down over them and the last one.",
+        "{driver} tahrikinin ilk değeri ve adımı değiştirilebilir. {rows} satır vardır; daha çoğu için her konuma bir satır "
+        "ayıran bütün sayfalarda son satırın üstüne satır ekleyin, üstteki satırı bunların ve son satırın üzerine doldurun.",
     ),
     "notes.use.positions": (
         "The sheet {positions} has one row for each value of the driver. Intermediate quantities (grey) can be "

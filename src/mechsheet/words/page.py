@@ -31,7 +31,6 @@ PAGE: dict[str, tuple[str, str]] = {
         "kötü durumda 10⁻⁶ rad doğruluktadır; başka yerde 10⁻¹². #YOK: orada konum yok. Daha çok satır için son "
         "satırı aşağı kopyalayın.",
     ),
-    "page.step": ("row above + {step}", "üst satır + {step}"),
     "page.start": ("first value of {driver}", "{driver} ilk değeri"),
     "page.step.words": ("from row to row", "satırdan satıra"),
     "page.position": ("row that is drawn, from 0", "çizilen satır, 0'dan"),

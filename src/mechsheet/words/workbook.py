@@ -86,6 +86,10 @@ WORDS: dict[str, tuple[str, str]] = {
         "a formula was typed over: see the hidden sheet {sheet}",
         "bir formülün üstüne yazılmış: gizli {sheet} sayfasına bakın"
     ),
+    "verdict.gap.apart": (
+        "rows inserted in one sheet alone: {table} and {sheets} need the same ones, filled down",
+        "satırlar yalnız bir sayfaya eklenmiş: {table} ile {sheets} aynı satırları ister, aşağı doldurulmuş olarak"
+    ),
     "verdict.leaps": ("turns", "dönmeler"),
     "verdict.leaps.none": ("no link turns far between two positions", "iki konum arasında büyük dönme yok"),
     "verdict.leaps.some": ("turns of over 90° in a step: smaller step", "bir adımda 90° üstü dönme: adımı küçültün"),
@@ -152,7 +156,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "legend.missing": ("#N/A: no position there", "#YOK: orada konum yok"),
     "sweep.start": ("first value of the driver", "tahrikin ilk değeri"),
     "sweep.step": ("step from row to row", "satırdan satıra adım"),
-    "sweep.stop": ("last value (rows are fixed: {rows})", "son değer (satır sayısı sabit: {rows})"),
+    "sweep.stop": ("last value ({rows} rows as built)", "son değer (kurulduğunda {rows} satır)"),
     "position.number": ("row of the table, 0 to {last}", "tablo satırı, 0 ile {last} arası"),
     "unit.number": ("", ""),
     "hint.positive.title": ("A length", "Bir uzunluk"),

@@ -3,77 +3,13 @@
 from dataclasses import replace
 
 import pytest
-from edited import audited, edited, laid_out, saved
+from edited import audited, edited, laid_out, moved, saved
 
 from mechsheet.checking import check
 from mechsheet.checking.edited.inserted_rows import NOTHING, Shift, moves_between, undone
 from mechsheet.checking.edited.pull import pull
 from mechsheet.compiled.evaluation import book_of
-from mechsheet.formula.nodes import CellRef, ErrorValue, RangeRef, shifted, transform
-from mechsheet.sheet.workbook import Cell, Fill
-
-
-def moved(workbook, title, rows=NOTHING, cols=NOTHING, now=None):
-    """The workbook after a spreadsheet program has inserted or deleted there, or renamed the sheet."""
-    now = now or title
-
-    def new_ref(ref, own):
-        if (ref.sheet or own) != title:
-            return ref
-        row, col = rows.now(ref.row), cols.now(ref.col)
-        if row is None or col is None:
-            return ErrorValue("#REF!")
-        return replace(ref, row=row, col=col, sheet=None if ref.sheet is None else now)
-
-    def new_formula(node, own):
-        def change(part):
-            return new_ref(part, own) if isinstance(part, CellRef) else part
-
-        def ranged(part):
-            if isinstance(part, RangeRef) and part.start.sheet is not None:
-                return RangeRef(part.start, replace(part.end, sheet=part.start.sheet))
-            return part
-
-        return transform(transform(node, ranged), change)
-
-    def pieces(fill, own):
-        """In one if its first and its last cell, and their references, move alike: one shift begins in one place."""
-        down, right = fill.rows - 1, fill.cols - 1
-        first, last = new_formula(fill.formula, own), new_formula(shifted(fill.formula, down, right), own)
-        corners = [(fill.row, fill.col), (fill.row + down, fill.col + right)]
-        if own == title:
-            corners = [(rows.now(row), cols.now(col)) for row, col in corners]
-        if None not in sum(corners, ()) and shifted(first, down, right) == last:
-            (top, left), (bottom, end) = corners
-            if (bottom - top, end - left) == (down, right):
-                yield replace(fill, row=top, col=left, formula=first)
-                return
-        for row in range(fill.row, fill.row + fill.rows):
-            for col in range(fill.col, fill.col + fill.cols):
-                formula = new_formula(shifted(fill.formula, row - fill.row, col - fill.col), own)
-                place = (rows.now(row), cols.now(col)) if own == title else (row, col)
-                if None not in place:
-                    yield Fill(*place, formula)
-
-    def new_sheet(sheet):
-        fills = tuple(piece for fill in sheet.fills for piece in pieces(fill, sheet.title))
-        if sheet.title != title:
-            return replace(sheet, fills=fills)
-        cells = [(rows.now(cell.row), cols.now(cell.col), cell) for cell in sheet.cells]
-        kept = tuple(replace(cell, row=row, col=col) for row, col, cell in cells if row is not None and col is not None)
-        return replace(
-            sheet, title=now, cells=kept, fills=fills, merges=(), validations=(), conditionals=(), charts=(), controls=(),
-            comments=(),
-        )  # fmt: skip
-
-    names = tuple(
-        replace(name, sheet=now, row=rows.now(name.row), col=cols.now(name.col)) if name.sheet == title else name
-        for name in workbook.names
-    )
-    sheets = tuple(
-        replace(new_sheet(sheet), charts=(), controls=(), conditionals=(), validations=()) for sheet in workbook.sheets
-    )
-    return replace(workbook, sheets=sheets, names=names)
+from mechsheet.sheet.workbook import Cell
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ The table's rows are those of the table of positions. Over each column stand its
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from mechsheet.formula import algebra as al
@@ -19,7 +19,7 @@ from mechsheet.sheet.checks.efforts import AGREES, effort_columns
 from mechsheet.sheet.checks.fits import fit_columns
 from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
-from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.table.rates import dead_words
 from mechsheet.sheet.table.status import status_words
@@ -85,8 +85,7 @@ class Checks:
             for number, symbol in plan.equations.margins.items()
         ]
         self.checks += [
-            Check("crossing", number, plan.at.bind(_crossed(symbol, plan), self.title, first))
-            for number, symbol in plan.equations.crossings.items()
+            Check("crossing", number, self._crossed(symbol)) for number, symbol in plan.equations.crossings.items()
         ]
         self.checks += [Check("leap", 0, node) for node in _leaps(plan, self.title)]
         self.checks += [Check(*found) for found in assembly_columns(plan, self.title, CellRef(self.first, COUNT_COL))]
@@ -110,6 +109,20 @@ class Checks:
             if check.kind == "crossing":
                 spots[f"#crossed_{check.group}"] = Spot(self.title, self.most_row, DATA + index)
                 spots[f"#crossed_at_{check.group}"] = Spot(self.title, self.at_row, DATA + index)
+
+    def _crossed(self, sine: str) -> Node:
+        """The sine of the angle between two lines, times that of the row before, where both rows exist: below 0 the lines
+        turn parallel in between, and meet nowhere. Before the first row comes the last, where a whole turn leaves its last
+        row out."""
+        plan = self.plan
+        here, before = (plan.at.cell(sine, self.title, plan.at.first - back) for back in range(2))
+        last = CellRef(plan.at.last, plan.at.spots[sine].col, True, True, plan.table)
+        said = RangeRef(*(CellRef(plan.at.first - back, STATUS, sheet=plan.table) for back in (1, 0)))
+        return formula(
+            'IFERROR(IF(ROW()=ROW(top),IF(_whole=2,last*here,""),IF(COUNTIF(said,ok)<2,"",before*here)),"")',
+            top=CellRef(self.first, DRIVER_COL, True, True), last=last, here=here, before=before, said=said,
+            ok=plan.text("status.ok"),
+        )  # fmt: skip
 
     def worst(self, kind: Kind, group: int | None = None) -> Node:
         """The largest value of all columns of a kind (of leaps: their number), or those of a group, as another sheet reads
@@ -220,11 +233,10 @@ class _Writer:
         ok = plan.text("status.ok")
         said = CellRef(plan.at.first, STATUS, sheet=plan.table)
         counted = styles.decimals(styles.INNER, 0)
-        self._formula(first, COUNT_COL, formula("IF(said=ok,1,0)", said=said, ok=ok), counted)
-        begins = formula("before+IF(AND(said=ok,said_before<>ok),1,0)", before=CellRef(first, COUNT_COL),
-                         said=shifted(said, 1), said_before=said, ok=ok)  # fmt: skip
-        if plan.rows > 1:
-            self._formula(first + 1, COUNT_COL, begins, counted, plan.rows - 1)
+        # over the first row is nothing here, and a heading there
+        begins = formula("before+IF(AND(said=ok,said_before<>ok),1,0)", before=CellRef(first - 1, COUNT_COL),
+                         said=said, said_before=shifted(said, -1), ok=ok)  # fmt: skip
+        self._formula(first, COUNT_COL, begins, counted, plan.rows)
         heads = (heading(plan, plan.columns[DRIVER]), plan.text("checks.begun"))
         for col, head in enumerate(heads):
             self._put(at.head_row, col, head, styles.HEAD)
@@ -245,13 +257,7 @@ class _Writer:
         style = styles.decimals(styles.COLUMN, 4 if check.kind in ("margin", "crossing", *SIZES) else 0)
         style = styles.ERROR if check.kind in ROUNDED else style
         style = styles.numbered(styles.COLUMN, styles.DETERMINANT) if check.kind == "det" else style
-        skip = 0 if check.kind in (*MEASURED, *SIZES, *ARRIVED) else 1
-        rows = plan.rows - skip - (1 if check.kind == "margin" else 0)
-        if rows > 0:
-            self._formula(at.first + skip, col, shifted(check.formula, skip), style, rows)
-        if check.kind == "crossing":
-            around = plan.at.bind(_crossed_around(plan.equations.crossings[check.group], plan), at.title)
-            self._formula(at.first, col, around, style)
+        self._formula(at.first, col, plan.at.bind(check.formula, at.title), style, plan.rows)
         column = RangeRef(CellRef(at.first, col, True), CellRef(at.last, col, True))
         most = formula('IF(COUNT(column)=0,"",worst)', column=column, worst=Call(_WORST[check.kind], (column,)))
         self._formula(at.most_row, col, most, styles.numbered(styles.RESULT, style.number_format))
@@ -307,13 +313,34 @@ def typed_over(plan: Plan) -> Node:
     return al.total(_without_formula(each) for each in areas)
 
 
+def sheets_in_rows(plan: Plan) -> dict[str, CellRef]:
+    """The sheets that have a row for each row of the table of positions, and where the driver stands in the first one."""
+    begun = plan.at.spots["#begun"]
+    found = {begun.sheet: CellRef(begun.row, DRIVER_COL, True, True, begun.sheet)}
+    beside = {"rates": plan.rates, "forces": plan.forces, "iterations": plan.iterations, "tolerance": plan.bands}
+    titles = [plan.at.titles[key] for key, columns in beside.items() if columns]
+    return found | {title: CellRef(plan.at.first, RATES_DRIVER, True, True, title) for title in titles}
+
+
+def rows_apart(plan: Plan) -> Node:
+    """0 where all of these have the rows of the table: not where somebody has inserted rows in one sheet alone."""
+    own = Symbol(ALL + plan.mechanism.driver.symbol)
+    return al.total(
+        formula(
+            "IF(ROWS(rows)=_rows,IFERROR(SUMPRODUCT((rows<>own)*1),0),1)", own=own,
+            rows=RangeRef(top, replace(top, row=top.row + plan.rows - 1)),
+        )
+        for top in sheets_in_rows(plan).values()
+    )  # fmt: skip
+
+
 def _without_formula(area: RangeRef) -> Node:
     # 0 in programs that do not ask a whole range
     return formula("IFERROR(SUMPRODUCT(1-ISFORMULA(area)),0)", area=area)
 
 
 def _least_nearby(margin: str, plan: Plan) -> Node:
-    """The margin of the second row where the first three exist: of the parabola through them where that dips between.
+    """The margin of a row that exists between two others: of the parabola through them where that dips between.
 
     m - (c - a)^2 / (8 (a - 2 m + c)), for a > m < c
     """
@@ -324,23 +351,6 @@ def _least_nearby(margin: str, plan: Plan) -> Node:
         "here-(after-before)^2/(8*(before-2*here+after)),here)),\"\")",
         before=before, here=here, after=after, said=said, ok=plan.text("status.ok"),
     )  # fmt: skip
-
-
-def _crossed(sine: str, plan: Plan) -> Node:
-    """The sine of the angle between two lines, times that of the row before, where both rows exist: below 0 the lines turn
-    parallel in between, and meet nowhere."""
-    here, before = (plan.at.cell(sine, plan.at.titles["checks"], plan.at.first + step) for step in (0, -1))
-    said = RangeRef(*(CellRef(plan.at.first + step, STATUS, sheet=plan.table) for step in (-1, 0)))
-    return formula('IFERROR(IF(COUNTIF(said,ok)<2,"",before*here),"")', before=before, here=here, said=said,
-                   ok=plan.text("status.ok"))  # fmt: skip
-
-
-def _crossed_around(sine: str, plan: Plan) -> Node:
-    """The same of the first row, before which comes the last where a whole turn leaves its last row out."""
-    first, last = (
-        CellRef(row, plan.at.spots[sine].col, True, True, plan.table) for row in (plan.at.first, plan.at.last)
-    )
-    return formula('IFERROR(IF(_whole=2,last*first,""),"")', first=first, last=last)
 
 
 def _leaps(plan: Plan, sheet: str) -> list[Node]:

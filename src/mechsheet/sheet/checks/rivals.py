@@ -13,6 +13,7 @@ from dataclasses import replace
 from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet.checks.parabolas import DIFFERENCES
 from mechsheet.sheet.checks.probes import Probes
+from mechsheet.sheet.plan import ROW_COUNT
 from mechsheet.sheet.quoted import ALL, formula
 
 COUNT = DIFFERENCES + 3
@@ -70,7 +71,7 @@ def write(
     column = Symbol(ALL + symbol)
     before, own, after = (_part(probes, symbol, offset) for offset in (0, 1, 2))
     number = _part(probes, "#number", 1)
-    again = probes.work(row, FROM, AGAIN, rows=probes.plan.rows, **ends)
+    again = probes.work(row, FROM, AGAIN, rows=ROW_COUNT, **ends)
     probes.work(
         row, COUNT, f"IFERROR(SUMPRODUCT({FAR}*{peak(more)}*{promises(more, less)}),0)", own=own, before=before, after=after,
         number=number, again=again, here=here, **limits,
@@ -81,7 +82,7 @@ def write(
             name: formula(f"INDEX(column,start{away}):INDEX(column,end{away})", column=column, start=start, end=end)
             for name, away in (("own", ""), ("before", "-1"), ("after", "+1"))
         }
-        whole = formula("last-first+1=rows", rows=probes.plan.rows, **ends)
+        whole = formula("last-first+1=rows", rows=ROW_COUNT, **ends)
         probes.work(
             row + index, COUNT, f"IF(OR(whole,start>end),0,SUMPRODUCT({promises(more, less)}))", whole=whole, start=start,
             end=end, **part, **limits,

@@ -37,10 +37,11 @@ class Writer:
         """A formula, already bound."""
         self.fills.append(Fill(row, col, node, style))
 
-    def line(self, row: int, symbol: Content, unit: str, meaning: str | None) -> None:
-        """The fixed parts of an entry: everything but its value (and its meaning, when that is a formula: None)."""
+    def line(self, row: int, symbol: Content, unit: str | None, meaning: str | None) -> None:
+        """The fixed parts of an entry: everything but its value (and its unit or meaning, when that is a formula: None)."""
         self.put(row, SYMBOL, symbol, styles.SYMBOL)
-        self.put(row, UNIT, unit, styles.UNIT)
+        if unit is not None:
+            self.put(row, UNIT, unit, styles.UNIT)
         if meaning is None:
             return
         lines = label_lines(meaning, COLUMN * MEANING_WIDTH)

@@ -20,6 +20,7 @@ from mechsheet.sheet.plan import (
     INPUT_BLOCKS,
     LEGEND_ROW,
     MEANING,
+    ROW_COUNT,
     SYMBOL,
     TOLERANCE,
     UNIT,
@@ -330,7 +331,10 @@ def _position(writer: Writer) -> None:
     rows = plan.blocks["position"].rows
     driver = plan.mechanism.driver
     last = plan.rows - 1
-    writer.line(rows["position"], plan.text("name.position"), "", plan.text("position.number", last=last))
+    writer.line(rows["position"], plan.text("name.position"), "", None)
+    before, after = plan.text("position.number", last="#").split("#")
+    number = plan.at.bind(joined(before, formula("rows-1", rows=ROW_COUNT), after), plan.main)
+    writer.formula(rows["position"], MEANING, number, styles.LABEL_SAID)
     writer.put(rows["position"], VALUE, float(plan.first_existing), styles.INPUT)
     writer.validations.append(
         Validation(

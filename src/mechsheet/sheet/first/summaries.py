@@ -11,7 +11,7 @@ from mechsheet.sheet.checks.limits import last_rows
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.first.blocks import Writer, shown_unit, unit_of_column, value_style
 from mechsheet.sheet.over_rows import mean_of_rows
-from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
+from mechsheet.sheet.plan import MEANING, ROW_COUNT, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
@@ -66,9 +66,10 @@ def _where_it_closes(plan: Plan, value: Node) -> Node:
 def _with_part(plan: Plan, label: str) -> Node:
     """The label; where only a part of the sweep exists, of how many positions."""
     closed = plan.at.bind(Symbol("#rows_closed"), plan.main)
-    before, after = plan.text("summary.part", count="#", rows=plan.rows).split("#")
-    part = joined(f"{label}: {before}", closed, after)
-    return formula("IF(closed=rows,label,part)", closed=closed, rows=plan.rows, label=label, part=part)
+    rows = plan.at.bind(ROW_COUNT, plan.main)
+    before, between, after = plan.text("summary.part", count="#", rows="#").split("#")
+    part = joined(f"{label}: {before}", closed, between, rows, after)
+    return formula("IF(closed=rows,label,part)", closed=closed, rows=rows, label=label, part=part)
 
 
 def _said(writer: Writer, row: int, words: Node) -> None:
@@ -76,7 +77,7 @@ def _said(writer: Writer, row: int, words: Node) -> None:
     plan = writer.plan
     writer.formula(row, MEANING, words, styles.LABEL_SAID)
     closed = plan.at.bind(Symbol("#rows_closed"), plan.main)
-    partial = formula("closed<rows", closed=closed, rows=plan.rows)
+    partial = formula("closed<rows", closed=closed, rows=plan.at.bind(ROW_COUNT, plan.main))
     writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
 
 

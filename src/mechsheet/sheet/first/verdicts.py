@@ -13,7 +13,7 @@ from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, RangeRef, Symb
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import ENERGY, Link, Synthesis, inertia_unit
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.checks import Checks
+from mechsheet.sheet.checks.checks import Checks, sheets_in_rows
 from mechsheet.sheet.checks.efforts import AGREES
 from mechsheet.sheet.checks.extremes import Extremes, about, about_turns, where_bounded
 from mechsheet.sheet.checks.gaps import misfits_of
@@ -24,7 +24,8 @@ from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.first.transmission import acute, from_to, poor_limit, some_poor
-from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW, Plan
+from mechsheet.sheet.over_rows import but_first, but_last
+from mechsheet.sheet.plan import MEANING, ROW_COUNT, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
@@ -95,10 +96,15 @@ class _Block:
         """A formula of the first sheet."""
         return self.plan.at.bind(formula(text, **holes), self.plan.main)
 
-    def line(self, key: str, symbol: Content, unit: str, value: Node, digits: int | Style, words: Node) -> CellRef:
-        """One line; the cell of its value, which has so many decimals or a style of its own."""
+    def line(
+        self, key: str, symbol: Content, unit: str | Node, value: Node, digits: int | Style, words: Node
+    ) -> CellRef:
+        """One line; the cell of its value, which has so many decimals or a style of its own. A unit that is a formula is
+        the number of rows that the value is of."""
         row = self.rows[key]
-        self.writer.line(row, symbol, unit, None)
+        self.writer.line(row, symbol, unit if isinstance(unit, str) else None, None)
+        if not isinstance(unit, str):
+            self.writer.formula(row, UNIT, unit, styles.numbered(styles.UNIT, '"/ "0'))
         style = styles.decimals(styles.RESULT, digits) if isinstance(digits, int) else digits
         self.writer.formula(row, VALUE, value, style)
         self.writer.formula(row, MEANING, words, styles.LABEL_SAID)
@@ -107,6 +113,11 @@ class _Block:
     def where_it_closes(self, words: Node | str) -> Node:
         """Words about rows: nothing where no row closes."""
         return formula('IF(closed=0,"",words)', closed=self.value("rows_closed"), words=words)
+
+    @property
+    def of_rows(self) -> Node:
+        """The cell with the number of rows of the table."""
+        return self.plan.at.bind(ROW_COUNT, self.plan.main)
 
     def value(self, key: str) -> CellRef:
         """The cell of a line's value."""
@@ -164,7 +175,7 @@ class _Block:
     def rows_closed(self) -> None:
         """In how many rows it closes, and in which stretches."""
         plan = self.plan
-        key, rows = "rows_closed", float(plan.rows)
+        key, rows = "rows_closed", self.of_rows
         count = self.bound("COUNTIF(said,ok)", said=Symbol(f"{ALL}#status"), ok=plan.text("status.ok"))
         stretches = [Symbol(f"#stretch_{number}") for number in range(1, STRETCHES + 1)]
         more = formula('IF(_stretches>most," …","")', most=STRETCHES)
@@ -174,7 +185,7 @@ class _Block:
             "IF(count=0,nowhere,IF(count=rows,everywhere,some))", count=cell, rows=rows,
             nowhere=self.text("rows.none"), everywhere=self.text("rows.all"), some=some,
         )  # fmt: skip
-        self.line(key, self.text("rows"), f"/ {plan.rows}", count, 0, words)
+        self.line(key, self.text("rows"), self.bound("ROWS(said)", said=Symbol(f"{ALL}#status")), count, 0, words)
         self.colour(key, "count=0", styles.BAD, count=cell)
         self.colour(key, "count<rows", styles.WARN, count=cell, rows=rows)
         self.colour(key, "count=rows", styles.GOOD, count=cell, rows=rows)
@@ -184,15 +195,12 @@ class _Block:
 
     def limits(self) -> None:
         """The limit positions within the sweep: how many, and where."""
-        spot = self.plan.at.spots["#status"]
         column = self.plan.at.column("#status", self.plan.main)
         if self.plan.rows == 1:
             self.line("limits", self.text("limits"), "", al.ZERO, 0, Text(""))
             return
-        later = RangeRef(CellRef(column.start.row + 1, spot.col, True, True, spot.sheet), column.end)
-        earlier = RangeRef(column.start, CellRef(column.end.row - 1, spot.col, True, True, spot.sheet))
-        count = self.bound("SUMPRODUCT(((later=ok)<>(earlier=ok))*1)", later=later, earlier=earlier,
-                           ok=self.plan.text("status.ok"))  # fmt: skip
+        count = self.bound("SUMPRODUCT(((later=ok)<>(earlier=ok))*1)", later=but_first(column),
+                           earlier=but_last(column), ok=self.plan.text("status.ok"))  # fmt: skip
         cell = self.value("limits")
         parts: list[Node | str] = []
         for number in range(1, self.extremes.limits.count + 1):
@@ -224,7 +232,7 @@ class _Block:
         else:
             ends = [driver_at(self.plan, Symbol(f"#{key}_1")) for key in ("from", "to")]
         unit = self.driver.unit.text
-        everywhere = formula("AND(count=rows,_whole>0,passes=0)", count=self.value("rows_closed"), rows=self.plan.rows,
+        everywhere = formula("AND(count=rows,_whole>0,passes=0)", count=self.value("rows_closed"), rows=self.of_rows,
                              passes=self.value("passes"))  # fmt: skip
         free = formula("IF(everywhere,free,range)", everywhere=everywhere, free=self.text("input.free"),
                        range=self.text("input.range"))  # fmt: skip
@@ -270,12 +278,16 @@ class _Block:
             wrong[f"misfit_{number}"] = misfit = self.text("gap.redundant", link=link, sheet=self.checks.title)
             left_open = formula("IF(own>rounding,misfit,other)", own=self.checks.worst("gap", group), rounding=rounding,
                                 misfit=misfit, other=left_open)  # fmt: skip
-        words = formula('IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed)))',
+        sheets = ", ".join(sheets_in_rows(plan))
+        wrong["apart"] = self.text("gap.apart", table=plan.table, sheets=sheets)
+        words = formula('IF(_rows_apart>0,apart,IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed))))',
+                        apart=wrong["apart"],
                         typed=plan.at.cell("#typed", plan.main, None), count=self.value("rows_closed"), gap=cell,
                         rounding=rounding, over=self.text("gap.typed", sheet=self.checks.title),
                         closed=self.text("gap.closed"), open=left_open)  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
-        self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style, words)
+        self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style,
+                  self.bound("words", words=words))  # fmt: skip
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("gap")))
         wrong["over"] = self.text("gap.typed", sheet=self.checks.title)
         said = ",".join(f"said={name}" for name in wrong)
@@ -347,7 +359,7 @@ class _Block:
         """By how much a link turns, and whether it is a crank or a rocker."""
         symbol = link.angle_symbol
         turn = whole_turn(self.plan.at.spots[symbol].degrees)
-        closed = formula("AND(_whole>0,count=rows)", count=self.value("rows_closed"), rows=self.plan.rows)
+        closed = formula("AND(_whole>0,count=rows)", count=self.value("rows_closed"), rows=self.of_rows)
         if self.plan.newton:  # of what is between the rows nothing is said
             closed = Boolean(False)
         back = Symbol(f"#wraps_{symbol}")  # the ends of the whole turn are neighbours
@@ -395,12 +407,12 @@ class _Block:
             closes = formula("AND(closes,ABS(ABS(last-first)/turn-1)<1E-9)", closes=closes, first=first, last=last,
                              turn=turn)  # fmt: skip
         if self.plan.equations.equations.tied:  # what gears move is back after one turn, or after several
-            closes = formula("AND(closes,ABS(_step)*(rows-1)<1.5*turn)", closes=closes, rows=self.plan.rows,
+            closes = formula("AND(closes,ABS(_step)*(rows-1)<1.5*turn)", closes=closes, rows=self.of_rows,
                              turn=turn) if law is None else closes  # fmt: skip
             none = "ratio.gears"
         # in rows, which are equally far from each other in time
         high, low = (Symbol(f"#{way}_turns_{symbol}") for way in ("max", "min"))
-        period: Node | float = float(self.plan.rows - 1) if law else formula("turn/ABS(_step)", turn=turn)
+        period = formula("rows-1", rows=self.of_rows) if law else formula("turn/ABS(_step)", turn=turn)
         way = formula("MOD(high-low,period)", high=high, low=low, period=period)
         value = formula("MAX(way,period-way)/MIN(way,period-way)", way=way, period=period)
         node = self.bound("IF(closes,IFERROR(value,NA()),NA())", value=value, closes=closes)
@@ -443,7 +455,7 @@ class _Block:
                            ok=self.plan.text("status.ok"))  # fmt: skip
         some = self.text("dead_centres.some", rates=self.plan.at.titles["rates"])
         words = formula("IF(count=0,none,some)", count=cell, none=self.text("dead_centres.none"), some=some)
-        self.line(key, self.text(key), f"/ {self.plan.rows}", count, 0, self.where_it_closes(words))
+        self.line(key, self.text(key), self.of_rows, count, 0, self.where_it_closes(words))
         self.colour(key, "count>0", styles.WARN, count=cell)
 
     def fits(self, kind: Literal["velocity", "acceleration"], key: str) -> None:
@@ -492,11 +504,11 @@ class _Block:
         """Mean torque, change of energy over the turn, and the moment of inertia that keeps the speed within its bounds."""
         plan, torque = self.plan, self.plan.efforts[0]
         speed, acceleration = (Symbol(name) for name in plan.mechanism.driver_rates)
-        even = formula("AND(_whole=1,count=rows,speed<>0,acceleration=0)", count=self.value("rows_closed"), rows=plan.rows,
-                       speed=speed, acceleration=acceleration)  # fmt: skip
+        even = formula("AND(_whole=1,count=rows,speed<>0,acceleration=0)", count=self.value("rows_closed"),
+                       rows=self.of_rows, speed=speed, acceleration=acceleration)  # fmt: skip
         column = plan.at.column(torque, plan.main)
         mean = self.bound("IF(even,(SUM(column)-(first+last)/2)/steps,NA())", even=even, column=column, first=column.start,
-                          last=column.end, steps=max(1, plan.rows - 1))  # fmt: skip
+                          last=column.end, steps=formula("MAX(1,rows-1)", rows=self.of_rows))  # fmt: skip
         style = styles.decimals(styles.RESULT, places(plan, "moment"))
         missing = self.text("flywheel.missing")
 
@@ -528,10 +540,10 @@ class _Block:
     def line_under_the_title(self) -> None:
         """All in one line: whether it closes, what it is, how well it transmits force; or what is wrong, and where."""
         plan = self.plan
-        count, rows = self.value("rows_closed"), float(plan.rows)
-        closed = joined(self.text("line.closes"), " ", count, f" / {plan.rows} ", self.text("line.positions"))
+        count, rows = self.value("rows_closed"), self.of_rows
+        closed = joined(self.text("line.closes"), " ", count, " / ", rows, " ", self.text("line.positions"))
         parts: list[Node | str] = [formula("IF(count=rows,everywhere,some)", count=count, rows=rows,
-                                           everywhere=closes_in_all(plan), some=closed)]  # fmt: skip
+                                           everywhere=self._closes_in_all(), some=closed)]  # fmt: skip
         if plan.found.limits:
             parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
@@ -584,6 +596,13 @@ class _Block:
         self.writer.conditionals.append(Conditional(area, doubts, styles.WARN))
         self.writer.conditionals.append(Conditional(area, formula("count=rows", count=count, rows=rows), styles.GOOD))
 
+    def _closes_in_all(self) -> Node:
+        """What `closes_in_all` says, of the rows that there are."""
+        if self.plan.rows == 1:
+            return Text(closes_in_all(self.plan))
+        before, after = self.text("line.all", rows="#").split("#")
+        return joined(before, self.of_rows, after)
+
     def _transmissions(self, col: int) -> RangeRef:
         """The cells of a column in the lines of all angles of transmission."""
         rows = [self.rows[f"transmission_{group.number}"] for group in self.plan.found.transmission]
@@ -604,7 +623,7 @@ class _Block:
 
 
 def closes_in_all(plan: Plan) -> str:
-    """What the line says first of a mechanism that closes in all positions."""
+    """What the line says first of a mechanism that closes in all positions, of so many rows as were built."""
     return plan.text("verdict.line.one") if plan.rows == 1 else plan.text("verdict.line.all", rows=plan.rows)
 
 

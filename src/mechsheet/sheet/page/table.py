@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, shifted, transform, walk
+from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, transform, walk
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
@@ -26,9 +26,6 @@ from mechsheet.sheet.table.positions import (
 from mechsheet.sheet.table.status import first_open, links_of, undetermined
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style, plain_text
 from mechsheet.units import SECONDS
-
-MOST_STEPPED = 400
-"""Rows in which the driver is the row above and a step; in more the rounding of so many sums would be seen."""
 
 NARROWEST, WIDEST = 10.0, 26.0
 """Widths of columns in characters."""
@@ -85,13 +82,8 @@ class Table:
         if law is not None and column.kind in ("driver", "time"):
             return written(time_after(law, Symbol("n")) if column.kind == "time" else law.value, plan.language)
         if column.kind == "driver" and plan.mechanism.driver.stepped:
-            step = plan.text("name.step")
-            return plan.text("page.step", step=step) if self._stepped else f"{plan.text('name.start')} + n·{step}"
+            return f"{plan.text('name.start')} + n·{plan.text('name.step')}"
         return "" if column.equation is None else written(column.equation.says, plan.language)
-
-    @property
-    def _stepped(self) -> bool:
-        return self.plan.rows <= MOST_STEPPED
 
     def _width(self, column: TableColumn) -> float:
         if column.kind == "status":
@@ -125,8 +117,7 @@ class Table:
                 own = plan.mechanism.given_unit(column.symbol) or SECONDS
                 self._listed(column.symbol, column.col, styles.decimals(styles.COLUMN, places_of(plan, own)))
             case "time" if plan.mechanism.driver.law is not None:
-                rows = formula("ROW()-ROW(top)", top=CellRef(first, 0, row_abs=True))
-                time = self._checked(time_after(plan.mechanism.driver.law, rows))
+                time = self._checked(time_after(plan.mechanism.driver.law, self._rows_before))
                 self._fill(
                     column.col, self._bound(time, first), styles.decimals(styles.COLUMN, places_of(plan, SECONDS))
                 )
@@ -135,9 +126,8 @@ class Table:
             case _:
                 self._equation(column)
 
-    def _fill(self, col: int, node: Node, style: Style, skip: int = 0) -> None:
-        if self.plan.rows > skip:
-            self.fills.append(Fill(self.plan.at.first + skip, col, node, style, rows=self.plan.rows - skip))
+    def _fill(self, col: int, node: Node, style: Style) -> None:
+        self.fills.append(Fill(self.plan.at.first, col, node, style, rows=self.plan.rows))
 
     def _bound(self, node: Node, row: int) -> Node:
         return transform(self.plan.at.bind(node, self.plan.main, row), degrees_together)
@@ -151,14 +141,8 @@ class Table:
         if driver.law is not None:
             self._fill(0, self._bound(by_time(driver.law, Symbol(TIME)), first), style)
             return
-        start = self._bound(self._checked(Symbol("#start")), first)
-        self.fills.append(Fill(first, 0, start, style))
-        if self._stepped:
-            further = formula("above+_step", above=CellRef(first, 0))
-        else:
-            top = CellRef(first, 0, row_abs=True)
-            further = formula("top+(ROW()-ROW(top))*_step", top=top)
-        self._fill(0, self._bound(further, first + 1), style, skip=1)
+        stepped = self._checked(formula("_start+rows*_step", rows=self._rows_before))
+        self._fill(0, self._bound(stepped, first), style)
 
     def _listed(self, symbol: str, col: int, style: Style) -> None:
         """What is listed row by row, as inputs."""
@@ -170,9 +154,14 @@ class Table:
                 node = self._bound(value, row)
                 self.fills.append(Fill(row, col, in_degrees(node) if unit.in_degrees else node, style))
 
-    def _checked(self, start: Node) -> Node:
-        """The first value, while every yellow cell holds what can be: else no row pretends to exist."""
-        return formula("IF(_inputs>0,NA(),start)", start=start)
+    @property
+    def _rows_before(self) -> Node:
+        """How many rows of the table are before a row."""
+        return formula("ROW()-ROW(top)", top=CellRef(self.plan.at.first, 0, row_abs=True))
+
+    def _checked(self, value: Node) -> Node:
+        """The value, while every yellow cell holds what can be: else no row pretends to exist."""
+        return formula("IF(_inputs>0,NA(),value)", value=value)
 
     def _equation(self, column: TableColumn) -> None:
         plan, equation, first = self.plan, column.equation, self.plan.at.first
@@ -186,16 +175,13 @@ class Table:
         value = in_degrees(node) if degrees else node
         if plan.mechanism.driver.values and column.symbol in plan.page.closes.values():
             value = while_inputs_can_be(plan, value, plan.main)
-        if equation.first is None:
-            self._fill(column.col, value, style)
-            return
-        self.fills.append(Fill(first, column.col, value, style))
-        turn: Node = Number(360.0) if degrees else al.mul(al.TWO, al.PI)
-        near = formula(
-            "value+turn*IFERROR(ROUND((above-value)/turn,0),0)",
-            value=shifted(value, 1), turn=turn, above=CellRef(first, column.col),
-        )  # fmt: skip
-        self._fill(column.col, near, style, skip=1)
+        if equation.first is not None:  # anew under the heading, and after a row without a value
+            turn: Node = Number(360.0) if degrees else al.mul(al.TWO, al.PI)
+            value = formula(
+                "value+turn*IFERROR(ROUND((above-value)/turn,0),0)",
+                value=value, turn=turn, above=CellRef(first - 1, column.col),
+            )  # fmt: skip
+        self._fill(column.col, value, style)
 
     # --- colours ----------------------------------------------------------------------------------------------
 

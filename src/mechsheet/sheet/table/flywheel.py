@@ -1,6 +1,6 @@
 """The flywheel's column: the energy that it has given since the first row, by trapezia.
 
-    E = E above + ((T12 above + T12) / 2 - mean) (theta12 - theta12 above)
+    E = E above + ((T12 above + T12) / 2 - mean) (theta12 - theta12 above),   0 in the first row
 
 The mean is over whole turns, in a cell of the first sheet: #N/A where the rows are none, or the speed is not constant.
 """
@@ -26,7 +26,7 @@ def with_energy(mechanism: Mechanism, equations: Assignments) -> Assignments:
         return equations
     torque = equations.equations.efforts[0]
 
-    def step(mean: Node) -> Node:
+    def added(mean: Node) -> Node:
         return formula(
             "energy+((before+torque)/2-mean)*(driver-driver_before)", energy=Previous(ENERGY), before=Previous(torque),
             torque=Symbol(torque), mean=mean, driver=Symbol(mechanism.driver.symbol),
@@ -34,9 +34,9 @@ def with_energy(mechanism: Mechanism, equations: Assignments) -> Assignments:
         )  # fmt: skip
 
     unit = Unit("moment", energy_unit(mechanism.dynamics, mechanism.length_unit))
-    # nothing is stored in the first row; 0 times what follows says where there is no mean
-    first = formula("0*mean", mean=Symbol(f"#{MEAN}"))
-    column = Assignment(
-        ENERGY, step(Symbol(f"#{MEAN}")), step(Symbol("T_m")), "force", unit, phrase("flywheel_energy"), 0, first
-    )
+    mean = Symbol(f"#{MEAN}")
+    # nothing is stored in the first row, above which are texts; 0 times the mean says where there is none
+    first = formula("0*mean", mean=mean)
+    own = formula("IFERROR(added,first)", added=added(mean), first=first)
+    column = Assignment(ENERGY, own, added(Symbol("T_m")), "force", unit, phrase("flywheel_energy"), 0, first)
     return replace(equations, columns=(*equations.columns, column))

@@ -49,7 +49,9 @@ class Assignment:
     """One cell, or one column of cells: `symbol = expression`, where `Previous(x)` reads x of the row above.
 
     says    the same as mathematics, for people to read
-    first   what stands in the first row instead, where the expression reads the row above; fields else as in `Equation`
+    first   what the expression comes to with nothing above, where it reads the row above. All rows of a table hold the
+            expression: over the first stands a heading, a text, with which sums are errors
+    Fields else are as in `Equation`.
     """
 
     symbol: str
@@ -208,9 +210,10 @@ class _Lowering:
                 node, first = _next(system, unknown, number - 1), None
                 if number == 1:
                     first = Symbol(in_pass(unknown, 0))
+                    # under the heading is neither: there it all begins
                     node = formula(
-                        "IF(ISNUMBER(there),last,start)", there=Previous(variable), last=Previous(unknown),
-                        start=Previous(in_pass(unknown, 1)),
+                        "IF(ISNUMBER(there),last,IF(ISNUMBER(start),start,begin))", there=Previous(variable),
+                        last=Previous(unknown), start=Previous(in_pass(unknown, 1)), begin=first,
                     )  # fmt: skip
                 own = replace(equation, symbol=in_pass(unknown, number), expression=Symbol(unknown),
                               unit=units[unknown], label=labels[unknown])  # fmt: skip
@@ -277,7 +280,8 @@ class _Lowering:
         return self.tests[equation.exists]
 
     def _direction(self, equation: Equation, y: Node, x: Node) -> None:
-        """ATAN2 and whole turns. After a row without a direction (none is known, or pins coincide) it begins anew."""
+        """ATAN2 and whole turns. It begins anew under the heading, and after a row without a direction (none is known, or
+        pins coincide)."""
         raw = al.atan2(x, y)
         apart = pins_apart(self.equations, equation)
         turns = formula("IFERROR(ROUND((above-raw)/turn,0),0)", above=Previous(equation.symbol), raw=raw, turn=TURN)

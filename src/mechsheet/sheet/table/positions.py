@@ -12,7 +12,6 @@ from mechsheet.formula.nodes import (
     CellRef,
     Node,
     Symbol,
-    shifted,
     transform,
 )
 from mechsheet.model import TIME
@@ -120,9 +119,9 @@ def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: 
     style, law = style_of(plan, column), plan.mechanism.driver.law
     match column.kind:
         case "number":
-            # counted from the heading: rows may be inserted above the table
-            above = CellRef(first - 1, NUMBER, True, True)
-            return [Fill(first, NUMBER, formula("ROW()-ROW(above)-1", above=above), style, rows=rows)]
+            # counted from the row that ranges begin with: they leave out rows that are inserted over it
+            top = CellRef(first, NUMBER, True, True)
+            return [Fill(first, NUMBER, formula("ROW()-ROW(top)", top=top), style, rows=rows)]
         case "driver":
             number = CellRef(first, NUMBER, col_abs=True)
             stepped = formula("_start+number*_step", number=number) if law is None else by_time(law, Symbol(TIME))
@@ -135,12 +134,7 @@ def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: 
     if column.equation is None:
         raise ValueError(f"a column without an equation: {column.symbol}")
     value = cell_formula(plan, plan.at, column, column.equation.expression, sheet, first)
-    if column.equation.first is None:
-        return [Fill(first, column.col, value, style, rows=rows)]
-    start = Fill(first, column.col, cell_formula(plan, plan.at, column, column.equation.first, sheet, first), style)
-    if rows == 1:
-        return [start]
-    return [start, Fill(first + 1, column.col, shifted(value, 1), style, rows=rows - 1)]
+    return [Fill(first, column.col, value, style, rows=rows)]
 
 
 def cell_formula(plan: Plan, at: Addresses, column: TableColumn, expression: Node, sheet: str, row: int) -> Node:

@@ -108,8 +108,13 @@ class Helpers:
         self._rows()
         count = self._line("count", "COUNT(column)")
         self.value = self._value()
-        every = formula("count=rows", count=count, rows=self.plan.rows)
+        every = formula("count=rows", count=count, rows=self.of_rows)
         self.sure = self._line("sure", "IFERROR(IF(every,1,0),0)", every=al.all_of([every, *self.settled]))
+
+    @property
+    def of_rows(self) -> Node:
+        """How many rows there are."""
+        return formula("ROWS(column)", column=self.column)
 
     def _heads(self) -> dict[str, CellRef]:
         """The cells of a column's two values."""
@@ -203,7 +208,7 @@ class Helpers:
         plan = self.plan
         turns: Node | None = None
         if may_leave_out(plan):
-            turns = formula("AND(_whole=2,COUNT(column)=rows)", column=self.column, rows=plan.rows)
+            turns = formula("AND(_whole=2,COUNT(column)=rows)", column=self.column, rows=self.of_rows)
         return mean_of_motion(plan.mechanism.driver, self.column, [(self.column, NUMBERS)], turns)
 
     def _wraps(self) -> CellRef | None:
@@ -215,9 +220,7 @@ class Helpers:
             return self._line("wraps", "0")
         of, column = self.table.summary.of, self.column
         meet = ends_meet(self.plan, of, self.found.unit(of), column, (column.start, column.end))
-        return self._line(
-            "wraps", "IFERROR(IF(AND(COUNT(column)=rows,meet),_whole,0),0)", rows=self.plan.rows, meet=meet
-        )
+        return self._line("wraps", "IFERROR(IF(AND(COUNT(column)=rows,meet),_whole,0),0)", rows=self.of_rows, meet=meet)
 
     def _extreme(self, way: Way, wraps: CellRef | None, style: Style) -> CellRef:
         """The rows of the smallest or largest value; the last of them has it."""
@@ -232,9 +235,9 @@ class Helpers:
             "middle",
             'IF(wraps>0,here,IF(ISNUMBER(IF(here>1,INDEX(column,here-1),"")),'
             'IF(ISNUMBER(IF(here<rows,INDEX(column,here+1),"")),here,here-1),here+1))',
-            wraps=wraps, here=here, rows=self.plan.rows,
+            wraps=wraps, here=here, rows=self.of_rows,
         )  # fmt: skip
-        turn = formula("IF(wraps=1,rows-1,IF(wraps=2,rows,2*rows))", wraps=wraps, rows=self.plan.rows)
+        turn = formula("IF(wraps=1,rows-1,IF(wraps=2,rows,2*rows))", wraps=wraps, rows=self.of_rows)
         around = [
             self._line(key, f"INDEX(column,1+MOD(middle{beside}-1,turn))", self.style, middle=middle, turn=turn)
             for key, beside in (("before", "-1"), ("at.middle", ""), ("after", "+1"))
@@ -272,7 +275,7 @@ class Helpers:
         count = formula(
             f"SUMPRODUCT({rivals.FAR}*{rivals.peak(more)}*{rivals.promises(more, less)})", own=own, before=before,
             after=after, number=formula("ROW(own)-offset", own=own, offset=FIRST + 1), here=here,
-            again=formula(rivals.AGAIN, wraps=wraps, here=here, rows=self.plan.rows), **limits,
+            again=formula(rivals.AGAIN, wraps=wraps, here=here, rows=self.of_rows), **limits,
         )  # fmt: skip
         ends = [self._rival_at_end(at, wraps, here, rivals.at_end(more, less), limits) for at in (0, 1)]
         return self._line("rivals", "IFERROR(count+one+other,0)", count=count, one=ends[0], other=ends[1])
@@ -282,7 +285,7 @@ class Helpers:
         rows = [replace(self.column.start, row=row) for row in range(FIRST, self.table.rows_end + 1)]
         own, after, third, *_, near, far = rows if at == 0 else rows[::-1]
         outside = formula(rivals.OUTSIDE, wraps=wraps, own=own, after=after, third=third, near=near, far=far)
-        end, other = (1, self.plan.rows) if at == 0 else (self.plan.rows, 1)
+        end, other = (al.ONE, self.of_rows) if at == 0 else (self.of_rows, al.ONE)
         return formula(
             test, here=here, end=end, other=other, wraps=wraps, outside=outside, own=own, after=after, **limits
         )
