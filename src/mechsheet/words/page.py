@@ -49,9 +49,7 @@ PAGE: dict[str, tuple[str, str]] = {
     "page.verdict.of": (" of ", " / "),
     "page.verdict.positions": (" positions", ""),
     "page.verdict.position": (" position", ""),
-    "page.transmission": ("transmission angle at least ", "bağlama açısı en az "),
-    "page.transmission.row": ("transmission, these rows", "bağlama açısı, bu satırlar"),
-    "page.transmission.rows": (" in these rows", " (bu satırlarda)"),
+    "page.transmission": ("transmission, these rows", "bağlama açısı, bu satırlar"),
     "page.take.rows": ("{label} (these rows)", "{label} (bu satırlarda)"),
     "page.drawing": ("For the drawing", "Çizim için"),
 }  # fmt: skip

@@ -189,7 +189,7 @@ def _block(plan: PagePlan, key: str, entries: Iterable[str]) -> None:
 
 
 def _name_places(plan: PagePlan, modes: list[str]) -> None:
-    """A place for everything on top; it has a name where formulas are to read names."""
+    """A place and a name for everything on top, whether the page's own formulas read names or not."""
     mechanism, rows = plan.mechanism, {key: block.rows for key, block in plan.blocks.items()}
     cells = {dim.symbol: dim.cell for dim in mechanism.dimensions}
     cells |= {each.symbol: each.cell for each in mechanism.motion_numbers}
@@ -218,11 +218,9 @@ def _name_places(plan: PagePlan, modes: list[str]) -> None:
 def _place(
     plan: PagePlan, symbol: str, row: int, degrees: bool, wish: str, taken: set[str], col: int = VALUE
 ) -> None:  # fmt: skip
-    name = ""
-    if plan.at.references == "names":
-        name = wish if folded(wish) in taken else safe_name(wish, taken)
-        taken.add(folded(name))
-        plan.names.append(Name(name, plan.main, row, col))
+    name = wish if folded(wish) in taken else safe_name(wish, taken)
+    taken.add(folded(name))
+    plan.names.append(Name(name, plan.main, row, col))
     plan.at.spots[symbol] = Spot(plan.main, row, col, degrees=degrees, name=name)
 
 

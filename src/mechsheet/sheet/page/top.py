@@ -310,16 +310,12 @@ class Top:
         cell, limit = CellRef(row, VALUE, True, True), poor_limit(plan.mechanism)
         unit = plan.mechanism.angle_unit
         poor = formula("AND(ISNUMBER(value),value<limit)", value=cell, limit=limit)
-        words = joined(
-            plan.text("page.transmission.row"), formula('IF(poor,words,"")', poor=poor, words=self._poor_words())
-        )
+        bad = formula('IF(poor,words,"")', poor=poor, words=f": {plan.text('verdict.poor')}")
+        words = joined(plan.text("page.transmission"), bad)
         self.line(row, f"μ{group.number}", unit.text, words)
         self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=self.cell("#rows_closed"), least=least)
         self.fill(row, VALUE, value, value_style(plan, "angle"))
-
-    def _poor_words(self) -> str:
-        return f": {self.plan.text('verdict.poor')}"
 
     def _line_under_the_title(self) -> None:
         """Whether it closes in the rows of the table, its type, its transmission; or that an input is none."""
@@ -337,14 +333,18 @@ class Top:
         any_poor: Node = Boolean(False)
         if plan.found.transmission:
             lines = [plan.blocks["verdicts"].rows[f"transmission_{each.number}"] for each in plan.found.transmission]
-            angles = RangeRef(CellRef(lines[0], VALUE, True, True), CellRef(lines[-1], VALUE, True, True))
+            said, angles = (
+                RangeRef(CellRef(lines[0], col, True, True), CellRef(lines[-1], col, True, True))
+                for col in (MEANING, VALUE)
+            )
             any_poor = some_poor(plan.mechanism, angles)
-            worst, after = angle_words(plan, formula("MIN(angles)", angles=angles) if len(lines) > 1 else angles.start)
-            words = joined(
-                "; ", text("page.transmission"), worst, f"{after}{text('page.transmission.rows')}",
-                formula('IF(poor,words,"")', poor=any_poor, words=self._poor_words()),
-            )  # fmt: skip
-            parts.append(formula('IFERROR(words,"")', words=words))
+            least: Node = angles.start
+            words: Node = said.start
+            if len(lines) > 1:
+                least = formula("MIN(angles)", angles=angles)
+                words = formula("INDEX(said,MATCH(least,angles,0))", said=said, angles=angles, least=least)
+            worst, after = angle_words(plan, least)
+            parts += ["; ", words, " (", worst, f"{after})"]  # where rows close, there are angles
         wrong, there = self.cell("#inputs"), self._there()
         closes: Node = joined(*parts)
         missed: Node = Boolean(False)
