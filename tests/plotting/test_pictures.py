@@ -16,6 +16,7 @@ from PIL import Image
 
 import mechsheet
 from chosen import some
+from loaded_mechanisms import SUSPENSION
 from mechsheet import plotting
 from mechsheet.cli import main
 from mechsheet.diagnostics import MechsheetError, MissingProgramError, OutputError
@@ -140,6 +141,13 @@ def strokes(svg):
             places = [np.array(re.findall(r"-?[\d.]+", part), float).reshape(-1, 2) for part in parts]
             found.setdefault(color[1], []).append(places)
     return found
+
+
+def test_what_belongs_to_a_shape_is_in_a_group_of_its_kind(tmp_path):
+    for ending in ("svg", "html"):
+        text = mechsheet.plot(mechsheet.loads(SUSPENSION), tmp_path / f"s.{ending}").read_text(encoding="utf-8")
+        found = {kind for value in re.findall(r'class="([^"]*)"', text) for kind in value.split()}
+        assert {"link", "ground", "spring", "damper", "load", "torque", "weight", "path", "name"} <= found
 
 
 def test_a_circle_is_round(tmp_path):

@@ -23,7 +23,7 @@ ARROWS = ("load", "torque", "weight", "velocity", "acceleration", "force")
 HALF = Symbol("#half")
 """Half the side of the window, in the length unit: symbols are so many of it large, whatever the mechanism's dimensions."""
 
-LEAST = 0.03
+LEAST = 0.05
 """Of what is less than this part of the largest of its kind no arrow is drawn: it would be all tip."""
 
 Path: TypeAlias = tuple[tuple[float, float], ...]
@@ -147,6 +147,15 @@ WHEEL: Path = ((0.0, 0.0), *arc(0.0, 360.0, 48))
 ROUND: Path = arc(0.0, 360.0, 24)
 QUARTERS: Path = ((0.0, 0.0), *arc(0.0, 90.0, 6), (0.0, 0.0), *arc(180.0, 270.0, 6), (0.0, 0.0))
 """With `ROUND` about it the mark of a mass centre."""
+
+
+SHAFT: Path = ((0.0, 0.0), (1.0, 0.0))
+ARROW_HEAD: Path = ((-0.75, -0.4), (0.25, 0.0), (-0.75, 0.4), (-0.75, -0.4))
+"""Round the end of a shaft, so that this is nowhere to be seen."""
+
+BOW: Path = arc(-135.0, 135.0, 24)
+BOW_HEAD: Path = ((-0.83, 0.83), (-1.03, 0.38), (-0.56, 0.56), (-0.83, 0.83))
+"""A round arrow counter-clockwise, its gap at -a; and its tip."""
 
 
 def zigzag(turns: int, start: float, stop: float) -> Path:

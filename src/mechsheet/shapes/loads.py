@@ -11,15 +11,19 @@ from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.vectors import Vector, minus, plus, size, times, together, turned
+from mechsheet.kinematics.vectors import NOWHERE, Vector, minus, plus, size, times, together, turned
 from mechsheet.model import Dynamics, Link, Load, Mass, Spring, center_symbol, pair_symbol, torque_unit
 from mechsheet.model import Place as GivenPlace
 from mechsheet.shapes.described import Described
 from mechsheet.shapes.forms import (
+    ARROW_HEAD,
+    BOW,
+    BOW_HEAD,
     COIL,
     HALF,
     QUARTERS,
     ROUND,
+    SHAFT,
     Frame,
     Kind,
     Name,
@@ -43,11 +47,11 @@ from mechsheet.words import pictures
 LONGEST = 0.36
 """How long the longest arrow of a kind is, in half windows."""
 
-HEAD, HEAD_ASIDE = 0.05, 0.02
-"""How long the tip of an arrow is, and half how wide, in half windows."""
+HEAD = 0.05
+"""How long the tip of an arrow is, in half windows."""
 
-ROUND_ARROW, WIDEST, STEPS = 0.105, 270.0, 24
-"""Of a torque: its arrow's radius in half windows, how far round it the largest goes [degrees], and its corners."""
+NARROWEST, WIDEST = 0.05, 0.12
+"""Radii of the round arrows of torques, of the least and of the largest, in half windows."""
 
 CENTRE = 0.022
 """Radius of the mark of a mass centre, in half windows."""
@@ -184,29 +188,16 @@ def _torques(known: Described, found: Shapes, dynamics: Dynamics) -> Iterator[Sh
     for load, torque in loads:
         middle, away = _turning(known, known.links[load.link])
         part = al.div(torque, most)
-        span = al.mul(al.number(WIDEST), part)
-
-        def rim(
-            turn: float, out: float = 0.0, middle: Vector = middle, away: Vector = away, span: Node = span
-        ) -> Vector:
-            ahead = along(formula("RADIANS(turn*span)", turn=turn, span=span))
-            spoke = plus(times(ahead[0], away), times(ahead[1], turned(away)))
-            return plus(middle, times(sized(ROUND_ARROW + out), spoke))
-
-        bow = [rim(step / STEPS - 0.5) for step in range(STEPS + 1)]
-        tip = plus(bow[-1], times(formula("SIGN(part)*size", part=part, size=sized(HEAD)), _tangent(middle, bow[-1])))
-        head = (rim(0.5, HEAD_ASIDE), tip, rim(0.5, -HEAD_ASIDE), bow[-1])
-        name = pictures.LOAD.of(known.mechanism.language).format(name=plain(load.name))
         strength = al.call("ABS", part)
-        yield Shape("torque", name, FORCE_COLOR, 1.75, corners=tuple(bow), size=strength)
-        yield Shape("torque", name, FORCE_COLOR, 0.5, corners=(*head, head[0]), fill=FORCE_COLOR, size=strength)
-        at = plus(middle, times(sized(ROUND_ARROW), away))
+        radius = formula(
+            "half*(least+more*strength)", half=HALF, least=NARROWEST, more=WIDEST - NARROWEST, strength=strength
+        )
+        frame = Frame(middle, times(radius, away), times(al.mul(al.call("SIGN", part), radius), turned(away)))
+        name = pictures.LOAD.of(known.mechanism.language).format(name=plain(load.name))
+        yield Shape("torque", name, FORCE_COLOR, 1.75, frame, BOW, size=strength)
+        yield Shape("torque", name, FORCE_COLOR, 0.5, frame, BOW_HEAD, fill=FORCE_COLOR, size=strength)
+        at = plus(middle, times(radius, away))
         found.names.append(Name(plain(load.name), at, torque, units, strength))
-
-
-def _tangent(middle: Vector, rim: Vector) -> Vector:
-    """The direction counter-clockwise round a middle."""
-    return turned(unit(minus(rim, middle)))
 
 
 def _turning(known: Described, link: Link) -> tuple[Vector, Vector]:
@@ -268,15 +259,10 @@ def _arrows(found: Shapes, forces: Sequence[Force], kind: Kind, units: str, bar:
     for force in forces:
         strength = size(force.parts)
         part = al.div(strength, most)
-        far = formula("longest*half*part", longest=LONGEST, half=HALF, part=part)
-        ahead = unit(force.parts)
-        tip = plus(force.at, times(far, ahead))
-        head = formula("MIN(head,far/2)", head=sized(HEAD), far=far)
-        neck = plus(force.at, times(al.sub(far, head), ahead))
-        aside = times(al.mul(al.number(HEAD_ASIDE / HEAD), head), turned(ahead))
-        corners = (force.at, neck, plus(neck, aside), tip, minus(neck, aside), neck)
-        color = COLORS[kind]
-        yield Shape(force.kind, force.name, color, 1.75, corners=corners, fill=color, size=part)
+        way = times(formula("longest*half/most", longest=LONGEST, half=HALF, most=most), force.parts)
+        tip, ahead = plus(force.at, way), times(sized(HEAD), unit(force.parts))
+        shaft, head = Frame(force.at, way, NOWHERE), Frame(tip, ahead, turned(ahead))
+        yield Shape(force.kind, force.name, COLORS[kind], 1.75, shaft, SHAFT, size=part)
+        yield Shape(force.kind, force.name, COLORS[kind], 0.5, head, ARROW_HEAD, fill=COLORS[kind], size=part)
         if force.text:
-            value = None if bar else strength
-            found.names.append(Name(force.text, tip, value, units, part))
+            found.names.append(Name(force.text, tip, None if bar else strength, units, part))
