@@ -91,6 +91,7 @@ def test_every_kind(name, tmp_path):
         assert all((a != b).any() for a, b in pairwise(frames))
         assert frames[-1][399, 0].tolist() == [255, 255, 255]
     judge_page(paths["html"].read_text(encoding="utf-8"))
+    assert paths["pdf"].read_bytes().startswith(b"%PDF-")
 
 
 def judge_page(text):
@@ -223,7 +224,7 @@ def test_command(tmp_path, monkeypatch):
         (["--at", "-1", "-o", "x.html"], "-1 lies outside of the sweep"),
         (["--at", "nan", "-o", "x.svg"], "expected a finite number, found nan"),
         (["--at", "sixty", "-o", "x.svg"], "'sixty' is not a valid float"),
-        (["-o", "x.tiff"], "endings: .svg, .png, .gif, .html"),
+        (["-o", "x.tiff"], "endings: .svg, .png, .gif, .html, .pdf"),
         (["-o", "x.htm"], 'did you mean "html"?'),
         (["-o", "x"], "endings: .svg"),
         (["-o", "nowhere/x.html"], "there is no such folder"),
@@ -239,14 +240,14 @@ def test_mistakes(arguments, message, tmp_path, monkeypatch):
 
 def test_library_says_the_same(tmp_path):
     with pytest.raises(MechsheetError, match="ending"):
-        mechsheet.plot(template("four-bar"), tmp_path / "x.pdf")
+        mechsheet.plot(template("four-bar"), tmp_path / "x.tiff")
     with pytest.raises(OutputError, match="there is no such folder"):
         mechsheet.plot(template("four-bar"), tmp_path / "no" / "x.html")
 
 
 def test_without_matplotlib(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    for kind in ("svg", "png", "gif"):
+    for kind in ("svg", "png", "gif", "pdf"):
         with pytest.raises(MissingProgramError, match=r"mechsheet\[plot\]"):
             mechsheet.plot(template("four-bar"), tmp_path / f"x.{kind}")
     mechsheet.plot(template("four-bar"), tmp_path / "x.html")

@@ -10,6 +10,7 @@ from chosen import some
 from loaded_mechanisms import LAMP, SUSPENSION, of_kind
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
+from mechsheet.shapes.loads import VECTORS
 from mechsheet.shapes.names import POINTS
 from mechsheet.shapes.positions import Positions, Stroke, there
 
@@ -82,7 +83,7 @@ def test_names_beside_springs_and_arrows(text):
 @pytest.mark.parametrize("name", ["four-bar-forces", "engine"])
 def test_names_beside_all_arrows(name):
     compiled = Compiled(load(next(path for path in TEMPLATES if path.stem == name)))
-    found = Positions(compiled, vectors=True)
+    found = Positions(compiled, VECTORS)
     for row in rows_of(compiled):
         judge(found, row)
 

@@ -37,7 +37,7 @@ COLORS, APART = 64, 24
 
 
 @contextmanager
-def _settings() -> Iterator[None]:
+def settings() -> Iterator[None]:
     """Matplotlib's own defaults, whatever the user's are, and nothing random in the file."""
     try:
         import matplotlib as mpl
@@ -45,7 +45,9 @@ def _settings() -> Iterator[None]:
         raise missing_package("matplotlib", "plot", say("it draws the pictures")) from error
     with mpl.rc_context():
         mpl.rcdefaults()
-        mpl.rcParams.update({"svg.hashsalt": "mechsheet", "font.family": "DejaVu Sans", "path.simplify": False})
+        mpl.rcParams.update(
+            {"svg.hashsalt": "mechsheet", "pdf.fonttype": 42, "font.family": "DejaVu Sans", "path.simplify": False}
+        )
         yield
 
 
@@ -65,7 +67,7 @@ def png(scene: Scene, title: str) -> bytes:
 
 def gif(scenes: Sequence[Scene], title: str) -> bytes:
     """An animation of 400 x 400 pixels that starts again at its end. Raises MissingProgramError."""
-    with _settings():
+    with settings():
         frames = few_colors([_pixels(scene) for scene in scenes])
     file = io.BytesIO()
     frames[0].save(
@@ -82,7 +84,7 @@ def gif(scenes: Sequence[Scene], title: str) -> bytes:
 
 def _saved(scene: Scene, kind: str, metadata: dict[str, Any], dpi: float = 72) -> bytes:
     file = io.BytesIO()
-    with _settings():
+    with settings():
         _figure(scene).savefig(file, format=kind, metadata=metadata, dpi=dpi)
     return file.getvalue()
 
@@ -92,37 +94,45 @@ def _figure(scene: Scene) -> Figure:
 
     figure = Figure(figsize=(SIDE, SIDE))
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-    axes.set_axis_off()
+    draw(axes, scene)
+    return figure
+
+
+def draw(axes: Any, scene: Scene, scale: float = 1.0) -> None:
+    """A position in axes that are a square; `scale`: how large it is, as a part of 360 points.
+
+    Letters become no larger than they are there.
+    """
     window = scene.window
+    axes.set_axis_off()
     axes.set_xlim(window.x - window.half, window.x + window.half)
     axes.set_ylim(window.y - window.half, window.y + window.half)
     axes.set_aspect("equal")
     for order, item in enumerate(scene.items):
-        for artist in _artists(axes, item) if there(item) else ():
+        for artist in _artists(axes, item, scale) if there(item) else ():
             artist.set(gid=f"{item.kind}-{order}", zorder=order)
-    return figure
 
 
-def _artists(axes: Any, item: Item) -> list[Any]:
+def _artists(axes: Any, item: Item, scale: float) -> list[Any]:
     from matplotlib.patches import Circle, Polygon
 
     match item:
         case Stroke(points=points, fill=fill) if fill:
             return [axes.add_patch(Polygon(
-                points, closed=False, facecolor=f"#{fill}", edgecolor=f"#{item.color}", linewidth=item.width,
+                points, closed=False, facecolor=f"#{fill}", edgecolor=f"#{item.color}", linewidth=item.width * scale,
                 joinstyle="round", capstyle="round",
             ))]  # fmt: skip
         case Stroke(points=points):
             x, y = points.T
             style = {"solid_joinstyle": "round", "solid_capstyle": "round"}
-            return list(axes.plot(x, y, color=f"#{item.color}", linewidth=item.width, **style))
+            return list(axes.plot(x, y, color=f"#{item.color}", linewidth=item.width * scale, **style))
         case Disc(x=x, y=y):
             return [axes.add_patch(Circle(
-                (x, y), item.radius, facecolor=f"#{item.fill}", edgecolor=f"#{item.line}", linewidth=RING
+                (x, y), item.radius, facecolor=f"#{item.fill}", edgecolor=f"#{item.line}", linewidth=RING * scale
             ))]  # fmt: skip
         case Label(x=x, y=y):
             side = "center" if item.middle else "left"
-            return [axes.text(x, y, item.text, fontsize=item.size, ha=side, va="center")]
+            return [axes.text(x, y, item.text, fontsize=item.size * min(scale, 1.0), ha=side, va="center")]
 
 
 def _pixels(scene: Scene) -> Codes:

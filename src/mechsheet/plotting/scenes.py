@@ -18,6 +18,7 @@ from mechsheet.engine import PORTABLE, Values, compile_book
 from mechsheet.formula.nodes import CellRef, ErrorValue
 from mechsheet.plotting.following import following_book
 from mechsheet.plotting.sampling import Sample
+from mechsheet.shapes.loads import VECTORS
 from mechsheet.shapes.positions import Disc, Positions, Scene, Stroke
 from mechsheet.sheet.workbook import Chart, Series, SeriesRef
 
@@ -60,7 +61,7 @@ class Stage:
     @cached_property
     def positions(self) -> Positions:
         """The mechanism in all positions."""
-        return Positions(self.sample, self.sample.vectors)
+        return Positions(self.sample, VECTORS if self.sample.vectors else ())
 
     def drawing(self, row: int) -> Scene:
         """The mechanism at a position."""

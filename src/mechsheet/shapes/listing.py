@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
 from mechsheet import portable
 from mechsheet.formula import algebra as al
@@ -16,6 +16,7 @@ from mechsheet.shapes.forms import (
     HALF,
     WHEEL,
     Frame,
+    Kind,
     Mark,
     Name,
     Path,
@@ -50,11 +51,11 @@ BORE = 0.033
 RACK: Path = tuple((step / (2 * TEETH), TOOTH if step % 2 else -TOOTH) for step in range(2 * TEETH + 1))
 
 
-def shapes_of(plan: Plan, equations: Equations, vectors: bool = False) -> Shapes:
-    """The list of a mechanism; `vectors`: with velocities, accelerations and joint forces."""
+def shapes_of(plan: Plan, equations: Equations, vectors: Collection[Kind] = ()) -> Shapes:
+    """The list of a mechanism; `vectors`: which of `VECTORS` are wanted."""
     mechanism = plan.mechanism
     known, found = Described(mechanism, equations), Shapes()
-    springs, loads = acting(known, found, plan if vectors else None)
+    springs, loads = acting(known, found, plan, vectors)
     traced = traced_points(plan, chart_requests(plan))
     for index, point in enumerate(traced):
         color = PATH_COLORS[index % len(PATH_COLORS)]

@@ -6,7 +6,7 @@ for, the forces of joints.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from mechsheet.formula import algebra as al
@@ -76,11 +76,12 @@ class Force:
     parts: Vector
 
 
-def acting(known: Described, found: Shapes, plan: Plan | None) -> tuple[list[Shape], list[Shape]]:
-    """Springs and dampers; and what lies on all else: marks of mass centres, arrows. Their names are written down.
+VECTORS: tuple[Kind, ...] = ("velocity", "acceleration", "force")
+"""Kinds of arrows that are drawn where they are asked for; forces are those of joints."""
 
-    plan  where velocities, accelerations and joint forces are wanted, too
-    """
+
+def acting(known: Described, found: Shapes, plan: Plan, vectors: Collection[Kind]) -> tuple[list[Shape], list[Shape]]:
+    """Springs and dampers; and what lies on all else: marks of mass centres, arrows. Their names are written down."""
     dynamics = known.mechanism.dynamics
     behind: list[Shape] = []
     before: list[Shape] = []
@@ -96,13 +97,14 @@ def acting(known: Described, found: Shapes, plan: Plan | None) -> tuple[list[Sha
         forces += [_load(known, load) for load in dynamics.loads if load.force is not None]
         before += _torques(known, found, dynamics)
     force_unit = dynamics.force_unit if dynamics is not None else ""
-    if plan is not None:
-        rates: tuple[tuple[Kind, str], ...] = (("velocity", "/s"), ("acceleration", "/s²"))
-        for kind, unit_of in rates:
+    rates: tuple[tuple[Kind, str], ...] = (("velocity", "/s"), ("acceleration", "/s²"))
+    for kind, per in rates:
+        if kind in vectors:
             arrows = _of_points(known, plan, kind)
-            before += _arrows(found, arrows, kind, f"{known.mechanism.length_unit}{unit_of}", bar=True)
+            before += _arrows(found, arrows, kind, f"{known.mechanism.length_unit}{per}", bar=True)
+    if "force" in vectors:
         forces += _joint_forces(known, plan)
-    before += _arrows(found, forces, "force", force_unit, bar=plan is not None)
+    before += _arrows(found, forces, "force", force_unit, bar="force" in vectors)
     return behind, before
 
 

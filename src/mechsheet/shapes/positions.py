@@ -7,7 +7,7 @@ the window is 360 high.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -113,9 +113,9 @@ class Scene:
 
 
 class Positions:
-    """All positions of a mechanism."""
+    """All positions of a mechanism; `vectors` as of `shapes_of`."""
 
-    def __init__(self, compiled: Compiled, vectors: bool = False) -> None:
+    def __init__(self, compiled: Compiled, vectors: Collection[Kind] = ()) -> None:
         self.compiled, self.plan = compiled, compiled.plan
         self.list = shapes_of(compiled.plan, compiled.equations, vectors)
         self.rows = len(compiled.driver)
@@ -264,7 +264,7 @@ class Positions:
             texts = (
                 [name.text]
                 if amount is None
-                else [f"{name.text} = {_shown(amount[row])} {name.unit}".rstrip(), name.text]
+                else [f"{name.text} = {in_digits(amount[row])} {name.unit}".rstrip(), name.text]
             )
             place = (at[row] - (self.window.x, self.window.y)) / self.window.half
             found = sheet.place(tuple(texts), LETTERS, place, name.beside, name.needed) if there else None
@@ -313,10 +313,11 @@ class Positions:
         return Lines(starts[there], ends[there], widths[there])
 
 
-def _shown(amount: float) -> str:
-    """Three digits of a value, as people write numbers."""
-    rounded = float(f"{amount:.3g}")
-    return f"{rounded:.0f}".replace("-", "−") if abs(rounded) >= 100 else f"{rounded:g}".replace("-", "−")
+def in_digits(amount: float, digits: int = 3) -> str:
+    """So many digits of a value, as people write numbers."""
+    rounded = float(f"{amount:.{digits}g}") + 0.0
+    text = f"{rounded:.0f}" if abs(rounded) >= 10.0 ** (digits - 1) else f"{rounded:g}"
+    return text.replace("-", "−")
 
 
 def longest(room: float) -> float:
