@@ -76,7 +76,7 @@ def drawn(
         return report(mechanism, at, language)
     stage = Stage(sample(mechanism, at, language, vectors=vectors))
     shown, sweep = stage.sample.shown, stage.sample.sweep
-    title = mechanism.title.of(stage.sample.plan.language)
+    title = mechanism.title.of(stage.sample.mechanism.language)
     if kind in ("gif", "html") and shown >= sweep:
         fault = say("{at:g} lies outside of the sweep, which is what a .{kind} shows", at=at, kind=kind)
         raise MechsheetError(Fault(fault, key="at", hint=say("draw a .svg or .png, or widen the sweep")))

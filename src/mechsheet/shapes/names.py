@@ -55,6 +55,11 @@ class Boxes:
     middles: Array
     halves: Array
 
+    def near(self, at: Array) -> Boxes:
+        """Those that may come near to a place."""
+        there = (np.abs(self.middles - at) <= self.halves + FARTHEST).all(axis=1)
+        return Boxes(self.middles[there], self.halves[there])
+
 
 @dataclass(frozen=True, slots=True)
 class Lines:
@@ -111,13 +116,13 @@ class Sheet:
     ) -> tuple[str, Array] | None:
         """Which of the texts, longer ones first, has room, and where its middle is; None where none has."""
         least, best = math.inf, (texts[0], at, np.zeros(2))
-        lines, paths = self.lines.near(at), self.paths.near(at)
+        lines, paths, taken = self.lines.near(at), self.paths.near(at), self.taken.near(at)
         for text in texts:
             half = half_box(text, size)
             for ring in RINGS:  # farther ones only where no near one is free
                 middles = at + _ways(half, beside)[ring]
                 boxes = Boxes(middles, np.broadcast_to(half, middles.shape))
-                hidden = OVER_NAME * covered(boxes, self.taken) + OVER_LINE * crossed(boxes, lines)
+                hidden = OVER_NAME * covered(boxes, taken) + OVER_LINE * crossed(boxes, lines)
                 hidden += OUTSIDE * (np.abs(middles) + half > 1.0).any(axis=1)
                 cost = hidden + OVER_PATH * (crossed(boxes, paths) > 0) + _PREFERENCE[ring]
                 index = int(np.argmin(cost))

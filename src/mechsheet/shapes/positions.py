@@ -24,6 +24,7 @@ from mechsheet.shapes.names import POINTS, Boxes, Lines, Sheet, half_box
 from mechsheet.sheet.drawing.arrows import BAR_RISE, BAR_ROOM, BAR_START
 from mechsheet.sheet.drawing.drawing import MARGIN
 from mechsheet.sheet.drawing.frames import BOTTOM, INK, LEFT, TICK
+from mechsheet.sheet.plan import plan_of
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.status import links_of
 from mechsheet.units import behind_number
@@ -116,8 +117,9 @@ class Positions:
     """All positions of a mechanism; `vectors` as of `shapes_of`."""
 
     def __init__(self, compiled: Compiled, vectors: Collection[Kind] = ()) -> None:
-        self.compiled, self.plan = compiled, compiled.plan
-        self.list = shapes_of(compiled.plan, compiled.equations, vectors)
+        self.compiled = compiled
+        self.plan = plan_of(compiled.mechanism, compiled.equations)  # no workbook is laid out for it
+        self.list = shapes_of(self.plan, compiled.equations, vectors)
         self.rows = len(compiled.driver)
         self._known: dict[str, Any] = dict(compiled.values)
         self._seen: dict[Any, Any] = {}
