@@ -129,6 +129,7 @@ ALLOWED["drawing_page"] = {
     "kinematics",
     "compiled",
     "sheet.drawing.outlines",
+    "shapes",
     "plotting",
     "checking",
     "library",

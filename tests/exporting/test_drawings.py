@@ -73,7 +73,8 @@ def test_every_element_has_the_class_of_its_kind(tmp_path):
     (path,) = export(loads(SUSPENSION), "svg", tmp_path / "it.svg")
     kinds = {element.get("class") for element in etree.parse(path).iter() if element.get("class")}
     assert kinds == {
-        "link", "ground", "spring", "damper", "load", "torque", "weight", "path", "pin", "point", "name", "scale", "caption",
+        "link", "ground", "spring", "damper", "load", "torque", "weight", "mass", "path", "pin", "point", "name",
+        "scale", "caption",
     }  # fmt: skip
     (path,) = export(loads(SUSPENSION), "dxf", tmp_path / "it.dxf")
     layers = {layer.dxf.name for layer in ezdxf.readfile(path).layers}

@@ -148,7 +148,7 @@ def test_what_belongs_to_a_shape_is_in_a_group_of_its_kind(tmp_path):
     for ending in ("svg", "html"):
         text = mechsheet.plot(mechsheet.loads(SUSPENSION), tmp_path / f"s.{ending}").read_text(encoding="utf-8")
         found = {kind for value in re.findall(r'class="([^"]*)"', text) for kind in value.split()}
-        assert {"link", "ground", "spring", "damper", "load", "torque", "weight", "path", "name"} <= found
+        assert {"link", "ground", "spring", "damper", "load", "torque", "weight", "mass", "path", "name"} <= found
 
 
 def test_a_circle_is_round(tmp_path):

@@ -56,7 +56,8 @@ def test_everything_is_there(suspension):
     scene = suspension.at(2)
     kinds = {item.kind for item in scene.items if there(item)}
     assert kinds == {
-        "link", "ground", "spring", "damper", "load", "torque", "weight", "path", "pin", "point", "name", "scale", "caption",
+        "link", "ground", "spring", "damper", "load", "torque", "weight", "mass", "path", "pin", "point", "name",
+        "scale", "caption",
     }  # fmt: skip
     names = {item.text for item in of_kind(scene, "name")}
     assert {"A₀", "S", "E", "K", "G₂", "G₃"} <= names

@@ -14,8 +14,8 @@ from mechsheet.kinematics.vectors import Vector, minus, plus, size, times, turne
 from mechsheet.sheet.quoted import formula
 
 Kind: TypeAlias = Literal[
-    "link", "ground", "slide", "cylinder", "gear", "belt", "rack", "spring", "damper", "load", "torque", "weight", "path",
-    "pin", "point", "velocity", "acceleration", "force", "scale", "name", "caption",
+    "link", "ground", "slide", "cylinder", "gear", "belt", "rack", "spring", "damper", "load", "torque", "weight", "mass",
+    "path", "pin", "point", "velocity", "acceleration", "force", "scale", "name", "caption",
 ]  # fmt: skip
 ARROWS = ("load", "torque", "weight", "velocity", "acceleration", "force")
 """Kinds whose size says how large something is."""

@@ -151,8 +151,8 @@ def _centre(known: Described, found: Shapes, mass: Mass) -> Iterator[Shape]:
     at = _place(known, link, mass.center)
     name = pictures.MASS_CENTRE.of(known.mechanism.language).format(link=known.called(link))
     frame = Frame(at, (sized(CENTRE), al.ZERO), (al.ZERO, sized(CENTRE)))
-    yield Shape("weight", name, INK, 0.75, frame, ROUND, fill="FFFFFF")
-    yield Shape("weight", name, INK, 0.0, frame, QUARTERS, fill=INK)
+    yield Shape("mass", name, INK, 0.75, frame, ROUND, fill="FFFFFF")
+    yield Shape("mass", name, INK, 0.0, frame, QUARTERS, fill=INK)
     found.around.append((at, al.ZERO))
     if not isinstance(mass.center, str):
         found.names.append(Name(plain(center_symbol(link.number)), at))

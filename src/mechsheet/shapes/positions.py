@@ -7,17 +7,18 @@ the window is 360 high.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
-from mechsheet.compiled import Compiled
 from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.vectors import Vector
+from mechsheet.model import Mechanism
 from mechsheet.shapes.forms import ARROWS, HALF, LEAST, Kind, Mark, Scale, Shape
 from mechsheet.shapes.listing import shapes_of
 from mechsheet.shapes.names import POINTS, Boxes, Lines, Sheet, half_box
@@ -113,10 +114,30 @@ class Scene:
         return str(getattr(self.items[-1], "text", ""))
 
 
+class Solved(Protocol):
+    """A mechanism with the values of its equations in some positions."""
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+
+    @property
+    def equations(self) -> Equations:
+        """Its equations."""
+
+    @property
+    def driver(self) -> Array:
+        """The driver's value in every position."""
+
+    @property
+    def values(self) -> Mapping[str, Array]:
+        """Every symbol's values."""
+
+
 class Positions:
     """All positions of a mechanism; `vectors` as of `shapes_of`."""
 
-    def __init__(self, compiled: Compiled, vectors: Collection[Kind] = ()) -> None:
+    def __init__(self, compiled: Solved, vectors: Collection[Kind] = ()) -> None:
         self.compiled = compiled
         self.plan = plan_of(compiled.mechanism, compiled.equations)  # no workbook is laid out for it
         self.list = shapes_of(self.plan, compiled.equations, vectors)
@@ -150,19 +171,24 @@ class Positions:
         """(rows, 2)."""
         return np.column_stack([self._column(part) for part in vector])
 
-    def _corners(self, shape: Shape) -> Array:
-        """(rows, corners, 2); NaN where it is not there."""
-        if shape.frame is not None:
-            origin, along, across = map(self._vector, (shape.frame.origin, shape.frame.along, shape.frame.across))
-            path = np.array(shape.path)
-            found = origin[:, None] + path[None, :, :1] * along[:, None] + path[None, :, 1:] * across[:, None]
-        else:
-            found = np.stack([self._vector(corner) for corner in shape.corners], axis=1)
+    def columns(self, shape: Shape) -> Array:
+        """The vectors of a shape's frame, or its corners (rows, count, 2); NaN where it is not there."""
+        frame = shape.frame
+        vectors = shape.corners if frame is None else (frame.origin, frame.along, frame.across)
+        found = np.stack([self._vector(vector) for vector in vectors], axis=1)
         there = np.asarray(np.isfinite(found).all(axis=(1, 2)))
         if shape.size is not None:
             with np.errstate(invalid="ignore"):
                 there &= self._column(shape.size) >= LEAST
         return np.where(there[:, None, None], found, math.nan)
+
+    def _corners(self, shape: Shape) -> Array:
+        """(rows, corners, 2)."""
+        found = self.columns(shape)
+        if shape.frame is None:
+            return found
+        path = np.array(shape.path)
+        return np.asarray(found[:, :1] + path[None, :, :1] * found[:, 1:2] + path[None, :, 1:] * found[:, 2:])
 
     # --- the window --------------------------------------------------------------------------------------------------
 
