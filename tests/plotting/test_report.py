@@ -39,8 +39,8 @@ def test_true_scale(path):
     (caption,) = [text for text in texts_of(pages[0]) if " : " in text and "=" in text]
     one, n = (float(part) for part in caption.rpartition(", ")[2].split(" : "))
     unit = report.MILLIMETRES[mechanism.length_unit]
-    assert wide * n / one == pytest.approx(np.ptp(drawing.get_xlim()) * unit)
-    assert high * n / one == pytest.approx(np.ptp(drawing.get_ylim()) * unit)
+    assert wide * n / one == pytest.approx(np.ptp(drawing.get_xlim()) * unit, rel=1e-4)
+    assert high * n / one == pytest.approx(np.ptp(drawing.get_ylim()) * unit, rel=1e-4)
     for page in pages:
         for axes in page.axes:
             left, low, right, top = axes.get_position().extents * np.array([report.WIDE, report.HIGH] * 2)

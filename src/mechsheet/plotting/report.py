@@ -48,8 +48,9 @@ AROUND = 0.1
 MOST = 3
 """Pages at most: curves that have no room are left out."""
 
-STEPS = tuple(part * 10**power for power in range(-3, 7) for part in (1, 1.5, 2, 2.5, 3, 4, 5, 7.5))
-"""Scales 1 : n that drawings have."""
+_TIMES = [part * 10**power for power in range(7) for part in (1, 1.5, 2, 2.5, 3, 4, 5, 7.5)]
+STEPS = (*(1 / times for times in reversed(_TIMES[1:])), *_TIMES)
+"""Scales 1 : n that drawings have; those of enlargements are n : 1."""
 
 MILLIMETRES = {"mm": 1.0, "cm": 10.0, "dm": 100.0, "m": 1000.0, "in": INCH, "inch": INCH, "ft": 12 * INCH}
 """Of a length unit; one with another name has no scale on paper."""

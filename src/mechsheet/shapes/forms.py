@@ -44,7 +44,6 @@ class Shape:
 
     color  RRGGBB;  fill  of what the line encloses, or "";  width  in points of a printer
     size   of an arrow: which part it is of the largest of its kind; less than LEAST is not drawn
-    point  of a path: whose
     """
 
     kind: Kind
@@ -56,7 +55,6 @@ class Shape:
     corners: tuple[Vector, ...] = ()
     fill: str = ""
     size: Node | None = None
-    point: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -59,7 +59,7 @@ def shapes_of(plan: Plan, equations: Equations, vectors: Collection[Kind] = ()) 
     traced = traced_points(plan, chart_requests(plan))
     for index, point in enumerate(traced):
         color = PATH_COLORS[index % len(PATH_COLORS)]
-        found.shapes.append(Shape("path", plain(point), color, 1.0, corners=(place_of(point),), point=point))
+        found.shapes.append(Shape("path", plain(point), color, 1.0, corners=(place_of(point),)))
     cylinders = [joint for joint in mechanism.sliding if is_cylinder(known, joint)]
     guides = [_Guide(known, found, joint) for joint in mechanism.sliding if joint not in cylinders]
     found.shapes += _toothed(known, found)
