@@ -21,8 +21,8 @@ from mechsheet.plotting.pictures import draw, settings
 from mechsheet.plotting.sampling import Sample, sample
 from mechsheet.plotting.scenes import Curves, Points, Stage
 from mechsheet.shapes.loads import VECTORS
-from mechsheet.shapes.names import POINTS
-from mechsheet.shapes.positions import Item, Positions, Scene, Stroke, in_digits
+from mechsheet.shapes.names import POINTS, half_box
+from mechsheet.shapes.positions import Item, Label, Positions, Scene, Stroke, Window, in_digits
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW
 from mechsheet.sheet.symbols import plain
@@ -42,8 +42,8 @@ INCH, LINE = 25.4, 4.5
 LARGEST = (WIDE - 2 * MARGIN, 122.0)
 """How wide and how high a drawing may be, in mm."""
 
-AROUND = 0.1
-"""What stays free around a drawing, for names [half windows]."""
+AROUND = 0.04
+"""What stays free around a drawing [half windows]."""
 
 MOST = 3
 """Pages at most: curves that have no room are left out."""
@@ -69,6 +69,9 @@ LOWEST, HIGHEST = 48.0, 68.0
 DASHES = {"solid": "-", "dash": "--", "dot": ":"}
 
 LETTERS, SMALL = 8.5, 7.5
+LETTER, GAP = 1.5, 4.0
+"""How wide a small letter is, and what is free between columns of a table, in mm."""
+
 INK, QUIET, RULE = "#1F2933", "#57606A", "#C5CBD3"
 ACROSS = 116
 """Letters of a line as wide as the paper."""
@@ -205,12 +208,19 @@ class _Paper:
         self.paragraph(text, LETTERS + 1, "#1F4E79", bold=True)
         self.down += 0.3 * LINE
 
-    def columns(self, rows: Sequence[Row | str], count: int, tabs: tuple[float, float]) -> None:
-        """Rows in columns side by side, as many as there is room for; a text alone is a heading. `tabs`: in mm."""
+    def columns(self, rows: Sequence[Row | str], count: int) -> None:
+        """Rows in columns side by side, as many as there is room for; a text alone is a heading."""
         width = (WIDE - 2 * MARGIN) / count
-        letters = int((width - tabs[1]) / (SMALL * 0.215))
+        names, values = (
+            max((len(row[part]) for row in rows if not isinstance(row, str)), default=0) for part in (0, 1)
+        )
+        tabs = 0.0, names * LETTER + GAP, (names + values) * LETTER + 2 * GAP
+        letters = int((width - tabs[2]) / LETTER)
         lines = [line for row in rows for line in ([row] if isinstance(row, str) else _broken(row, letters))]
-        high = min(math.ceil(len(lines) / count), int(self.room / LINE))
+        most = max(1, int(self.room / LINE))
+        high = min(max(1, math.ceil(len(lines) / count)), most)
+        while high < min(len(lines), most) and isinstance(lines[high - 1], str):  # a heading stands over its rows
+            high += 1
         if high * count < len(lines):
             lines[high * count - 1 :] = [("…", "", "")]
         for number, line in enumerate(lines):
@@ -218,20 +228,20 @@ class _Paper:
             if isinstance(line, str):
                 self.write(line, x, y, SMALL, QUIET, bold=True)
                 continue
-            for part, tab in zip(line, (0.0, *tabs), strict=True):
+            for part, tab in zip(line, tabs, strict=True):
                 self.write(part, x + tab, y, SMALL, INK if tab else QUIET)
         self.down += high * LINE
 
     def drawing(self, scene: Scene, unit: str) -> None:
         """A position at the largest scale that has room, and how large that is; without scale bars where it has a name."""
         besides = ("caption",) if _bars(scene) > 1 or unit not in MILLIMETRES else ("caption", "scale")
-        low, high = _extent([item for item in scene.items if item.kind not in besides], scene.window.half * AROUND)
+        shown = [item for item in scene.items if item.kind not in besides]
+        low, high = _extent(shown, scene.window)
         shrunk, scale = _on_paper(high - low, unit)
         width, height = ((high - low) * shrunk).tolist()
         axes = self.figure.add_axes(
             ((WIDE - width) / 2 / WIDE, 1 - (self.down + height) / HIGH, width / WIDE, height / HIGH)
         )
-        shown = [item for item in scene.items if item.kind not in besides]
         draw(axes, replace(scene, items=tuple(shown)), scene.window.half * shrunk / INCH * 72 / POINTS)
         axes.set_xlim(low[0], high[0])
         axes.set_ylim(low[1], high[1])
@@ -308,18 +318,18 @@ def _pages(first: _FirstSheet, stage: Stage) -> list[Figure]:
     for key in GIVEN:
         if rows := first.rows(key):
             given += [plan.text(f"block.{key}"), *rows]
-    pages[0].columns(given, 2, (14, 36))
+    pages[0].columns(given, 2)
     for key in ("verdicts", "summary"):
         if rows := first.rows(key):
             page = _with_room(pages, (len(rows) + 3) * LINE, charts)
             page.heading(plan.text(f"block.{key}"))
-            page.columns(rows, 1, (24, 62))
+            page.columns(rows, 1)
     if found.plan.held_columns:
         rows = _largest(found)
         page = _with_room(pages, LARGEST[1] + (len(rows) + 4) * LINE, charts)
         page.heading(words.FORCES.of(plan.language))
         page.drawing(Positions(found, VECTORS[2:]).at(found.shown), mechanism.length_unit)
-        page.columns(rows, 1, (24, 62))
+        page.columns(rows, 1)
     pages[-1].curves(charts)
     while charts and len(pages) < MOST:
         pages.append(_Paper())
@@ -357,12 +367,19 @@ def _bars(scene: Scene) -> int:
     return sum(item.kind == "scale" and isinstance(item, Stroke) for item in scene.items)
 
 
-def _extent(items: Sequence[Item], around: float) -> tuple[Points, Points]:
-    """The lower left and the upper right corner of what is drawn."""
-    places = np.concatenate(
-        [item.points if isinstance(item, Stroke) else np.array([[item.x, item.y]]) for item in items]
-    )
-    return np.nanmin(places, axis=0) - around, np.nanmax(places, axis=0) + around
+def _extent(items: Sequence[Item], window: Window) -> tuple[Points, Points]:
+    """The lower left and the upper right corner of what is drawn in the window."""
+    found = []
+    for item in items:
+        if isinstance(item, Stroke):
+            found.append(item.points)
+        else:
+            half = half_box(item.text, item.size) * window.half if isinstance(item, Label) else np.zeros(2)
+            found += [np.array([[item.x, item.y]]) - half, np.array([[item.x, item.y]]) + half]
+    places, middle = np.concatenate(found), np.array([window.x, window.y])
+    low, high = np.nanmin(places, axis=0), np.nanmax(places, axis=0)
+    around = AROUND * window.half
+    return np.maximum(low, middle - window.half) - around, np.minimum(high, middle + window.half) + around
 
 
 def _on_paper(sides: Points, unit: str) -> tuple[float, str]:
