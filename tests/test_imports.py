@@ -47,8 +47,11 @@ ALLOWED = {
     "formats": {"formula", "sheet.workbook"},
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
     "compiled": {"model", "formula", "kinematics", "dynamics", "sheet", "engine"},
-    # plotting draws what the sheet decides, at positions that the engine computes
+    # what a mechanism looks like, once for all who draw it
+    "shapes": {"portable", "model", "formula", "kinematics", "sheet", "compiled", "units", "words"},
+    # plotting draws the list of shapes, and the curves of the workbook at positions that the engine computes
     "plotting": {
+        "shapes",
         "units",
         "model",
         "words",
@@ -59,8 +62,9 @@ ALLOWED = {
         "engine",
         "arguments",
     },
-    # exporting prints the equations, draws what plotting draws, and tabulates their values
+    # exporting prints the equations, draws the list of shapes, and tabulates their values
     "exporting": {
+        "shapes",
         "portable",
         "model",
         "units",
@@ -125,6 +129,7 @@ ALLOWED["drawing_page"] = {
     "kinematics",
     "compiled",
     "sheet.drawing.outlines",
+    "shapes",
     "plotting",
     "checking",
     "library",

@@ -9,6 +9,7 @@ import pytest
 from asking_page import Drawing, pin, spot
 
 from chosen import but, some
+from loaded_mechanisms import SUSPENSION
 from mechsheet import reference
 from mechsheet.drawing_page.answers import Studio
 from mechsheet.drawing_page.looking import look
@@ -70,6 +71,23 @@ def test_a_template_is_written_back_unchanged(path, tmp_path):
 def test_what_cannot_be_drawn_is_said(name, said):
     path = FOUR_BAR.with_stem(name)
     assert said <= set(looked(path.read_text(encoding="utf-8"))["undrawn"])
+
+
+def test_springs_and_loads_stand_where_their_points_are():
+    found = looked(SUSPENSION)
+    kinds = [shape["kind"] for shape in found["shapes"]]
+    assert {"spring", "damper", "load", "torque", "weight", "mass"} == set(kinds)
+    spring, load = (found["shapes"][kinds.index(kind)] for kind in ("spring", "load"))
+    frames = len(found["frames"]["driver"])
+    for shape, point in ((spring, "E"), (load, "W")):
+        for axis in range(2):
+            assert shape["places"][0][axis] == found["frames"]["points"][point][axis]
+            assert len(shape["places"][1][axis]) in (1, frames)
+    end = [np.add(*(np.array(spring["places"][part][axis]) for part in (0, 1))) for axis in range(2)]
+    assert end[0] == pytest.approx(np.full(frames, 250), abs=1e-3)
+    assert end[1] == pytest.approx(np.full(frames, 260), abs=1e-3)
+    json.dumps(found, allow_nan=False)
+    assert looked(FOUR_BAR.read_text(encoding="utf-8"))["shapes"] == []
 
 
 def test_the_position_asked_for_is_among_those_shown():

@@ -11,7 +11,8 @@ from exported import TEMPLATES
 from ezdxf.enums import TextEntityAlignment
 from lxml import etree
 
-from mechsheet.description import load
+from loaded_mechanisms import SUSPENSION
+from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.exporting import export
 from mechsheet.library.building import compile_workbook
@@ -66,6 +67,18 @@ def test_layers_units_and_names(tmp_path):
     sides = np.diff([corner[:2] for corner in block], axis=0)
     assert np.hypot(*sides[0]) / np.hypot(*sides[1]) == pytest.approx(0.075 / 0.045)
     assert np.mean([corner[:2] for corner in block][:4], axis=0) == pytest.approx([273.9119, 20], abs=1e-3)
+
+
+def test_every_element_has_the_class_of_its_kind(tmp_path):
+    (path,) = export(loads(SUSPENSION), "svg", tmp_path / "it.svg")
+    kinds = {element.get("class") for element in etree.parse(path).iter() if element.get("class")}
+    assert kinds == {
+        "link", "ground", "spring", "damper", "load", "torque", "weight", "mass", "path", "pin", "point", "name",
+        "scale", "caption",
+    }  # fmt: skip
+    (path,) = export(loads(SUSPENSION), "dxf", tmp_path / "it.dxf")
+    layers = {layer.dxf.name for layer in ezdxf.readfile(path).layers}
+    assert {"spring K", "damper K", "load wheel", "load brake", "mass centre of rocker", "support S"} <= layers
 
 
 def test_frames(tmp_path):

@@ -1,5 +1,6 @@
 """The Octave files: run by GNU Octave, every variable against the reference; the picture is drawn."""
 
+import re
 import shutil
 import subprocess
 
@@ -7,10 +8,12 @@ import numpy as np
 import pytest
 from exported import TEMPLATES, mechanisms, worst_against_reference
 
+from loaded_mechanisms import SUSPENSION
 from mechsheet.compiled import Compiled
-from mechsheet.description import load
+from mechsheet.description import load, loads
 from mechsheet.exporting import export
 from mechsheet.exporting.program import program_of
+from mechsheet.shapes.positions import Positions
 
 RUNNER = """
 warning('error', 'Octave:undefined-function');
@@ -111,6 +114,40 @@ def test_numbers_where_nothing_can_be_drawn(tmp_path):
     assert any(line.split()[:1] == ["theta14"] for line in said.splitlines())
     assert "no pictures: this Octave has nothing to draw with" in said
     assert not [path for path in tmp_path.iterdir() if path.suffix in (".png", ".svg")]
+
+
+DUMP = """
+function animate(shapes, paths, pins, dots, rows, middle, h, title_text, file)
+  out = fopen('shapes.txt', 'w');
+  for k = 1:numel(shapes)
+    for r = rows(:)'
+      fprintf(out, '%s|%.17g %.17g %.17g %.17g\\n', shapes{k}.name, shapes{k}.x(r, [1 end]), shapes{k}.y(r, [1 end]));
+    end
+  end
+  fclose(out);
+end
+"""
+
+
+@pytest.mark.octave
+def test_shapes_stand_where_the_list_has_them(tmp_path):
+    """The first and the last corner of links and springs in every position: they do not depend on the window."""
+    mechanism = loads(SUSPENSION)
+    (path,) = export(mechanism, "octave", tmp_path / "it.m")
+    text = re.sub(r"(?ms)^function animate\(.*?^end\n", lambda _: DUMP, path.read_text(encoding="utf-8"))
+    text = text.replace("if can_draw()", "if true")
+    path.write_text(re.sub(r"(?m)^ *curves\(.*\n", "", text), encoding="utf-8")
+    octave(tmp_path, "it; disp('done')")
+    found = {}
+    for line in (tmp_path / "shapes.txt").read_text(encoding="utf-8").splitlines():
+        name, numbers = line.split("|")
+        found.setdefault(name, []).append([float(number) for number in numbers.split()])
+    drawn = Positions(Compiled(mechanism))
+    for row in range(drawn.rows):
+        for item in drawn.at(row).items:
+            if item.kind in ("link", "spring"):
+                ends = item.points[[0, -1]].T.ravel()
+                assert found[item.name][row] == pytest.approx(ends, abs=1e-8)
 
 
 def test_same_bytes_and_names(tmp_path):

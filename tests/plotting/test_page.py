@@ -61,12 +61,9 @@ class Drawing(HTMLParser):
         self.open = ""
 
     def marked(self, mechanism):
-        """Rings, then dots, as `expected` has them; of two discs on each other one is enough."""
-        pins, free = drawn_points(mechanism)
-        found = [next(group for group in self.groups.values() if len(group) == len(pins))]
-        if free:
-            found.append(list(self.groups.values())[-1])
-        return np.concatenate(found)
+        """Rings, then dots, as `expected` has them."""
+        count = sum(map(len, drawn_points(mechanism)))
+        return np.concatenate([group for group in self.groups.values() if group])[:count]
 
 
 @cache

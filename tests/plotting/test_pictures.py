@@ -16,6 +16,7 @@ from PIL import Image
 
 import mechsheet
 from chosen import some
+from loaded_mechanisms import SUSPENSION
 from mechsheet import plotting
 from mechsheet.cli import main
 from mechsheet.diagnostics import MechsheetError, MissingProgramError, OutputError
@@ -90,6 +91,7 @@ def test_every_kind(name, tmp_path):
         assert all((a != b).any() for a, b in pairwise(frames))
         assert frames[-1][399, 0].tolist() == [255, 255, 255]
     judge_page(paths["html"].read_text(encoding="utf-8"))
+    assert paths["pdf"].read_bytes().startswith(b"%PDF-")
 
 
 def judge_page(text):
@@ -140,6 +142,13 @@ def strokes(svg):
             places = [np.array(re.findall(r"-?[\d.]+", part), float).reshape(-1, 2) for part in parts]
             found.setdefault(color[1], []).append(places)
     return found
+
+
+def test_what_belongs_to_a_shape_is_in_a_group_of_its_kind(tmp_path):
+    for ending in ("svg", "html"):
+        text = mechsheet.plot(mechsheet.loads(SUSPENSION), tmp_path / f"s.{ending}").read_text(encoding="utf-8")
+        found = {kind for value in re.findall(r'class="([^"]*)"', text) for kind in value.split()}
+        assert {"link", "ground", "spring", "damper", "load", "torque", "weight", "mass", "path", "name"} <= found
 
 
 def test_a_circle_is_round(tmp_path):
@@ -215,7 +224,7 @@ def test_command(tmp_path, monkeypatch):
         (["--at", "-1", "-o", "x.html"], "-1 lies outside of the sweep"),
         (["--at", "nan", "-o", "x.svg"], "expected a finite number, found nan"),
         (["--at", "sixty", "-o", "x.svg"], "'sixty' is not a valid float"),
-        (["-o", "x.tiff"], "endings: .svg, .png, .gif, .html"),
+        (["-o", "x.tiff"], "endings: .svg, .png, .gif, .html, .pdf"),
         (["-o", "x.htm"], 'did you mean "html"?'),
         (["-o", "x"], "endings: .svg"),
         (["-o", "nowhere/x.html"], "there is no such folder"),
@@ -231,14 +240,14 @@ def test_mistakes(arguments, message, tmp_path, monkeypatch):
 
 def test_library_says_the_same(tmp_path):
     with pytest.raises(MechsheetError, match="ending"):
-        mechsheet.plot(template("four-bar"), tmp_path / "x.pdf")
+        mechsheet.plot(template("four-bar"), tmp_path / "x.tiff")
     with pytest.raises(OutputError, match="there is no such folder"):
         mechsheet.plot(template("four-bar"), tmp_path / "no" / "x.html")
 
 
 def test_without_matplotlib(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    for kind in ("svg", "png", "gif"):
+    for kind in ("svg", "png", "gif", "pdf"):
         with pytest.raises(MissingProgramError, match=r"mechsheet\[plot\]"):
             mechsheet.plot(template("four-bar"), tmp_path / f"x.{kind}")
     mechsheet.plot(template("four-bar"), tmp_path / "x.html")

@@ -13,26 +13,27 @@ from .common import at_lines_of, change_options, described, output_file, output_
 from .helping import Explained
 
 
-@click.command(cls=Explained, short_help="Draw it: a picture, an animation, a web page.")
+@click.command(cls=Explained, short_help="Draw it: a picture, an animation, a web page, a report.")
 @click.argument("description", type=click.Path(path_type=Path))
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
-@output_option("File to write: .svg, .png, .gif or .html.")
+@output_option("File to write: .svg, .png, .gif, .html or .pdf.")
 @click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the picture.")
 @click.option("--vectors", is_flag=True, help="Velocities, accelerations and joint forces as arrows.")
 @change_options
 def plot(
     description: Path, at: float | None, output: str | None, language: str | None, vectors: bool, **changes: Any
 ) -> None:
-    """Draw the mechanism: a picture, an animation, or a web page with a slider.
+    """Draw the mechanism: a picture, an animation, a web page with a slider, or a report on paper.
 
     \b
     mechsheet plot four-bar.toml --at 60               four-bar.svg
     mechsheet plot four-bar.toml --at 60 -o fb.png     a picture
     mechsheet plot four-bar.toml -o fb.gif             an animation of the sweep
     mechsheet plot four-bar.toml -o fb.html            a page with a slider
+    mechsheet plot four-bar.toml -o fb.pdf             a report: one to three pages of A4
     mechsheet plot engine.toml --at 60 --vectors       with velocities and forces
 
-    Pictures and animations need matplotlib: pip install "mechsheet[plot]"
+    All but the web page need matplotlib: pip install "mechsheet[plot]"
     """
     from mechsheet.plotting import plot as draw
 

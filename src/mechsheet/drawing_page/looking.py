@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -19,12 +20,15 @@ from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_pos
 from mechsheet.drawing_page.reading import Reading, fault_entry
 from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import edges
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Link, Mechanism
+from mechsheet.shapes.forms import Shape
+from mechsheet.shapes.positions import Positions
 from mechsheet.sheet.drawing.outlines import corners, direction_of, through_of
 from mechsheet.words.equations import link_words
 from mechsheet.words.workbook import Language, words
@@ -34,6 +38,10 @@ FRAMES = 180
 
 DIGITS = 7
 """Of the largest length: places are shown on a screen."""
+
+ACTING = ("spring", "damper", "load", "torque", "weight", "mass", "gear", "belt", "rack")
+"""Kinds of shapes that are drawn as the list has them; links, guides and supports the page draws so that they can be
+taken hold of."""
 
 HALVINGS = 24
 """Of the stretch between two positions, to find a limit."""
@@ -264,9 +272,46 @@ def _moving(compiled: Compiled, at: float | None, language: Language) -> dict[st
             "reasons": reasons,
         },
         "at": shown,
+        "shapes": _shapes(_Frames(mechanism, equations, driver, values), digits),
         "limits": [round(float(unit.to_shown(each)), 6) for each in _limits(compiled, driver, np.array(why) == 0)],
         "curves": _curves(mechanism, equations.columns, values, language),
     }
+
+
+@dataclass(frozen=True, slots=True)
+class _Frames:
+    """A mechanism in the positions of the page."""
+
+    mechanism: Mechanism
+    equations: Equations
+    driver: Array
+    values: Mapping[str, Array]
+
+
+def _shapes(frames: _Frames, digits: int) -> list[dict[str, Any]]:
+    """Of the list of shapes what the page does not draw by itself: a path in a frame whose vectors have a column for each
+    part, or corners that have one."""
+    found = Positions(frames)
+    shapes = []
+    for shape in found.list.shapes:
+        if isinstance(shape, Shape) and shape.kind in ACTING:
+            columns = found.columns(shape)
+            shapes.append(
+                {
+                    "kind": shape.kind,
+                    "name": shape.name,
+                    "filled": {"": "", "FFFFFF": "paper"}.get(shape.fill, "own"),
+                    "path": shape.path,
+                    "places": [[_short(part, digits) for part in vector.T] for vector in np.moveaxis(columns, 1, 0)],
+                }
+            )
+    return shapes
+
+
+def _short(column: Array, digits: int) -> list[float | None]:
+    """A column for JSON; of one value that is the same in every position once."""
+    found = _column(column, digits)
+    return found[:1] if all(each == found[0] for each in found) else found
 
 
 def _limits(compiled: Compiled, driver: Array, closes: NDArray[np.bool_]) -> Array:

@@ -11,9 +11,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.shapes import Disc, Drawn, Label, Stroke, drawings
+from mechsheet.exporting.shapes import Drawn, drawings
 from mechsheet.extras import missing_package
+from mechsheet.shapes.positions import Disc, Label, Stroke, there
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
@@ -57,19 +60,19 @@ def _file(drawn: Drawn) -> bytes:
 
     document = ezdxf.new("R2010", units=UNITS.get(drawn.unit.casefold(), 0))
     space = document.modelspace()
-    sides = {"right": TextEntityAlignment.MIDDLE_LEFT, "left": TextEntityAlignment.MIDDLE_RIGHT,
-             "above": TextEntityAlignment.BOTTOM_CENTER, "below": TextEntityAlignment.TOP_CENTER}  # fmt: skip
-    for shape in drawn.shapes:
-        match shape:
-            case Stroke(name, points, color, _):
+    for item in filter(there, drawn.scene.items):
+        match item:
+            case Stroke(name=name, points=points, color=color):
                 layer = _layer(document, name or "PATHS", color)
-                space.add_lwpolyline(points.tolist(), dxfattribs={"layer": layer})
-            case Disc(x, y, radius, _, _):
+                corners = points[np.isfinite(points).all(axis=1)]
+                space.add_lwpolyline(corners.tolist(), dxfattribs={"layer": layer})
+            case Disc(x=x, y=y, radius=radius):
                 space.add_circle((x, y), radius, dxfattribs={"layer": _layer(document, PINS, "404040")})
-            case Label(x, y, text, height, side):
+            case Label(x=x, y=y):
                 layer = _layer(document, TEXTS, "404040")
-                note = space.add_text(text, height=height * 0.7, dxfattribs={"layer": layer})
-                note.set_placement((x, y), align=sides.get(side, TextEntityAlignment.MIDDLE_CENTER))
+                note = space.add_text(item.text, height=drawn.length(item.size) * 0.7, dxfattribs={"layer": layer})
+                side = TextEntityAlignment.MIDDLE_CENTER if item.middle else TextEntityAlignment.MIDDLE_LEFT
+                note.set_placement((x, y), align=side)
     for name, place in drawn.points.items():
         space.add_point(place, dxfattribs={"layer": _layer(document, f"{POINTS} {name}", "000000")})
     for kind in sorted(document.entitydb.dxf_types_in_use()):

@@ -1,37 +1,37 @@
 """octave: a function file for GNU Octave and MATLAB: arrays over the sweep, the animated drawing, the curves.
 
-A function file, because only in one do helper functions mean the same in both programs. What is drawn is what the workbook
-draws: the same outlines, guides, blocks, paths and curves.
+A function file, because only in one do helper functions mean the same in both programs. What is drawn is the list of shapes;
+the curves are the workbook's.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
+from dataclasses import replace
 from importlib.resources import files
 
-from mechsheet import portable
 from mechsheet.diagnostics import Fault, MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import ColumnLine, Line, Loop, Program, commented, heading, one_line, program_of
-from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.formula.scalar import evaluate
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
-from mechsheet.model import TIME, ChartRequest, Joint
+from mechsheet.kinematics.vectors import Vector, minus, plus
+from mechsheet.model import TIME, ChartRequest
 from mechsheet.said import say
-from mechsheet.sheet.drawing.charts import chart_requests, traced_points
-from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, line_end, through_of
-from mechsheet.sheet.drawing.points import moving_points, pins_of
-from mechsheet.sheet.drawing.shapes import link_color
+from mechsheet.shapes.forms import ARROWS, HALF, LEAST, Extreme, Mark, Shape
+from mechsheet.shapes.listing import shapes_of
+from mechsheet.sheet.drawing.charts import chart_requests
 from mechsheet.sheet.plan import plan_of
 
 _TAKEN = """
     break case catch continue do else elseif end endfunction endif endwhile for function global if methods otherwise
     persistent properties return switch try until unwind_protect while
-    ans result varargin nargout rows n exists start stop step xs ys h middle shapes paths pins home share_ there_ x_ row_
-    NaN abs acos and any asin atan cos cumsum error exp find floor isfinite max min not numel or ones pi repmat sign sin
+    ans result varargin nargout rows n exists start stop step around motion h middle shapes paths pins dots home
+    share_ there_ x_ row_
+    NaN abs acos and any asin atan cos cumsum error exp find floor isfinite max min nan not numel or ones pi repmat sign sin
     struct tan true
 """
 """Keywords, and what the function itself calls."""
@@ -262,25 +262,41 @@ def _without_result(program: Program, name: str) -> list[str]:
 def _picture(program: Program, name: str) -> list[str]:
     mechanism = program.mechanism
     plan = plan_of(mechanism, program.equations)
-    requests = chart_requests(plan)
-    fixed = tuple(point for point in mechanism.ground.points if point in pins_of(mechanism))
-    points = (*moving_points(mechanism), *fixed)
-    traced = traced_points(plan, requests)
+    found = shapes_of(plan, program.equations)
+    known = {extreme.symbol: f"motion({number})" for number, extreme in enumerate(found.extremes, 1)}
+    drawn = replace(program, names=program.names | known | {HALF.name: "h"})
+    around = [end((x, y), (radius, radius)) for (x, y), radius in found.around for end in (plus, minus)]
+    traced = [shape.corners[0] for shape in found.shapes if isinstance(shape, Shape) and shape.kind == "path"]
+    marks = {
+        kind: [mark.at for mark in found.shapes if mark.kind == kind and isinstance(mark, Mark)] for kind in _MARKS
+    }
+    arrows = any(shape.kind in ARROWS for shape in found.shapes)
     title = _string(mechanism.title.of(mechanism.language))
     lines = [
-        f"xs = track(rows, {', '.join(_place(program, point, 'x') for point in points)});",
-        f"ys = track(rows, {', '.join(_place(program, point, 'y') for point in points)});",
-        "h = half_window(xs, ys);",
-        "middle = [(min(xs(:)) + max(xs(:))) / 2, (min(ys(:)) + max(ys(:))) / 2];",
+        *_tracks(drawn, "around", list(dict.fromkeys(around))),
+        f"h = half_window(around, {ROOMY if arrows else ROOM:g});",
+        "middle = [(min(around.x(:)) + max(around.x(:))) / 2, (min(around.y(:)) + max(around.y(:))) / 2];",
+        f"motion = nan(1, {len(found.extremes)});",
+        *(f"motion({number}) = {_extreme(drawn, extreme)};" for number, extreme in enumerate(found.extremes, 1)),
         "shapes = {};",
-        *(f"shapes{{end + 1}} = {shape};" for shape in _shapes(program, fixed)),
-        *_tracks(program, "paths", traced),
-        *_tracks(program, "pins", pins_of(mechanism)),
-        f"animate(shapes, paths, pins, find(exists), middle, h, {title}, '{name}');",
+        *(
+            line
+            for shape in found.shapes
+            if isinstance(shape, Shape) and shape.kind != "path"
+            for line in _shape(drawn, shape)
+        ),
+        *_tracks(drawn, "paths", traced),
+        *(line for kind, places in marks.items() for line in _tracks(drawn, _MARKS[kind], places)),
+        f"animate(shapes, paths, pins, dots, find(exists), middle, h, {title}, '{name}');",
     ]
-    for number, request in enumerate(requests, 1):
+    for number, request in enumerate(chart_requests(plan), 1):
         lines.append(_curves(program, request, number, name))
     return lines
+
+
+_MARKS = {"pin": "pins", "point": "dots"}
+ROOM, ROOMY = 0.65, 0.8
+"""Half the side of the window, as a part of what is in it; where there are arrows."""
 
 
 def _place(program: Program, point: str, axis: str) -> str:
@@ -288,75 +304,43 @@ def _place(program: Program, point: str, axis: str) -> str:
     return name if f"{point}.{axis}" not in program.shown else f"result.{name}"
 
 
-def _tracks(program: Program, name: str, points: tuple[str, ...]) -> list[str]:
-    x, y = (", ".join(["rows", *(_place(program, point, axis) for point in points)]) for axis in "xy")
-    return [f"{name} = struct('x', track({x}), 'y', track({y}));"]
+def _tracks(program: Program, name: str, places: Sequence[Vector]) -> list[str]:
+    """Columns for places; of none one that is empty, since there is something to move."""
+    if not places:
+        return [f"{name} = struct('x', nan(rows, 1), 'y', nan(rows, 1));"]
+    return [f"{name} = struct('x', {_track(program, places, 0)}, 'y', {_track(program, places, 1)});"]
+
+
+def _track(program: Program, places: Sequence[Vector], axis: int) -> str:
+    """A column for each place."""
+    return _table(program, [place[axis] for place in places])
+
+
+def _table(program: Program, nodes: Sequence[Node]) -> str:
+    return f"track({', '.join(['rows', *(_text(program, node) for node in nodes)])})"
+
+
+def _extreme(program: Program, extreme: Extreme) -> str:
+    return f"over_motion('{extreme.take}', {_table(program, extreme.of)}, exists)"
 
 
 def _color(color: str) -> str:
     return "[" + " ".join(f"{int(color[at : at + 2], 16) / 255:.3g}" for at in (0, 2, 4)) + "]"
 
 
-def _shapes(program: Program, fixed: tuple[str, ...]) -> list[str]:
-    """From back to front: rails and supports, slots, links, blocks, as the workbook's drawing has them."""
-    mechanism = program.mechanism
-    dimensions = dimension_values(mechanism)
-    links = {link.name: link for link in mechanism.links}
-    ground = mechanism.ground.name
-    driven = mechanism.driver.link or next(j.link for j in mechanism.joints if j.name == mechanism.driver.joint)
-    found = []
-    for joint in mechanism.joints:
-        if joint.on == ground:
-            below = portable.cos(evaluate(direction_of(mechanism, joint), dimensions)) >= -1e-9
-            low, high = _reach(program, joint)
-            found.append(f"rail({_line(program, joint)}, {low}, {high}, h, {int(below)}, {_string(joint.symbol)})")
-    for point in fixed:
-        found.append(f"support({_place(program, point, 'x')}, {_place(program, point, 'y')}, h)")
-    for joint in mechanism.joints:
-        if joint.on != ground:
-            owner = links[joint.link if block_has_line(mechanism, joint) else joint.on]
-            base = joint.point if block_has_line(mechanism, joint) else line_end(joint, mechanism)
-            low, high = _reach(program, joint)
-            x, y = (_text(program, node) for node in through_of(mechanism, joint))
-            if base:  # a link whose line passes none of its points is drawn from the line itself
-                x, y = (_place(program, base, axis) for axis in "xy")
-            at = f"{x}, {y}, {_line(program, joint)}, {low}, {high}"
-            found.append(f"slot({at}, h, {_color(link_color(owner, driven))}, {_string(joint.symbol)})")
-    for link in mechanism.links[1:]:
-        order = corners(link, dimensions)
-        if len(order) > 1:
-            x, y = (", ".join(["rows", *(_place(program, point, axis) for point in order)]) for axis in "xy")
-            found.append(f"bar(track({x}), track({y}), {_color(link_color(link, driven))}, {_string(link.name)})")
-    return found + [_block(program, joint, driven) for joint in mechanism.joints]
-
-
-def _line(program: Program, joint: Joint) -> str:
-    """A point of the joint's line, and its direction."""
-    mechanism = program.mechanism
-    nodes = (*through_of(mechanism, joint), direction_of(mechanism, joint))
-    return ", ".join(_text(program, node) for node in nodes)
-
-
-def _reach(program: Program, joint: Joint) -> tuple[str, str]:
-    """From where to where the line is drawn: over the whole stroke."""
-    s = f"result.{program.names[joint.symbol]}"
-    if block_has_line(program.mechanism, joint):
-        return f"{s} - max({s})", f"{s} - min({s})"
-    return f"min({s})", f"max({s})"
-
-
-def _block(program: Program, joint: Joint, driven: str) -> str:
-    mechanism = program.mechanism
-    links = {link.name: link for link in mechanism.links}
-    angle = _text(program, direction_of(mechanism, joint))
-    if block_has_line(mechanism, joint):
-        x, y = (_text(program, node) for node in through_of(mechanism, joint))
-        color = link_color(links[joint.on], driven)
+def _shape(program: Program, shape: Shape) -> list[str]:
+    """A shape: a path in a frame, or its corners; an arrow as long as it is large enough."""
+    if shape.frame is not None:
+        path = (f"[{' '.join(f'{part:.6g}' for part in parts)}]" for parts in zip(*shape.path, strict=True))
+        nodes = (*shape.frame.origin, *shape.frame.along, *shape.frame.across)
+        places = ", ".join([*path, *(_text(program, node) for node in nodes)])
+        made = f"placed(rows, {places}"
     else:
-        x, y = (_text(program, Symbol(f"{joint.point}.{axis}")) for axis in "xy")
-        color = link_color(links[joint.link], driven) if joint.kind == "prismatic" else "404040"
-    size = 1.0 if joint.kind == "prismatic" else 0.7
-    return f"block({x}, {y}, {angle}, h, {size:g}, {_color(color)}, {_string(joint.symbol)})"
+        made = f"outlined({_track(program, shape.corners, 0)}, {_track(program, shape.corners, 1)}"
+    line = f"{made}, {_color(shape.color)}, {shape.width:g}, {_string(shape.name)})"
+    if shape.size is not None:
+        line = f"large_enough({line}, {_text(program, shape.size)}, {LEAST:g})"
+    return [f"shapes{{end + 1}} = {line};"]
 
 
 def _curves(program: Program, request: ChartRequest, number: int, name: str) -> str:

@@ -179,74 +179,42 @@ function m = track(rows, varargin)
   end
 end
 
-function s = shape(kind, x, y, color, width, name)
-  s = struct('kind', kind, 'x', x, 'y', y, 'color', color, 'width', width, 'name', name);
-end
-
-function h = half_window(points_x, points_y)
-% Half the side of a square around all points, with room for supports and guides.
-  h = 0.65 * max(max(points_x(:)) - min(points_x(:)), max(points_y(:)) - min(points_y(:)));
+function h = half_window(around, part)
+% Half the side of a square around all places, with room for supports, guides and arrows.
+  h = part * max(max(around.x(:)) - min(around.x(:)), max(around.y(:)) - min(around.y(:)));
   if isempty(h) || ~(h > 0)
     h = 1;
   end
 end
 
-function s = support(x, y, h)
-% A triangle on a hatched line under a fixed pin.
-  a = h * [0 -0.05 0.05 0 -0.05];
-  b = h * [0 -0.075 -0.075 0 -0.075];
-  for at = h * (-0.065 + 0.13 * (0:4) / 4)
-    a = [a, at, at - 0.025 * h, at];
-    b = [b, -0.075 * h, -0.1 * h, -0.075 * h];
+function m = over_motion(take, x, exists)
+% The least or the largest over the positions that exist.
+  x = x(exists, :);
+  if strcmp(take, 'min')
+    m = min(x(:));
+  else
+    m = max(x(:));
   end
-  s = shape('line', x + a, y + b, [0.25 0.25 0.25], 1, '');
 end
 
-function s = bar(x, y, color, name)
-% A link: a bar between two points, a closed polygon round more.
-  if size(x, 2) > 2
-    x = [x, x(:, 1)];
-    y = [y, y(:, 1)];
-  end
-  s = shape('line', x, y, color, 3, name);
+function s = outlined(x, y, color, width, name)
+  s = struct('x', x, 'y', y, 'color', color, 'width', width, 'name', name);
 end
 
-function s = block(x, y, angle, h, size_, color, name)
-% A rectangle that turns with its guide.
-  a = h * size_ * 0.075 * [-1 1 1 -1 -1];
-  b = h * size_ * 0.045 * [-1 -1 1 1 -1];
-  s = turned(x, y, angle, a, b, color, 2, name);
+function s = placed(rows, a, b, x, y, ax, ay, bx, by, color, width, name)
+% Corners (a, b) in a frame: one row for each position.
+  each = ones(rows, 1);
+  s = outlined((x .* each) + (ax .* each) * a + (bx .* each) * b, (y .* each) + (ay .* each) * a + (by .* each) * b, ...
+               color, width, name);
 end
 
-function s = rail(x, y, angle, low, high, h, below, name)
-% A guide on the ground: a hatched line under the block, as long as the stroke and a little more.
-  low = min(low(:)) - 0.13 * h;
-  high = max(high(:)) + 0.13 * h;
-  side = 2 * below - 1;
-  a = [];
-  b = [];
-  for at = low + (high - low) * (0:10) / 10
-    a = [a, at, at, at];
-    b = [b, side * h * [-0.045 -0.075 -0.045]];
-  end
-  s = turned(x, y, angle, a, b, [0.25 0.25 0.25], 1, name);
+function s = large_enough(s, size_, least)
+% An arrow of less would be all tip.
+  small = ~(size_ .* ones(size(s.x, 1), 1) >= least);
+  s.x(small, :) = NaN;
 end
 
-function s = slot(base_x, base_y, x, y, angle, low, high, h, color, name)
-% A guide on a moving link: from a point of the link to the line, and along it.
-  low = low - 0.13 * h;
-  high = high + 0.13 * h;
-  xs = track(numel(angle), base_x, x, x + low .* cos(angle), x + high .* cos(angle));
-  ys = track(numel(angle), base_y, y, y + low .* sin(angle), y + high .* sin(angle));
-  s = shape('line', xs, ys, color, 2, name);
-end
-
-function s = turned(x, y, angle, a, b, color, width, name)
-% Local corners (a, b) turned by the angle and moved to (x, y): one row for each position.
-  s = shape('line', x + cos(angle) * a - sin(angle) * b, y + sin(angle) * a + cos(angle) * b, color, width, name);
-end
-
-function animate(shapes, paths, pins, rows, middle, h, title_text, file)
+function animate(shapes, paths, pins, dots, rows, middle, h, title_text, file)
 % All positions that exist, one after the other; without a display, the first of them goes into a file.
   screen = has_display();
   f = figure('visible', word_if(screen, 'on', 'off'), 'color', 'w');
@@ -254,16 +222,15 @@ function animate(shapes, paths, pins, rows, middle, h, title_text, file)
   for k = 1:size(paths.x, 2)
     plot(paths.x(:, k), paths.y(:, k), 'color', [0.56 0.69 0.8], 'linewidth', 1);
   end
-  lines = zeros(1, numel(shapes));
   handles = cell(1, numel(shapes));
   for k = 1:numel(shapes)
     s = shapes{k};
-    r = min(rows(1), size(s.x, 1));
-    handles{k} = plot(s.x(r, :), s.y(r, :), 'color', s.color, 'linewidth', s.width);
-    lines(k) = size(s.x, 1) > 1;
+    handles{k} = plot(s.x(rows(1), :), s.y(rows(1), :), 'color', s.color, 'linewidth', max(s.width, 0.5));
   end
-  dots = plot(pins.x(rows(1), :), pins.y(rows(1), :), 'o', 'color', [0.25 0.25 0.25], 'markerfacecolor', 'w', ...
-              'markersize', 5, 'linestyle', 'none');
+  rings = plot(pins.x(rows(1), :), pins.y(rows(1), :), 'o', 'color', [0.25 0.25 0.25], 'markerfacecolor', 'w', ...
+               'markersize', 5, 'linestyle', 'none');
+  marks = plot(dots.x(rows(1), :), dots.y(rows(1), :), 'o', 'color', [0.25 0.25 0.25], ...
+               'markerfacecolor', [0.25 0.25 0.25], 'markersize', 4, 'linestyle', 'none');
   axis equal;
   axis([middle(1) - h, middle(1) + h, middle(2) - h, middle(2) + h]);
   title(title_text, 'interpreter', 'none');
@@ -275,10 +242,11 @@ function animate(shapes, paths, pins, rows, middle, h, title_text, file)
     if ~ishandle(f)
       return
     end
-    for k = find(lines)
+    for k = 1:numel(shapes)
       set(handles{k}, 'xdata', shapes{k}.x(r, :), 'ydata', shapes{k}.y(r, :));
     end
-    set(dots, 'xdata', pins.x(r, :), 'ydata', pins.y(r, :));
+    set(rings, 'xdata', pins.x(r, :), 'ydata', pins.y(r, :));
+    set(marks, 'xdata', dots.x(r, :), 'ydata', dots.y(r, :));
     drawnow;
     pause(0.04);
   end

@@ -1,8 +1,4 @@
-"""What the drawing shows at a position, in the mechanism's own length unit: for files that other programs draw.
-
-The shapes are those of the workbook's drawing, computed by the engine; here only its window is taken back, so that a length
-of 70 mm is 70 long.
-"""
+"""A mechanism at the positions that an export asks for, from the list of shapes: for files that other programs draw."""
 
 from __future__ import annotations
 
@@ -10,65 +6,27 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.exporting.job import Job
-from mechsheet.plotting.figures import BESIDE, PIXELS, SIDES
 from mechsheet.plotting.sampling import LEAST, sample
-from mechsheet.plotting.scenes import Piece, Stage
 from mechsheet.said import say
-from mechsheet.sheet.drawing.drawing import SIZE
-from mechsheet.sheet.workbook import Series
-
-Points = NDArray[np.float64]
-
-
-@dataclass(frozen=True, slots=True)
-class Stroke:
-    """A line through `points` (n, 2); `width` in points of a printer, `color` as RRGGBB."""
-
-    name: str
-    points: Points
-    color: str
-    width: float
-
-
-@dataclass(frozen=True, slots=True)
-class Disc:
-    """A circle; `fill` and `line` as RRGGBB, or ""."""
-
-    x: float
-    y: float
-    radius: float
-    fill: str
-    line: str
-
-
-@dataclass(frozen=True, slots=True)
-class Label:
-    """A text at (x, y), `height` high; `side` says on which side of the place it stands."""
-
-    x: float
-    y: float
-    text: str
-    height: float
-    side: str
-
-
-Shape = Stroke | Disc | Label
+from mechsheet.shapes.names import POINTS
+from mechsheet.shapes.positions import Positions, Scene
 
 
 @dataclass(frozen=True, slots=True)
 class Drawn:
-    """One position: shapes from back to front, the points by name, the square window (middle, half side)."""
+    """One position, in the mechanism's own length unit: the scene, and all points by name."""
 
-    shapes: tuple[Shape, ...]
+    scene: Scene
     points: dict[str, tuple[float, float]]
-    middle: tuple[float, float]
-    half: float
     title: str
     unit: str
+
+    def length(self, points: float) -> float:
+        """So many points of a printer, in the length unit."""
+        return points * self.scene.window.half / POINTS
 
 
 def drawings(job: Job) -> Iterator[Drawn]:
@@ -90,45 +48,10 @@ def drawings(job: Job) -> Iterator[Drawn]:
             )
             raise MechsheetError(Fault(fault, key="frames"))
         rows = [there[round(place)] for place in np.linspace(0, len(there) - 1, job.frames).tolist()]
-    stage = Stage(found)
-    for row in rows:
-        yield _drawn(stage, row)
-
-
-def _drawn(stage: Stage, row: int) -> Drawn:
-    found = stage.sample
-    x, y, half = (found.number(found.plan.window[key], row) for key in ("x", "y", "half"))
-    shapes = [shape for piece in stage.drawing(row) for shape in _shapes(piece, np.array([x, y]), half)]
-    mechanism, language = found.plan.mechanism, found.plan.language
+    positions = Positions(found)
     names = dict.fromkeys(point for link in mechanism.links for point in link.points)
-    spots = found.plan.at.spots
-    points = {name: (found.number(spots[f"{name}.x"], row), found.number(spots[f"{name}.y"], row)) for name in names}
-    return Drawn(tuple(shapes), points, (x, y), half, mechanism.title.of(language), mechanism.length_unit)
-
-
-def _shapes(piece: Piece, middle: Points, half: float) -> Iterator[Shape]:
-    """The shapes of one series."""
-    series = piece.series
-    places = piece.points * half + middle
-    places = places[np.isfinite(places).all(axis=1)]
-    pixel = 2 * half / SIZE
-    if not len(places):
-        return
-    if series.line:
-        yield Stroke(piece.words, places, series.line, series.width)
-    if series.marker:
-        radius = series.marker_size * PIXELS / 2 * pixel
-        line = "" if series.marker_line == series.marker_fill else series.marker_line
-        for x, y in places.tolist():
-            yield Disc(x, y, radius, series.marker_fill, line)
-    if series.show_name and piece.words:
-        x, y = (places[0] + _beside(series) * pixel).tolist()
-        yield Label(x, y, piece.words, series.label_size * PIXELS * pixel, series.label_side)
-
-
-def _beside(series: Series) -> Points:
-    """How far from its marker a label stands, in pixels; y upwards."""
-    if not series.marker:
-        return np.zeros(2)
-    across, down = SIDES[series.label_side]
-    return np.array([across, -down]) * (series.marker_size * PIXELS / 2 + BESIDE)
+    columns = {name: (found.values[f"{name}.x"], found.values[f"{name}.y"]) for name in names}
+    title = mechanism.title.of(mechanism.language)
+    for row in rows:
+        points = {name: (float(x[row]), float(y[row])) for name, (x, y) in columns.items()}
+        yield Drawn(positions.at(row), points, title, mechanism.length_unit)

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from html import escape
 
+import numpy as np
+
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.shapes import Disc, Drawn, Label, Stroke, drawings
+from mechsheet.exporting.shapes import Drawn, drawings
+from mechsheet.shapes.positions import RING, Disc, Label, Stroke, there
 
-POINTS_HIGH = 360.0
-"""Points of a printer that the window is high: so wide are lines of the workbook's drawing."""
-
-ANCHORS = {"center": ("middle", 0.35), "right": ("start", 0.35), "left": ("end", 0.35), "above": ("middle", 0.0),
-           "below": ("middle", 0.7)}  # fmt: skip
-"""Side of a label -> its alignment, and how far its base line lies under the place, as a part of its height."""
+BASE = 0.35
+"""How far the base line of letters lies under their middle, as a part of their height."""
 
 
 def write(job: Job) -> list[bytes]:
@@ -26,9 +25,10 @@ def _number(value: float) -> str:
 
 
 def picture(drawn: Drawn) -> bytes:
-    """The file of one position."""
-    (x, y), half = drawn.middle, drawn.half
-    box = " ".join(_number(part) for part in (x - half, -y - half, 2 * half, 2 * half))
+    """The file of one position. The class of an element is its kind."""
+    window, items = drawn.scene.window, drawn.scene.items
+    corner = window.x - window.half, -window.y - window.half
+    box = " ".join(_number(part) for part in (*corner, 2 * window.half, 2 * window.half))
     lines = [
         '<?xml version="1.0" encoding="UTF-8"?>',
         f'<svg xmlns="http://www.w3.org/2000/svg" width="480" height="480" viewBox="{box}">',
@@ -36,9 +36,9 @@ def picture(drawn: Drawn) -> bytes:
         f"<desc>1 = 1 {escape(drawn.unit)}; y points upwards</desc>",
         '<g transform="scale(1,-1)" fill="none" stroke-linejoin="round" stroke-linecap="round">',
     ]
-    lines += [_shape(shape, drawn) for shape in drawn.shapes if not isinstance(shape, Label)]
+    lines += [_shape(item, drawn) for item in items if not isinstance(item, Label) and there(item)]
     lines += ["</g>", '<g font-family="sans-serif" fill="#404040">']
-    lines += [_label(shape) for shape in drawn.shapes if isinstance(shape, Label)]
+    lines += [_label(item, drawn) for item in items if isinstance(item, Label) and there(item)]
     lines += ["</g>", '<g id="points" transform="scale(1,-1)" fill="none">']
     lines += [
         f'<circle id="{escape(name)}" cx="{_number(a)}" cy="{_number(b)}" r="0"/>'
@@ -47,19 +47,21 @@ def picture(drawn: Drawn) -> bytes:
     return "\n".join([*lines, "</g>", "</svg>", ""]).encode()
 
 
-def _shape(shape: Stroke | Disc, drawn: Drawn) -> str:
-    if isinstance(shape, Stroke):
-        places = " ".join(f"{_number(x)},{_number(y)}" for x, y in shape.points.tolist())
-        width = _number(shape.width * 2 * drawn.half / POINTS_HIGH)
-        title = f"<title>{escape(shape.name)}</title>"
-        return f'<polyline stroke="#{shape.color}" stroke-width="{width}" points="{places}">{title}</polyline>'
-    fill = f' fill="#{shape.fill}"' if shape.fill else ""
-    line = f' stroke="#{shape.line}" stroke-width="{_number(shape.radius / 6)}"' if shape.line else ""
-    return f'<circle cx="{_number(shape.x)}" cy="{_number(shape.y)}" r="{_number(shape.radius)}"{fill}{line}/>'
+def _shape(item: Stroke | Disc, drawn: Drawn) -> str:
+    if isinstance(item, Stroke):
+        places = item.points[np.isfinite(item.points).all(axis=1)].tolist()
+        points = " ".join(f"{_number(x)},{_number(y)}" for x, y in places)
+        style = f'class="{item.kind}" stroke="#{item.color}" stroke-width="{_number(drawn.length(item.width))}"'
+        style += f' fill="#{item.fill}"' if item.fill else ""
+        return f'<polyline {style} points="{points}"><title>{escape(item.name)}</title></polyline>'
+    style = (
+        f'class="{item.kind}" fill="#{item.fill}" stroke="#{item.line}" stroke-width="{_number(drawn.length(RING))}"'
+    )
+    return f'<circle {style} cx="{_number(item.x)}" cy="{_number(item.y)}" r="{_number(item.radius)}"/>'
 
 
-def _label(label: Label) -> str:
-    anchor, down = ANCHORS[label.side]
-    place = f'x="{_number(label.x)}" y="{_number(-label.y + down * label.height)}"'
-    size = _number(label.height)
-    return f'<text {place} font-size="{size}" text-anchor="{anchor}">{escape(label.text)}</text>'
+def _label(label: Label, drawn: Drawn) -> str:
+    height = drawn.length(label.size)
+    place = f'x="{_number(label.x)}" y="{_number(-label.y + BASE * height)}"'
+    style = f'class="{label.kind}" font-size="{_number(height)}" text-anchor="{"middle" if label.middle else "start"}"'
+    return f"<text {style} {place}>{escape(label.text)}</text>"

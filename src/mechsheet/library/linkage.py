@@ -143,7 +143,7 @@ class Linkage(Mechanism):
         language: Literal["en", "tr"] | None = None,
         vectors: bool = False,
     ) -> Path:
-        """Draw into a file: .svg, .png, .gif or .html; see `mechsheet.plot`."""
+        """Draw into a file: .svg, .png, .gif, .html or .pdf; see `mechsheet.plot`."""
         from mechsheet.plotting import plot
 
         return plot(self, path, at, language, vectors)

@@ -1,7 +1,7 @@
-"""The workbook's drawing outside the workbook: as a picture, as an animation, as a web page.
+"""A mechanism outside its workbook: as a picture, as an animation, as a web page, as a report on paper.
 
-What the drawing shows is decided once, for the workbook; here its charts are computed by the engine at any position and
-drawn by other means. Scale is true: a circle is round.
+The mechanism is the list of shapes; curves are the workbook's charts, computed by the engine. Scale is true: a circle is
+round.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_nam
 from mechsheet.model import Mechanism
 from mechsheet.said import say
 
-KINDS = ("svg", "png", "gif", "html")
+KINDS = ("svg", "png", "gif", "html", "pdf")
 
 GIF_FRAMES = 60
 
@@ -31,6 +31,8 @@ def plot(
     .svg, .png   a picture of the mechanism at the driver value `at`, exactly there, also outside of the sweep
     .gif         an animation of the sweep that starts near `at`; one that does not come round is run to and fro
     .html        a page with a slider for the sweep, set to `at`, and the charts; it needs no network and no other file
+    .pdf         a report of one to three pages: the mechanism at true scale in its worst position, or at `at`, its
+                 dimensions, what can be said of it, curves, the largest forces
 
     at        in the driver's unit (degrees, radians or the length unit); without it, the first position that exists
     language  "en" or "tr"; without it, the description's
@@ -68,9 +70,13 @@ def drawn(
     from mechsheet.plotting.sampling import sample
     from mechsheet.plotting.scenes import Stage, journey
 
+    if kind == "pdf":
+        from mechsheet.plotting.report import report
+
+        return report(mechanism, at, language)
     stage = Stage(sample(mechanism, at, language, vectors=vectors))
     shown, sweep = stage.sample.shown, stage.sample.sweep
-    title = mechanism.title.of(stage.sample.plan.language)
+    title = mechanism.title.of(stage.sample.mechanism.language)
     if kind in ("gif", "html") and shown >= sweep:
         fault = say("{at:g} lies outside of the sweep, which is what a .{kind} shows", at=at, kind=kind)
         raise MechsheetError(Fault(fault, key="at", hint=say("draw a .svg or .png, or widen the sweep")))

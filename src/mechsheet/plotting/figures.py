@@ -1,6 +1,6 @@
-"""A chart of the workbook as SVG inside a page, and what changes in it from position to position.
+"""The mechanism, and charts of the workbook, as SVG inside a page, and what changes in them from position to position.
 
-Places are pixels of the chart; `Move` holds them in hundredths, as whole numbers, since there are many.
+Places are pixels; `Move` holds them in hundredths, as whole numbers, since there are many.
 """
 
 from __future__ import annotations
@@ -13,7 +13,9 @@ from html import escape
 import numpy as np
 
 from mechsheet.plotting.axes import Scale, scale_of, tick_text
-from mechsheet.plotting.scenes import Piece, Scene
+from mechsheet.plotting.scenes import Curves, Piece, Points
+from mechsheet.shapes.positions import RING, Disc, Item, Label, Scene, Stroke, Window
+from mechsheet.sheet.drawing.drawing import SIZE
 from mechsheet.sheet.workbook import Axis, Chart, Series
 
 PIXELS = 4 / 3
@@ -56,7 +58,7 @@ class Figure:
     moves: list[Move]
 
 
-def figure(chart: Chart, scenes: Sequence[Scene], shown: int, name: str, cut: bool = False) -> Figure:
+def figure(chart: Chart, scenes: Sequence[Curves], shown: int, name: str, cut: bool = False) -> Figure:
     """A chart drawn at `scenes[shown]`; `name` begins the ids of its elements.
 
     cut  leave out what is empty over and under everything that is ever drawn
@@ -86,7 +88,52 @@ def figure(chart: Chart, scenes: Sequence[Scene], shown: int, name: str, cut: bo
     return Figure(markup, moves)
 
 
-def _axes(chart: Chart, scenes: Sequence[Scene], width: int, height: int) -> tuple[Scale, Scale]:
+def drawing(scenes: Sequence[Scene], shown: int, title: str) -> Figure:
+    """The mechanism at `scenes[shown]`; the ids of its elements begin with m."""
+    parts: list[str] = []
+    moves: list[Move] = []
+    for index, item in enumerate(scenes[shown].items):
+        items = [scene.items[index] for scene in scenes]
+        places = [_hundredths(_in_pixels(_points_of(each), scenes[0].window)) for each in items]
+        key = f"m-{index}"
+        parts.append(_element(item, key, places[shown], scenes[0].window))
+        kind = "path" if isinstance(item, Stroke) else "dots" if isinstance(item, Disc) else "label"
+        if any(place != places[0] for place in places):
+            moves.append(Move(key, kind, places))
+        words = [each.text for each in items if isinstance(each, Label)]
+        if any(word != words[0] for word in words):
+            moves.append(Move(key, "words", words))
+    box = f'viewBox="0 0 {SIZE} {SIZE}" role="img" aria-label="{escape(title)}"'
+    return Figure(f"<svg {box}>\n" + "\n".join(parts) + "\n</svg>", moves)
+
+
+def _points_of(item: Item) -> Points:
+    return item.points if isinstance(item, Stroke) else np.array([[item.x, item.y]])
+
+
+def _in_pixels(points: Points, window: Window) -> Points:
+    scale = SIZE / 2 / window.half
+    return (points - (window.x, window.y)) * (scale, -scale) + SIZE / 2
+
+
+def _element(item: Item, key: str, places: Numbers, window: Window) -> str:
+    match item:
+        case Stroke(kind=kind, name=name, color=color, width=width, fill=fill):
+            style = f'stroke="#{color}" stroke-width="{width * PIXELS:.4g}"' + (
+                f' style="fill:#{fill}"' if fill else ""
+            )
+            title = f"<title>{escape(name)}</title>" if name else ""
+            return f'<path id="{key}" class="line {kind}" {style} d="{path_data(places)}">{title}</path>'
+        case Disc(kind=kind, fill=fill, line=line, radius=radius):
+            where = _where("cx", "cy", places[0], places[1])
+            size = f'r="{radius * SIZE / 2 / window.half:.4g}" stroke-width="{RING * PIXELS:g}"'
+            return f'<g id="{key}" class="{kind}" fill="#{fill}" stroke="#{line}"><circle {size} {where}/></g>'
+        case Label(kind=kind, text=text, size=size, middle=middle):
+            style = f'class="{"center" if middle else "right"} {kind}" font-size="{size * PIXELS:.4g}"'
+            return f'<text id="{key}" {style} {_where("x", "y", places[0], places[1])}>{escape(text)}</text>'
+
+
+def _axes(chart: Chart, scenes: Sequence[Curves], width: int, height: int) -> tuple[Scale, Scale]:
     if chart.inner:
         x, y, wide, high = chart.inner
         left, right, top, bottom = x * width, (x + wide) * width, y * height, (y + high) * height
@@ -103,6 +150,10 @@ def _placed(piece: Piece, axes: tuple[Scale, Scale], kind: str) -> Numbers:
     pixels = np.column_stack([axis.place(column) for axis, column in zip(axes, piece.points.T, strict=True)])
     if kind == "label" and piece.series.marker:
         pixels += np.array(SIDES[piece.series.label_side]) * (piece.series.marker_size * PIXELS / 2 + BESIDE)
+    return _hundredths(pixels)
+
+
+def _hundredths(pixels: Points) -> Numbers:
     return [None if math.isnan(value) else round(value * FINE) for value in pixels.ravel().tolist()]
 
 

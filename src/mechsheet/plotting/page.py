@@ -9,8 +9,8 @@ from html import escape
 from importlib.resources import files
 from string import Template
 
-from mechsheet.plotting.figures import Figure, Move, figure
-from mechsheet.plotting.scenes import Piece, Scene, Stage, comes_round
+from mechsheet.plotting.figures import Figure, Move, drawing, figure
+from mechsheet.plotting.scenes import Curves, Piece, Stage, comes_round
 from mechsheet.sheet.workbook import Cell, Chart, Fill, SeriesRef, Workbook
 from mechsheet.words import pictures as words
 
@@ -20,22 +20,23 @@ def page(stage: Stage) -> bytes:
     sample = stage.sample
     mechanism, language = sample.plan.mechanism, sample.plan.language
     rows = range(sample.sweep)
-    scenes = [stage.at(row, stage.charts) for row in rows]
-    by_chart: list[list[Scene]] = [[scene[index] for scene in scenes] for index in range(len(stage.charts))]
-    drawing = figure(stage.charts[0], by_chart[0], sample.shown, "m")
+    scenes = [stage.drawing(row) for row in rows]
+    picture = drawing(scenes, sample.shown, sample.workbook.sheets[0].charts[0].alt_text)
+    curves = [stage.at(row, stage.charts) for row in rows]
+    by_chart: list[list[Curves]] = [[found[index] for found in curves] for index in range(len(stage.charts))]
     figures = [
         _curve(chart, found, sample.shown, f"c{index}", sample.workbook)
-        for index, (chart, found) in enumerate(zip(stage.charts[1:], by_chart[1:], strict=True), 1)
+        for index, (chart, found) in enumerate(zip(stage.charts, by_chart, strict=True), 1)
     ]
     driver = [mechanism.driver.unit.to_shown(sample.plan.driver[row]) for row in rows]
-    captions = [_caption(scene) for scene in by_chart[0]]
+    captions = [scene.caption for scene in scenes]
     data = {
         "driver": [round(value, 9) for value in driver],
         "captions": captions,
-        "round": all(sample.exists[: sample.sweep]) and comes_round(by_chart[0][0], by_chart[0][-1]),
+        "round": all(sample.exists[: sample.sweep]) and comes_round(scenes[0], scenes[-1]),
         "play": words.PLAY.of(language),
         "pause": words.PAUSE.of(language),
-        "moves": [[move.id, move.kind, move.frames] for made in (drawing, *figures) for move in made.moves],
+        "moves": [[move.id, move.kind, move.frames] for made in (picture, *figures) for move in made.moves],
     }
     source = mechanism.source.of(language)
     text = Template(_part("page.html")).substitute(
@@ -44,7 +45,7 @@ def page(stage: Stage) -> bytes:
         source=f"<p>{words.SOURCE.of(language)}: {escape(source)}</p>" if source else "",
         style=_part("page.css"),
         script=_part("page.js"),
-        picture=drawing.markup,
+        picture=picture.markup,
         charts="\n".join(made.markup for made in figures),
         data=_json(data),
         last=len(captions) - 1,
@@ -69,12 +70,7 @@ def _json(data: object) -> str:
     return json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
 
 
-def _caption(scene: Scene) -> str:
-    """The words of the label that says where the driver stands: the largest one."""
-    return max((piece for piece in scene if piece.series.show_name), key=lambda piece: piece.series.label_size).words
-
-
-def _curve(chart: Chart, scenes: Sequence[Scene], shown: int, name: str, workbook: Workbook) -> Figure:
+def _curve(chart: Chart, scenes: Sequence[Curves], shown: int, name: str, workbook: Workbook) -> Figure:
     """A chart with its title over it, and the value of each curve at the position shown."""
     made = figure(chart, scenes, shown, name, cut=not chart.x_axis.visible)
     items, moves = [], list(made.moves)
@@ -96,7 +92,7 @@ def _value(piece: Piece, digits: int) -> str:
     return "–" if math.isnan(value) else f"{value:.{digits}f}".replace("-", "−")
 
 
-def _curve_of(scene: Scene, marker: Piece) -> SeriesRef:
+def _curve_of(scene: Curves, marker: Piece) -> SeriesRef:
     """The column of the curve that a marker runs on."""
     return next(p.series.y for p in scene if p.series.line == marker.series.marker_fill and p.words == marker.words)
 

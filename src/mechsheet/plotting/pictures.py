@@ -1,11 +1,12 @@
 """Scenes drawn by matplotlib: a picture (SVG, PNG) and an animation (GIF). The same scene gives the same bytes.
 
-A picture is as large as the drawing on the workbook's first sheet: 360 points square, the window 2 units wide.
+A picture is 360 points square, as large as the drawing on the workbook's first sheet.
 """
 
 from __future__ import annotations
 
 import io
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
@@ -14,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.extras import missing_package
-from mechsheet.plotting.scenes import Piece, Scene
 from mechsheet.said import say
+from mechsheet.shapes.positions import RING, Disc, Item, Label, Scene, Stroke, there
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -34,24 +35,9 @@ FRAME_MILLISECONDS = 60
 COLORS, APART = 64, 24
 """Colours of an animation: the lines' own and the steps between them and the paper; how far they are apart at least."""
 
-EDGE = 0.75
-"""Width of the line round a marker whose inside has another colour, in points."""
-
-BESIDE = 3.0
-"""From the place of a label to its text beside it [points]: it begins behind the tip of an arrow."""
-
-ANCHORS = {
-    "center": ("center", "center"),
-    "right": ("left", "center"),
-    "left": ("right", "center"),
-    "above": ("center", "bottom"),
-    "below": ("center", "top"),
-}
-"""Side on which a label stands -> its alignment at the point."""
-
 
 @contextmanager
-def _settings() -> Iterator[None]:
+def settings() -> Iterator[None]:
     """Matplotlib's own defaults, whatever the user's are, and nothing random in the file."""
     try:
         import matplotlib as mpl
@@ -59,13 +45,19 @@ def _settings() -> Iterator[None]:
         raise missing_package("matplotlib", "plot", say("it draws the pictures")) from error
     with mpl.rc_context():
         mpl.rcdefaults()
-        mpl.rcParams.update({"svg.hashsalt": "mechsheet", "font.family": "DejaVu Sans", "path.simplify": False})
+        mpl.rcParams.update(
+            {"svg.hashsalt": "mechsheet", "pdf.fonttype": 42, "font.family": "DejaVu Sans", "path.simplify": False}
+        )
         yield
 
 
 def svg(scene: Scene, title: str) -> bytes:
-    """A picture as SVG; letters are outlines, so it looks the same everywhere. Raises MissingProgramError."""
-    return _saved(scene, "svg", {"Title": title, "Date": None, "Creator": None})
+    """A picture as SVG; letters are outlines, so it looks the same everywhere. Raises MissingProgramError.
+
+    What belongs to an item is in a group whose class is its kind.
+    """
+    made = _saved(scene, "svg", {"Title": title, "Date": None, "Creator": None})
+    return re.sub(rb'<g id="([a-z]+)-(\d+)">', rb'<g id="\1-\2" class="\1">', made)
 
 
 def png(scene: Scene, title: str) -> bytes:
@@ -75,7 +67,7 @@ def png(scene: Scene, title: str) -> bytes:
 
 def gif(scenes: Sequence[Scene], title: str) -> bytes:
     """An animation of 400 x 400 pixels that starts again at its end. Raises MissingProgramError."""
-    with _settings():
+    with settings():
         frames = few_colors([_pixels(scene) for scene in scenes])
     file = io.BytesIO()
     frames[0].save(
@@ -92,7 +84,7 @@ def gif(scenes: Sequence[Scene], title: str) -> bytes:
 
 def _saved(scene: Scene, kind: str, metadata: dict[str, Any], dpi: float = 72) -> bytes:
     file = io.BytesIO()
-    with _settings():
+    with settings():
         _figure(scene).savefig(file, format=kind, metadata=metadata, dpi=dpi)
     return file.getvalue()
 
@@ -102,37 +94,45 @@ def _figure(scene: Scene) -> Figure:
 
     figure = Figure(figsize=(SIDE, SIDE))
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
-    axes.set_axis_off()
-    axes.set_xlim(-1.0, 1.0)
-    axes.set_ylim(-1.0, 1.0)
-    axes.set_aspect("equal")
-    for order, piece in enumerate(scene):
-        _draw(axes, piece, order)
+    draw(axes, scene)
     return figure
 
 
-def _draw(axes: Any, piece: Piece, order: int) -> None:
-    series, (x, y) = piece.series, piece.points.T
-    if series.line:
-        axes.plot(
-            x, y, color=f"#{series.line}", linewidth=series.width, solid_joinstyle="round", solid_capstyle="round",
-            zorder=order,
-        )  # fmt: skip
-    if series.marker:
-        edge = EDGE if series.marker_line != series.marker_fill else 0.0
-        axes.plot(
-            x, y, linestyle="none", marker="o", markersize=series.marker_size, markeredgewidth=edge, zorder=order,
-            markerfacecolor=f"#{series.marker_fill}" if series.marker_fill else "none",
-            markeredgecolor=f"#{series.marker_line}" if series.marker_line else "none",
-        )  # fmt: skip
-    if series.show_name:
-        across, along = ANCHORS[series.label_side]
-        beside = {"right": BESIDE, "left": -BESIDE}.get(series.label_side, 0.0)
-        for place in piece.points[np.isfinite(piece.points).all(axis=1)]:
-            axes.annotate(
-                piece.words, place, (beside, 0.0), textcoords="offset points", fontsize=series.label_size, ha=across,
-                va=along, zorder=order,
-            )  # fmt: skip
+def draw(axes: Any, scene: Scene, scale: float = 1.0) -> None:
+    """A position in axes that are a square; `scale`: how large it is, as a part of 360 points.
+
+    Letters become no larger than they are there.
+    """
+    window = scene.window
+    axes.set_axis_off()
+    axes.set_xlim(window.x - window.half, window.x + window.half)
+    axes.set_ylim(window.y - window.half, window.y + window.half)
+    axes.set_aspect("equal")
+    for order, item in enumerate(scene.items):
+        for artist in _artists(axes, item, scale) if there(item) else ():
+            artist.set(gid=f"{item.kind}-{order}", zorder=order)
+
+
+def _artists(axes: Any, item: Item, scale: float) -> list[Any]:
+    from matplotlib.patches import Circle, Polygon
+
+    match item:
+        case Stroke(points=points, fill=fill) if fill:
+            return [axes.add_patch(Polygon(
+                points, closed=False, facecolor=f"#{fill}", edgecolor=f"#{item.color}", linewidth=item.width * scale,
+                joinstyle="round", capstyle="round",
+            ))]  # fmt: skip
+        case Stroke(points=points):
+            x, y = points.T
+            style = {"solid_joinstyle": "round", "solid_capstyle": "round"}
+            return list(axes.plot(x, y, color=f"#{item.color}", linewidth=item.width * scale, **style))
+        case Disc(x=x, y=y):
+            return [axes.add_patch(Circle(
+                (x, y), item.radius, facecolor=f"#{item.fill}", edgecolor=f"#{item.line}", linewidth=RING * scale
+            ))]  # fmt: skip
+        case Label(x=x, y=y):
+            side = "center" if item.middle else "left"
+            return [axes.text(x, y, item.text, fontsize=item.size * min(scale, 1.0), ha=side, va="center")]
 
 
 def _pixels(scene: Scene) -> Codes:

@@ -21,11 +21,9 @@ from mechsheet.kinematics.numeric import Array, runs_of
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
 from mechsheet.said import say
-from mechsheet.sheet.drawing.frames import CHART_X
 from mechsheet.sheet.drawing.points import moving_points
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.workbook import Workbook
 from mechsheet.units import behind_number
 
 LEAST, MOST = 121, 361
@@ -50,21 +48,10 @@ class Sample(Compiled):
         self.vectors = vectors
         self._asked = shown
 
-    @property
-    def layout(self) -> Workbook:
-        """The workbook, its drawing with or without arrows."""
-        workbook, rows = super().layout, self.plan.arrow_rows
-        if self.vectors or not rows:
-            return workbook
-        main = workbook.sheets[0]
-        drawing, *others = main.charts
-        title = self.plan.at.titles["drawing"]
-        kept = [
-            each for each in drawing.series if each.x.sheet != title or each.x.area.first_row not in rows
-            or each.x.area.first_col != CHART_X
-        ]  # fmt: skip
-        main = replace(main, charts=(replace(drawing, series=tuple(kept)), *others))
-        return replace(workbook, sheets=(main, *workbook.sheets[1:]))
+    @cached_property
+    def exists(self) -> tuple[bool, ...]:
+        """In which rows there is a position, by the equations' own values: a picture needs no cell of the workbook."""
+        return tuple(self.closed.tolist())
 
     @cached_property
     def shown(self) -> int:

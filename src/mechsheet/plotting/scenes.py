@@ -1,10 +1,14 @@
-"""The charts of a workbook at any position, as numbers: what a picture shows, before any picture format is known."""
+"""A mechanism at any position, as numbers: what a picture shows, before any picture format is known.
+
+The mechanism itself is drawn from the list of shapes; the curves of a page are the workbook's charts.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -14,12 +18,14 @@ from mechsheet.engine import PORTABLE, Values, compile_book
 from mechsheet.formula.nodes import CellRef, ErrorValue
 from mechsheet.plotting.following import following_book
 from mechsheet.plotting.sampling import Sample
+from mechsheet.shapes.loads import VECTORS
+from mechsheet.shapes.positions import Disc, Positions, Scene, Stroke
 from mechsheet.sheet.workbook import Chart, Series, SeriesRef
 
 Points = NDArray[np.float64]
 
 CLOSED = 1e-6
-"""A sweep whose last picture is this near the first (in the drawing's units, 2 wide) comes round."""
+"""A sweep whose last picture is this near the first (in half windows) comes round."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +41,7 @@ class Piece:
     words: str
 
 
-Scene = tuple[Piece, ...]
+Curves = tuple[Piece, ...]
 """The pieces of a chart from back to front."""
 
 
@@ -47,27 +53,40 @@ class Follower(Protocol):
 
 
 class Stage:
-    """A sample's charts, to be looked at in any of its rows."""
+    """A sample's mechanism and its charts, to be looked at in any of its rows."""
 
     def __init__(self, sample: Sample) -> None:
         self.sample = sample
-        spot = sample.plan.at.spots["#position"]
-        self._position = (spot.sheet, spot.row, spot.col)
-        self._book: Follower = compile_book(following_book(sample.workbook, self._position), PORTABLE)
+
+    @cached_property
+    def positions(self) -> Positions:
+        """The mechanism in all positions."""
+        return Positions(self.sample, VECTORS if self.sample.vectors else ())
+
+    def drawing(self, row: int) -> Scene:
+        """The mechanism at a position."""
+        return self.positions.at(row)
+
+    # --- charts ------------------------------------------------------------------------------------------------------
 
     @property
     def charts(self) -> tuple[Chart, ...]:
-        """The charts of the first sheet; the drawing comes first."""
-        return self.sample.workbook.sheets[0].charts
+        """The charts of the first sheet but its drawing, which comes first."""
+        return self.sample.workbook.sheets[0].charts[1:]
 
-    def at(self, row: int, charts: Sequence[Chart]) -> list[Scene]:
-        """The scenes of charts with the position cell at `row`."""
+    @cached_property
+    def _position(self) -> tuple[str, int, int]:
+        spot = self.sample.plan.at.spots["#position"]
+        return spot.sheet, spot.row, spot.col
+
+    @cached_property
+    def _book(self) -> Follower:
+        return compile_book(following_book(self.sample.workbook, self._position), PORTABLE)
+
+    def at(self, row: int, charts: Sequence[Chart]) -> list[Curves]:
+        """Charts with the position cell at `row`."""
         values = self._book.evaluate({self._position: float(row)})
         return [tuple(self._piece(values, series) for series in _shown(chart)) for chart in charts]
-
-    def drawing(self, row: int) -> Scene:
-        """The drawing alone."""
-        return self.at(row, self.charts[:1])[0]
 
     def _piece(self, values: Values, series: Series) -> Piece:
         columns = [self._numbers(values, ref) for ref in (series.x, series.y)]
@@ -98,13 +117,17 @@ def _words(values: Values, name: str | CellRef) -> str:
 
 def comes_round(first: Scene, last: Scene) -> bool:
     """True when the last position of a sweep looks like the first: an animation can go on from there."""
-    return all(
-        np.allclose(a.points, b.points, rtol=0, atol=CLOSED) for a, b in zip(first, last, strict=True) if _moves(a)
-    )
+    pairs = [(_places(a), _places(b)) for a, b in zip(first.items, last.items, strict=True)]
+    return all(np.allclose(a, b, rtol=0, atol=CLOSED * first.window.half, equal_nan=True) for a, b in pairs)
 
 
-def _moves(piece: Piece) -> bool:
-    return not piece.series.show_name
+def _places(item: object) -> Points:
+    match item:
+        case Stroke(points=points):
+            return points
+        case Disc(x=x, y=y):
+            return np.array([[x, y]])
+    return np.zeros((0, 2))
 
 
 def journey(stage: Stage, most: int) -> tuple[list[int], bool]:

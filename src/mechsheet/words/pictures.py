@@ -18,3 +18,11 @@ NO_SCRIPT = Words(
     "Without JavaScript the page shows this one position.",
     "JavaScript olmadan sayfa yalnızca bu konumu gösterir.",
 )
+
+SPRING = Words("spring {name}", "{name} yayı")
+DAMPER = Words("damper {name}", "{name} sönümleyicisi")
+LOAD = Words("load {name}", "{name} yükü")
+CYLINDER = Words("cylinder of {symbol}", "{symbol} silindiri")
+MASS_CENTRE = Words("mass centre of {link}", "{link} kütle merkezi")
+WEIGHT = Words("weight of {link}", "{link} ağırlığı")
+FORCES = Words("Forces, and where each is largest", "Kuvvetler ve her birinin en büyük olduğu yer")

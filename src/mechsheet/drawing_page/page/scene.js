@@ -17,7 +17,7 @@ export function element(name, attributes = {}, parent = null) {
 }
 
 const layers = {};
-for (const name of ["grid", "picture", "paths", "guides", "grounds", "links", "drive", "pins", "band"]) {
+for (const name of ["grid", "picture", "paths", "guides", "grounds", "links", "acting", "drive", "pins", "band"]) {
   layers[name] = element("g", { class: `layer-${name}` }, canvas);
 }
 layers.grid.setAttribute("aria-hidden", "true");
@@ -138,6 +138,35 @@ function buildPin(point) {
   return { point, group };
 }
 
+// --- what acts on it: springs, loads, weights; wheels and racks --------------------------------------------------------
+
+let acting = [];
+
+/** As many elements as there are shapes; they are only looked at. */
+function buildActing() {
+  layers.acting.replaceChildren();
+  acting = (state.look?.shapes ?? []).map((shape) => {
+    const made = element("path", { class: `acting ${shape.kind} ${shape.filled}` }, layers.acting);
+    element("title", {}, made).textContent = shape.name;
+    return { shape, made };
+  });
+}
+
+function moveActing() {
+  for (const { shape, made } of acting) {
+    const vectors = shape.places.map(([x, y]) => [at(x), at(y)]);
+    const there = vectors.every(([x, y]) => x !== null && y !== null);
+    made.setAttribute("d", there ? line(corners(shape.path, vectors).map(([x, y]) => toScreen(x, y))) : "");
+  }
+}
+
+/** A path stands in a frame: its origin, and the vectors of its two directions. */
+function corners(path, vectors) {
+  if (!path.length) return vectors;
+  const [origin, along, across] = vectors;
+  return path.map(([a, b]) => [0, 1].map((axis) => origin[axis] + a * along[axis] + b * across[axis]));
+}
+
 // --- what moves -------------------------------------------------------------------------------------------------------
 
 const line = (places) => places.map(([x, y], n) => `${n ? "L" : "M"}${x.toFixed(2)},${y.toFixed(2)}`).join("");
@@ -167,6 +196,7 @@ function move() {
     const joined = linksAt(point).map((link) => link.label).join(", ");
     group.setAttribute("aria-label", found ? `${word("point")} ${point}: ${shown(found.place[0], 5)}, ${shown(found.place[1], 5)} (${joined})` : point);
   }
+  moveActing();
   moveDriver(screen);
 }
 
@@ -293,6 +323,7 @@ function all() {
   drawGrid();
   drawPicture();
   build();
+  buildActing();
   drawPaths();
   move();
 }
@@ -300,6 +331,7 @@ function all() {
 on("look", () => {
   if (!state.view) return;
   build();
+  buildActing();
   drawPaths();
   move();
 });

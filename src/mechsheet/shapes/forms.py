@@ -1,0 +1,216 @@
+"""What the list of shapes consists of: kinds, forms in a frame of their own, shapes, names."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Literal, TypeAlias
+
+from mechsheet import portable
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Node, Symbol
+from mechsheet.kinematics.vectors import Vector, minus, plus, size, times, turned
+from mechsheet.sheet.quoted import formula
+
+Kind: TypeAlias = Literal[
+    "link", "ground", "slide", "cylinder", "gear", "belt", "rack", "spring", "damper", "load", "torque", "weight", "mass",
+    "path", "pin", "point", "velocity", "acceleration", "force", "scale", "name", "caption",
+]  # fmt: skip
+ARROWS = ("load", "torque", "weight", "velocity", "acceleration", "force")
+"""Kinds whose size says how large something is."""
+
+HALF = Symbol("#half")
+"""Half the side of the window, in the length unit: symbols are so many of it large, whatever the mechanism's dimensions."""
+
+LEAST = 0.05
+"""Of what is less than this part of the largest of its kind no arrow is drawn: it would be all tip."""
+
+Path: TypeAlias = tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """Where a form stands: its corner (a, b) lies at  origin + a along + b across."""
+
+    origin: Vector
+    along: Vector
+    across: Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """A line through corners: `path` in a `frame`, or `corners` one by one.
+
+    color  RRGGBB;  fill  of what the line encloses, or "";  width  in points of a printer
+    size   of an arrow: which part it is of the largest of its kind; less than LEAST is not drawn
+    """
+
+    kind: Kind
+    name: str
+    color: str
+    width: float
+    frame: Frame | None = None
+    path: Path = ()
+    corners: tuple[Vector, ...] = ()
+    fill: str = ""
+    size: Node | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A disc at a place; `radius` in half windows."""
+
+    kind: Kind
+    name: str
+    at: Vector
+    radius: float
+    fill: str
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """A text that stands near a place, where there is room.
+
+    value, unit  what is written behind it, `name = 12 N`; None for a name alone
+    size         as of a shape
+    needed       whether it stands there also where it covers something
+    beside       how far from the place it begins, in half windows
+    """
+
+    text: str
+    at: Vector
+    value: Node | None = None
+    unit: str = ""
+    size: Node | None = None
+    needed: bool = False
+    beside: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Extreme:
+    """A number of the whole motion that shapes read as `symbol`: the least or the largest of some quantities."""
+
+    symbol: str
+    take: Literal["min", "max"]
+    of: tuple[Node, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """How long arrows of a kind are: the largest, `most`, is `longest` half windows long."""
+
+    kind: Kind
+    most: Symbol
+    longest: float
+    unit: str
+    color: str
+
+
+# --- vectors ---------------------------------------------------------------------------------------------------------
+
+
+def place_of(point: str) -> Vector:
+    """The place of a point."""
+    return Symbol(f"{point}.x"), Symbol(f"{point}.y")
+
+
+def sized(part: float) -> Node:
+    """So many half windows, in the length unit."""
+    return al.mul(al.number(part), HALF)
+
+
+def along(direction: Node) -> Vector:
+    """The unit vector in a direction."""
+    return al.call("COS", direction), al.call("SIN", direction)
+
+
+def unit(vector: Vector) -> Vector:
+    """The unit vector along another."""
+    return al.div(vector[0], size(vector)), al.div(vector[1], size(vector))
+
+
+# --- forms -----------------------------------------------------------------------------------------------------------
+
+
+def arc(start: float, stop: float, steps: int) -> Path:
+    """Corners on a circle of radius 1, from angle to angle [degrees]."""
+    angles = [math.radians(start + (stop - start) * step / steps) for step in range(steps + 1)]
+    return tuple((portable.cos(angle), portable.sin(angle)) for angle in angles)
+
+
+WHEEL: Path = ((0.0, 0.0), *arc(0.0, 360.0, 48))
+"""From the middle to a mark on the rim, and once around."""
+
+ROUND: Path = arc(0.0, 360.0, 24)
+QUARTERS: Path = ((0.0, 0.0), *arc(0.0, 90.0, 6), (0.0, 0.0), *arc(180.0, 270.0, 6), (0.0, 0.0))
+"""With `ROUND` about it the mark of a mass centre."""
+
+
+SHAFT: Path = ((0.0, 0.0), (1.0, 0.0))
+ARROW_HEAD: Path = ((-0.75, -0.4), (0.25, 0.0), (-0.75, 0.4), (-0.75, -0.4))
+"""Round the end of a shaft, so that this is nowhere to be seen."""
+
+BOW: Path = arc(-135.0, 135.0, 24)
+BOW_HEAD: Path = ((-0.83, 0.83), (-1.03, 0.38), (-0.56, 0.56), (-0.83, 0.83))
+"""A round arrow counter-clockwise, its gap at -a; and its tip."""
+
+
+def zigzag(turns: int, start: float, stop: float) -> Path:
+    """From 0 to 1 along a, in between to and fro across."""
+    step = (stop - start) / (2 * turns)
+    teeth = tuple((start + (n + 0.5) * step, 1.0 if n % 2 else -1.0) for n in range(2 * turns))
+    return ((0.0, 0.0), (start, 0.0), *teeth, (stop, 0.0), (1.0, 0.0))
+
+
+COIL = zigzag(6, 0.16, 0.84)
+BARREL: Path = (
+    (0.0, 0.0), (0.06, 0.0), (0.06, 1.0), (1.0, 1.0), (1.0, -1.0), (0.06, -1.0), (0.06, 0.0), (0.0, 0.0),
+)  # fmt: skip
+"""From its eye, 1 long and 1 to either side."""
+
+PULLED_IN, PUSHED_OUT = 0.8, 0.3
+"""How long a barrel is drawn: so much of the least distance of the pins, at least so much of the largest."""
+
+
+# --- the list --------------------------------------------------------------------------------------------------------
+
+
+@dataclass
+class Shapes:
+    """The list.
+
+    extremes  what shapes read of the whole motion, in order
+    shapes    from back to front, marks before what lies on them
+    around    what the window holds in every position: places, and radii about them
+    scales    of the arrows that have one
+    """
+
+    extremes: list[Extreme] = field(default_factory=list)
+    shapes: list[Shape | Mark] = field(default_factory=list)
+    names: list[Name] = field(default_factory=list)
+    around: list[tuple[Vector, Node]] = field(default_factory=list)
+    scales: list[Scale] = field(default_factory=list)
+
+    def extreme(self, take: str, *of: Node) -> Symbol:
+        """The symbol of an extreme."""
+        known = next((each for each in self.extremes if (each.take, each.of) == (take, of)), None)
+        if known is None:
+            known = Extreme(f"#{take} {len(self.extremes) + 1}", "min" if take == "min" else "max", of)
+            self.extremes.append(known)
+        return Symbol(known.symbol)
+
+
+def telescope(
+    found: Shapes, kind: Kind, name: str, ends: tuple[Vector, Vector], colors: tuple[str, str], bore: float
+) -> Iterator[Shape]:
+    """A rod that slides in a barrel; the barrel begins at the first end, and is as long as both can be pushed together."""
+    way = minus(ends[1], ends[0])
+    distance = size(way)
+    least, most = found.extreme("min", distance), found.extreme("max", distance)
+    barrel = formula("MAX(part*least,other*most)", part=PULLED_IN, least=least, other=PUSHED_OUT, most=most)
+    ahead = unit(way)
+    middle = plus(ends[0], times(al.div(barrel, al.TWO), ahead))
+    yield Shape(kind, name, colors[1], 3.0, corners=(middle, ends[1]))
+    frame = Frame(ends[0], times(barrel, ahead), times(sized(bore), turned(ahead)))
+    yield Shape(kind, name, colors[0], 2.0, frame, BARREL, fill="FFFFFF")

@@ -1,0 +1,229 @@
+"""The list: everything that a mechanism looks like, from back to front."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from mechsheet import portable
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Node, Symbol
+from mechsheet.formula.scalar import evaluate
+from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.vectors import Vector, dot, minus, plus, size, times, together, turned
+from mechsheet.model import Joint, Rack
+from mechsheet.shapes.described import Described
+from mechsheet.shapes.forms import (
+    HALF,
+    WHEEL,
+    Frame,
+    Kind,
+    Mark,
+    Name,
+    Path,
+    Shape,
+    Shapes,
+    along,
+    place_of,
+    sized,
+    telescope,
+    unit,
+)
+from mechsheet.shapes.loads import acting, loaded_points
+from mechsheet.sheet import styles
+from mechsheet.sheet.drawing.charts import chart_requests, traced_points
+from mechsheet.sheet.drawing.drawing import PATH_COLORS
+from mechsheet.sheet.drawing.frames import INK
+from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, line_end, through_of
+from mechsheet.sheet.drawing.points import moving_points
+from mechsheet.sheet.drawing.shapes import BLOCK, BLOCK_HEIGHT, PAD, SUPPORT, comb
+from mechsheet.sheet.drawing.wheels import ALIKE, TEETH, TOOTH, WIDTH, Belt, axis_between, wheels_of
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.symbols import plain
+from mechsheet.words import pictures
+
+PIN, POINT = 0.025, 0.0167
+"""Radii of a ring at a revolute joint and of a dot, in half windows."""
+
+BORE = 0.033
+"""Half the width of a cylinder, in half windows."""
+
+RACK: Path = tuple((step / (2 * TEETH), TOOTH if step % 2 else -TOOTH) for step in range(2 * TEETH + 1))
+
+
+def shapes_of(plan: Plan, equations: Equations, vectors: Collection[Kind] = ()) -> Shapes:
+    """The list of a mechanism; `vectors`: which of `VECTORS` are wanted."""
+    mechanism = plan.mechanism
+    known, found = Described(mechanism, equations), Shapes()
+    springs, loads = acting(known, found, plan, vectors)
+    traced = traced_points(plan, chart_requests(plan))
+    for index, point in enumerate(traced):
+        color = PATH_COLORS[index % len(PATH_COLORS)]
+        found.shapes.append(Shape("path", plain(point), color, 1.0, corners=(place_of(point),)))
+    cylinders = [joint for joint in mechanism.sliding if is_cylinder(known, joint)]
+    guides = [_Guide(known, found, joint) for joint in mechanism.sliding if joint not in cylinders]
+    found.shapes += _toothed(known, found)
+    found.shapes += [guide.rail() for guide in guides if guide.on_ground]
+    anchors = loaded_points(known)
+    held = [point for point in known.ground.points if point in known.pins or point in anchors]
+    found.shapes += [_support(known, point) for point in held]
+    found.shapes += [guide.slot() for guide in guides if not guide.on_ground]
+    for link in mechanism.whole_links[1:]:
+        if len(link.points) > 1:
+            order = corners(link, known.dimensions)
+            closed = (*order, order[0]) if len(order) > 2 else order
+            places = tuple(map(place_of, closed))
+            found.shapes.append(Shape("link", known.called(link), known.color(link.name), 3.0, corners=places))
+    found.shapes += [guide.block() for guide in guides]
+    for joint in cylinders:
+        found.shapes += _cylinder(known, found, joint)
+    found.shapes += springs
+    marked = dict.fromkeys((*known.pins, *moving_points(mechanism), *held))
+    for point in marked:
+        pin = point in known.pins
+        at, radius = place_of(point), PIN if pin else POINT
+        found.shapes.append(Mark("pin" if pin else "point", plain(point), at, radius, "FFFFFF" if pin else INK))
+        found.around.append((at, al.ZERO))
+    found.shapes += loads
+    found.names[:0] = [Name(plain(point), place_of(point), needed=True) for point in marked]
+    return found
+
+
+def _support(known: Described, point: str) -> Shape:
+    """The hatched support of a fixed point."""
+    frame = Frame(place_of(point), (HALF, al.ZERO), (al.ZERO, HALF))
+    return Shape("ground", known.text("drawing.support", point=plain(point)), INK, 1.0, frame, SUPPORT)
+
+
+# --- slides ----------------------------------------------------------------------------------------------------------
+
+
+class _Guide:
+    """The line of a sliding joint: where it passes, in which direction, from where to where."""
+
+    def __init__(self, known: Described, found: Shapes, joint: Joint) -> None:
+        self.known, self.joint, self.mechanism = known, joint, known.mechanism
+        self.through = through_of(self.mechanism, joint)
+        self.way = along(direction_of(self.mechanism, joint))
+        self.sleeve = block_has_line(self.mechanism, joint)
+        slid: Node = Symbol(joint.symbol)
+        least, most = found.extreme("min", slid), found.extreme("max", slid)
+        ends = (al.sub(slid, most), al.sub(slid, least)) if self.sleeve else (least, most)
+        self.start, self.end = al.sub(ends[0], sized(PAD)), al.add(ends[1], sized(PAD))
+        self.on_ground = joint.on == known.ground.name
+
+    def _named(self, key: str) -> str:
+        return self.known.text(f"drawing.{key}", symbol=plain(self.joint.symbol))
+
+    def along(self, way: Node) -> Vector:
+        """A place of the line."""
+        return plus(self.through, times(way, self.way))
+
+    def rail(self) -> Shape:
+        """A guide fixed to the ground: a hatched line under the block, as long as the stroke and a little more."""
+        below = portable.cos(evaluate(direction_of(self.mechanism, self.joint), self.known.dimensions)) >= -1e-9
+        side = -1.0 if below else 1.0
+        path = tuple((a, side * (BLOCK_HEIGHT - b)) for a, b in comb(1.0, 11, 0.03, 0.0))
+        reach = times(al.sub(self.end, self.start), self.way)
+        frame = Frame(self.along(self.start), reach, times(HALF, turned(self.way)))
+        return Shape("slide", self._named("rail"), INK, 1.0, frame, path)
+
+    def slot(self) -> Shape:
+        """A guide on a moving link: from a point of the link to the line, and along the line over the stroke."""
+        owner = self.joint.link if self.sleeve else self.joint.on
+        base = self.joint.point if self.sleeve else line_end(self.joint, self.mechanism)
+        start = place_of(base) if base else self.through
+        places = (start, self.through, self.along(self.start), self.along(self.end))
+        return Shape("slide", self._named("slot"), self.known.color(owner), 2.0, corners=places)
+
+    def block(self) -> Shape:
+        """A rectangle that turns with its guide; a massless one is smaller, so that it is seen inside another one."""
+        joint = self.joint
+        at, owner, part = place_of(joint.point), joint.link, 1.0
+        if self.sleeve:
+            at, owner = self.through, joint.on
+        elif joint.kind != "prismatic":
+            owner, part = "", 0.7
+        frame = Frame(at, times(sized(part), self.way), times(sized(part), turned(self.way)))
+        return Shape("slide", self._named("block"), self.known.color(owner) if owner else INK, 2.0, frame, BLOCK)
+
+
+def is_cylinder(known: Described, joint: Joint) -> bool:
+    """Whether a sliding joint is a barrel and its rod: two moving links, each with one pin alone, both pins on the line."""
+    barrel, rod = known.links[joint.on], known.links[joint.link]
+    eyes = [*barrel.points, *rod.points]
+    if joint.kind != "prismatic" or known.ground in (barrel, rod) or len(eyes) != 2 or not set(eyes) <= set(known.pins):
+        return False
+    if isinstance(joint.through, str):
+        return joint.through == eyes[0]
+    through = al.as_node(joint.through[0]), al.as_node(joint.through[1])
+    offset = minus(through, known.equations.poses[barrel.name].places[eyes[0]])
+    aside = evaluate(dot(offset, turned(along(al.as_node(joint.angle)))), known.dimensions)
+    return abs(aside) <= ALIKE * max(1.0, *map(abs, known.dimensions.values()))
+
+
+def _cylinder(known: Described, found: Shapes, joint: Joint) -> Iterator[Shape]:
+    """The rod from its eye into the barrel, and the barrel from the other eye, from pin to pin."""
+    eye = place_of(next(iter(known.links[joint.on].points)))
+    name = pictures.CYLINDER.of(known.mechanism.language).format(symbol=plain(joint.symbol))
+    colors = known.color(joint.on), known.color(joint.link)
+    yield from telescope(found, "cylinder", name, (eye, place_of(joint.point)), colors, BORE)
+
+
+# --- wheels ----------------------------------------------------------------------------------------------------------
+
+
+def _toothed(known: Described, found: Shapes) -> Iterator[Shape]:
+    """Wheels, belts and racks."""
+    mechanism = known.mechanism
+    if not mechanism.relations:
+        return
+    wheels, belts = wheels_of(mechanism, known.equations.poses, known.dimensions)
+    for wheel in wheels:
+        angle = al.ZERO if wheel.link is known.ground else Symbol(wheel.link.angle_symbol)
+        rim = times(wheel.radius, along(angle))
+        name = known.text("drawing.wheel", link=known.called(wheel.link))
+        found.around.append((place_of(wheel.axis), wheel.radius))
+        yield Shape(
+            "gear", name, known.color(wheel.link.name), WIDTH, Frame(place_of(wheel.axis), rim, turned(rim)), WHEEL
+        )
+    for belt in belts:
+        for side in (1.0, -1.0):
+            yield _belt(known, belt, side)
+    for rack in mechanism.relations:
+        if isinstance(rack, Rack):
+            yield _rack(known, found, rack)
+
+
+def _belt(known: Described, belt: Belt, side: float) -> Shape:
+    """One of the two straight parts: where both circles have one tangent.
+
+    With e the direction from the first axis to the second and n across it, both radii point along
+    u = e cos b + n sin b, cos b = (r1 - r2) / distance, r2 with a minus for a crossed belt.
+    """
+    one, other = belt.wheels
+    way = minus(place_of(other.axis), place_of(one.axis))
+    radii = one.radius, al.mul(al.number(belt.crossed), other.radius)
+    cosine = al.div(al.sub(*radii), size(way))
+    sine = formula("side*SQRT(MAX(0,1-c^2))", side=side, c=cosine)
+    out = plus(times(cosine, unit(way)), times(sine, turned(unit(way))))
+    places = tuple(plus(place_of(wheel.axis), times(r, out)) for wheel, r in zip(belt.wheels, radii, strict=True))
+    name = known.text("drawing.belt", link=known.called(other.link))
+    return Shape("belt", name, styles.SERIES[0], WIDTH, corners=places)
+
+
+def _rack(known: Described, found: Shapes, rack: Rack) -> Shape:
+    """A toothed bar on the pitch line, as long as the stroke and a little more, moving with what carries the teeth."""
+    mechanism = known.mechanism
+    joint = next(each for each in mechanism.sliding if each.symbol == rack.joint)
+    guide = _Guide(known, found, joint)
+    moving = rack.arm == joint.on
+    bar = known.links[joint.link if moving else joint.on]
+    axis = place_of(axis_between(known.links[rack.link], known.links[rack.arm]))
+    slid = Symbol(rack.joint)
+    # from the pinion's axis along the line: what of the bar lies beside it in the other positions
+    first = al.sub(slid, guide.end) if moving else al.sub(guide.start, slid)
+    beside = al.neg(rack.radius) if moving else rack.radius
+    origin = together([axis, times(first, guide.way), times(beside, turned(guide.way))])
+    frame = Frame(origin, times(al.sub(guide.end, guide.start), guide.way), times(HALF, turned(guide.way)))
+    return Shape("rack", known.text("drawing.rack", link=known.called(bar)), known.color(bar.name), WIDTH, frame, RACK)

@@ -1,0 +1,151 @@
+"""Where names stand: near what they are of, where no line, ring or other name is, as far as boxes round the texts can say.
+
+All places are in half windows from the middle of the window. Of each name many places around its point are looked at, near
+ones first; the first that covers nothing is taken. Where there is none, a name that is needed stands where it covers the
+least, and any other is left out.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from mechsheet import portable
+from mechsheet.kinematics.numeric import Array
+
+POINTS = 180.0
+"""Points of a printer that half a window is high."""
+
+WIDE = 0.66
+"""How wide most letters are, in heights of the text; those that are wider or narrower have widths of their own."""
+
+WIDTHS = {
+    **dict.fromkeys("mwMW", 0.98), **dict.fromkeys("₀₁₂₃₄₅₆₇₈₉²³", 0.42), **dict.fromkeys(" .,;:|'!ilj°()", 0.36)
+}  # fmt: skip
+
+TALL = 0.74
+"""How high the letters of a text are over its whole height."""
+
+PAD = 0.008
+"""What stays free around a text."""
+
+FARTHEST = 0.8
+"""From a place to the edge of a box that belongs to it, in half windows, with a long text."""
+
+DIRECTIONS = 24
+GAPS = (0.034, 0.055, 0.085, 0.125, 0.175, 0.24)
+"""How far from a place its name begins."""
+
+RINGS = (slice(0, 2 * DIRECTIONS), slice(2 * DIRECTIONS, None))
+"""Places that are looked at together."""
+
+FIRST_DIRECTION = 60.0
+"""In degrees; of equally good places that nearest to this direction is taken."""
+
+OVER_NAME, OVER_LINE, OUTSIDE, OVER_PATH, FURTHER, TURNED = 1000.0, 300.0, 2000.0, 20.0, 100.0, 1.0
+"""What counts against a place: a name or a ring under it, a line, the edge of the window, a path; its distance, its side."""
+
+
+@dataclass(frozen=True, slots=True)
+class Boxes:
+    """Rectangles: middles (n, 2) and half sides (n, 2)."""
+
+    middles: Array
+    halves: Array
+
+    def near(self, at: Array) -> Boxes:
+        """Those that may come near to a place."""
+        there = (np.abs(self.middles - at) <= self.halves + FARTHEST).all(axis=1)
+        return Boxes(self.middles[there], self.halves[there])
+
+
+@dataclass(frozen=True, slots=True)
+class Lines:
+    """Straight lines from place to place, (n, 2) both; half their widths (n,)."""
+
+    starts: Array
+    ends: Array
+    widths: Array
+
+    def near(self, at: Array) -> Lines:
+        """Those that may come near to a place."""
+        middle, half = (self.starts + self.ends) / 2, np.abs(self.ends - self.starts) / 2
+        there = (np.abs(middle - at) <= half + FARTHEST).all(axis=1)
+        return Lines(self.starts[there], self.ends[there], self.widths[there])
+
+
+def half_box(text: str, size: float) -> Array:
+    """Half the sides of a text's box; `size` in points."""
+    wide = sum(WIDTHS.get(letter, WIDE) for letter in text)
+    return np.array([wide * size / POINTS / 2 + PAD, TALL * size / POINTS / 2 + PAD])
+
+
+def crossed(boxes: Boxes, lines: Lines) -> Array:
+    """How many lines each box meets: a line and a box are apart where one of three directions parts them."""
+    middle, half = (lines.starts + lines.ends) / 2, (lines.ends - lines.starts) / 2
+    away = np.abs(boxes.middles[:, None, :] - middle[None])
+    room = boxes.halves[:, None, :] + lines.widths[None, :, None]
+    meets = (away <= room + np.abs(half)[None]).all(axis=2)
+    offset = boxes.middles[:, None, :] - middle[None]
+    across = np.abs(offset[..., 0] * half[:, 1] - offset[..., 1] * half[:, 0])
+    return np.asarray(
+        (meets & (across <= room[..., 0] * np.abs(half[:, 1]) + room[..., 1] * np.abs(half[:, 0]))).sum(axis=1)
+    )
+
+
+def covered(boxes: Boxes, others: Boxes) -> Array:
+    """How many other boxes each box meets."""
+    away = np.abs(boxes.middles[:, None, :] - others.middles[None])
+    return np.asarray((away < boxes.halves[:, None, :] + others.halves[None]).all(axis=2).sum(axis=1))
+
+
+class Sheet:
+    """What is drawn in a position, to be filled with names."""
+
+    def __init__(self, lines: Lines, paths: Lines, taken: Boxes) -> None:
+        self.lines, self.paths, self.taken = lines, paths, taken
+
+    def take(self, at: Array, half: Array) -> None:
+        """Nothing else stands in this box."""
+        self.taken = Boxes(np.vstack([self.taken.middles, at]), np.vstack([self.taken.halves, half]))
+
+    def place(
+        self, texts: tuple[str, ...], size: float, at: Array, beside: float, needed: bool
+    ) -> tuple[str, Array] | None:
+        """Which of the texts, longer ones first, has room, and where its middle is; None where none has."""
+        least, best = math.inf, (texts[0], at, np.zeros(2))
+        lines, paths, taken = self.lines.near(at), self.paths.near(at), self.taken.near(at)
+        for text in texts:
+            half = half_box(text, size)
+            for ring in RINGS:  # farther ones only where no near one is free
+                middles = at + _ways(half, beside)[ring]
+                boxes = Boxes(middles, np.broadcast_to(half, middles.shape))
+                hidden = OVER_NAME * covered(boxes, taken) + OVER_LINE * crossed(boxes, lines)
+                hidden += OUTSIDE * (np.abs(middles) + half > 1.0).any(axis=1)
+                cost = hidden + OVER_PATH * (crossed(boxes, paths) > 0) + _PREFERENCE[ring]
+                index = int(np.argmin(cost))
+                if cost[index] < least:
+                    least, best = float(cost[index]), (text, middles[index], half)
+                if least < OVER_PATH:
+                    break
+            if least < OVER_LINE:
+                break
+        if least >= OVER_LINE and not needed:
+            return None
+        text, middle, half = best
+        self.take(middle, half)
+        return text, middle
+
+
+_ANGLES = np.radians(np.arange(DIRECTIONS) * (360.0 / DIRECTIONS))
+_UNITS = np.column_stack([portable.cos(_ANGLES), portable.sin(_ANGLES)])
+_TURN = np.abs((_ANGLES - math.radians(FIRST_DIRECTION) + math.pi) % math.tau - math.pi)
+_PREFERENCE = np.concatenate([FURTHER * gap + TURNED * _TURN + 1e-3 * np.arange(DIRECTIONS) for gap in GAPS])
+
+
+def _ways(half: Array, beside: float) -> Array:
+    """From a place to the middles of boxes around it, one ring after another."""
+    reach = np.abs(_UNITS) @ half  # of a box along a direction
+    return np.concatenate([_UNITS * (gap + beside + reach)[:, None] for gap in GAPS])

@@ -1,0 +1,354 @@
+"""The list of shapes in numbers: a mechanism at one position, as any program can draw it.
+
+Places are in the mechanism's length unit, y upwards; widths of lines and heights of letters in points of a printer, of which
+the window is 360 high.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Protocol
+
+import numpy as np
+
+from mechsheet.formula.nodes import Node
+from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.numeric import Array, value
+from mechsheet.kinematics.vectors import Vector
+from mechsheet.model import Mechanism
+from mechsheet.shapes.forms import ARROWS, HALF, LEAST, Kind, Mark, Scale, Shape
+from mechsheet.shapes.listing import shapes_of
+from mechsheet.shapes.names import POINTS, Boxes, Lines, Sheet, half_box
+from mechsheet.sheet.drawing.arrows import BAR_RISE, BAR_ROOM, BAR_START
+from mechsheet.sheet.drawing.drawing import MARGIN
+from mechsheet.sheet.drawing.frames import BOTTOM, INK, LEFT, TICK
+from mechsheet.sheet.plan import plan_of
+from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.table.status import links_of
+from mechsheet.units import behind_number
+
+EDGE = 0.93
+"""Where arrows end at the latest, from the middle of the window [half windows]; their names need room, too."""
+
+FITTED = 8
+"""How often a window is made larger for arrows, which grow with it, each time by less than half as much."""
+
+LETTERS, CAPTION = 9.0, 11.0
+"""Heights of names and of the caption [points]."""
+
+RING = 1.5
+"""Width of the line of a ring [points]."""
+
+CAPTION_AT = (-0.97, 0.93)
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A line through `points` (n, 2), with gaps where they are NaN; `width` in points, colours as RRGGBB, no `fill` ""."""
+
+    kind: Kind
+    name: str
+    points: Array
+    color: str
+    width: float
+    fill: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Disc:
+    """A circle; `fill` and `line` as RRGGBB; (nan, nan) where there is none."""
+
+    kind: Kind
+    name: str
+    x: float
+    y: float
+    radius: float
+    fill: str
+    line: str
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """A text at (x, y), `size` points high: its middle, or its left end; (nan, nan) where there is no room for it."""
+
+    kind: Kind
+    text: str
+    x: float
+    y: float
+    size: float
+    middle: bool = True
+
+
+Item = Stroke | Disc | Label
+
+
+def there(item: Item) -> bool:
+    """Whether anything of an item is to be drawn."""
+    if isinstance(item, Stroke):
+        return bool(np.isfinite(item.points).any())
+    return math.isfinite(item.x) and math.isfinite(item.y)
+
+
+@dataclass(frozen=True, slots=True)
+class Window:
+    """The square that is seen, the same in all positions: its middle and half its side."""
+
+    x: float
+    y: float
+    half: float
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """One position: its items from back to front, as many in every position; the caption is the last."""
+
+    items: tuple[Item, ...]
+    window: Window
+
+    @property
+    def caption(self) -> str:
+        """Where the driver stands, and why there is no position."""
+        return str(getattr(self.items[-1], "text", ""))
+
+
+class Solved(Protocol):
+    """A mechanism with the values of its equations in some positions."""
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """The mechanism."""
+
+    @property
+    def equations(self) -> Equations:
+        """Its equations."""
+
+    @property
+    def driver(self) -> Array:
+        """The driver's value in every position."""
+
+    @property
+    def values(self) -> Mapping[str, Array]:
+        """Every symbol's values."""
+
+
+class Positions:
+    """All positions of a mechanism; `vectors` as of `shapes_of`."""
+
+    def __init__(self, compiled: Solved, vectors: Collection[Kind] = ()) -> None:
+        self.compiled = compiled
+        self.plan = plan_of(compiled.mechanism, compiled.equations)  # no workbook is laid out for it
+        self.list = shapes_of(self.plan, compiled.equations, vectors)
+        self.rows = len(compiled.driver)
+        self._known: dict[str, Any] = dict(compiled.values)
+        self._seen: dict[Any, Any] = {}
+        self._places: dict[int, Array] = {}
+        for extreme in self.list.extremes:
+            found = np.concatenate([self._column(node) for node in extreme.of])
+            found = found[np.isfinite(found)]
+            take = np.min if extreme.take == "min" else np.max
+            self._known[extreme.symbol] = float(take(found)) if len(found) else math.nan
+        self.window = self._window()
+
+    def at(self, row: int) -> Scene:
+        """A position."""
+        drawn = [self._item(index, shape, row) for index, shape in enumerate(self.list.shapes)]
+        bars, texts = self._bars
+        caption = self._caption(row)
+        fixed = (*texts, caption)
+        return Scene((*drawn, *bars, *self._names(row, (*drawn, *bars), fixed), *fixed), self.window)
+
+    # --- formulas in numbers -----------------------------------------------------------------------------------------
+
+    def _column(self, node: Node) -> Array:
+        with np.errstate(all="ignore"):
+            found = value(node, self._known, rooted=True, seen=self._seen)
+        return np.broadcast_to(np.asarray(found, float), (self.rows,))
+
+    def _vector(self, vector: Vector) -> Array:
+        """(rows, 2)."""
+        return np.column_stack([self._column(part) for part in vector])
+
+    def columns(self, shape: Shape) -> Array:
+        """The vectors of a shape's frame, or its corners (rows, count, 2); NaN where it is not there."""
+        frame = shape.frame
+        vectors = shape.corners if frame is None else (frame.origin, frame.along, frame.across)
+        found = np.stack([self._vector(vector) for vector in vectors], axis=1)
+        there = np.asarray(np.isfinite(found).all(axis=(1, 2)))
+        if shape.size is not None:
+            with np.errstate(invalid="ignore"):
+                there &= self._column(shape.size) >= LEAST
+        return np.where(there[:, None, None], found, math.nan)
+
+    def _corners(self, shape: Shape) -> Array:
+        """(rows, corners, 2)."""
+        found = self.columns(shape)
+        if shape.frame is None:
+            return found
+        path = np.array(shape.path)
+        return np.asarray(found[:, :1] + path[None, :, :1] * found[:, 1:2] + path[None, :, 1:] * found[:, 2:])
+
+    # --- the window --------------------------------------------------------------------------------------------------
+
+    def _window(self) -> Window:
+        """A square about everything in all positions; larger where arrows would leave it, higher where bars stand in it."""
+        low, high = np.full(2, math.inf), np.full(2, -math.inf)
+        for place, radius in self.list.around:
+            at, out = self._vector(place), self._column(radius)[:, None]
+            low = np.fmin(low, np.fmin.reduce(at - out))
+            high = np.fmax(high, np.fmax.reduce(at + out))
+        low, high = (np.where(np.isfinite(end), end, 0.0) for end in (low, high))
+        middle, sides = (low + high) / 2, high - low
+        above = 1 - 1 / MARGIN
+        below = BAR_ROOM + BAR_RISE * (len(self.list.scales) - 1) if self.list.scales else 0.0
+        raised = max(0.0, below - above) / 2
+        half = least = max(sides[0], sides[1] * (1 - above) / (1 - above - raised)) * MARGIN / 2 or 1.0
+        arrows = [shape for shape in self.list.shapes if isinstance(shape, Shape) and shape.kind in ARROWS]
+        for _ in range(FITTED):
+            self._known[HALF.name] = half
+            far = [np.abs(self._corners(shape) - middle) for shape in arrows]
+            half = max([least, *(float(np.fmax.reduce(each, axis=None, initial=0.0)) / EDGE for each in far)])
+        self._known[HALF.name] = half
+        self._seen.clear()  # what follows from the size of the window
+        return Window(float(middle[0]), float(middle[1]) - raised * float(half), float(half))
+
+    # --- items -------------------------------------------------------------------------------------------------------
+
+    def _item(self, index: int, shape: Shape | Mark, row: int) -> Item:
+        if index not in self._places:
+            places = self._vector(shape.at) if isinstance(shape, Mark) else self._corners(shape)
+            self._places[index] = self._trace(places[:, 0]) if shape.kind == "path" else places
+        places = self._places[index]
+        if isinstance(shape, Mark):
+            x, y = places[row].tolist()
+            return Disc(shape.kind, shape.name, x, y, shape.radius * self.window.half, shape.fill, INK)
+        points = places if shape.kind == "path" else places[row]
+        return Stroke(shape.kind, shape.name, points, shape.color, shape.width, shape.fill)
+
+    def _trace(self, places: Array) -> Array:
+        """A path has the positions of the sweep, without one that was asked for outside of it."""
+        return places[: getattr(self.compiled, "sweep", len(places))]
+
+    @cached_property
+    def _bars(self) -> tuple[tuple[Stroke, ...], tuple[Label, ...]]:
+        """Scale bars: of lengths, and of arrows that have no values beside them; and what they say."""
+        half = self.window.half
+        length = longest(half / 2)
+        ticks = ((0, 1), (0, -1), (0, 0), (1, 0), (1, 1), (1, -1))
+        corners = [(LEFT + end * length / half, BOTTOM + side * TICK) for end, side in ticks]
+        bars = [Stroke("scale", self.plan.text("drawing.bar"), self._in_window(corners), INK, 1.5)]
+        text = f"{length:.10g} {self.compiled.mechanism.length_unit}".rstrip()
+        texts = [self._label("scale", text, (LEFT + length / half / 2, BOTTOM + 0.07), LETTERS)]
+        for number, scale in enumerate(self.list.scales):
+            made = self._bar(scale, BOTTOM + BAR_RISE * number)
+            if made is not None:
+                bars.append(made[0])
+                texts.append(made[1])
+        return tuple(bars), tuple(texts)
+
+    def _bar(self, scale: Scale, height: float) -> tuple[Stroke, Label] | None:
+        most = float(self._known[scale.most.name])
+        if not most > 0:
+            return None
+        amount = longest(most)
+        end = BAR_START + amount / most * scale.longest
+        corners = self._in_window([(BAR_START, height), (end, height)])
+        line = Stroke("scale", self.plan.text("drawing.bar"), corners, scale.color, 2.0)
+        text = f"{amount:.10g} {scale.unit}".rstrip()
+        return line, self._label("scale", text, (end + 0.02, height), LETTERS, middle=False)
+
+    def _in_window(self, places: Sequence[tuple[float, float]]) -> Array:
+        window = self.window
+        return np.array(places) * window.half + (window.x, window.y)
+
+    def _label(self, kind: Kind, text: str, at: tuple[float, float], size: float, middle: bool = True) -> Label:
+        x, y = self._in_window([at])[0].tolist()
+        return Label(kind, text, x, y, size, middle)
+
+    def _caption(self, row: int) -> Label:
+        """The driver's value in the upper left corner; of a position that does not exist why there is none."""
+        driver = self.compiled.mechanism.driver
+        shown = round(float(driver.unit.to_shown(float(self.compiled.driver[row]))), 3) + 0.0
+        text = f"{plain(driver.symbol)} = {shown:.10g}{behind_number(driver.unit.text)}"
+        for group in self.compiled.equations.groups:
+            if not math.isfinite(self.compiled.values[group.closes][row]):
+                key = "undetermined" if group.only_undetermined else "newton" if group.system is not None else "open"
+                text += f" – {self.plan.text(f'status.{key}', links=links_of(self.plan, group))}"
+                break
+        return self._label("caption", text, CAPTION_AT, CAPTION, middle=False)
+
+    # --- names -------------------------------------------------------------------------------------------------------
+
+    def _names(self, row: int, drawn: Sequence[Item], fixed: Sequence[Label]) -> Iterator[Label]:
+        """The names where there is room; those of points first."""
+        sheet = self.sheet(drawn)
+        for label in fixed:
+            half = half_box(label.text, label.size)
+            sheet.take(self._of_window(label) + np.array([0.0 if label.middle else half[0], 0.0]), half)
+        for name, (at, size, amount) in zip(self.list.names, self._named, strict=True):
+            there = np.isfinite(at[row]).all() and (size is None or size[row] >= LEAST)
+            texts = (
+                [name.text]
+                if amount is None
+                else [f"{name.text} = {in_digits(amount[row])} {name.unit}".rstrip(), name.text]
+            )
+            place = (at[row] - (self.window.x, self.window.y)) / self.window.half
+            found = sheet.place(tuple(texts), LETTERS, place, name.beside, name.needed) if there else None
+            text, middle = found or (name.text, np.full(2, math.nan))
+            yield self._label("name", text, tuple(middle.tolist()), LETTERS)
+
+    @cached_property
+    def _named(self) -> list[tuple[Array, Array | None, Array | None]]:
+        """Of every name in all positions: its place, its size, its value."""
+
+        def column(node: Node | None) -> Array | None:
+            return None if node is None else self._column(node)
+
+        return [(self._vector(name.at), column(name.size), column(name.value)) for name in self.list.names]
+
+    def _of_window(self, item: Disc | Label) -> Array:
+        return np.array([item.x - self.window.x, item.y - self.window.y]) / self.window.half
+
+    def sheet(self, drawn: Sequence[Item]) -> Sheet:
+        """What names must not cover, and the paths that they had better not."""
+        strokes = [item for item in drawn if isinstance(item, Stroke)]
+        discs = [item for item in drawn if isinstance(item, Disc) and math.isfinite(item.x)]
+        half = np.array([disc.radius for disc in discs]) / self.window.half
+        taken = Boxes(
+            np.array([self._of_window(disc) for disc in discs]).reshape(-1, 2),
+            np.column_stack([half, half]).reshape(-1, 2),
+        )
+        return Sheet(
+            self._lines([stroke for stroke in strokes if stroke.kind != "path"]),
+            self._lines([stroke for stroke in strokes if stroke.kind == "path"]),
+            taken,
+        )
+
+    def _lines(self, strokes: Sequence[Stroke]) -> Lines:
+        window = self.window
+        places = [(stroke.points - (window.x, window.y)) / window.half for stroke in strokes]
+        starts = np.concatenate([np.zeros((0, 2)), *(each[:-1] for each in places)])
+        ends = np.concatenate([np.zeros((0, 2)), *(each[1:] for each in places)])
+        widths = np.concatenate(
+            [
+                np.zeros(0),
+                *(np.full(len(each) - 1, s.width / 2 / POINTS) for s, each in zip(strokes, places, strict=True)),
+            ]
+        )
+        there = np.isfinite(starts).all(axis=1) & np.isfinite(ends).all(axis=1)
+        return Lines(starts[there], ends[there], widths[there])
+
+
+def in_digits(amount: float, digits: int = 3) -> str:
+    """So many digits of a value, as people write numbers."""
+    rounded = float(f"{amount:.{digits}g}") + 0.0
+    text = f"{rounded:.0f}" if abs(rounded) >= 10.0 ** (digits - 1) else f"{rounded:g}"
+    return text.replace("-", "−")
+
+
+def longest(room: float) -> float:
+    """The largest of 1, 2 and 5 times a power of ten that a scale bar has room for."""
+    power = 10.0 ** math.floor(math.log10(room))
+    return max(part * power for part in (1.0, 2.0, 5.0) if part * power <= room * (1 + 1e-12))
