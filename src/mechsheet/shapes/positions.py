@@ -24,7 +24,7 @@ from mechsheet.shapes.listing import shapes_of
 from mechsheet.shapes.names import POINTS, Boxes, Lines, Sheet, half_box
 from mechsheet.sheet.drawing.arrows import BAR_RISE, BAR_ROOM, BAR_START
 from mechsheet.sheet.drawing.drawing import MARGIN
-from mechsheet.sheet.drawing.frames import BOTTOM, INK, LEFT, TICK
+from mechsheet.sheet.drawing.frames import BOTTOM, INK, LEFT
 from mechsheet.sheet.plan import plan_of
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.status import links_of
@@ -236,9 +236,8 @@ class Positions:
         """Scale bars: of lengths, and of arrows that have no values beside them; and what they say."""
         half = self.window.half
         length = longest(half / 2)
-        ticks = ((0, 1), (0, -1), (0, 0), (1, 0), (1, 1), (1, -1))
-        corners = [(LEFT + end * length / half, BOTTOM + side * TICK) for end, side in ticks]
-        bars = [Stroke("scale", self.plan.text("drawing.bar"), self._in_window(corners), INK, 1.5)]
+        corners = [(LEFT, BOTTOM), (LEFT + length / half, BOTTOM)]
+        bars = [Stroke("scale", self.plan.text("drawing.bar"), self._in_window(corners), INK, 2.0)]
         text = f"{length:.10g} {self.compiled.mechanism.length_unit}".rstrip()
         texts = [self._label("scale", text, (LEFT + length / half / 2, BOTTOM + 0.07), LETTERS)]
         for number, scale in enumerate(self.list.scales):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from mechsheet.formula.nodes import Call, Node, RangeRef, Text
@@ -34,30 +34,29 @@ def over_rows(function: str, column: Node, *besides: Node) -> Node:
 Test = tuple[RangeRef, str]
 """A column beside the one a number is taken of, and what stands there in rows that count."""
 
-Halves = tuple[Callable[[RangeRef], Node], Callable[[RangeRef], Node]]
 
-
-def mean_of_motion(
-    driver: Driver, column: RangeRef, tests: Sequence[Test], turns: Node | None, halves: Halves | None = None
-) -> Node:
+def mean_of_motion(driver: Driver, column: RangeRef, tests: Sequence[Test], turns: Node | None) -> Node:
     """The mean of a column over the motion: by the trapezoidal rule between neighbouring rows that both count.
 
     So the row that closes a turn is not counted twice. All rows count alike where the driver's values are listed, where no
     two that count are neighbours, and where the rows are a whole turn without the one that closes it.
 
-    tests   what rows that count have beside the column;  turns: whether they are such a turn; None where they cannot be
-    halves  all rows but the last, and but the first: where a table goes on below its last row plain ranges will do
+    tests  what rows that count have beside the column;  turns: whether they are such a turn; None where they cannot be
     """
     alike = Call("AVERAGEIFS", (column, *(part for each, text in tests for part in (each, Text(text)))))
     if driver.values or column.start.row == column.end.row:
         return alike
-    halves = halves or (_but_last, _but_first)
-    upper, lower = (half(column) for half in halves)
-    both = tuple(part for each, text in tests for half in halves for part in (half(each), Text(text)))
+    upper, lower = _but_last(column), _but_first(column)
+    both = tuple(
+        part for each, text in tests for half in (_but_last(each), _but_first(each)) for part in (half, Text(text))
+    )
     mean = formula("(one+other)/2", one=Call("AVERAGEIFS", (upper, *both)), other=Call("AVERAGEIFS", (lower, *both)))
     if turns is not None:
         mean = formula("IF(turns,NA(),mean)", turns=turns, mean=mean)
-    return formula("IFERROR(mean,alike)", mean=mean, alike=alike)
+    # rows that are inserted beside the first or the last one are in one half only
+    return formula(
+        "IFERROR(mean,IF(ROWS(upper)=ROWS(lower),alike,NA()))", mean=mean, alike=alike, upper=upper, lower=lower
+    )
 
 
 def mean_of_rows(plan: Plan, symbol: str, sheet: str) -> Node:
@@ -65,7 +64,7 @@ def mean_of_rows(plan: Plan, symbol: str, sheet: str) -> Node:
     said = plan.at.column("#status", sheet)
     turns = formula("AND(_whole=2,_rows_closed=rows)", rows=ROW_COUNT) if may_leave_out(plan) else None
     column = plan.at.column(symbol, sheet)
-    return mean_of_motion(plan.mechanism.driver, column, [(said, plan.text("status.ok"))], turns, (but_last, but_first))
+    return mean_of_motion(plan.mechanism.driver, column, [(said, plan.text("status.ok"))], turns)
 
 
 def may_leave_out(plan: Plan) -> bool:
@@ -92,11 +91,11 @@ def ends_meet(plan: Plan, symbol: str, unit: Unit, column: Node, ends: tuple[Nod
                    same=SAME_AGAIN)  # fmt: skip
 
 
-def _but_last(column: RangeRef) -> Node:
+def _but_last(column: RangeRef) -> RangeRef:
     return replace(column, end=replace(column.end, row=column.end.row - 1))
 
 
-def _but_first(column: RangeRef) -> Node:
+def _but_first(column: RangeRef) -> RangeRef:
     return replace(column, start=replace(column.start, row=column.start.row + 1))
 
 

@@ -322,16 +322,16 @@ def sheets_in_rows(plan: Plan) -> dict[str, CellRef]:
     return found | {title: CellRef(plan.at.first, RATES_DRIVER, True, True, title) for title in titles}
 
 
-def rows_apart(plan: Plan) -> Node:
-    """0 where all of these have the rows of the table: not where somebody has inserted rows in one sheet alone."""
+def rows_apart(plan: Plan) -> list[Node]:
+    """Of each, 0 where it has the rows of the table: not where somebody has inserted rows in one sheet alone."""
     own = Symbol(ALL + plan.mechanism.driver.symbol)
-    return al.total(
+    return [
         formula(
-            "IF(ROWS(rows)=_rows,IFERROR(SUMPRODUCT((rows<>own)*1),0),1)", own=own,
+            "IF(ROWS(rows)=_all_rows,IFERROR(SUMPRODUCT((rows<>own)*1),0),1)", own=own,
             rows=RangeRef(top, replace(top, row=top.row + plan.rows - 1)),
         )
         for top in sheets_in_rows(plan).values()
-    )  # fmt: skip
+    ]  # fmt: skip
 
 
 def _without_formula(area: RangeRef) -> Node:

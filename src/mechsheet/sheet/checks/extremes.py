@@ -34,7 +34,7 @@ from mechsheet.sheet.checks.checks import rows_apart
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.parabolas import BESIDE, DIFFERENCES, Parabolas, neighbours, vertex_of
-from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
+from mechsheet.sheet.checks.probes import ALL_ROWS, AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first.classification import FourBar
@@ -63,9 +63,9 @@ SURE, ABOUT, BEYOND, ROWS = 1, 2, 3, 4
 """What the cell beside an extreme says: that it is right, about right, that it may be elsewhere, beyond what is
 given, or that it is of rows only."""
 
-STEEP, ROWS_APART = 5, 6
-"""The working cells that say whether velocities and forces have a spike between two rows, and whether all sheets have the
-same rows."""
+STEEP, COUNTED, ROWS_APART = 5, 6, 7
+"""The working cells that say whether velocities and forces have a spike between two rows, how many rows there are, and
+whether all sheets have the same ones; behind it, whether each has."""
 
 NEARER = 0.5
 """An angle of transmission that is less than this part of the rows' least one between them makes such a spike: velocities
@@ -126,6 +126,7 @@ class Extremes:
         spots["#fine"] = Spot(title, whole.row, whole.col + 1)
         spots["#there"] = Spot(title, whole.row, whole.col + 2)
         spots["#rows_apart"] = Spot(title, whole.row, whole.col + ROWS_APART - 1)
+        spots[ALL_ROWS.name] = Spot(title, whole.row, whole.col + COUNTED - 1)
         if len(self.plan.found.transmission) > 1:
             spots["#worst_group"] = Spot(title, whole.row, whole.col + 3)
         for (symbol, way), block in self.blocks.items():
@@ -173,7 +174,12 @@ class Extremes:
             probes.work(self.whole_row, 4, "MATCH(MIN(least),least,0)", least=least)
         if self._steepest:
             probes.work(self.whole_row, STEEP, "steep", steep=self._steepest)
-        probes.work(self.whole_row, ROWS_APART, "apart", apart=rows_apart(plan))
+        probes.work(self.whole_row, COUNTED, "rows", rows=ROW_COUNT)
+        each = [
+            probes.work(self.whole_row, work, "apart", apart=apart)
+            for work, apart in enumerate(rows_apart(plan), ROWS_APART + 1)
+        ]
+        probes.work(self.whole_row, ROWS_APART, "apart", apart=al.total(each))
         self.limits.write()
         for number, block in self.gaps.items():
             self._gap(number, block)
@@ -236,7 +242,7 @@ class Extremes:
             probes.work(self.whole_row, 1, "0")
             return
         turn = whole_turn(driver.unit.in_degrees)
-        covered = formula("ABS(_step)*(rows-1)/turn", rows=ROW_COUNT, turn=turn)
+        covered = formula("ABS(_step)*(rows-1)/turn", rows=ALL_ROWS, turn=turn)
         if driver.law is not None:
             covered = formula("ABS(last-first)/turn", first=Symbol(SHOWN + driver.law.start),
                               last=Symbol(SHOWN + driver.law.stop), turn=turn)  # fmt: skip
@@ -258,7 +264,7 @@ class Extremes:
             "IF(ABS(ROUND(covered,0)-covered)<1E-9,IF(ROUND(covered,0)>0,1,0),"
             "IF(ABS(ROUND(more,0)-more)<1E-9,2,0))",
             covered=covered,
-            more=formula("ABS(_step)*rows/turn", rows=ROW_COUNT, turn=turn),
+            more=formula("ABS(_step)*rows/turn", rows=ALL_ROWS, turn=turn),
         )  # fmt: skip
 
     def _is_back(self, symbol: str) -> Node:
@@ -350,7 +356,7 @@ class Extremes:
             "INDEX(firsts,MATCH(most,bests,0))", most=most, bests=bests,
             firsts=probes.cells_down(limits.stretch_rows[0], FIRST_ROW, STRETCHES),
         )  # fmt: skip
-        at = formula("begin-1+MATCH(most,INDEX(column,begin):INDEX(column,rows),0)", begin=begin, rows=ROW_COUNT,
+        at = formula("begin-1+MATCH(most,INDEX(column,begin):INDEX(column,rows),0)", begin=begin, rows=ALL_ROWS,
                      most=most, column=column)  # fmt: skip
         return most, at
 
@@ -370,7 +376,7 @@ class Extremes:
         later, earlier = RangeRef(y[3], y[rows]), RangeRef(y[1], y[rows - 2])
         other = probes.work(
             block.row, SIDE + 5, f"IF(best=1,{way.upper()}(later),IF(best=rows,{way.upper()}(earlier),NA()))",
-            best=best, rows=ROW_COUNT, later=later, earlier=earlier,
+            best=best, rows=ALL_ROWS, later=later, earlier=earlier,
         )  # fmt: skip
         better, worse = ("<", ">=") if way == "min" else (">", "<=")
         at_first, at_last = (
@@ -397,7 +403,7 @@ class Extremes:
         meet = ends_meet(plan, symbol, unit, Symbol(ALL + symbol), (ends[0], ends[1]))
         probes.work(
             cell.row, SIDE + 2, "IFERROR(IF(AND(_whole>0,first=1,last=rows,meet),_whole,0),0)",
-            first=first, last=last, rows=ROW_COUNT, meet=meet,
+            first=first, last=last, rows=ALL_ROWS, meet=meet,
         )  # fmt: skip
 
     def _rows_of_stretch(self) -> tuple[CellRef, CellRef]:
@@ -430,7 +436,7 @@ class Extremes:
             return
         wraps = self._around(self._wraps_of(symbol))
         within = formula(
-            "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=ROW_COUNT
+            "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=ALL_ROWS
         )
         probes.work(row + 2, SIDE + 1, "driver", styles.RESULT, driver=driver_at(plan, within))
         other = probes.cell(self.blocks[symbol, "max" if way == "min" else "min"].row, SIDE + 3)
@@ -512,7 +518,7 @@ class Extremes:
         around = self._around(self._wraps_of(symbol))
         before, here, after = (
             in_row(self.plan, divisor, number)
-            for number in neighbours(probes.cell(row + 1, SIDE + 3), around, ROW_COUNT)
+            for number in neighbours(probes.cell(row + 1, SIDE + 3), around, ALL_ROWS)
         )
         value = {work: probes.cell(row + 1, SIDE + work) for work in (4, 6)}
         return (

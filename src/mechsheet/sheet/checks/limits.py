@@ -15,9 +15,9 @@ from mechsheet.formula.names import folded, safe_name
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
+from mechsheet.sheet.checks.probes import ALL_ROWS, AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.driving import driver_at
-from mechsheet.sheet.plan import ROW_COUNT, Plan
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.status import first_open
 from mechsheet.sheet.workbook import Name
@@ -117,7 +117,7 @@ class Limits:
         unsettled = probes.work(
             self.row, 2,
             "rests>settled" if rests else "IF(stretches=0,FALSE,last-first+1<rows)" if self.unprobed else "FALSE",
-            rests=Call("MAX", tuple(rests)), settled=SETTLED, first=first, last=last, rows=ROW_COUNT, stretches=stretches,
+            rests=Call("MAX", tuple(rests)), settled=SETTLED, first=first, last=last, rows=ALL_ROWS, stretches=stretches,
         )  # fmt: skip
         probes.work(
             self.row, 3, "OR(stretches>1,unsettled,AND(stretches=1,first=last))",
@@ -155,7 +155,7 @@ class Limits:
             ]
             probes.work(
                 row, work, f'IF(ISNUMBER(edge),IF({outside},IF(begun_outside>1,later,earlier),edge),"")',
-                edge=edge, rows=ROW_COUNT, begun_outside=begun_outside, earlier=slots[0], later=slots[1],
+                edge=edge, rows=ALL_ROWS, begun_outside=begun_outside, earlier=slots[0], later=slots[1],
             )  # fmt: skip
 
     def _limit(self, number: int, block: Block, stretches: CellRef) -> None:
@@ -175,7 +175,7 @@ class Limits:
         )  # fmt: skip
         outside = probes.work(
             row, side + 2, "IF(ISODD(place),inside-1,IF(inside<rows,inside+1,NA()))",
-            place=place, inside=inside, rows=ROW_COUNT,
+            place=place, inside=inside, rows=ALL_ROWS,
         )  # fmt: skip
         probes.work(row, AT, "inside", inside=inside)
         self._look(block, inside, outside)

@@ -18,8 +18,8 @@ from typing import Literal
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node
-from mechsheet.sheet.checks.probes import AT, SIDE, VALUE, Block, Probes
-from mechsheet.sheet.plan import ROW_COUNT, Plan
+from mechsheet.sheet.checks.probes import ALL_ROWS, AT, SIDE, VALUE, Block, Probes
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 
 PROBES = 4
@@ -125,7 +125,7 @@ class Parabolas:
             aside = formula("IF(limit>0,root,aside)", limit=self._limit_cell, root=self._second_root(), aside=aside)
         probes.work(
             row + 2, AT, "MAX(IF(wraps>0,0,low),MIN(IF(wraps>0,2*rows,high),aside))",
-            wraps=around, low=low, high=high, rows=ROW_COUNT, aside=aside,
+            wraps=around, low=low, high=high, rows=ALL_ROWS, aside=aside,
         )  # fmt: skip
 
     def _vertex_of_rows(self) -> Node:
@@ -142,7 +142,7 @@ class Parabolas:
         )  # fmt: skip
         before, value, after = (
             probes.work(row + 1, SIDE + work, "INDEX(column,number)", column=column, number=number)
-            for work, number in zip((4, 5, 6), neighbours(middle, around, ROW_COUNT), strict=True)
+            for work, number in zip((4, 5, 6), neighbours(middle, around, ALL_ROWS), strict=True)
         )
         vertex = formula(
             "middle+IFERROR((before-after)/(2*(before-2*value+after)),0)",

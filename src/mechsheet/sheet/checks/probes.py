@@ -20,6 +20,9 @@ from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import cell_formula, style_of
 from mechsheet.sheet.workbook import Cell, Content, Fill, Style
 
+ALL_ROWS = Symbol("#all_rows")
+"""How many rows the table has, on the sheet of probes: there it is read most."""
+
 AT, VALUE, SIDE = range(3)
 """Columns of a block beside the table's: where the row lies (counted in rows), the quantity there, then working cells."""
 

@@ -12,8 +12,7 @@ from dataclasses import replace
 
 from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet.checks.parabolas import DIFFERENCES
-from mechsheet.sheet.checks.probes import Probes
-from mechsheet.sheet.plan import ROW_COUNT
+from mechsheet.sheet.checks.probes import ALL_ROWS, Probes
 from mechsheet.sheet.quoted import ALL, formula
 
 COUNT = DIFFERENCES + 3
@@ -71,9 +70,11 @@ def write(
     column = Symbol(ALL + symbol)
     before, own, after = (_part(probes, symbol, offset) for offset in (0, 1, 2))
     number = _part(probes, "#number", 1)
-    again = probes.work(row, FROM, AGAIN, rows=ROW_COUNT, **ends)
+    again = probes.work(row, FROM, AGAIN, rows=ALL_ROWS, **ends)
     probes.work(
-        row, COUNT, f"IFERROR(SUMPRODUCT({FAR}*{peak(more)}*{promises(more, less)}),0)", own=own, before=before, after=after,
+        # rows that are inserted beside the first or last two are not in all three
+        row, COUNT, f"IFERROR(SUMPRODUCT({FAR}*{peak(more)}*{promises(more, less)}),IF(ROWS(before)=ROWS(after),0,1))",
+        own=own, before=before, after=after,
         number=number, again=again, here=here, **limits,
     )  # fmt: skip
     for index, texts in enumerate((("first+1", "here-2"), ("here+2", "last-1")), 1):
@@ -82,7 +83,7 @@ def write(
             name: formula(f"INDEX(column,start{away}):INDEX(column,end{away})", column=column, start=start, end=end)
             for name, away in (("own", ""), ("before", "-1"), ("after", "+1"))
         }
-        whole = formula("last-first+1=rows", rows=ROW_COUNT, **ends)
+        whole = formula("last-first+1=rows", rows=ALL_ROWS, **ends)
         probes.work(
             row + index, COUNT, f"IF(OR(whole,start>end),0,SUMPRODUCT({promises(more, less)}))", whole=whole, start=start,
             end=end, **part, **limits,

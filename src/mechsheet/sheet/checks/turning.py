@@ -17,8 +17,8 @@ from typing import Literal
 from mechsheet.formula.nodes import CellRef, Node, Symbol
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
 from mechsheet.model import Mechanism
-from mechsheet.sheet.checks.probes import AT, SIDE, Block, Probes
-from mechsheet.sheet.plan import ROW_COUNT, Plan
+from mechsheet.sheet.checks.probes import ALL_ROWS, AT, SIDE, Block, Probes
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula
 
 PROBES = 2
@@ -69,7 +69,7 @@ def write(
     there = probes.work(
         row + 1, SIDE + 6,
         "IF(wraps>0,1+MOD(here+side-1,IF(wraps=1,all-1,all)),MAX(first,MIN(last,here+side)))",
-        wraps=wraps, here=here, side=side, all=ROW_COUNT, first=rows[0], last=rows[1],
+        wraps=wraps, here=here, side=side, all=ALL_ROWS, first=rows[0], last=rows[1],
     )  # fmt: skip
     there_once, there_twice = by_rows(row + 2, there)
     part = probes.work(

@@ -541,9 +541,7 @@ class _Block:
         """All in one line: whether it closes, what it is, how well it transmits force; or what is wrong, and where."""
         plan = self.plan
         count, rows = self.value("rows_closed"), self.of_rows
-        closed = joined(self.text("line.closes"), " ", count, " / ", rows, " ", self.text("line.positions"))
-        parts: list[Node | str] = [formula("IF(count=rows,everywhere,some)", count=count, rows=rows,
-                                           everywhere=self._closes_in_all(), some=closed)]  # fmt: skip
+        parts: list[Node | str] = [self._closes_in(count, rows)]
         if plan.found.limits:
             parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
@@ -596,12 +594,17 @@ class _Block:
         self.writer.conditionals.append(Conditional(area, doubts, styles.WARN))
         self.writer.conditionals.append(Conditional(area, formula("count=rows", count=count, rows=rows), styles.GOOD))
 
-    def _closes_in_all(self) -> Node:
-        """What `closes_in_all` says, of the rows that there are."""
-        if self.plan.rows == 1:
-            return Text(closes_in_all(self.plan))
+    def _closes_in(self, count: Node, rows: Node) -> Node:
+        """In how many of how many positions; of all what `closes_in_all` says, of the rows that there are."""
+        some, end = joined(self.text("line.closes"), " ", count, " / ", rows), f" {self.text('line.positions')}"
         before, after = self.text("line.all", rows="#").split("#")
-        return joined(before, self.of_rows, after)
+        everywhere = joined(before, rows)
+        if self.plan.rows == 1:
+            everywhere, after = Text(closes_in_all(self.plan)), ""
+        if after != end:  # else it is said once
+            everywhere, some, end = joined(everywhere, after), joined(some, end), ""
+        counted = formula("IF(count=rows,everywhere,some)", count=count, rows=rows, everywhere=everywhere, some=some)
+        return joined(counted, end)
 
     def _transmissions(self, col: int) -> RangeRef:
         """The cells of a column in the lines of all angles of transmission."""
