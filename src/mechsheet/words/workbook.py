@@ -86,10 +86,7 @@ WORDS: dict[str, tuple[str, str]] = {
         "a formula was typed over: see the hidden sheet {sheet}",
         "bir formülün üstüne yazılmış: gizli {sheet} sayfasına bakın"
     ),
-    "verdict.gap.apart": (
-        "rows inserted in one sheet alone: {table} and {sheets} need the same ones, filled down",
-        "satırlar yalnız bir sayfaya eklenmiş: {table} ile {sheets} aynı satırları ister, aşağı doldurulmuş olarak"
-    ),
+    "verdict.gap.apart": ("rows inserted in one sheet alone: see {notes}", "satırlar tek sayfaya eklenmiş: bkz. {notes}"),
     "verdict.leaps": ("turns", "dönmeler"),
     "verdict.leaps.none": ("no link turns far between two positions", "iki konum arasında büyük dönme yok"),
     "verdict.leaps.some": ("turns of over 90° in a step: smaller step", "bir adımda 90° üstü dönme: adımı küçültün"),

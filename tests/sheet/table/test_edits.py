@@ -202,7 +202,7 @@ def test_rows_inserted_in_one_sheet_alone_are_told(language):
                            first + place + MORE, width)  # fmt: skip
     values = evaluate(book_of(workbook))
     said = line(plan, values)
-    assert said == plan.text("verdict.gap.apart", table=plan.table, sheets=", ".join(sheets_in_rows(plan)))
+    assert said == plan.text("verdict.gap.apart", notes=plan.at.titles["notes"])
     assert values.get(plan.main, plan.blocks["verdicts"].rows["largest_gap"], MEANING) == said
     workbook = inserted(plan, made.layout, place)
     assert str(plan.rows + MORE) in line(plan, evaluate(book_of(workbook)))

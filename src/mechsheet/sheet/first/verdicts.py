@@ -13,7 +13,7 @@ from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, RangeRef, Symb
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import ENERGY, Link, Synthesis, inertia_unit
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.checks import Checks, sheets_in_rows
+from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.efforts import AGREES
 from mechsheet.sheet.checks.extremes import Extremes, about, about_turns, where_bounded
 from mechsheet.sheet.checks.gaps import misfits_of
@@ -278,8 +278,7 @@ class _Block:
             wrong[f"misfit_{number}"] = misfit = self.text("gap.redundant", link=link, sheet=self.checks.title)
             left_open = formula("IF(own>rounding,misfit,other)", own=self.checks.worst("gap", group), rounding=rounding,
                                 misfit=misfit, other=left_open)  # fmt: skip
-        sheets = ", ".join(sheets_in_rows(plan))
-        wrong["apart"] = self.text("gap.apart", table=plan.table, sheets=sheets)
+        wrong["apart"] = self.text("gap.apart", notes=plan.at.titles["notes"])
         words = formula('IF(_rows_apart>0,apart,IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed))))',
                         apart=wrong["apart"],
                         typed=plan.at.cell("#typed", plan.main, None), count=self.value("rows_closed"), gap=cell,
