@@ -96,7 +96,10 @@ class Constants:
 
 @dataclass(slots=True)
 class Layout:
-    """The whole book in one flat array of `size` cells; the first `lone` are constants that touch no formula."""
+    """The whole book in one flat array of `size` cells; the first `lone` are constants that touch no formula.
+
+    sheets  title -> its index
+    """
 
     titles: list[str]
     columns: list[dict[int, Column]]
@@ -112,6 +115,10 @@ class Layout:
     _known: dict[Area, int] = field(default_factory=dict)
     _pieces: dict[Area, tuple[tuple[int, slice, slice], ...]] = field(default_factory=dict)
     template: tuple[Numbers, Codes, list[Constants]] = field(init=False)
+    sheets: dict[str, int] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.sheets = {title: index for index, title in enumerate(self.titles)}
 
     def filled(self) -> tuple[Numbers, Codes]:
         """A new flat array and its codes with all constants in their places; formulas' cells hold anything, code 0."""

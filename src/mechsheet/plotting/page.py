@@ -24,7 +24,7 @@ def page(stage: Stage) -> bytes:
     by_chart: list[list[Scene]] = [[scene[index] for scene in scenes] for index in range(len(stage.charts))]
     drawing = figure(stage.charts[0], by_chart[0], sample.shown, "m")
     figures = [
-        _curve(chart, found, sample.shown, f"c{index}", sample.workbook)
+        _curve(chart, found, sample.shown, f"c{index}", sample.layout)
         for index, (chart, found) in enumerate(zip(stage.charts[1:], by_chart[1:], strict=True), 1)
     ]
     driver = [mechanism.driver.unit.to_shown(sample.plan.driver[row]) for row in rows]

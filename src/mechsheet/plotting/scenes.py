@@ -5,14 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.engine import PORTABLE, Values, compile_book
+from mechsheet.engine import Values
 from mechsheet.formula.nodes import CellRef, ErrorValue
-from mechsheet.plotting.following import following_book
 from mechsheet.plotting.sampling import Sample
 from mechsheet.sheet.workbook import Chart, Series, SeriesRef
 
@@ -39,31 +37,27 @@ Scene = tuple[Piece, ...]
 """The pieces of a chart from back to front."""
 
 
-class Follower(Protocol):
-    """Computes a book with some cells changed."""
-
-    def evaluate(self, overrides: dict[tuple[str, int, int], float]) -> Values:
-        """The values of all cells."""
-
-
 class Stage:
     """A sample's charts, to be looked at in any of its rows."""
 
     def __init__(self, sample: Sample) -> None:
         self.sample = sample
         spot = sample.plan.at.spots["#position"]
-        self._position = (spot.sheet, spot.row, spot.col)
-        self._book: Follower = compile_book(following_book(sample.workbook, self._position), PORTABLE)
+        self._position = (sample.cells.plan.layout.sheets[spot.sheet], spot.row, spot.col)
 
     @property
     def charts(self) -> tuple[Chart, ...]:
         """The charts of the first sheet; the drawing comes first."""
-        return self.sample.workbook.sheets[0].charts
+        return self.sample.layout.sheets[0].charts
 
     def at(self, row: int, charts: Sequence[Chart]) -> list[Scene]:
-        """The scenes of charts with the position cell at `row`."""
-        values = self._book.evaluate({self._position: float(row)})
-        return [tuple(self._piece(values, series) for series in _shown(chart)) for chart in charts]
+        """The scenes of charts with the position cell at `row`; afterwards it is where the workbook has it."""
+        cells = self.sample.cells
+        cells.set(self._position, float(row))
+        values = cells.asked()
+        scenes = [tuple(self._piece(values, series) for series in _shown(chart)) for chart in charts]
+        cells.reset(self._position)
+        return scenes
 
     def drawing(self, row: int) -> Scene:
         """The drawing alone."""

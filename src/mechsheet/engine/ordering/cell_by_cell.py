@@ -49,7 +49,7 @@ class Together:
         self.functions = functions or {}
         self.blocked = blocked
         self.producers = members
-        self.sheets = {title: index for index, title in enumerate(layout.titles)}
+        self.sheets = layout.sheets
         self._on_sheet: dict[int, list[int]] = {}
         self._in_column: dict[tuple[int, int], list[int]] = {}
         self._look_up_places()

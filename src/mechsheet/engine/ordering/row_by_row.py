@@ -44,7 +44,7 @@ class RowByRow:
     def __init__(self, layout: Layout, group: Sequence[int], lines: Sequence[Line]) -> None:
         self.layout = layout
         self.producers = group
-        self.sheets = {title: index for index, title in enumerate(layout.titles)}
+        self.sheets = layout.sheets
         self.lines = lines
         self.parts = [_Part(self, stretch) for stretch in stretches(lines)]
         self._slow = 0

@@ -99,13 +99,12 @@ def stretches(lines: Sequence[Line]) -> list[Stretch]:
 
 
 def _edges(layout: Layout, lines: Sequence[Line]) -> Iterator[_Edge]:
-    sheets = {title: index for index, title in enumerate(layout.titles)}
     columns: dict[tuple[int, int], list[int]] = {}
     for number, line in enumerate(lines):
         columns.setdefault((line.sheet, line.block.col), []).append(number)
     for reader, line in enumerate(lines):
         for ref in dict.fromkeys(references(line.block.formula)):
-            area = area_read(ref, line.block, sheets)
+            area = area_read(ref, line.block, layout.sheets)
             if area is None:
                 continue
             for col in range(area.col, area.col + area.cols):
