@@ -17,6 +17,7 @@ from chosen import examples
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.engine import Live, Plan, compile_book
 from mechsheet.engine import incremental as incremental_module
+from mechsheet.engine.fast.cell_codes import CellCodes
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.parser import parse_formula
@@ -92,6 +93,16 @@ BOOK_VALUES = WARM.evaluate()
 AREA_OF = {where: Session(BOOK)._area(where) for where in AREAS}
 
 
+@pytest.fixture(params=["code at once", "interpreted first"], scope="module")
+def patience(request):
+    """When single cells get code of their own."""
+    with pytest.MonkeyPatch.context() as patch:
+        if request.param == "code at once":
+            patch.setattr(CellCodes, "due", lambda _: True)
+        yield
+
+
+@pytest.mark.usefixtures("patience")
 @settings(max_examples=examples(100), deadline=None)
 @given(CHANGES)
 def test_any_changes_give_what_a_full_recalculation_gives(changes):
@@ -116,6 +127,7 @@ def test_any_changes_give_what_a_full_recalculation_gives(changes):
         assert bits(session.table(where)) == bits(full), where
 
 
+@pytest.mark.usefixtures("patience")
 @settings(max_examples=examples(40), deadline=None)
 @given(CHANGES, st.booleans())
 def test_what_is_asked_for_is_what_a_full_recalculation_gives(changes, once):

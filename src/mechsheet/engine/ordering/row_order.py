@@ -25,12 +25,13 @@ _MOST_ROUNDS = 64
 
 @dataclass(slots=True)
 class Line:
-    """One column of a block: its formula as seen from its first cell, and its start."""
+    """One column of a block, so many `right` of its first: its formula as seen from its first cell, and its start."""
 
     producer: int
     sheet: int
     block: Block
     offset: int
+    right: int
     start: int = 0
 
     @property
@@ -73,7 +74,7 @@ def lines_in_order(layout: Layout, formulas: Sequence[Node], group: Sequence[int
             seen = shifted(formula, 0, right) if right else formula
             part = Block(block.row, block.col + right, block.rows, 1, seen)
             offset = layout.block_offsets[number] + right * block.rows
-            lines.append(Line(number, layout.block_sheets[number], part, offset))
+            lines.append(Line(number, layout.block_sheets[number], part, offset, right))
     edges = list(_edges(layout, lines))
     # All first rows at one time, if that will do; else each as early as can be.
     for line in lines:
