@@ -28,9 +28,16 @@ COMMANDS = {
     "schema": DESCRIPTIONS,
     "recalc generated/four-bar.xlsx --print Mechanism!B5": WORKBOOKS,
     "recalc --check generated/four-bar.xlsx": WORKBOOKS,
+    "check generated/four-bar.xlsx": MECHANISMS | WORKBOOKS | {"counted", "reference"},
     "show --equations templates/four-bar.toml": MECHANISMS,
     "show --dimensions templates/four-bar.toml": MECHANISMS,
 }
+
+
+def test_build_loads_no_exports(tmp_path):
+    command = [sys.executable, "-c", RUN, "build", "templates/four-bar.toml", "-o", f"{tmp_path}/"]
+    found = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert set(eval(found.stderr.splitlines()[-1])) <= MECHANISMS | WORKBOOKS - {"checking"}
 
 
 @pytest.mark.parametrize("command", COMMANDS)

@@ -1,12 +1,14 @@
 """Random trees of formulas that give numbers, over three columns of data: what the ways to compute them are held against."""
 
+import numpy as np
 from hypothesis import strategies as st
 
+from mechsheet.engine.values.cells import TEXT
 from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, RangeRef, Text, Unary
 
 FIRST, ROWS = 3, 7
 
-plain = st.sampled_from([0.0, 1.0, -1.0, 0.5, 2.0, -3.0, 360.0, 0.1, 0.2, 0.3]) | st.floats(-1e3, 1e3)
+plain = st.sampled_from([0.0, -0.0, 1.0, -1.0, 0.5, 2.0, -3.0, 360.0, 0.1, 0.2, 0.3]) | st.floats(-1e3, 1e3)
 values = (
     plain | plain | plain | st.sampled_from([1e308, -1e200, 1e-300, 1e15, ErrorValue("#N/A"), "abc", "3", True, None])
 )
@@ -65,3 +67,13 @@ def conditions(below):
         )
         | single.map(lambda c: Call("NOT", (c,)))
     )
+
+
+def same(found, expected):
+    """Values of two evaluations are equal to the last bit; texts have numbers of their own in each."""
+    codes = expected._codes
+    assert np.array_equal(found._codes, codes)
+    exact = (codes < 16) & (codes != TEXT)
+    assert np.array_equal(found._numbers[exact].view(np.int64), expected._numbers[exact].view(np.int64))
+    texts = [[one.texts.text(number) for number in one._numbers[codes == TEXT]] for one in (found, expected)]
+    assert texts[0] == texts[1]

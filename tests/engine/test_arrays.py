@@ -348,6 +348,22 @@ def test_names_of_every_kind():
         assert same(values.get("S", row, 9), expected), (formula, values.get("S", row, 9))
 
 
+def test_a_whole_column_that_index_gives_in_a_filled_block():
+    """In some rows only: each cell takes the one beside it, as it does alone, and as LibreOffice has it."""
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    sheet.column_constants(0, 0, [10.0, 20.0, 30.0, 40.0, 50.0, 60.0])
+    sheet.column_constants(0, 1, [0.0, 0.0, 2.0, 0.0, 3.0, 0.0, 0.0])
+    sheet.block(0, 2, 7, 1, parse_formula("INDEX($A$1:$A$6,$B1)"))
+    sheet.block(0, 3, 7, 1, parse_formula("SUM(INDEX($A$1:$A$6,$B1))"))
+    for row in range(7):
+        sheet.block(row, 4, 1, 1, parse_formula(f"INDEX($A$1:$A$6,$B{row + 1})"))
+    values = compile_book(builder.build()).evaluate()
+    beside = [10.0, 20.0, 20.0, 40.0, 30.0, 60.0, ErrorValue("#VALUE!")]
+    assert values.column("S", 2, 0, 6) == values.column("S", 4, 0, 6) == beside
+    assert values.column("S", 3, 0, 6) == [210.0, 210.0, 20.0, 210.0, 30.0, 210.0, 210.0]
+
+
 def test_a_cell_beside_the_formula():
     """Only array formulas sum arrays of expressions: others take the cell of their row, as `@` says it."""
     blocks = [

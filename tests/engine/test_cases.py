@@ -1,9 +1,11 @@
-"""Every function and operator against the case files: alone, in a column, and the second time (on the fast path)."""
+"""Every function and operator against the case files: alone, in a column, the second time (on the fast path), and when cells
+that are interpreted have code of their own."""
 
 import pytest
 
 from engine_cases import COLUMN, FILES, FIRST_ROW, array_cases, book_of, cases, same
 from mechsheet.engine import compile_book, evaluate
+from mechsheet.engine.fast.segments import _INTERPRETED
 from mechsheet.engine.kernels.table import kernels_in
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.functions import FUNCTIONS
@@ -16,10 +18,11 @@ CASES = cases()
 @pytest.fixture(scope="module")
 def evaluations():
     plan = compile_book(book_of([formula for _, formula, _ in CASES]))
-    return {time: plan.evaluate() for time in ("first", "second")}
+    values = [plan.evaluate() for _ in range(_INTERPRETED + 2)]
+    return {"first": values[0], "second": values[1], "later": values[-1]}
 
 
-@pytest.mark.parametrize("time", ["first", "second"])
+@pytest.mark.parametrize("time", ["first", "second", "later"])
 @pytest.mark.parametrize("file", [path.stem for path in FILES])
 def test_cases(evaluations, file, time):
     values = evaluations[time]

@@ -15,8 +15,9 @@ from hypothesis import strategies as st
 import mechsheet
 from chosen import examples
 from mechsheet.diagnostics import WorkbookError
-from mechsheet.engine import compile_book
+from mechsheet.engine import Live, Plan, compile_book
 from mechsheet.engine import incremental as incremental_module
+from mechsheet.engine.fast.cell_codes import CellCodes
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.formula.parser import parse_formula
@@ -88,9 +89,20 @@ def place_of(where):
 
 
 WARM = compile_book(BOOK)
-WARM.evaluate()
+BOOK_VALUES = WARM.evaluate()
+AREA_OF = {where: Session(BOOK)._area(where) for where in AREAS}
 
 
+@pytest.fixture(params=["code at once", "interpreted first"], scope="module")
+def patience(request):
+    """When single cells get code of their own."""
+    with pytest.MonkeyPatch.context() as patch:
+        if request.param == "code at once":
+            patch.setattr(CellCodes, "due", lambda _: True)
+        yield
+
+
+@pytest.mark.usefixtures("patience")
 @settings(max_examples=examples(100), deadline=None)
 @given(CHANGES)
 def test_any_changes_give_what_a_full_recalculation_gives(changes):
@@ -113,6 +125,56 @@ def test_any_changes_give_what_a_full_recalculation_gives(changes):
             for row in range(area.row, area.row + area.rows)
         ]
         assert bits(session.table(where)) == bits(full), where
+
+
+@pytest.mark.usefixtures("patience")
+@settings(max_examples=examples(40), deadline=None)
+@given(CHANGES, st.booleans())
+def test_what_is_asked_for_is_what_a_full_recalculation_gives(changes, once):
+    """Of a plan that has made ready nothing but what has been asked for so far."""
+    live = Live(Plan(BOOK, once=once))
+    inputs = {}
+    for what, where, value in changes:
+        place = place_of(where) if what != "get" else None
+        if what == "get":
+            live.read(AREA_OF[where])
+        elif what == "set" and where != "S!Z9":
+            live.set((0, *place[1:]), value)
+            inputs[place] = value
+        elif what == "reset":
+            live.reset((0, *place[1:]))
+            inputs.pop(place, None)
+    expected, asked = WARM.evaluate(inputs), live.asked()
+    for area in AREA_OF.values():
+        for col in range(area.col, area.col + area.cols):
+            rows = area.row, area.row + area.rows - 1
+            assert bits([asked.column("S", col, *rows)]) == bits([expected.column("S", col, *rows)])
+
+
+def test_nothing_is_made_ready_that_is_not_asked_for():
+    plan = Plan(BOOK)
+    live = Live(plan)
+    assert plan.steps == []
+    assert live.asked().get("S", 5, 4) == BOOK_VALUES.get("S", 5, 4)
+    assert {number for step in plan.steps for number in step.producers} == {0}
+    assert bits([live.asked().items("S")]) == bits([BOOK_VALUES.items("S")])
+    assert {number for step in plan.steps for number in step.producers} == set(range(len(plan.formulas)))
+
+
+def test_a_formula_whose_cells_depend_on_values_has_all_made_ready():
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    sheet.constant(0, 0, 2.0)
+    sheet.block(0, 1, 1, 1, parse_formula("A1*3"))
+    sheet.block(0, 2, 1, 1, parse_formula('INDIRECT("B"&A1)+1'))
+    sheet.block(1, 1, 1, 1, parse_formula("unknown+1"))
+    plan = Plan(builder.build())
+    asked = Live(plan).asked()
+    assert asked.get("S", 0, 1) == 6 and not plan.settles and asked.remarks == ()
+    assert asked.get("S", 0, 2) == ErrorValue("#NAME?") and plan.settles
+    assert {number for step in plan.steps for number in step.producers} == {0, 1, 2}
+    assert [fault.key for fault in asked.remarks] == ["S!B2"]
+    assert asked.get("S", 0, 1) == 6
 
 
 def steps_run(session, monkeypatch):

@@ -94,10 +94,11 @@ def mechanism_size(stage):
 
 
 def test_what_follows_the_position_is_all_that_changes():
-    """The small book gives what the whole workbook gives, for every series of every chart."""
+    """What is computed for the drawing is what the whole workbook gives, for every series of every chart."""
     stage = Stage(sample(template("adjustable-pump"), None, None))
     spot = stage.sample.plan.at.spots["#position"]
-    whole = evaluate(book_of(stage.sample.workbook), {(spot.sheet, spot.row, spot.col): 37.0}, PORTABLE)
+    before = stage.sample.value(spot)
+    whole = evaluate(book_of(stage.sample.layout), {(spot.sheet, spot.row, spot.col): 37.0}, PORTABLE)
     for chart, scene in zip(stage.charts, stage.at(37, stage.charts), strict=True):
         for piece in scene:
             for axis, ref in enumerate((piece.series.x, piece.series.y)):
@@ -106,6 +107,7 @@ def test_what_follows_the_position_is_all_that_changes():
                 both = np.isfinite(numbers) & np.isfinite(piece.points[:, axis])
                 assert both.sum() == np.isfinite(piece.points[:, axis]).sum(), chart.title
                 assert (piece.points[both, axis] == numbers[both]).all(), chart.title
+    assert stage.sample.value(spot) == before != 37.0
 
 
 def test_position_outside_of_the_sweep_leaves_the_path_as_it_is():

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.formula.book import Book, BookBuilder
 from mechsheet.formula.nodes import CellRef, Scalar
 from mechsheet.sheet.workbook import Workbook, with_values
+
+if TYPE_CHECKING:
+    from mechsheet.engine import Live
 
 
 def book_of(workbook: Workbook) -> Book:
@@ -27,14 +31,22 @@ def book_of(workbook: Workbook) -> Book:
     return builder.build()
 
 
-def computed(workbook: Workbook) -> Workbook:
-    """The workbook with the value of every formula, the same bits on every machine.
+def live(workbook: Workbook, often: bool = False) -> Live:
+    """The workbook's values, each computed when it is asked for, the same bits on every machine.
+
+    often  whether they will be computed again and again, with other inputs
+    """
+    from mechsheet.engine import PORTABLE, Live, Plan
+
+    return Live(Plan(book_of(workbook), once=not often, arithmetic=PORTABLE))
+
+
+def computed(workbook: Workbook, cells: Live | None = None) -> Workbook:
+    """The workbook with the value of every formula, the same bits on every machine; `cells`: as `live` gives them.
 
     Raises WorkbookError with the engine's remarks where a formula cannot be computed as it is meant.
     """
-    from mechsheet.engine import PORTABLE, evaluate
-
-    values = evaluate(book_of(workbook), arithmetic=PORTABLE)
+    values = (live(workbook) if cells is None else cells).values()
     if values.remarks:
         raise WorkbookError(values.remarks)
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet import sheet
-from mechsheet.compiled.evaluation import computed
+from mechsheet.compiled.evaluation import computed, live
+from mechsheet.diagnostics import WorkbookError
 from mechsheet.dynamics.flywheel import Flywheel, flywheel
 from mechsheet.dynamics.solve import solve
 from mechsheet.formula.nodes import Scalar
@@ -23,6 +25,9 @@ from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.workbook import Workbook
+
+if TYPE_CHECKING:
+    from mechsheet.engine import Live
 
 
 class Compiled:
@@ -91,32 +96,34 @@ class Compiled:
     @cached_property
     def workbook(self) -> Workbook:
         """The workbook with the value of every formula."""
-        return computed(self.layout)
+        return computed(self.layout, self.cells)
+
+    @cached_property
+    def cells(self) -> Live:
+        """What the workbook's cells show, each computed when it is asked for."""
+        return live(self.layout)
 
     def column(self, col: int) -> list[Scalar]:
         """What a column of the table of positions shows, row by row."""
-        return self._shown(self.plan.table, col, range(self.plan.at.first, self.plan.at.last + 1))
+        return self._shown(self.plan.table, col, self.plan.at.first, self.plan.at.last)
 
     def value(self, spot: Spot, row: int = 0) -> Scalar:
         """What a cell shows, or that row (from 0) of a column."""
         place = self.plan.at.first + row if spot.column else spot.row
-        return self._shown(spot.sheet, spot.col, range(place, place + 1))[0]
+        return self._shown(spot.sheet, spot.col, place, place)[0]
 
     def number(self, spot: Spot, row: int = 0) -> float:
         """The number in a cell, or in that row (from 0) of a column; NaN for anything but a number."""
         value = self.value(spot, row)
         return value if isinstance(value, float) else math.nan
 
-    def _shown(self, title: str, col: int, rows: range) -> list[Scalar]:
-        sheet = self.workbook.sheet(title)
-        cells: dict[int, Scalar] = {
-            cell.row: cell.content for cell in sheet.cells if cell.col == col and isinstance(cell.content, float | str)
-        }
-        for fill in sheet.fills:
-            if fill.col <= col < fill.col + fill.cols:
-                own = range(max(rows.start, fill.row), min(rows.stop, fill.row + fill.rows))
-                cells |= {row: fill.value(row, col) for row in own}
-        return [cells.get(row) for row in rows]
+    def _shown(self, title: str, col: int, first: int, last: int) -> list[Scalar]:
+        """What some rows of a column show. Raises WorkbookError as `computed` does."""
+        values = self.cells.asked()
+        found = values.column(title, col, first, last)
+        if values.remarks:
+            raise WorkbookError(values.remarks)
+        return found
 
     @cached_property
     def exists(self) -> tuple[bool, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from ..formula.book import Block
 from ..formula.nodes import Binary, Call, CellRef, FunctionRef, Node, RangeRef, Text, children, walk
@@ -89,18 +89,14 @@ def area_read(reference: CellRef | RangeRef, block: Block, sheets: dict[str, int
     return Area(sheets[first.sheet], min(rows), min(cols), max(rows) - min(rows) + 1, max(cols) - min(cols) + 1)
 
 
-def dependencies(layout: Layout, formulas: Sequence[Node], functions: Functions) -> list[set[int]]:
-    """For every block the producers that it reads (`Layout.producers`), itself among them when it reads its own cells."""
-    sheets = {title: index for index, title in enumerate(layout.titles)}
-    found: list[set[int]] = []
-    for filled, formula in zip(layout.blocks, formulas, strict=True):
-        reads: set[int] = set()
-        block = seen_from(filled)
-        for reference in references(formula, functions):
-            area = area_read(reference, block, sheets)
-            if area is not None:
-                reads |= layout.producers(area)
-        found.append(reads)
+def producers_read(layout: Layout, number: int, formula: Node, functions: Functions) -> set[int]:
+    """The producers that a block reads (`Layout.producers`), itself among them when it reads its own cells."""
+    found: set[int] = set()
+    block = seen_from(layout.blocks[number])
+    for reference in references(formula, functions):
+        area = area_read(reference, block, layout.sheets)
+        if area is not None:
+            found |= layout.producers(area)
     return found
 
 
@@ -120,10 +116,10 @@ def dependents(blocks: Iterable[int], reads: Sequence[set[int]]) -> set[int]:
     return found
 
 
-def ordered(reads: Sequence[set[int]]) -> list[list[int]]:
-    """Blocks in an order in which everything read comes first; blocks that read each other stand together.
+def ordered(reads: Sequence[set[int]], blocks: Collection[int]) -> list[list[int]]:
+    """Some blocks in an order in which everything read comes first; blocks that read each other stand together.
 
-    reads  by block the numbers of what it reads; those from len(reads) on are constants
+    reads  by block the numbers of what it reads: other blocks, which come before all of these, and constants
 
     Strongly connected components (Tarjan, 1972), which graphlib does not give: it stops at the first circle.
     """
@@ -134,10 +130,10 @@ def ordered(reads: Sequence[set[int]]) -> list[list[int]]:
     stack: list[int] = []
     groups: list[list[int]] = []
     clock = 0
-    for root in range(count):
+    for root in sorted(blocks):
         if index[root] >= 0:
             continue
-        work = [(root, iter(sorted(n for n in reads[root] if n < count)))]
+        work = [(root, iter(sorted(n for n in reads[root] if n in blocks)))]
         index[root] = low[root] = clock
         clock += 1
         stack.append(root)
@@ -160,7 +156,7 @@ def ordered(reads: Sequence[set[int]]) -> list[list[int]]:
                 clock += 1
                 stack.append(following)
                 on_stack[following] = True
-                work.append((following, iter(sorted(n for n in reads[following] if n < count))))
+                work.append((following, iter(sorted(n for n in reads[following] if n in blocks))))
             elif on_stack[following]:
                 low[node] = min(low[node], index[following])
     return groups

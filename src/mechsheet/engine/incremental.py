@@ -3,6 +3,7 @@ further than that value needs."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from math import copysign
 
 import numpy as np
@@ -36,18 +37,34 @@ class Live:
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
         self.inputs: dict[Cell, Scalar] = {}
-        steps = plan.steps
-        self._step_of = {number: index for index, step in enumerate(steps) for number in step.producers}
-        self._reads = [set[int]().union(*(plan.reads[number] for number in step.producers)) for step in steps]
+        self._step_of: dict[int, int] = {}
+        self._reads: list[set[int]] = []
         self._readers: dict[int, list[int]] = {}
-        for index, reads in enumerate(self._reads):
-            for producer in reads:
-                self._readers.setdefault(producer, []).append(index)
         # Sets of steps are the bits of one number each.
         self._depending: dict[int, int] = {}
         self._needed: dict[Area, int] = {}
         self._orders: dict[int, tuple[int, ...]] = {}
+        self._stale = 0
+        self._take_in()
         self._start()
+
+    def _take_in(self) -> None:
+        """Note the steps that the plan has reached since: nothing of them is computed yet."""
+        plan, known = self.plan, len(self._reads)
+        for index, step in enumerate(plan.steps[known:], known):
+            self._step_of.update(dict.fromkeys(step.producers, index))
+            self._reads.append(set[int]().union(*(plan.reads[number] for number in step.producers)))
+            for producer in self._reads[index]:
+                self._readers.setdefault(producer, []).append(index)
+        if len(plan.steps) > known:
+            self._stale |= (1 << len(plan.steps)) - (1 << known)
+            self._depending.clear()
+
+    def _reach(self, producers: Iterable[int]) -> None:
+        """Have the plan make ready what fills some cells."""
+        self.plan.reach(producers)
+        if not self.plan.settles:
+            self._take_in()
 
     def _start(self) -> None:
         """New arrays with the inputs as they are, and nothing computed yet."""
@@ -131,15 +148,27 @@ class Live:
 
     # values
 
+    def asked(self) -> Asked:
+        """Values that are computed when they are asked for; after a change they are those after the change."""
+        return Asked(self)
+
     def values(self) -> Values:
         """All values, brought up to date. They are these arrays, not a copy: they change with the next change."""
+        self._reach(range(len(self.plan.layout.blocks)))
         if self.plan.settles:
             return self._settle()
         self._run(self._stale)
-        remarks = [*self.plan.remarks]
-        for _, found in sorted(self._remarks.items()):
-            remarks += found
-        return Values(self.plan.layout, self.numbers, self.codes, self.texts, tuple(dict.fromkeys(remarks)))
+        return Values(self.plan.layout, self.numbers, self.codes, self.texts, self.remarks)
+
+    @property
+    def remarks(self) -> tuple[Fault, ...]:
+        """What is not as it is meant in the cells computed so far."""
+        if self._settled is not None:
+            return self._settled.remarks
+        found = dict.fromkeys(self.plan.remarks)
+        for _, remarks in sorted(self._remarks.items()):
+            found |= dict.fromkeys(remarks)
+        return tuple(found)
 
     def _settle(self) -> Values:
         """All values of a book in which order or sizes depend on values: computed as a whole."""
@@ -152,15 +181,15 @@ class Live:
 
     def read(self, area: Area) -> Cells:
         """The cells of an area, shape (cols, rows), after computing what they need; a view where they lie side by side."""
+        needed = self._needed.get(area)
+        if needed is None:
+            self._reach(self.plan.layout.producers(area))
+            needed = self._steps_before(area)
+            if len(self._needed) < _MOST_KNOWN:
+                self._needed[area] = needed
         if self.plan.settles:
             return self._settle().read(area)
-        if self._stale:
-            needed = self._needed.get(area)
-            if needed is None:
-                needed = self._steps_before(area)
-                if len(self._needed) < _MOST_KNOWN:
-                    self._needed[area] = needed
-            self._run(self._stale & needed)
+        self._run(self._stale & needed)
         return self.plan.layout.read(area, self.numbers, self.codes)
 
     def _steps_before(self, area: Area) -> int:
@@ -205,6 +234,24 @@ class Live:
                 elif index in self._remarks:
                     del self._remarks[index]
         self._stale &= ~todo
+
+
+class Asked(Values):
+    """What the cells of a book show, each computed when it is asked for. `remarks` are those of what has been computed."""
+
+    def __init__(self, live: Live) -> None:
+        super().__init__(live.plan.layout, live.numbers, live.codes, live.texts)
+        self._live = live
+
+    def get(self, sheet: str, row: int, col: int) -> Scalar:
+        """A cell's value, None when it is empty. Raises KeyError for a sheet that does not exist."""
+        return self.column(sheet, col, row, row)[0]
+
+    def read(self, area: Area) -> Cells:
+        """The cells of an area, shape (cols, rows)."""
+        found = self._live.read(area)
+        self.texts, self.remarks = self._live.texts, self._live.remarks
+        return found
 
 
 def _mark(marks: set[int], producer: int, marked: bool) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
@@ -51,21 +52,24 @@ class Band(NamedTuple):
 
 @dataclass(slots=True)
 class Column:
-    """One column: what fills it and where it lies, both from the top down."""
+    """One column: what fills it and where it lies, both from the top down.
+
+    (row, inf) stands behind whatever begins in that row: a search with a key function would call it at every step.
+    """
 
     pieces: list[Piece] = field(default_factory=list)
     bands: list[Band] = field(default_factory=list)
 
     def band_at(self, row: int) -> Band | None:
         """The band that holds a row."""
-        index = bisect_right(self.bands, row, key=lambda band: band.row) - 1
+        index = bisect_right(self.bands, (row, inf)) - 1
         if index >= 0 and row < self.bands[index].row + self.bands[index].rows:
             return self.bands[index]
         return None
 
     def bands_in(self, row: int, rows: int) -> Iterator[Band]:
         """The bands that touch rows [row, row + rows)."""
-        index = max(0, bisect_right(self.bands, row, key=lambda band: band.row) - 1)
+        index = max(0, bisect_right(self.bands, (row, inf)) - 1)
         for band in self.bands[index:]:
             if band.row >= row + rows:
                 break
@@ -74,7 +78,7 @@ class Column:
 
     def producers_in(self, row: int, rows: int) -> Iterator[int]:
         """What fills any of the rows [row, row + rows)."""
-        index = max(0, bisect_right(self.pieces, row, key=lambda piece: piece.row) - 1)
+        index = max(0, bisect_right(self.pieces, (row, inf)) - 1)
         for piece in self.pieces[index:]:
             if piece.row >= row + rows:
                 break
@@ -96,7 +100,10 @@ class Constants:
 
 @dataclass(slots=True)
 class Layout:
-    """The whole book in one flat array of `size` cells; the first `lone` are constants that touch no formula."""
+    """The whole book in one flat array of `size` cells; the first `lone` are constants that touch no formula.
+
+    sheets  title -> its index
+    """
 
     titles: list[str]
     columns: list[dict[int, Column]]
@@ -112,6 +119,10 @@ class Layout:
     _known: dict[Area, int] = field(default_factory=dict)
     _pieces: dict[Area, tuple[tuple[int, slice, slice], ...]] = field(default_factory=dict)
     template: tuple[Numbers, Codes, list[Constants]] = field(init=False)
+    sheets: dict[str, int] = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.sheets = {title: index for index, title in enumerate(self.titles)}
 
     def filled(self) -> tuple[Numbers, Codes]:
         """A new flat array and its codes with all constants in their places; formulas' cells hold anything, code 0."""

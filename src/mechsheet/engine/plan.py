@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 
 import numpy as np
 
+from ..diagnostics import Fault
 from ..formula.book import Block, Book, BookSheet, CellStore
-from ..formula.nodes import Scalar
+from ..formula.nodes import Missing, Node, Scalar
 from ..time_limit import check_time
 from .fast.marks import Marks, marks_of_constants
-from .graph import dependencies, dependents
+from .graph import dependents, producers_read
 from .interpreter.environment import Environment
 from .interpreter.evaluator import Evaluator
 from .kernels.arithmetic import FAST, Arithmetic
 from .layout import Area, make_layout
 from .ordering.dynamic_order import Sizes, settled, sizes_of, with_sizes
-from .ordering.schedule import Special, schedule
+from .ordering.schedule import Special, Step, schedule
 from .resolve import Resolver
 from .results import Values
 from .values.cells import Texts, error_code
@@ -31,8 +32,8 @@ Overrides = Mapping[tuple[str, int, int], Scalar]
 
 
 def compile_book(book: Book, arithmetic: Arithmetic = FAST) -> Plan:
-    """Make a book ready. Raises WorkbookError for cells filled twice."""
-    return Plan(book, arithmetic=arithmetic)
+    """Make a book ready, all of it. Raises WorkbookError for cells filled twice."""
+    return Plan(book, arithmetic=arithmetic).complete()
 
 
 def evaluate(book: Book, overrides: Overrides | None = None, arithmetic: Arithmetic = FAST) -> Values:
@@ -45,15 +46,13 @@ def evaluate(book: Book, overrides: Overrides | None = None, arithmetic: Arithme
 
 def steady_plan(book: Book) -> Plan:
     """A plan for one evaluation in which NOW, TODAY, RAND and their like keep the values stored in the file."""
-    return Plan(book, once=True, steady=True)
+    return Plan(book, once=True, steady=True).complete()
 
 
 class Plan:
-    """A book with its cells laid out, its formulas resolved and their order found.
+    """A book with its cells laid out, the formulas reached so far resolved and their order found.
 
-    remarks  what is not as it is meant, with its cells: unknown functions and names, references to other workbooks, volatile
-             functions (circles and the like are found by each evaluation: `Values.remarks`)
-    settles  whether order or sizes depend on values (OFFSET, INDIRECT, dynamic arrays): then each evaluation finds them
+    A new plan has reached none. Whoever needs some cells reaches what they need; `complete` reaches all.
     """
 
     def __init__(
@@ -70,25 +69,81 @@ class Plan:
         self.arithmetic = arithmetic
         self.layout = make_layout(book)
         self.resolver = Resolver(book, steady)
-        self.resolved = self.resolver.run()
-        self.remarks = tuple(self.resolved.remarks)
-        self.formulas = self.resolved.formulas
-        self.reads = dependencies(self.layout, self.formulas, self.resolved.functions)
-        for number in self.resolved.kept:
-            self.reads[number] = set()
+        self.resolved = self.resolver.found
+        self.blocked = blocked
         self.sizes = sizes_of(self.layout, blocked)
-        self.settles = bool(self.resolved.moving or self.sizes)
-        self._special = Special(
-            self.resolved.functions,
-            {number: self._cached(number) for number in self.resolved.kept},
-            blocked,
-            frozenset(dependents(self.resolved.moving, self.reads)),
-            once,
-        )
-        self.steps = schedule(self.layout, self.formulas, self.reads, self._special)
         self.marks = marks_of_constants(self.layout)
+        count = len(self.layout.blocks)
+        self.formulas: list[Node] = [Missing()] * count
+        self.reads: list[set[int]] = [set() for _ in range(count)]
+        self.steps: list[Step] = []
+        self._reached: set[int] = set()
+        self._texts = set(self.marks.texts)
         self._replaced: dict[frozenset[tuple[int, int, int]], Plan] = {}
         self._resized: dict[Sizes, Plan] = {}
+
+    @property
+    def remarks(self) -> tuple[Fault, ...]:
+        """What is not as it is meant in the formulas reached, with their cells: unknown functions and names, references to
+        other workbooks, volatile functions (circles and the like are found by each evaluation: `Values.remarks`)."""
+        return tuple(self.resolved.remarks)
+
+    @property
+    def settles(self) -> bool:
+        """Whether order or sizes depend on values (OFFSET, INDIRECT, dynamic arrays): then each evaluation finds them.
+
+        Formulas that have not been reached do not count; where one that has does, all are reached.
+        """
+        return bool(self.resolved.moving or self.sizes)
+
+    def complete(self) -> Plan:
+        """This plan with all formulas reached."""
+        self.reach(range(len(self.layout.blocks)))
+        return self
+
+    def reach(self, producers: Iterable[int]) -> None:
+        """Make ready the blocks among some producers, and all that they read; where order depends on values, all blocks."""
+        if len(self._reached) == len(self.layout.blocks):
+            return
+        found = self._resolved_from(producers)
+        if found and self.settles:
+            self._resolved_from(range(len(self.layout.blocks)))
+            self._schedule_anew()
+        elif found:
+            self.steps += self._scheduled(found)
+
+    def _resolved_from(self, producers: Iterable[int]) -> set[int]:
+        """The blocks among some producers and all that they read, without those reached before; their formulas resolved."""
+        found: set[int] = set()
+        waiting = list(producers)
+        for number in waiting:  # which grows
+            if number >= len(self.layout.blocks) or number in self._reached:
+                continue
+            found.add(number)
+            self._reached.add(number)
+            title = self.layout.titles[self.layout.block_sheets[number]]
+            self.formulas[number] = formula = self.resolver.formula(number, self.layout.blocks[number], title)
+            if number not in self.resolved.kept:
+                self.reads[number] = producers_read(self.layout, number, formula, self.resolved.functions)
+                waiting += self.reads[number]
+        return found
+
+    def _schedule_anew(self) -> None:
+        """The order of all blocks."""
+        self._texts = set(self.marks.texts)
+        self.steps = self._scheduled(range(len(self.layout.blocks)))
+
+    def _scheduled(self, blocks: Collection[int]) -> list[Step]:
+        moving = self.resolved.moving
+        special = Special(
+            self.resolved.functions,
+            {number: self._cached(number) for number in self.resolved.kept},
+            self.blocked,
+            frozenset(dependents(moving, self.reads)) if moving else frozenset(),
+            self._texts,
+            self.once,
+        )
+        return schedule(self.layout, self.formulas, self.reads, special, blocks)
 
     def _cached(self, number: int) -> tuple[CellStore, int]:
         """What a block that keeps its stored values has, and what it shows where there is none."""
@@ -109,11 +164,10 @@ class Plan:
         Raises KeyError for a sheet that does not exist.
         """
         places = self._places(overrides or {})
-        count = len(self.layout.blocks)
-        structural = [cell for cell, (_, producer) in places.items() if producer < count]
+        structural = [cell for cell, (_, producer) in places.items() if producer < len(self.layout.blocks)]
         if structural:
             return self.with_constants_in(frozenset(structural)).evaluate(overrides)
-        if self.settles:
+        if self.complete().settles:
             return settled(self, overrides or {})
         ev, marks = self.begin(overrides or {})
         with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
@@ -159,7 +213,7 @@ class Plan:
             raise RuntimeError("blocks that need each other are computed apart")
         for reader, producer in reads:
             self.reads[reader].add(producer)
-        self.steps = schedule(self.layout, self.formulas, self.reads, self._special)
+        self._schedule_anew()
 
     def resized(self, sizes: Sizes) -> Plan:
         """The plan of this book with dynamic arrays of other sizes."""
@@ -171,7 +225,7 @@ class Plan:
             book = copy(self.book)
             book.sheets = with_sizes(self.book.sheets, sizes)
             blocked = frozenset(number for number, _, _, blocked in sizes if blocked)
-            self._resized[sizes] = Plan(book, self.once, blocked, self.steady, self.arithmetic)
+            self._resized[sizes] = Plan(book, self.once, blocked, self.steady, self.arithmetic).complete()
         return self._resized[sizes]
 
     def _cell(self, cell: tuple[str, int, int]) -> tuple[int, int, int]:

@@ -101,9 +101,8 @@ def _cols(block: Block) -> range:
 
 @dataclass(slots=True)
 class Resolved:
-    """The formulas of a book.
+    """What is known of the formulas of a book that have been asked for.
 
-    formulas   of every block, sheet by sheet
     functions  what the names that stand for functions mean
     remarks    what is not as it is meant, with its cells
     kept       blocks that keep the values stored in the file -> the error of cells without one
@@ -111,7 +110,6 @@ class Resolved:
     moving     blocks that read what is known only when they are computed
     """
 
-    formulas: list[Node] = field(default_factory=list)
     functions: dict[FunctionRef, Node] = field(default_factory=dict)
     remarks: list[Fault] = field(default_factory=list)
     kept: dict[int, str] = field(default_factory=dict)
@@ -178,13 +176,6 @@ class Resolver:
         self._stored = {sheet.title: sheet.cached for sheet in book.sheets}
         self._read: dict[tuple[str, bool, str, int, int], Node | None] = {}
 
-    def run(self) -> Resolved:
-        """All formulas of the book, ready for evaluation."""
-        for sheet in self.book.sheets:
-            for block in sheet.blocks:
-                self.found.formulas.append(self.formula(block, sheet.title))
-        return self.found
-
     def reference(self, text: str, in_a1: bool, sheet: str, row: int, col: int) -> Node | None:
         """The reference that a text says in (row, col) of `sheet`, None when it says none; not in A1 form, it is in R1C1."""
         key = text, in_a1, sheet, row, col
@@ -202,11 +193,11 @@ class Resolver:
         del self.found.remarks[before:]  # #REF! says enough
         return None if isinstance(found, ErrorValue) else transform(found, anchored)
 
-    def formula(self, block: Block, sheet: str) -> Node:
-        """The block's formula. Remarks are made with its cells."""
-        return deeply(lambda: self._formula(block, sheet))
+    def formula(self, number: int, block: Block, sheet: str) -> Node:
+        """The formula of the block of this number, ready for evaluation. Remarks are made with its cells."""
+        return deeply(lambda: self._formula(number, block, sheet))
 
-    def _formula(self, block: Block, sheet: str) -> Node:
+    def _formula(self, number: int, block: Block, sheet: str) -> Node:
         place = f"{sheet}!{area_name(block.row, block.col, block.rows, block.cols)}"
         before = len(self.found.remarks)
         node = self.named(with_locals(block.formula), block, sheet, place, ())
@@ -218,7 +209,6 @@ class Resolver:
                 self.remark(
                     place, say("{name} gives another value at every recalculation", name=name), about="volatile"
                 )
-        number = len(self.found.formulas)
         if any(map(_is_unsteady, names)) or not kinds.isdisjoint((Foreign, FunctionRef)):
             self._note_strangers(number, node, block, sheet)
         if self.book.settings.as_shown:

@@ -67,10 +67,8 @@ class Values:
         index = self._sheet(sheet)
         for col, column in sorted(self._layout.columns[index].items()):
             for band in column.bands:
-                place = slice(band.offset, band.offset + band.rows)
-                pairs = zip(self._numbers[place].tolist(), self._codes[place].tolist(), strict=True)
-                for down, (number, code) in enumerate(pairs):
-                    yield band.row + down, col, self.texts.decode(number, code)
+                values = self.column(sheet, col, band.row, band.row + band.rows - 1)
+                yield from ((row, col, value) for row, value in enumerate(values, band.row))
 
     def read(self, area: Area) -> Cells:
         """The cells of an area, shape (cols, rows)."""
@@ -84,7 +82,7 @@ class Values:
 
     def _read(self, sheet: str, col: int, first_row: int, last_row: int) -> tuple[Numbers, Codes]:
         area = Area(self._sheet(sheet), first_row, col, last_row - first_row + 1, 1)
-        found = self._layout.read(area, self._numbers, self._codes)
+        found = self.read(area)
         numbers = np.array(found.numbers[0])
         codes = np.zeros(len(numbers), np.uint8) if found.codes is None else np.array(found.codes[0])
         return numbers, codes

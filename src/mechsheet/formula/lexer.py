@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 from typing import NamedTuple
 
 from ..diagnostics import Fault, FormulaError
@@ -29,22 +30,18 @@ _ERROR_NAMES = (
 )
 _ERRORS = rf"(?P<error>\#{_ERROR_NAMES})"
 
-_DESCRIPTION = re.compile(
-    rf"""
+_DESCRIPTION = rf"""
     (?P<space>\s+) | {_NUMBER}
     | (?P<name>[^\W\d]\w*(?:\.[^\W\d]\w*)?)
     | (?P<op>[-+*/^]) | (?P<open>\() | (?P<close>\)) | (?P<separator>,)
-    """,
-    re.VERBOSE,
-)
+"""
 
 QUOTED = r"'(?:[^']|'')+'"
 _PLAIN = r"[^\W\d][\w.]*"
 _TWO_SHEETS = rf"(?!\$?[A-Za-z]{{1,3}}\$?[0-9]+:){_PLAIN}:{_PLAIN}"
 
 # what is frequent and begins like nothing else comes first: every alternative before it is tried
-_EXCEL = re.compile(
-    rf"""
+_EXCEL = rf"""
     (?P<separator>,) | (?P<open>\() | (?P<close>\)) | (?P<op><>|<=|>=|[-+*/^&=<>%:~@]|\#(?!{_ERROR_NAMES}))
     | (?P<function>[^\W\d][\w.]*(?=\())
     | (?P<rows>\$?[1-9][0-9]{{0,6}}:\$?[1-9][0-9]{{0,6}}(?![\w.(]))
@@ -56,12 +53,9 @@ _EXCEL = re.compile(
     | (?P<name>(?:[^\W\d]|\\)[\w.?\\]*)
     | (?P<text>"(?:[^"]|"")*") | (?P<space>[ \t\r\n]+) | {_ERRORS}
     | (?P<array>\{{) | (?P<array_end>\}}) | (?P<row_separator>;)
-    """,
-    re.VERBOSE,
-)
+"""
 
-_OPENFORMULA = re.compile(
-    rf"""
+_OPENFORMULA = rf"""
     (?P<space>[ \t\r\n]+)
     | (?P<text>"(?:[^"]|"")*")
     | (?P<reference>\[(?:{QUOTED}|[^\]'])*\])
@@ -73,11 +67,14 @@ _OPENFORMULA = re.compile(
     | (?P<op><>|<=|>=|[-+*/^&=<>%:!~])
     | (?P<open>\() | (?P<close>\)) | (?P<array>\{{) | (?P<array_end>\}})
     | (?P<separator>;) | (?P<row_separator>\|)
-    """,
-    re.VERBOSE,
-)
+"""
 
-PATTERNS = {"description": _DESCRIPTION, "excel": _EXCEL, "openformula": _OPENFORMULA}
+_TOKENS = {"description": _DESCRIPTION, "excel": _EXCEL, "openformula": _OPENFORMULA}
+
+
+@cache
+def _pattern(dialect: str) -> re.Pattern[str]:
+    return re.compile(_TOKENS[dialect], re.VERBOSE)
 
 
 def fail(text: str, column: int, message: str, hint: str = "") -> FormulaError:
@@ -91,7 +88,7 @@ def tokenise(text: str, dialect: str) -> list[Token]:
     """The tokens of `text`, ended by one of kind "end". Raises FormulaError at a character that fits nowhere."""
     tokens: list[Token] = []
     end = 0
-    for match in PATTERNS[dialect].finditer(text):
+    for match in _pattern(dialect).finditer(text):
         start = end
         if match.start() != start:
             raise _refusal(text, start, dialect)

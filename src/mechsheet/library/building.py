@@ -88,8 +88,6 @@ def targets(
     functions: str | Iterable[str] = (),
 ) -> list[Target]:
     """The files that `build` would write. Raises MechsheetError as it does; writes nothing."""
-    from mechsheet.exporting.workbooks import FORMS
-
     extra = _known(functions, FUNCTIONS, "functions", say("kind of functions"))
     given = None if formats is None else formats_given(formats, needed=not extra)
     path = Path(output)
@@ -100,7 +98,11 @@ def targets(
         form = _format_of(path, given)
         stem = path.with_suffix("") if path.suffix else path
         found = [Target(path, form)]
-    return found + [Target(_ending(stem, FORMS[form].suffix), form) for form in extra]
+    if extra:
+        from mechsheet.exporting.workbooks import FORMS
+
+        found += [Target(_ending(stem, FORMS[form].suffix), form) for form in extra]
+    return found
 
 
 def is_folder(output: str | Path) -> bool:
@@ -137,14 +139,15 @@ def refuse_edited(wanted: Iterable[Target]) -> None:
 def write_all(compiled: Compiled, wanted: Sequence[Target], output: str | Path = ".") -> list[Path]:
     """Write the workbook of a mechanism, and those with functions, into the files of `targets`."""
     from mechsheet.arguments.outputs import folder_ready
-    from mechsheet.compiled.evaluation import computed
-    from mechsheet.exporting.workbooks import functions_workbook
     from mechsheet.formats import write
 
     folder = f"{output}/" if is_folder(output) else output
     with folder_ready(folder):
         for target in wanted:
             if target.form in FUNCTIONS:
+                from mechsheet.compiled.evaluation import computed
+                from mechsheet.exporting.workbooks import functions_workbook
+
                 write(computed(functions_workbook(compiled, target.form)), target.path)
             else:
                 write(compiled.workbook, target.path, target.form)

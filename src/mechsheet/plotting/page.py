@@ -21,11 +21,11 @@ def page(stage: Stage) -> bytes:
     mechanism, language = sample.plan.mechanism, sample.plan.language
     rows = range(sample.sweep)
     scenes = [stage.drawing(row) for row in rows]
-    picture = drawing(scenes, sample.shown, sample.workbook.sheets[0].charts[0].alt_text)
+    picture = drawing(scenes, sample.shown, sample.layout.sheets[0].charts[0].alt_text)
     curves = [stage.at(row, stage.charts) for row in rows]
     by_chart: list[list[Curves]] = [[found[index] for found in curves] for index in range(len(stage.charts))]
     figures = [
-        _curve(chart, found, sample.shown, f"c{index}", sample.workbook)
+        _curve(chart, found, sample.shown, f"c{index}", sample.layout)
         for index, (chart, found) in enumerate(zip(stage.charts, by_chart, strict=True), 1)
     ]
     driver = [mechanism.driver.unit.to_shown(sample.plan.driver[row]) for row in rows]

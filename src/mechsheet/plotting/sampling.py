@@ -7,12 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
 from mechsheet.arguments.numbers import number_given
 from mechsheet.compiled import Compiled, compiled_of
+from mechsheet.compiled.evaluation import live
 from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
 from mechsheet.formula.nodes import Symbol
 from mechsheet.kinematics.dimensions import dimension_values
@@ -25,6 +26,9 @@ from mechsheet.sheet.drawing.points import moving_points
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
 from mechsheet.units import behind_number
+
+if TYPE_CHECKING:
+    from mechsheet.engine import Live
 
 LEAST, MOST = 121, 361
 """A sweep with fewer positions is refined, each of its steps alike; of one with more, every second, third … is taken."""
@@ -52,6 +56,11 @@ class Sample(Compiled):
     def exists(self) -> tuple[bool, ...]:
         """In which rows there is a position, by the equations' own values: a picture needs no cell of the workbook."""
         return tuple(self.closed.tolist())
+
+    @cached_property
+    def cells(self) -> Live:
+        """What the workbook's cells show, each computed when it is asked for: the drawing again for each position."""
+        return live(self.layout, often=True)
 
     @cached_property
     def shown(self) -> int:

@@ -9,14 +9,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.engine import PORTABLE, Values, compile_book
+from mechsheet.engine import Values
 from mechsheet.formula.nodes import CellRef, ErrorValue
-from mechsheet.plotting.following import following_book
 from mechsheet.plotting.sampling import Sample
 from mechsheet.shapes.loads import VECTORS
 from mechsheet.shapes.positions import Disc, Positions, Scene, Stroke
@@ -45,13 +43,6 @@ Curves = tuple[Piece, ...]
 """The pieces of a chart from back to front."""
 
 
-class Follower(Protocol):
-    """Computes a book with some cells changed."""
-
-    def evaluate(self, overrides: dict[tuple[str, int, int], float]) -> Values:
-        """The values of all cells."""
-
-
 class Stage:
     """A sample's mechanism and its charts, to be looked at in any of its rows."""
 
@@ -72,21 +63,21 @@ class Stage:
     @property
     def charts(self) -> tuple[Chart, ...]:
         """The charts of the first sheet but its drawing, which comes first."""
-        return self.sample.workbook.sheets[0].charts[1:]
+        return self.sample.layout.sheets[0].charts[1:]
 
     @cached_property
-    def _position(self) -> tuple[str, int, int]:
+    def _position(self) -> tuple[int, int, int]:
         spot = self.sample.plan.at.spots["#position"]
-        return spot.sheet, spot.row, spot.col
-
-    @cached_property
-    def _book(self) -> Follower:
-        return compile_book(following_book(self.sample.workbook, self._position), PORTABLE)
+        return self.sample.cells.plan.layout.sheets[spot.sheet], spot.row, spot.col
 
     def at(self, row: int, charts: Sequence[Chart]) -> list[Curves]:
-        """Charts with the position cell at `row`."""
-        values = self._book.evaluate({self._position: float(row)})
-        return [tuple(self._piece(values, series) for series in _shown(chart)) for chart in charts]
+        """Charts with the position cell at `row`; afterwards it is where the workbook has it."""
+        cells = self.sample.cells
+        cells.set(self._position, float(row))
+        values = cells.asked()
+        found = [tuple(self._piece(values, series) for series in _shown(chart)) for chart in charts]
+        cells.reset(self._position)
+        return found
 
     def _piece(self, values: Values, series: Series) -> Piece:
         columns = [self._numbers(values, ref) for ref in (series.x, series.y)]

@@ -24,8 +24,8 @@ NOTES: dict[str, tuple[str, str]] = {
         "last one, in every sheet with a row for each position (the hidden {checks}, too), and fill the row above down over "
         "them and the last one.",
         "{driver} tahrikinin ilk değeri ve adımı değiştirilebilir. {rows} satır vardır; daha çoğu için her konuma bir satır "
-        "ayıran bütün sayfalarda (gizli {checks} sayfasında da) son satırın üstüne satır ekleyin, üstteki satırı bunların ve "
-        "son satırın üzerine doldurun.",
+        "ayıran bütün sayfalarda (gizli {checks} sayfasında da) son satırın üstüne satır ekleyin, üstteki satırı bunların "
+        "ve son satırın üzerine doldurun.",
     ),
     "notes.use.positions": (
         "The sheet {positions} has one row for each value of the driver. Intermediate quantities (grey) can be "

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from drawn_trees import numeric, plain, values
+from drawn_trees import numeric, plain, same, values
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -17,7 +17,6 @@ from mechsheet.engine.ordering import row_by_row as row_by_row_module
 from mechsheet.engine.ordering import schedule as schedule_module
 from mechsheet.engine.ordering.cell_by_cell import Together
 from mechsheet.engine.ordering.row_by_row import RowByRow
-from mechsheet.engine.values.cells import TEXT
 from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, ErrorValue, Number, RangeRef, Text
 from mechsheet.formula.parser import parse_formula
@@ -91,16 +90,6 @@ def cell_by_cell(book, arithmetic=FAST):
         return compile_book(book, arithmetic).evaluate()
 
 
-def same(found, expected):
-    """Values of two evaluations are equal to the last bit; texts have numbers of their own in each."""
-    codes = expected._codes
-    assert np.array_equal(found._codes, codes)
-    exact = (codes < 16) & (codes != TEXT)
-    assert np.array_equal(found._numbers[exact], expected._numbers[exact])
-    texts = [[one.texts.text(number) for number in one._numbers[codes == TEXT]] for one in (found, expected)]
-    assert texts[0] == texts[1]
-
-
 @settings(max_examples=examples(250), deadline=None)
 @given(formulas, columns, columns, starts, st.tuples(plain, values), st.sampled_from([0, 0, 0, 1, 4]), st.booleans(),
        st.sampled_from([FAST, PORTABLE]))  # fmt: skip
@@ -135,7 +124,7 @@ def taken(book):
     (step,) = steps_of(plan, RowByRow)
     plan.evaluate()
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(row_by_row_module._Cells, "row", lambda *_: pytest.fail("a row was not computed as floats"))
+        patch.setattr(RowByRow, "row", lambda *_: pytest.fail("a row was not computed as floats"))
         values = plan.evaluate()
     same(values, cell_by_cell(book))
     return step, values

@@ -10,7 +10,6 @@ from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError
-from mechsheet.exporting.workbooks import functions_workbook, in_sheets
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Call
 from mechsheet.sheet.layout import DESCRIPTION_SHEET
@@ -70,8 +69,13 @@ def expected_for(text: str, file: str, functions: str = "") -> Expected:
 def _built(text: str, functions: str) -> Expected:
     """The last is kept: the .xlsx and the .ods of one description are judged one after the other."""
     compiled = Compiled(loads(text))
-    compiled = in_sheets(compiled) if functions else compiled
-    workbook = functions_workbook(compiled, functions) if functions else compiled.layout
+    if functions:
+        from mechsheet.exporting.workbooks import functions_workbook, in_sheets
+
+        compiled = in_sheets(compiled)
+        workbook = functions_workbook(compiled, functions)
+    else:
+        workbook = compiled.layout
     return Expected(workbook, book_of(workbook), compiled)
 
 

@@ -30,6 +30,13 @@ class Marks:
         if producer in self.texts and not (codes == TEXT).all():
             self.texts.discard(producer)
 
+    def note_one(self, producer: int, code: int) -> None:
+        """The same of the code of one cell."""
+        if code:
+            self.dirty.add(producer)
+        if code != TEXT:
+            self.texts.discard(producer)
+
 
 def marks_of_constants(layout: Layout) -> Marks:
     """What the constants hold."""

@@ -12,10 +12,12 @@ from ..interpreter.evaluator import Evaluator
 from ..layout import Layout
 from ..values.cells import Cells, Codes
 from ..values.frames import Frame
+from .cell_codes import CellCodes
 from .emitting import CHUNK, Code, emit
 from .helpers import TroubleError
 from .lowering import Lowering, Reads, UnsuitableError
 from .marks import Marks
+from .memory import Memory
 from .recurrence import Recurrence, compute
 
 Buffers: TypeAlias = dict[str, Any]
@@ -29,6 +31,8 @@ _PART = 4096
 _PIECE = 64
 _GAP = 16
 """Rows: a piece that is tried by itself; good rows between bad ones that are worth a call of their own."""
+_INTERPRETED = 4
+"""Times that a segment is interpreted before its cells get code of their own, for values of any kind."""
 
 _FAILURES = (TroubleError, FloatingPointError, ZeroDivisionError, OverflowError)
 
@@ -39,7 +43,10 @@ def worth_at_once(rows: int, cols: int) -> bool:
 
 
 class Member:
-    """A block of a segment: its formula, and what kind of recurrence it is, if it is one."""
+    """A block of a segment: its formula, and what kind of recurrence it is, if it is one.
+
+    singly  whether the interpreter takes it cell by cell, as a range's size differs or goes down with them
+    """
 
     def __init__(self, layout: Layout, number: int, formula: Node, recurrence: Recurrence | None) -> None:
         self.layout = layout
@@ -47,13 +54,16 @@ class Member:
         self.formula = formula
         self.recurrence = recurrence
         self.block = layout.blocks[number]
+        self.singly = self.block.rows * self.block.cols == 1
 
     def run(self, ev: Evaluator, start: int, stop: int) -> Codes:
         """Compute rows [start, stop) by the interpreter; their codes."""
         block = self.block
         sheet = self.layout.block_sheets[self.number]
         frame = Frame(sheet, block.row + start, block.col, stop - start, block.cols, start)
+        before = ev.singly
         found = ev.result(self.formula, frame) if self.recurrence is None else compute(self.recurrence, ev, frame)
+        self.singly |= self.recurrence is None and ev.singly > before
         return write(self.layout, self.number, start, stop, found, ev)
 
 
@@ -86,6 +96,7 @@ class Segment:
         self._buffers: list[Buffers] = []
         self._counts: dict[str, int] = {}
         self._runs = 0
+        self._cells = CellCodes(layout, _INTERPRETED, alone=self.rows * self.cols == 1)
 
     def joined(self, member: Member) -> bool:
         """Take a block in, if the fast path can compute it together with the others."""
@@ -201,8 +212,26 @@ class Segment:
         return [place for place, producers in columns.items() if not producers.isdisjoint(marks.dirty)]
 
     def _interpreted(self, ev: Evaluator, marks: Marks, start: int, stop: int) -> None:
+        memory = Memory(ev) if self._cells.due() else None
         for member in self.members:
-            marks.note(member.number, member.run(ev, start, stop))
+            if memory is None or not self._by_code(member, ev, memory, marks, start, stop):
+                marks.note(member.number, member.run(ev, start, stop))
+
+    def _by_code(self, member: Member, ev: Evaluator, memory: Memory, marks: Marks, start: int, stop: int) -> bool:
+        """Compute cells one by one, where the interpreter would do so too; False where code cannot compute all of them."""
+        if not member.singly:
+            return False
+        number = member.number
+        for col in range(self.cols):
+            code = self._cells.code(ev, number, member.formula, col)
+            if code is None:
+                return False
+            first = self.layout.block_offsets[number] + col * self.rows
+            for down in range(start, stop):
+                if not memory.fill(code, down, first + down):
+                    return False
+                marks.note_one(number, memory.codes[first + down])
+        return True
 
     def _new_buffers(self) -> Buffers:
         size = {"t": self.chunk, "b": self.chunk, "w": self.chunk * self.cols, "v": self.chunk * self.cols}

@@ -70,12 +70,13 @@ _COMPARISONS = frozenset(("=", "<>", "<", "<=", ">", ">="))
 
 
 class Evaluator(Reading):
-    """Evaluates formulas over the flat array of one evaluation."""
+    """Evaluates formulas over the flat array of one evaluation. `singly`: how often a frame was taken cell by cell."""
 
     def __init__(
         self, layout: Layout, numbers: Numbers, codes: Codes, texts: Texts, around: Environment | None = None
     ) -> None:
         super().__init__(layout, numbers, codes, texts, around)
+        self.singly = 0
         self.scopes = Scopes(self.around.functions, self.around.reference, self.around.budget)
 
     def result(self, formula: Node, frame: Frame, part: bool = False) -> Cells:
@@ -244,6 +245,7 @@ class Evaluator(Reading):
 
     def cell_by_cell(self, compute: Callable[[Frame], Cells], frame: Frame) -> Cells:
         """The values of a frame's cells, each computed by itself. Raises VaryingSizeError when one of them is an array."""
+        self.singly += 1
         numbers, codes = np.empty((frame.cols, frame.rows)), np.zeros((frame.cols, frame.rows), np.uint8)
         for right in range(frame.cols):
             for down in range(frame.rows):

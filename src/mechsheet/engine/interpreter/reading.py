@@ -27,7 +27,7 @@ class Reading:
         self.numbers = numbers
         self.codes = codes
         self.texts = texts
-        self.sheets = {title: index for index, title in enumerate(layout.titles)}
+        self.sheets = layout.sheets
         self.around = around or Environment()
 
     def corners(self, node: CellRef | RangeRef, frame: Frame) -> Span | None:

@@ -13,7 +13,7 @@ from ..texts.searching import CRITERION, EXACT, EXPRESSION, LARGER, SMALLER, WIL
 from ..values.calling import spread_cells, table_of
 from ..values.cells import BLANK, NA, REF, TEXT, VALUE, Cells, choose, codes_of, error, errors_of, first_error, fitted
 from ..values.coerce import numbers_of, truths_of
-from ..values.frames import Frame
+from ..values.frames import Frame, VaryingSizeError
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
@@ -42,6 +42,8 @@ def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         row, col = np.where(width == 1, row, 1.0), np.where(width == 1, col, row)
     row, col = np.trunc(row), np.trunc(col)
     several = (np.equal(row, 0) & (height > 1)) | (np.equal(col, 0) & (width > 1))
+    if np.count_nonzero(several) and (frame.rows > 1 or frame.cols > 1):
+        raise VaryingSizeError  # a whole row or column, of which each cell takes the one beside it
     row, col = np.where(np.equal(row, 0), 1.0, row), np.where(np.equal(col, 0), 1.0, col)
     own = np.where(several, np.uint8(VALUE), np.uint8(0))
     outside = (row < 1) | (row > height) | (col < 1) | (col > width) | ~np.isfinite(row) | ~np.isfinite(col)

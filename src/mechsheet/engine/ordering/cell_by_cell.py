@@ -9,17 +9,21 @@ import numpy as np
 from ...formula.nodes import CellRef, Node, RangeRef
 from ...formula.references import cell_address
 from ...said import say
+from ..fast.cell_codes import CellCodes
 from ..fast.marks import Marks
-from ..graph import Functions, references
+from ..fast.memory import Memory
+from ..graph import Functions, reads_anywhere, references
 from ..interpreter.evaluator import Evaluator
 from ..layout import Area, Layout
 from ..values.cells import REF
-from ..values.frames import Frame, NotReadyError
+from ..values.frames import NotReadyError
 from .array_steps import fill_array
 
 Cell = tuple[int, int, int]
 """(block, rows down, columns right of its first cell)"""
 
+_INTERPRETED = 4
+"""Times that the cells are interpreted before they get code."""
 _SHOWN = 12
 _MOST_CIRCLES = 20
 """Cells that are shown of a circle, and circles that are remarked: a column may have thousands."""
@@ -49,13 +53,16 @@ class Together:
         self.functions = functions or {}
         self.blocked = blocked
         self.producers = members
-        self.sheets = {title: index for index, title in enumerate(layout.titles)}
+        self.sheets = layout.sheets
         self._on_sheet: dict[int, list[int]] = {}
         self._in_column: dict[tuple[int, int], list[int]] = {}
         self._look_up_places()
         self.reads = {number: self._inner(number) for number in members}
         self._circles = 0
         self._closely: set[Cell] = set()
+        self._codes = CellCodes(layout, _INTERPRETED)
+        self._reads_anywhere = any(reads_anywhere(formulas[each], self.functions) for each in members)
+        self._order: list[Cell] | None = None
 
     def _look_up_places(self) -> None:
         """The blocks of the set by sheet, and by (sheet, column): a cell's reads are looked up thousands of times."""
@@ -114,10 +121,14 @@ class Together:
                 yield member, row - block.row, col - block.col
 
     def run(self, ev: Evaluator, marks: Marks) -> None:
-        """Compute all cells. Those of a circle are #REF! and remarked."""
+        """Compute all cells. Those of a circle are #REF! and remarked.
+
+        Where no circle turns up the order of the cells is the same next time.
+        """
         self._circles = 0
         self._closely = set()
-        done: set[Cell] = set()
+        done: dict[Cell, None] = dict.fromkeys(self._order or ())
+        memory = Memory(ev) if self._codes.due() else None
         outside = ev.around.check
 
         def check(area: Area, but: Collection[int]) -> None:
@@ -129,26 +140,31 @@ class Together:
 
         ev.around.check = check
         try:
-            self._run_all(done, ev)
+            if self._order is None:
+                self._run_all(done, ev, memory)
+            for cell in self._order or ():
+                self._evaluate(cell, ev, memory)
         finally:
             ev.around.check = outside
             ev.around.closely = False
+        if not self._closely and not self._reads_anywhere:
+            self._order = list(done)
         for member in self.producers:
             block, start = self.layout.blocks[member], self.layout.block_offsets[member]
             marks.note(member, ev.codes[start : start + block.rows * block.cols])
 
-    def _run_all(self, done: set[Cell], ev: Evaluator) -> None:
+    def _run_all(self, done: dict[Cell, None], ev: Evaluator, memory: Memory | None) -> None:
         longest = max(self.layout.blocks[member].rows for member in self.producers)
         for down in range(longest):
             for member in self.producers:
                 block = self.layout.blocks[member]
                 if block.kind != "fill":
-                    self._compute((member, 0, 0), done, ev)
+                    self._compute((member, 0, 0), done, ev, memory)
                 elif down < block.rows:
                     for right in range(block.cols):
-                        self._compute((member, down, right), done, ev)
+                        self._compute((member, down, right), done, ev, memory)
 
-    def _compute(self, root: Cell, done: set[Cell], ev: Evaluator) -> None:
+    def _compute(self, root: Cell, done: dict[Cell, None], ev: Evaluator, memory: Memory | None) -> None:
         if root in done:
             return
         path = [root]
@@ -160,14 +176,15 @@ class Together:
                 cell = path[-1]
                 try:
                     ev.around.closely = cell in self._closely
-                    self._evaluate(cell, ev)
+                    # code reads cells without a word, and here it matters what is really read
+                    self._evaluate(cell, ev, None if ev.around.closely else memory)
                 except _PendingError as pending:
                     below = pending.cell
                 else:
                     path.pop()
                     work.pop()
                     waiting.discard(cell)
-                    done.add(cell)
+                    done[cell] = None
                     continue
             if below in waiting:
                 place = path.index(below)
@@ -183,19 +200,14 @@ class Together:
             waiting.add(below)
             work.append(iter(()) if below in self._closely else self.precedents(below))
 
-    def _evaluate(self, cell: Cell, ev: Evaluator) -> None:
+    def _evaluate(self, cell: Cell, ev: Evaluator, memory: Memory | None) -> None:
         number, down, right = cell
-        block = self.layout.blocks[number]
-        if block.kind != "fill":
+        if self.layout.blocks[number].kind != "fill":
             fill_array(self.layout, number, self.formulas[number], number in self.blocked, ev)
-            return
-        frame = Frame(self.layout.block_sheets[number], block.row, block.col, block.rows, block.cols)
-        found = ev.result(self.formulas[number], frame.cell(down, right))
-        place = self.layout.block_offsets[number] + right * block.rows + down
-        ev.numbers[place] = found.numbers
-        ev.codes[place] = 0 if found.codes is None else found.codes
+        else:
+            self._codes.compute(ev, memory, number, self.formulas[number], down, right)
 
-    def _note_circle(self, circle: list[Cell], done: set[Cell], ev: Evaluator) -> None:
+    def _note_circle(self, circle: list[Cell], done: dict[Cell, None], ev: Evaluator) -> None:
         """The cells of a circle are #REF!, and remarked: no value of theirs would mean anything.
 
         Where the workbook has them computed again and again, they keep what the file holds.
@@ -208,7 +220,7 @@ class Together:
             stop = start + 1 if block.kind == "fill" else first + block.rows * block.cols
             if not kept or not self._keep_stored(cell, start, ev):
                 ev.numbers[start:stop], ev.codes[start:stop] = np.nan, REF
-            done.add(cell)
+            done[cell] = None
         self._circles += 1
         if self._circles > _MOST_CIRCLES:
             return

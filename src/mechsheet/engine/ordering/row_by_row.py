@@ -6,24 +6,25 @@ interpreter.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from ...formula.book import Block
-from ...formula.nodes import Node, Scalar, shifted
-from ..fast.any_kind import CellCode, CellError, LeftError, Memory, cell_code
+from ...formula.nodes import Node, shifted
+from ..fast.any_kind import CellCode
+from ..fast.cell_codes import CellCodes
 from ..fast.lowered_functions import FUNCTIONS
 from ..fast.lowering import UnsuitableError
 from ..fast.marks import Marks
+from ..fast.memory import Memory
 from ..fast.row_loop import RowCode, above_order, row_code
 from ..fast.row_lowering import RowBlock, RowLowering
 from ..interpreter.evaluator import Evaluator
 from ..kernels.arithmetic import Arithmetic
 from ..layout import Layout
-from ..values.frames import Frame
 from .row_order import Line, Stretch, lines_in_order, stretches
 
 _FEW_ROWS, _FEW_CELLS = 12, 256
@@ -41,82 +42,36 @@ _Loop: TypeAlias = tuple[RowLowering, RowCode]
 class RowByRow:
     """A set of columns that read each other, in their order."""
 
-    def __init__(self, layout: Layout, group: Sequence[int], lines: Sequence[Line]) -> None:
+    def __init__(self, layout: Layout, formulas: Sequence[Node], group: Sequence[int], lines: Sequence[Line]) -> None:
         self.layout = layout
+        self.formulas = formulas
         self.producers = group
-        self.sheets = {title: index for index, title in enumerate(layout.titles)}
+        self.sheets = layout.sheets
         self.lines = lines
         self.parts = [_Part(self, stretch) for stretch in stretches(lines)]
-        self._slow = 0
-        self._codes: dict[int, Callable[[Memory], CellCode] | None] = {}
+        self._codes = CellCodes(layout, _FEW_SLOW)
+        self._coded: dict[int, CellCode | None] = {}
 
     def run(self, ev: Evaluator, marks: Marks) -> None:
         """Compute all cells."""
-        cells = _Cells(self, ev)
+        memory = Memory(ev)
         for part in self.parts:
-            part.run(cells, marks)
+            part.run(memory, marks)
         for number in self.producers:
             block, start = self.layout.blocks[number], self.layout.block_offsets[number]
             marks.note(number, ev.codes[start : start + block.rows * block.cols])
 
-    def code_of(self, line: Line, memory: Memory, arithmetic: Arithmetic) -> CellCode | None:
-        """A line's formula as a function of the row, once there is reason to make one."""
-        if self._slow < _FEW_SLOW:
-            return None
-        known = id(line)
-        if known not in self._codes:
-            self._codes[known] = cell_code(self.layout, self.sheets, line.block, arithmetic)
-        make = self._codes[known]
-        return None if make is None else make(memory)
-
-    def note_slow(self) -> None:
-        """Another row that is not computed as floats."""
-        self._slow += 1
-
-
-class _Cells:
-    """One evaluation: single rows of any kind of values."""
-
-    def __init__(self, step: RowByRow, ev: Evaluator) -> None:
-        self.step = step
-        self.ev = ev
-        self.memory = Memory(memoryview(ev.numbers.data), memoryview(ev.codes.data), ev.texts)
-        self._codes: dict[int, CellCode | None] = {}
-
-    def row(self, lines: Sequence[Line], time: int) -> None:
-        """Compute the cells of lines at one time."""
-        if not self._codes:
-            self.step.note_slow()
-            if self.step._slow >= _FEW_SLOW:
-                arithmetic = self.ev.around.arithmetic
-                self._codes = {id(line): self.step.code_of(line, self.memory, arithmetic) for line in self.step.lines}
+    def row(self, memory: Memory, lines: Sequence[Line], time: int) -> None:
+        """Compute the cells of lines at one time, of any kind of values."""
+        if self._codes.due() and not self._coded:
+            formulas = self.formulas
+            for line in self.lines:
+                code = self._codes.code(memory.ev, line.producer, formulas[line.producer], line.right)
+                self._coded[id(line)] = code
         for line in lines:
-            down = time - line.first
-            code = self._codes.get(id(line))
-            place = line.offset + down
-            if code is None:
-                self._interpreted(line, down, place)
-                continue
-            try:
-                value = code(down)
-            except CellError as problem:
-                self.memory.numbers[place], self.memory.codes[place] = np.nan, problem.code
-            except LeftError:
-                self._interpreted(line, down, place)
-            else:
-                self._put(place, value)
-
-    def _put(self, place: int, value: Scalar) -> None:
-        if value.__class__ is float:
-            self.memory.numbers[place], self.memory.codes[place] = value, 0
-        else:
-            self.memory.numbers[place], self.memory.codes[place] = self.ev.texts.encode(value)
-
-    def _interpreted(self, line: Line, down: int, place: int) -> None:
-        frame = Frame(line.sheet, line.block.row + down, line.block.col, 1, 1, down)
-        found = self.ev.result(line.block.formula, frame)
-        self.ev.numbers[place] = found.numbers
-        self.ev.codes[place] = 0 if found.codes is None else found.codes
+            code, down = self._coded.get(id(line)), time - line.first
+            if code is None or not memory.fill(code, down, line.offset + down):
+                self._codes.interpret(memory.ev, line.producer, self.formulas[line.producer], down, line.right)
 
 
 class _Part:
@@ -154,16 +109,16 @@ class _Part:
                 pass
         return self._loop
 
-    def run(self, cells: _Cells, marks: Marks) -> None:
+    def run(self, memory: Memory, marks: Marks) -> None:
         """Compute the rows from the first to the last."""
         self._runs += 1
         enough = self._runs > 1 or self.rows * len(self.lines) > _FEW_CELLS
-        loop = self.loop(cells.ev.around.arithmetic) if enough and self.rows > _FEW_ROWS else None
-        if loop is None or not self._as_expected(loop[0], cells.ev, marks):
+        loop = self.loop(memory.ev.around.arithmetic) if enough and self.rows > _FEW_ROWS else None
+        if loop is None or not self._as_expected(loop[0], memory.ev, marks):
             for row in range(self.rows):
-                cells.row(self.lines, self.first + row)
+                self.step.row(memory, self.lines, self.first + row)
             return
-        self._by_loop(cells, *loop)
+        self._by_loop(memory, *loop)
 
     @staticmethod
     def _as_expected(lowering: RowLowering, ev: Evaluator, marks: Marks) -> bool:
@@ -175,20 +130,21 @@ class _Part:
             and not any(ev.codes[place] for place in lowering.cells)
         )
 
-    def _by_loop(self, cells: _Cells, lowering: RowLowering, code: RowCode) -> None:
-        plain = self._plain(lowering, cells.ev)
+    def _by_loop(self, memory: Memory, lowering: RowLowering, code: RowCode) -> None:
+        ev = memory.ev
+        plain = self._plain(lowering, ev)
         order = above_order(lowering)
         row, size, burst = 0, _FIRST_ROWS, 1
         out = np.empty((min(self.rows, _MOST_ROWS), len(self.lines)))
         while row < self.rows:
-            above = self._above(order, cells.ev, row) if plain is None or plain[row] else None
+            above = self._above(order, ev, row) if plain is None or plain[row] else None
             done = 0
             if above is not None:
                 end = min(row + size, self.rows)
                 if plain is not None and not plain[row:end].all():
                     end = row + int(np.argmin(plain[row:end]))
-                done = code(cells.ev.numbers, above, row, end, out)
-                self._write(cells.ev, out, row, done)
+                done = code(ev.numbers, above, row, end, out)
+                self._write(ev, out, row, done)
                 row += done
                 if row == end:
                     size, burst = min(2 * size, _MOST_ROWS), 1
@@ -196,7 +152,7 @@ class _Part:
             size = _FIRST_ROWS
             burst = 1 if done >= _FIRST_ROWS else min(2 * burst, _MOST_BURST)
             for _ in range(min(burst, self.rows - row)):
-                cells.row(self.lines, self.first + row)
+                self.step.row(memory, self.lines, self.first + row)
                 row += 1
 
     def _write(self, ev: Evaluator, out: Any, row: int, done: int) -> None:
@@ -234,4 +190,4 @@ class _Part:
 def row_by_row(layout: Layout, formulas: Sequence[Node], group: Sequence[int]) -> RowByRow | None:
     """The step that computes blocks row by row, None where no order of rows and columns serves all of them."""
     lines = lines_in_order(layout, formulas, group)
-    return None if lines is None else RowByRow(layout, group, lines)
+    return None if lines is None else RowByRow(layout, formulas, group, lines)

@@ -25,12 +25,13 @@ _MOST_ROUNDS = 64
 
 @dataclass(slots=True)
 class Line:
-    """One column of a block: its formula as seen from its first cell, and its start."""
+    """One column of a block, so many `right` of its first: its formula as seen from its first cell, and its start."""
 
     producer: int
     sheet: int
     block: Block
     offset: int
+    right: int
     start: int = 0
 
     @property
@@ -73,7 +74,7 @@ def lines_in_order(layout: Layout, formulas: Sequence[Node], group: Sequence[int
             seen = shifted(formula, 0, right) if right else formula
             part = Block(block.row, block.col + right, block.rows, 1, seen)
             offset = layout.block_offsets[number] + right * block.rows
-            lines.append(Line(number, layout.block_sheets[number], part, offset))
+            lines.append(Line(number, layout.block_sheets[number], part, offset, right))
     edges = list(_edges(layout, lines))
     # All first rows at one time, if that will do; else each as early as can be.
     for line in lines:
@@ -99,13 +100,12 @@ def stretches(lines: Sequence[Line]) -> list[Stretch]:
 
 
 def _edges(layout: Layout, lines: Sequence[Line]) -> Iterator[_Edge]:
-    sheets = {title: index for index, title in enumerate(layout.titles)}
     columns: dict[tuple[int, int], list[int]] = {}
     for number, line in enumerate(lines):
         columns.setdefault((line.sheet, line.block.col), []).append(number)
     for reader, line in enumerate(lines):
         for ref in dict.fromkeys(references(line.block.formula)):
-            area = area_read(ref, line.block, sheets)
+            area = area_read(ref, line.block, layout.sheets)
             if area is None:
                 continue
             for col in range(area.col, area.col + area.cols):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Protocol
 
@@ -10,7 +10,7 @@ from ...formula.book import CellStore
 from ...formula.nodes import Node
 from ..fast.lowered_functions import FUNCTIONS
 from ..fast.lowering import Lowering, UnsuitableError
-from ..fast.marks import Marks, marks_of_constants
+from ..fast.marks import Marks
 from ..fast.recurrence import recognise
 from ..fast.segments import Member, Segment, worth_at_once
 from ..graph import Functions, ordered
@@ -40,6 +40,7 @@ class Special:
     kept       blocks that keep their stored values -> those values, and the code of the error where there is none
     blocked    dynamic arrays with something in their way
     apart      blocks that share no segment, as they may have to wait for others at any time
+    texts      producers known to hold texts and nothing else; the steps add theirs
     once       the book will be computed only once: no code is prepared for blocks too small to be worth it then
     """
 
@@ -47,17 +48,21 @@ class Special:
     kept: Mapping[int, tuple[CellStore, int]] = field(default_factory=dict)
     blocked: frozenset[int] = frozenset()
     apart: frozenset[int] = frozenset()
+    texts: set[int] = field(default_factory=set)
     once: bool = False
 
 
-def schedule(layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]], special: Special) -> list[Step]:
-    """The steps in order; a block stands in the earliest segment of its height that comes after all it reads."""
+def schedule(
+    layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]], special: Special, blocks: Collection[int]
+) -> list[Step]:
+    """The steps of some blocks in order; a block stands in the earliest segment of its height that comes after all it reads.
+
+    What they read besides comes before.
+    """
     steps: list[Step] = []
     place: dict[int, int] = {}
     alike: dict[tuple[int, int], list[int]] = {}
-    sheets = {title: index for index, title in enumerate(layout.titles)}
-    texts = marks_of_constants(layout).texts
-    for group in ordered(reads):
+    for group in ordered(reads, blocks):
         number = group[0]
         recurrence = recognise(layout, number, formulas[number]) if number in reads[number] else None
         if len(group) > 1 or (number in reads[number] and recurrence is None):
@@ -89,7 +94,7 @@ def schedule(layout: Layout, formulas: Sequence[Node], reads: Sequence[set[int]]
                 break
         else:
             place[number] = len(steps)
-            segment = _new_segment(layout, member, Lowering(layout, sheets, FUNCTIONS, texts))
+            segment = _new_segment(layout, member, Lowering(layout, layout.sheets, FUNCTIONS, special.texts))
             if segment.lowering is not None:
                 alike[key].append(len(steps))
             steps.append(segment)

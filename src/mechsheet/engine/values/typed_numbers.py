@@ -12,30 +12,25 @@ _FULL = (
     *("august", "september", "october", "november", "december"),
 )
 _MONTH = rf"(?P<name>{'|'.join(_FULL)}|{'|'.join(_MONTHS)})\.?"
-_DATES = [
-    re.compile(pattern, re.IGNORECASE)
-    for pattern in (
-        r"(?P<year>\d{4})(?P<s>[-/])(?P<month>\d{1,2})(?P=s)(?P<day>\d{1,2})",
-        r"(?P<month>\d{1,2})(?P<s>[-/])(?P<day>\d{1,2})(?P=s)(?P<year>\d{4}|\d{1,2})",
-        r"(?P<month>\d{1,2})[-/](?P<day>\d{1,2})",
-        r"(?P<month>\d{1,2})[-/](?P<year>\d{4})",
-        rf"(?P<day>\d{{1,2}})[-/ ]{_MONTH}(?:[-/ ,]\s*(?P<year>\d{{4}}|\d{{2}}))?",
-        rf"{_MONTH}[-/ ](?P<day>\d{{1,2}}),?\s+(?P<year>\d{{4}})",
-        rf"{_MONTH}[-/ ](?P<year>\d{{4}})",
-        rf"{_MONTH}[-/ ](?P<day>\d{{1,2}})",
-    )
-]
-_TIME = re.compile(
+# patterns as texts, which `re` compiles when they are first used: few workbooks hold such texts
+_DATES = (
+    r"(?P<year>\d{4})(?P<s>[-/])(?P<month>\d{1,2})(?P=s)(?P<day>\d{1,2})",
+    r"(?P<month>\d{1,2})(?P<s>[-/])(?P<day>\d{1,2})(?P=s)(?P<year>\d{4}|\d{1,2})",
+    r"(?P<month>\d{1,2})[-/](?P<day>\d{1,2})",
+    r"(?P<month>\d{1,2})[-/](?P<year>\d{4})",
+    rf"(?P<day>\d{{1,2}})[-/ ]{_MONTH}(?:[-/ ,]\s*(?P<year>\d{{4}}|\d{{2}}))?",
+    rf"{_MONTH}[-/ ](?P<day>\d{{1,2}}),?\s+(?P<year>\d{{4}})",
+    rf"{_MONTH}[-/ ](?P<year>\d{{4}})",
+    rf"{_MONTH}[-/ ](?P<day>\d{{1,2}})",
+)
+_TIME = (
     r"(?P<hour>\d{1,4}):(?P<minute>\d{1,2})(?::(?P<second>\d{1,2}(?:\.\d*)?))?(?:\s*(?P<half>[ap]m?))?"
-    r"|(?P<hour12>\d{1,2})\s+(?P<half12>[ap]m?)",
-    re.IGNORECASE,
+    r"|(?P<hour12>\d{1,2})\s+(?P<half12>[ap]m?)"
 )
 _MONEY = "$€£¥"
-_AMOUNT = re.compile(
-    rf"(?P<open>\()?(?P<sign>[-+])?\s*[{_MONEY}]?\s*(?P<inner>[-+])?(?P<number>[\d.,]+)\s*€?\s*(?P<close>\))?"
-)
-_FRACTION = re.compile(r"(?P<sign>[-+])?(?P<whole>\d+) (?P<above>\d{1,5})/(?P<below>\d{1,5})")
-_GROUPED = re.compile(r"(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d*)?|\.\d+")
+_AMOUNT = rf"(?P<open>\()?(?P<sign>[-+])?\s*[{_MONEY}]?\s*(?P<inner>[-+])?(?P<number>[\d.,]+)\s*€?\s*(?P<close>\))?"
+_FRACTION = r"(?P<sign>[-+])?(?P<whole>\d+) (?P<above>\d{1,5})/(?P<below>\d{1,5})"
+_GROUPED = r"(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d*)?|\.\d+"
 _ZERO = date(1899, 12, 30).toordinal()
 
 
@@ -65,8 +60,8 @@ def shown_number(text: str) -> float | None:
 
 def amount(body: str) -> float | None:
     """`$1,234.50`, `-$5`, `(5)`."""
-    match = _AMOUNT.fullmatch(body)
-    if match is None or not _GROUPED.fullmatch(match["number"]) or bool(match["open"]) != bool(match["close"]):
+    match = re.fullmatch(_AMOUNT, body)
+    if match is None or not re.fullmatch(_GROUPED, match["number"]) or bool(match["open"]) != bool(match["close"]):
         return None
     signs = [sign for sign in (match["sign"], match["inner"]) if sign]
     if len(signs) > 1 or (signs and match["open"]):
@@ -77,7 +72,7 @@ def amount(body: str) -> float | None:
 
 def fraction(body: str) -> float | None:
     """`2 1/2`."""
-    match = _FRACTION.fullmatch(body)
+    match = re.fullmatch(_FRACTION, body)
     if match is None or int(match["below"]) == 0:
         return None
     value = int(match["whole"]) + int(match["above"]) / int(match["below"])
@@ -108,7 +103,7 @@ def _splits(body: str) -> list[tuple[str, str]]:
 
 def time_part(body: str) -> float | None:
     """A time as a part of a day, without whole days; hours beyond 24 count on."""
-    match = _TIME.fullmatch(body)
+    match = re.fullmatch(_TIME, body, re.IGNORECASE)
     if match is None:
         return None
     hour = int(match["hour"] or match["hour12"])
@@ -123,7 +118,7 @@ def time_part(body: str) -> float | None:
 
 def _day_number(body: str) -> float | None:
     for pattern in _DATES:
-        match = pattern.fullmatch(body)
+        match = re.fullmatch(pattern, body, re.IGNORECASE)
         if match is None:
             continue
         parts = match.groupdict()
