@@ -133,7 +133,8 @@ class _FirstSheet:
         driver = behind_number(self.plan.mechanism.driver.unit.text)
         for symbol, row in self.plan.blocks[key].rows.items() if key in self.plan.blocks else ():
             name = self.text(row, SYMBOL)
-            value = f"{self.text(row, VALUE)} {self.text(row, UNIT)}".replace(" °", "°").strip()
+            of_rows = "/ " if isinstance(self.cells.get((row, UNIT)), float) else ""  # a count of the rows, in their place
+            value = f"{self.text(row, VALUE)} {of_rows}{self.text(row, UNIT)}".replace(" °", "°").strip()
             place = self.text(row, TOLERANCE) if key in ("summary", "verdicts") else ""
             if (value or self.text(row, MEANING)) and symbol not in UNSAID:
                 found.append((name, f"{value} @ {place}{driver}" if place else value, self.text(row, MEANING)))
