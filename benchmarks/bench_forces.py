@@ -85,7 +85,11 @@ def tables_of(rows: int) -> tuple[Book, Plan]:
     for key, columns in zip(TABLES, (plan.columns, plan.rates, plan.forces), strict=True):
         table = builder.sheet(plan.at.titles[key])
         wanted = {column.col for column in columns if column.kind != "status"}
-        for fill in workbook.sheet(plan.at.titles[key]).fills:
+        sheet = workbook.sheet(plan.at.titles[key])
+        for cell in sheet.cells:  # the headings that the first row reads
+            if cell.row == plan.at.first - 1 and cell.col in wanted and cell.content is not None:
+                table.constant(cell.row, cell.col, cell.value)
+        for fill in sheet.fills:
             if fill.row >= plan.at.first and fill.col in wanted:
                 table.block(fill.row, fill.col, fill.rows, fill.cols, fill.formula)
     return builder.build(), plan

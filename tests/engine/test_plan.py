@@ -49,7 +49,8 @@ RECURRENCES = {
     "A1*0.5+B2": None, "A1+B2+1": None, "IF(B2>0,A1+1,A1)": None, "MAX(A1,B2)": None, "SUM(A$1:A1)": None, "A1&B2": None,
     "IF(A1>3,B2,A1)": None, "B2+3*IFERROR(ROUND((A1-B2)/3,0),0)": Unwrapped,
     "B2+2*PI()*IFERROR(ROUND((A1-B2)/(2*PI()),0),0)": Unwrapped,
-    "B2+3*IFERROR(ROUND((A1-B2)/2,0),0)": None,
+    "B2+3*IFERROR(ROUND((A1-B2)/2,0),0)": None, "N(A1)+B2": RunningSum, "B2+N(A1)": RunningSum, "N(A1)-B2": RunningSum,
+    "B2+3*IFERROR(ROUND((N(A1)-B2)/3,0),0)": Unwrapped, "N(A1+1)+B2": None, "IF(B2>0,B2,N(A1))": None,
 }  # fmt: skip
 
 DATA = {

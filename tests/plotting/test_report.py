@@ -70,6 +70,7 @@ def test_it_says_what_the_first_sheet_says():
         "What can be said",
         "Forces, and where each is largest",
         "driving torque of frame",
+        "13 / 13",
     ):
         assert words in said
     (row,) = [row for row in report._largest(sample(mechanism, None, None)) if row[0] == "F₁₃"]

@@ -5,6 +5,8 @@
     x(row) + turn * IFERROR(ROUND((prev - x(row)) / turn, 0), 0)
                                                      -> x and whole turns, within half a turn of the cell above
 
+A sum and a phase may be of N(prev), too, which is 0 of a heading.
+
 where `prev` is the cell above, and f, condition, value, x and turn read nothing of the column itself.
 """
 
@@ -35,7 +37,7 @@ class RunningSum:
     """`prev` and `step`, joined by `op`; `step_first` when the formula says f + prev."""
 
     op: Literal["+", "-"]
-    prev: CellRef
+    prev: Node
     step: Node
     step_first: bool
 
@@ -56,7 +58,7 @@ class Unwrapped:
 
     value: Node
     turn: Node
-    prev: CellRef
+    prev: Node
 
 
 Recurrence: TypeAlias = RunningSum | Held | Unwrapped
@@ -77,9 +79,9 @@ def recognise(layout: Layout, number: int, formula: Node) -> Recurrence | None:
         return all(area is None or number not in layout.producers(area) for area in areas)
 
     match formula:
-        case Binary("+" | "-" as op, CellRef() as prev, step) if _is_above(prev, block, title) and apart(step):
+        case Binary("+" | "-" as op, prev, step) if _is_above(prev, block, title) and apart(step):
             return RunningSum("+" if op == "+" else "-", prev, step, False)
-        case Binary("+", step, CellRef() as prev) if _is_above(prev, block, title) and apart(step):
+        case Binary("+", step, prev) if _is_above(prev, block, title) and apart(step):
             return RunningSum("+", prev, step, True)
         case Call("IF", (condition, value, CellRef() as prev)) if _is_above(prev, block, title):
             if apart(condition) and apart(value):
@@ -95,7 +97,7 @@ def recognise(layout: Layout, number: int, formula: Node) -> Recurrence | None:
                 turn,
                 Call(
                     "IFERROR",
-                    (Call("ROUND", (Binary("/", Binary("-", CellRef() as prev, same), per), Number(0))), Number(0)),
+                    (Call("ROUND", (Binary("/", Binary("-", prev, same), per), Number(0))), Number(0)),
                 ),
             ),
         ) if (
@@ -109,7 +111,10 @@ def recognise(layout: Layout, number: int, formula: Node) -> Recurrence | None:
     return None
 
 
-def _is_above(ref: CellRef, block: Block, title: str) -> bool:
+def _is_above(node: Node, block: Block, title: str) -> bool:
+    ref = node.args[0] if isinstance(node, Call) and node.name == "N" and len(node.args) == 1 else node
+    if not isinstance(ref, CellRef):
+        return False
     return ref.sheet == title and not ref.row_abs and ref.row == block.row - 1 and ref.col == block.col
 
 

@@ -26,17 +26,17 @@ def with_energy(mechanism: Mechanism, equations: Assignments) -> Assignments:
         return equations
     torque = equations.equations.efforts[0]
 
-    def added(mean: Node) -> Node:
+    def step(mean: Node) -> Node:
         return formula(
-            "energy+((before+torque)/2-mean)*(driver-driver_before)", energy=Previous(ENERGY), before=Previous(torque),
-            torque=Symbol(torque), mean=mean, driver=Symbol(mechanism.driver.symbol),
-            driver_before=Previous(mechanism.driver.symbol),
+            "((before+torque)/2-mean)*(driver-driver_before)", before=Previous(torque), torque=Symbol(torque), mean=mean,
+            driver=Symbol(mechanism.driver.symbol), driver_before=Previous(mechanism.driver.symbol),
         )  # fmt: skip
 
     unit = Unit("moment", energy_unit(mechanism.dynamics, mechanism.length_unit))
     mean = Symbol(f"#{MEAN}")
     # nothing is stored in the first row, above which are texts; 0 times the mean says where there is none
     first = formula("0*mean", mean=mean)
-    own = formula("IFERROR(added,first)", added=added(mean), first=first)
-    column = Assignment(ENERGY, own, added(Symbol("T_m")), "force", unit, phrase("flywheel_energy"), 0, first)
+    own = formula("N(energy)+IFERROR(step,first)", energy=Previous(ENERGY), step=step(mean), first=first)
+    says = formula("energy+step", energy=Previous(ENERGY), step=step(Symbol("T_m")))
+    column = Assignment(ENERGY, own, says, "force", unit, phrase("flywheel_energy"), 0, first)
     return replace(equations, columns=(*equations.columns, column))
