@@ -35,8 +35,8 @@ _DEEPEST = 60
 def cell_code(layout: Layout, block: Block, arithmetic: Arithmetic, alone: bool = True) -> CellCode | None:
     """The value of a cell of a column as a function of (what is computed so far, the row: 0 is the block's first).
 
-    alone  whether the interpreter would take the cells one by one, too: numpy raises arrays to powers that differ from cell
-           to cell by other code than single numbers
+    alone  whether the interpreter would take the cells one by one, too: numpy raises arrays to powers other than 2 by other
+           code than single numbers
     """
     if layout.date1904 or layout.texts.settings.case_sensitive:
         return None  # here texts compare without regard to case, and dates in texts count from 1900
@@ -189,15 +189,15 @@ class _Writer:
         sign, node = 1.0, exponent
         if isinstance(node, Unary) and node.op == "-":
             sign, node = -1.0, node.operand
+        if node == Number(2.0) and sign > 0:
+            return f"squared({self.number(base)})"
+        if not self.alone:
+            raise _UnsaidError
         if not isinstance(node, Number) or node.value == 0 or not math.isfinite(node.value):
-            if not self.alone:
-                raise _UnsaidError
             own = self.arithmetic.operations.get("power")
             self.names["to_power"] = power_of(own or (lambda base, exponent: float(np.power(base, exponent))))
             return f"to_power({self.number(base)}, {self.number(exponent)})"
         power = sign * node.value
-        if power == 2:
-            return f"squared({self.number(base)})"
         name = self._named("power", raised(power, scalar_power(power, self.arithmetic)))
         return f"{name}({self.number(base)})"
 
@@ -280,15 +280,6 @@ def _of_numbers(name: str, least: int, most: int) -> Callable[[_Writer, tuple[No
     return written
 
 
-def _folded(name: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
-    def written(writer: _Writer, args: tuple[Node, ...]) -> str:
-        if not 1 <= len(args) <= MOST_SUMMED or (name == "middle" and len(args) != 3):
-            raise _UnsaidError
-        return f"{name}({', '.join(map(writer.flat, args))})"
-
-    return written
-
-
 def _extreme(name: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
     def part(writer: _Writer, node: Node) -> str:
         if isinstance(node, RangeRef | Binary) and not writer.is_number(node):
@@ -365,7 +356,8 @@ _CALLS: dict[str, Callable[[_Writer, tuple[Node, ...]], str]] = {
     "ISBLANK": _asks(f"== {BLANK}"), "ISNA": _asks(f"== {NA}"), "ISERROR": _asks(f">= {ERROR}"),
     "PI": lambda *_: "(3.141592653589793)", "NA": lambda *_: f"fail({NA})",
     "ATAN2": _of_numbers("atan2", 2, 2), "MOD": _of_numbers("modulo", 2, 2), "ROUND": _round, "POWER": _power,
-    "MIN": _extreme("least"), "MAX": _extreme("greatest"), "SUM": _folded("total"), "MEDIAN": _folded("middle"),
+    "MIN": _extreme("least"), "MAX": _extreme("greatest"), "SUM": _of_numbers("total", 1, MOST_SUMMED),
+    "MEDIAN": _of_numbers("middle", 3, 3),
     "N": _n, "COUNT": _count, "COUNTIF": _count_if, "COUNTIFS": _count_if, "MATCH": _match, "INDEX": _index,
 }  # fmt: skip
 _TRUTHS = frozenset(("AND", "OR", "NOT", "ISNUMBER", "ISTEXT", "ISLOGICAL", "ISBLANK", "ISNA", "ISERROR"))
