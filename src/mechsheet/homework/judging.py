@@ -7,15 +7,18 @@ from dataclasses import dataclass, replace
 
 from mechsheet import reference
 from mechsheet.diagnostics import WorkbookError
+from mechsheet.homework.agreement import Reading
+from mechsheet.homework.conventions import as_counted, behind
 from mechsheet.homework.marking_rules import AskedFor
 from mechsheet.homework.mends.faults import Mend, Suspect, first_wrong, many, mended_sheet
 from mechsheet.homework.mends.thinned import thinned
 from mechsheet.homework.mends.trial import Effort
-from mechsheet.homework.series import Run
+from mechsheet.homework.mends.typed_over import typed_over
+from mechsheet.homework.series import Run, Series
 from mechsheet.homework.truth import Truth, other_assemblies, without_limits
 from mechsheet.homework.understanding import Understanding, other_runs, understand
 from mechsheet.homework.upright import Work
-from mechsheet.homework.verdicts import Finding, Sheet, findings, with_doubt, with_liveness
+from mechsheet.homework.verdicts import Finding, Sheet, agreeing, findings, mostly, with_doubt, with_liveness
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import HOMEWORK, said
 
@@ -163,15 +166,49 @@ def _seen(
     """A workbook understood. `unusual`: the driver may be counted clockwise, or from another zero."""
     found = understand(work, mechanism, list(wanted.marks), wanted.tolerance, unusual, runs)
     asked = _moving(found, wanted)
-    sheet = Sheet(found, list(asked))
-    first = findings(sheet)
+    sheet, first = _found(found, asked)
     if any(one.verdict != "right" for one in first.values()):
         # a fault may hide what the sheet has in rows at a limit: a mend is not held against them
         found = replace(found, truth=without_limits(found.truth))
-        sheet = Sheet(found, list(asked))
-        first = findings(sheet)
+        sheet, first = _in_convention(*_found(found, asked))
     truth, first = _assembly(sheet, first)
     return _Seen(sheet, truth, asked, first, unusual)
+
+
+def _found(found: Understanding, asked: Mapping[str, float]) -> tuple[Sheet, dict[str, Finding]]:
+    sheet = Sheet(found, list(asked))
+    return sheet, findings(sheet)
+
+
+def _in_convention(sheet: Sheet, first: dict[str, Finding]) -> tuple[Sheet, dict[str, Finding]]:
+    """The sheet and its findings, where what is not right is held against the conventions of the columns it follows from."""
+    found = sheet.found
+    mechanism, truth = found.mechanism, found.truth
+    names = {output.symbol for output in mechanism.outputs}
+    open_ = {symbol for symbol, one in first.items() if one.verdict in ("wrong", "missing")}
+    of = {summary.symbol: summary.of for summary in mechanism.summaries}
+    followed = open_ & names | {of[symbol] for symbol in open_ & of.keys()}
+    ways = {
+        symbol: _counted(sheet, first, symbol) for symbol in sorted(behind(mechanism, followed) & truth.columns.keys())
+    }
+    counted = {symbol: way for symbol, way in ways.items() if way is not None}
+    if not counted:
+        return sheet, first
+    found = replace(found, counted=counted, by_convention=frozenset(open_ & names - counted.keys()))
+    found = replace(found, truth=as_counted(found, truth))
+    if not found.truth.shifts:
+        return sheet, first
+    sheet = Sheet(found, sheet.asked)
+    return sheet, first | {symbol: one for symbol, one in findings(sheet).items() if symbol in open_}
+
+
+def _counted(sheet: Sheet, first: Mapping[str, Finding], symbol: str) -> tuple[Series, Reading] | None:
+    """The column of a quantity and how it says it, most of its rows where some are wrong."""
+    one = first.get(symbol)
+    if one is None or one.series is None:
+        return agreeing(sheet, sheet.found.truth, symbol)
+    reading = one.reading or mostly(sheet, sheet.found.truth, symbol, one.series)
+    return None if reading is None else (one.series, reading)
 
 
 def _with_mends(seen: _Seen, effort: Effort) -> Judged:
@@ -196,14 +233,15 @@ def _with_mends(seen: _Seen, effort: Effort) -> Judged:
 def _mends(
     sheet: Sheet, truth: Truth, start: dict[str, Finding], effort: Effort
 ) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
-    """As `many`; of a long table the mends are looked for in a part of its rows."""
+    """Numbers typed over formulas, then as `many`; of a long table the mends are looked for in a part of its rows."""
+    mends, sheet, start = typed_over(sheet, truth, start)
     wrong = any(one.verdict in ("wrong", "missing") for one in start.values())
     part = thinned(sheet.found, truth) if wrong else None
     if part is None:
-        return many(sheet, truth, start, effort)
+        more, sheet, start = many(sheet, truth, start, effort)
+        return [*mends, *more], sheet, start
     small = Sheet(part.found, sheet.asked)
     found, _, _ = many(small, part.truth, findings(small, part.truth), effort)
-    mends: list[Mend] = []
     for mend in found:
         whole = part.back(mend, sheet.found.work)
         if whole is not None:

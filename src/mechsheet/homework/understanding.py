@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from mechsheet import reference
 from mechsheet.diagnostics import Fault, MechanismError, WorkbookError
-from mechsheet.homework.agreement import DEGREE, POWERS, allowance, likely, reading_of
+from mechsheet.homework.agreement import DEGREE, POWERS, Reading, allowance, likely, reading_of
 from mechsheet.homework.headings import Called, aliases_of, called, contains, heading, labels, names_over, tokens
 from mechsheet.homework.inputs import Input, inputs_of, is_length, unread_inputs
 from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, drivers, likely_runs, typed_runs
@@ -28,7 +28,12 @@ MOVING = 20
 
 @dataclass
 class Understanding:
-    """See the module. `factor`, `offset`: driver = factor * cell + offset in internal units."""
+    """See the module.
+
+    factor, offset  driver = factor * cell + offset in internal units
+    counted         the columns that outputs and summaries are computed from, and how they say their quantities
+    by_convention   outputs that follow from these as the sheet counts them, not from the description's (see `conventions`)
+    """
 
     graph: Graph
     driver: Run
@@ -38,6 +43,8 @@ class Understanding:
     truth: Truth
     series: list[Series]
     tolerance: float
+    counted: Mapping[str, tuple[Series, Reading]] = field(default_factory=dict)
+    by_convention: frozenset[str] = frozenset()
     headings: dict[tuple[str, int, int], tuple[str, ...]] = field(default_factory=dict)
     names: dict[tuple[str, ...], Called] = field(default_factory=dict)
 

@@ -278,7 +278,8 @@ def _range_of_one_sheet(part: Node) -> Node:
 
 
 def with_formula(work: Work, strip: Strip, formula: Node) -> Work:
-    """The workbook with another formula in the cells of a strip (or of typed cells that it names)."""
+    """The workbook with another formula in the cells of a strip (or of typed cells that it names). Strips that it follows on
+    and that have the same formula are one with it from then on."""
     if work.across:
         row, col, rows, cols, node = strip.line, strip.start, 1, strip.length, turned(formula)
     else:
@@ -289,9 +290,16 @@ def with_formula(work: Work, strip: Strip, formula: Node) -> Work:
         for sheet in work.book.sheets
     ]
     new = replace(strip, formula=formula)
-    strips = [new if one == strip else one for one in work.strips]
-    if new not in strips:
-        strips.append(new)
+    strips = [one for one in work.strips if one != strip]
+    place = work.strips.index(strip) if strip in work.strips else len(strips)
+    for one in [work.strips[number] for number in work.lines.get((strip.sheet, strip.line), ())]:
+        first, last = sorted((one, new), key=lambda each: each.start)
+        same = first.end == last.start and work.bound(first.at(last.start), last) == work.bound(last.formula, last)
+        if one != strip and same:
+            place -= strips.index(one) < place
+            strips.remove(one)
+            new = replace(first, length=first.length + last.length)
+    strips.insert(place, new)
     return Work(book, work.across, strips, work.large, work.remarks)
 
 

@@ -12,8 +12,9 @@ import numpy as np
 
 from mechsheet.engine import Values
 from mechsheet.formula.nodes import Call, Number, walk
-from mechsheet.homework.agreement import FEWEST, Reading, gaps, reading_of
+from mechsheet.homework.agreement import FEWEST, Reading, gaps, most_like, reading_of
 from mechsheet.homework.claims import answers, claimed, exchanged, read_on, rivals
+from mechsheet.homework.conventions import as_counted
 from mechsheet.homework.headings import around, contains, label_of, labels, names_over, says
 from mechsheet.homework.inputs import MOST_UNREAD, is_length, single_cells, typed_numbers
 from mechsheet.homework.series import Series
@@ -141,6 +142,12 @@ def _reader(sheet: Sheet, truth: Truth) -> Callable[[Series, str], Reading | Non
         return known[key]
 
     return read_as
+
+
+def mostly(sheet: Sheet, truth: Truth, symbol: str, series: Series) -> Reading | None:
+    """How a series says a column of the mechanism in most of its rows."""
+    quantity = truth.quantity(symbol)
+    return most_like(sheet.column(series), quantity, sheet.found.allowed(quantity), sheet.found.zeros)
 
 
 def _conventional(reading: Reading, series: Series) -> bool:
@@ -289,7 +296,7 @@ def _typed(found: Understanding, changes: Mapping[str, float]) -> Retyped | None
     if not np.isfinite(column).all():
         return None
     truth = truth_of(found.mechanism, dimensions, column * found.factor + found.offset, found.truth.poses)
-    return None if truth is None else Retyped(truth, values, cells)
+    return None if truth is None else Retyped(as_counted(found, truth, values), values, cells)
 
 
 def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:

@@ -39,6 +39,7 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "value of pi": ("the value of pi", "pi değeri"),
     "typed number": ("a typed number", "elle yazılmış bir sayı"),
     "breaks its column": ("not the formula of its column", "sütununun formülü değil"),
+    "typed over": ("a number typed over the formula of its column", "sütunun formülünün yerine yazılmış sayı"),
     "two changes": ("two faults in one formula", "bir formülde iki hata"),
     "no single change mends it": ("no single change corrects it", "tek bir değişiklik düzeltmiyor"),
     "other dimension": ("not the student's own dimension", "öğrencinin kendi boyutu değil"),

@@ -11,7 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.formula.nodes import CellRef, Node, RangeRef
-from mechsheet.homework.agreement import Reading, agrees, gaps, likely, reading_of, units_of, wrapped
+from mechsheet.homework.agreement import (
+    Reading,
+    agrees,
+    gaps,
+    likely,
+    nearest_unit,
+    otherwise,
+    reading_of,
+    units_of,
+    wrapped,
+)
 from mechsheet.homework.headings import around, names_over, says
 from mechsheet.homework.inputs import single_cells
 from mechsheet.homework.mends.candidates import Candidate, Surroundings, candidates
@@ -22,7 +32,7 @@ from mechsheet.homework.summaries import holding, span_of
 from mechsheet.homework.truth import Array, Quantity, Truth, kind_of, vocabulary
 from mechsheet.homework.understanding import MOVING
 from mechsheet.homework.upright import Place, Strip, with_formula
-from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, retype
+from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, mostly, retype
 
 MOST_FAULTS = 5
 OF_VERIFYING = 10_000
@@ -44,7 +54,10 @@ MOST_OF_PAIRS = 3
 
 @dataclass(frozen=True, slots=True)
 class Mend:
-    """A formula, what it should be, and the asked quantities that this puts right."""
+    """A formula, what it should be, and the asked quantities that this puts right.
+
+    plainly  those are then said themselves, not in another sense or from another zero
+    """
 
     strip: Strip
     formula: Node
@@ -52,6 +65,7 @@ class Mend:
     weight: float
     rights: tuple[str, ...]
     live: bool = True
+    plainly: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,6 +135,7 @@ class Search:
                 if (
                     best is not None
                     and best.live
+                    and best.plainly
                     and (everything <= set(best.rights) or (wanted <= set(best.rights) and best.weight < SURE))
                 ):
                     tried = [one for one in tried if one.weight + later < best.weight]
@@ -266,19 +281,19 @@ class Search:
         except UntriableError:
             return None
         by_key = {series.key: found for series, found in zip(goals, columns, strict=True)}
-        told: list[dict[str, None]] = [{} for _ in tried]
-        for symbol, series in self.goals:
-            for index in np.flatnonzero(self._are(symbol, by_key[series.key])).tolist():
-                told[index][symbol] = None
-        rights = np.array([len(each) for each in told])
-        best = [int(index) for index in np.lexsort((np.array([one.weight for one in tried]), -rights)) if rights[index]]
         spare: Mend | None = None
-        for index in best[:VERIFIED]:
-            one = tried[index]
-            mend = self.verified(strip, one, tuple(told[index]))
-            if mend is not None and mend.live:
-                return mend
-            spare = spare or mend
+        for plainly in (True, False):
+            told: list[dict[str, None]] = [{} for _ in tried]
+            for symbol, series in self.goals:
+                for index in np.flatnonzero(self._are(symbol, by_key[series.key], plainly)).tolist():
+                    told[index][symbol] = None
+            rights = np.array([len(each) for each in told])
+            order = np.lexsort((np.array([one.weight for one in tried]), -rights))
+            for index in [int(place) for place in order if rights[place]][:VERIFIED]:
+                mend = self.verified(strip, tried[index], tuple(told[index]))
+                if mend is not None and mend.live:
+                    return replace(mend, plainly=plainly)
+                spare = spare or mend
         return spare
 
     def _may_be(self, series: Series, columns: Array, rows: slice) -> NDArray[np.bool_]:
@@ -286,16 +301,20 @@ class Search:
         good = np.zeros(len(columns), bool)
         for symbol, goal in self.goals:
             if goal.key == series.key:
-                good |= self._are(symbol, columns, rows)
+                good |= self._are(symbol, columns, True, rows) | self._are(symbol, columns, False, rows)
         return good
 
-    def _are(self, symbol: str, columns: Array, rows: slice = ALL) -> NDArray[np.bool_]:
-        """Which columns, shape (columns, rows), are what is asked, in whatever unit."""
+    def _are(self, symbol: str, columns: Array, plainly: bool, rows: slice = ALL) -> NDArray[np.bool_]:
+        """Which columns, shape (columns, rows), are what is asked, in whatever unit; or not `plainly`: angles in another sense
+        or from another zero."""
         if symbol not in self.truth.columns:
-            return holding(columns[:, 0], span_of(self.truth, symbol), self.truth.size, self.found.tolerance)
+            right = holding(columns[:, 0], span_of(self.truth, symbol), self.truth.size, self.found.tolerance)
+            return right & plainly
         quantity = self.truth.quantity(symbol)
         allowed = self.found.allowed(quantity)
         quantity = replace(quantity, values=quantity.values[rows])
+        if not plainly:
+            return otherwise(columns, quantity, allowed, self.found.zeros)
         good = np.zeros(len(columns), bool)
         for unit in units_of(quantity):
             good |= agrees(columns, quantity, Reading(unit), allowed)
@@ -358,8 +377,13 @@ class Search:
         for symbol, finding in self.results.items():
             if finding.verdict in ("right", "not live") and after[symbol].verdict != "right":
                 return None
-        fixed = tuple(symbol for symbol in self.results if symbol in rights and after[symbol].verdict == "right")
-        if not fixed or not all(self._by_its_column(mended, strip, symbol) for symbol in fixed):
+        fixed = tuple(
+            symbol
+            for symbol, finding in self.results.items()
+            if finding.verdict not in ("right", "not live") and after[symbol].verdict == "right"
+            if self._by_its_column(mended, strip, symbol)
+        )
+        if not set(fixed) & set(rights):
             return None
         understanding = mended.found
         live = all(
@@ -381,8 +405,8 @@ def _inside(strip: Strip, series: Series) -> bool:
     )
 
 
-def _rank(mend: Mend) -> tuple[bool, int, float]:
-    return not mend.live, -len(mend.rights), mend.weight
+def _rank(mend: Mend) -> tuple[bool, bool, int, float]:
+    return not mend.live, not mend.plainly, -len(mend.rights), mend.weight
 
 
 def mended_sheet(sheet: Sheet, strip: Strip, formula: Node) -> Sheet:
@@ -409,29 +433,26 @@ def first_wrong(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> S
     return Suspect(strip, place, sheet.found.work.number(place), None, "")
 
 
-def first_difference(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: str) -> Suspect:
-    """The first cell of what is asked that is not what it should be, in the unit in which it comes nearest."""
-    if symbol in truth.columns:
-        quantity = truth.quantity(symbol)
-        column, wanted = sheet.column(series), quantity.values
-    else:
-        quantity = span_of(truth, symbol).quantity
-        column, wanted = sheet.column(series), quantity.values[-1:]
-
-    def apart(unit: float) -> Array:
-        found: Array = column * unit - wanted
-        return wrapped(found) if quantity.kind == "angle" else found
-
-    known = np.isfinite(column) & np.isfinite(wanted)
-    unit = 1.0
-    if known.any():
-        unit = min(units_of(quantity), key=lambda each: float(np.median(np.abs(apart(each))[known])))
-    gap = apart(unit)
-    rows = np.flatnonzero(~(np.abs(gap) <= sheet.found.allowed(quantity)) & np.isfinite(wanted))
+def first_difference(
+    sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: str, mended: Reading | None = None
+) -> Suspect:
+    """The first cell of what is asked that is not what it should be, and what is wanted there as the sheet counts: as it does
+    once it is mended, else as most of its rows do, in the unit of that size; an angle in the turn that is found there."""
+    column = sheet.column(series)
+    if symbol not in truth.columns:
+        span = span_of(truth, symbol)
+        unit = mended.unit if mended else nearest_unit(column, replace(span.quantity, values=np.array([span.rows])))
+        return Suspect(strip, series.places()[0], float(column[0]), span.rows / unit, symbol)
+    quantity = truth.quantity(symbol)
+    reading = mended or mostly(sheet, truth, symbol, series) or Reading(nearest_unit(column, quantity))
+    gap = reading.of(column) - quantity.values
+    gap = wrapped(gap) if quantity.kind == "angle" else gap
+    rows = np.flatnonzero(~(np.abs(gap) <= sheet.found.allowed(quantity)) & np.isfinite(quantity.values))
     row = int(rows[0]) if len(rows) else 0
-    number = float(column[row])
-    right = number - float(gap[row]) / unit if known[row] else float(wanted[row]) / unit  # an angle in the same turn
-    return Suspect(strip, series.places()[row], number, right, symbol)
+    right = column[row] - reading.sense * gap[row] / reading.unit
+    if not np.isfinite(gap[row]):
+        right = reading.sense * (quantity.values[row] + reading.offset) / reading.unit
+    return Suspect(strip, series.places()[row], float(column[row]), float(right), symbol)
 
 
 def many(
