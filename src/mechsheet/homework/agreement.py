@@ -135,7 +135,7 @@ def reading_of(column: Array, quantity: Quantity, allowed: float, zeros: Iterabl
 
 
 def otherwise(columns: Array, quantity: Quantity, allowed: float, zeros: Iterable[float] = ()) -> NDArray[np.bool_]:
-    """Which of the columns, shape (columns, rows), say an angle in another sense or from another zero, as `reading_of` has it."""
+    """Which of the columns, shape (columns, rows), say an angle in another sense or from another zero, as `reading_of`."""
     found = np.zeros(len(columns), bool)
     known = np.flatnonzero(np.isfinite(quantity.values))
     if quantity.kind != "angle" or len(known) < FEWEST:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 from mechsheet import reference
 from mechsheet.diagnostics import readable_name
 from mechsheet.formats import read
+from mechsheet.formula.nodes import Number
 from mechsheet.homework.inputs import Input
 from mechsheet.homework.judging import Judged, judged_tables
 from mechsheet.homework.marking_rules import AskedFor, asked_of
@@ -281,4 +283,7 @@ def _other(found: Understanding, one: Input) -> FaultFound:
 def _unmended(found: Understanding, suspect: Suspect) -> FaultFound:
     strip = suspect.strip
     cells = found.work.where(strip.sheet, strip.start, strip.line, strip.length)
+    if isinstance(strip.formula, Number):
+        there = f"{suspect.found:.10g}" if math.isfinite(suspect.found) else ""
+        return FaultFound(cells, there, f"{suspect.wanted:.6g}", (), "wrong number" if there else "no number")
     return FaultFound(cells, found.work.shown(strip.formula, strip.sheet), "", (), "no single change mends it")

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from mechsheet import reference
 from mechsheet.diagnostics import WorkbookError
-from mechsheet.homework.agreement import Reading
+from mechsheet.homework.agreement import Reading, plain_reading
 from mechsheet.homework.conventions import as_counted, behind
 from mechsheet.homework.marking_rules import AskedFor
 from mechsheet.homework.mends.faults import Mend, Suspect, first_wrong, many, mended_sheet
@@ -16,8 +16,8 @@ from mechsheet.homework.mends.trial import Effort
 from mechsheet.homework.mends.typed_over import typed_over
 from mechsheet.homework.series import Run, Series
 from mechsheet.homework.truth import Truth, other_assemblies, without_limits
-from mechsheet.homework.understanding import Understanding, other_runs, understand
-from mechsheet.homework.upright import Work
+from mechsheet.homework.understanding import MOVING, Understanding, other_runs, understand
+from mechsheet.homework.upright import Work, upright
 from mechsheet.homework.verdicts import Finding, Sheet, agreeing, findings, mostly, with_doubt, with_liveness
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import HOMEWORK, said
@@ -69,15 +69,31 @@ class _Seen:
 
 def judged_tables(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str) -> list[Judged]:
     """Everything found in a workbook, table by table: the first is the largest; what is not right in it is looked for in the
-    others. Each asked quantity is in one of them.
+    others. Each asked quantity is in one of them. Tables of numbers may go down or to the right.
 
     Raises WorkbookError where nothing is a table of the mechanism.
     """
-    effort = Effort()
     try:
-        main = _judged(work, mechanism, wanted, effort)
+        found = _tables(work, mechanism, wanted)
     except WorkbookError as error:
-        raise _told(error, mechanism, shown) from error
+        if not work.undecided:
+            raise _told(error, mechanism, shown) from error
+        found = []
+    if work.undecided and not any(part.promising for part in found):
+        try:
+            other = _tables(upright(work.book, not work.across), mechanism, wanted)
+        except WorkbookError as error:
+            if not found:
+                raise _told(error, mechanism, shown) from error
+            other = []
+        found = other if not found or any(part.promising for part in other) else found
+    return found
+
+
+def _tables(work: Work, mechanism: Mechanism, wanted: AskedFor) -> list[Judged]:
+    """The tables of a workbook that go in its direction. Raises WorkbookError."""
+    effort = Effort()
+    main = _judged(work, mechanism, wanted, effort)
     parts = [main]
     used = [main.found]
     while len(parts) < MOST_TABLES:
@@ -264,21 +280,52 @@ def _moving(found: Understanding, wanted: AskedFor) -> dict[str, float]:
 
 
 def _assembly(sheet: Sheet, first: dict[str, Finding]) -> tuple[Truth, dict[str, Finding]]:
-    """The assembly that the sheet shows, and its findings: another one where all that is there is right for it."""
+    """The assembly that the sheet shows, and its findings: another one where all that is there is right for it.
+
+    The angle of a rod in its other assembly may be that of the description's counted the other way round. It is of the other
+    assembly where something else in the sheet is, too.
+    """
     base = sheet.found.truth
     there = [symbol for symbol, finding in first.items() if finding.verdict != "missing"]
-    if all(first[symbol].verdict == "right" for symbol in there):
+    turned = {symbol for symbol in there if _turned(base, first[symbol])}
+    right = all(first[symbol].verdict == "right" for symbol in there)
+    if right and not turned:
         return base, first
+    own = _shown(sheet, base) if right else set()
     for truth in other_assemblies(base):
         found = findings(sheet, truth)
-        if all(_as_right(found[symbol], first[symbol]) for symbol in there):
+        if all(_as_right(found[symbol], first[symbol]) for symbol in there) and (
+            not right or _shown(sheet, truth) - own
+        ):
             return truth, {
                 symbol: replace(one, verdict="other assembly")
-                if one.verdict == "right" and first[symbol].verdict != "right"
+                if one.verdict == "right" and (first[symbol].verdict != "right" or symbol in turned)
                 else first[symbol]
                 for symbol, one in found.items()
             }
     return base, first
+
+
+def _turned(truth: Truth, one: Finding) -> bool:
+    """Whether an angle, a displacement or a place of a link, which no two assemblies have in common, is right in another
+    sense or from another zero alone."""
+    outputs = {output.symbol for output in truth.mechanism.outputs}
+    return one.symbol not in outputs and one.verdict == "right" and one.reading is not None and not one.reading.plain
+
+
+def _shown(sheet: Sheet, truth: Truth) -> set[tuple[str, int, int]]:
+    """The series that are places of links or displacements of an assembly."""
+    found: set[tuple[str, int, int]] = set()
+    for symbol, kind in truth.kinds.items():
+        quantity = truth.quantity(symbol)
+        allowed = sheet.found.allowed(quantity)
+        if kind == "length" and quantity.spread > MOVING * allowed:
+            found |= {
+                series.key
+                for series in sheet.found.series
+                if plain_reading(sheet.column(series), quantity, allowed) is not None
+            }
+    return found
 
 
 def _as_right(other: Finding, own: Finding) -> bool:

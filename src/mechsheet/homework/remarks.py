@@ -138,4 +138,5 @@ def _of_suspect(judged: Judged, suspect: Suspect, language: str) -> str:
     cell = work.where(*suspect.place)
     if suspect.wanted is None:
         return said(language, "remark.first", cell=cell)
-    return said(language, "remark.suspect", symbol=suspect.of, cell=cell, found=suspect.found, wanted=suspect.wanted)
+    key = "remark.suspect" if math.isfinite(suspect.found) else "remark.suspect.none"
+    return said(language, key, symbol=suspect.of, cell=cell, found=suspect.found, wanted=suspect.wanted)

@@ -89,13 +89,19 @@ def turned(node: Node) -> Node:
 
 @dataclass
 class Work:
-    """One workbook. `across`: its tables go to the right; `large`: it has more runs of formulas than are looked at."""
+    """One workbook.
+
+    across     its tables go to the right
+    undecided  no formula was filled in any direction: they may as well go the other way
+    large      it has more runs of formulas than are looked at
+    """
 
     book: Book
     across: bool
     strips: list[Strip]
     large: bool = False
     remarks: list[str] = field(default_factory=list)
+    undecided: bool = False
 
     @cached_property
     def plan(self) -> Plan:
@@ -333,8 +339,9 @@ def _minus(block: Block, other: Block) -> Iterator[Block]:
             yield Block(row, col, last_row - row, last_col - col, formula)
 
 
-def upright(book: Book) -> Work:
-    """A workbook as strips, in the direction in which most of its formulas were filled; routines of the text are known."""
+def upright(book: Book, to_the_right: bool | None = None) -> Work:
+    """A workbook as strips, in the direction in which most of its formulas were filled, if none is said; routines of the
+    text are known."""
     book = with_routines(book)
     remarks = [str(fault) for fault in _told(book.remarks)] + _numbers_with_commas(book)
     keys: dict[Node, int] = {}
@@ -349,15 +356,16 @@ def upright(book: Book) -> Work:
                 break
             key = keys.setdefault(shifted(block.formula, -block.row, -block.col, wrap=True), len(keys))
             blocks.append((sheet.title, block, key))
-    across = _to_the_right(blocks)
+    more = _more_to_the_right(blocks)
+    across = more > 0 if to_the_right is None else to_the_right
     formulas = {key: node for node, key in keys.items()}
     order = {sheet.title: number for number, sheet in enumerate(book.sheets)}
     pieces = sorted(_pieces(blocks, across), key=lambda piece: (order[piece[0]], piece[1], piece[2]))
-    return Work(book, across, list(_strips(pieces, formulas, across)), large, remarks)
+    return Work(book, across, list(_strips(pieces, formulas, across)), large, remarks, more == 0)
 
 
-def _to_the_right(blocks: Sequence[tuple[str, Block, int]]) -> bool:
-    """Whether more cells have the formula of the cell to their left than of the cell above."""
+def _more_to_the_right(blocks: Sequence[tuple[str, Block, int]]) -> int:
+    """How many more cells have the formula of the cell to their left than of the cell above."""
     by_corner = {(title, block.row, block.col): (block, key) for title, block, key in blocks}
     down = right = 0
     for title, block, key in blocks:
@@ -367,7 +375,7 @@ def _to_the_right(blocks: Sequence[tuple[str, Block, int]]) -> bool:
         beside = by_corner.get((title, block.row, block.col + block.cols))
         down += block.cols if below is not None and below[1] == key and below[0].cols == block.cols else 0
         right += block.rows if beside is not None and beside[1] == key and beside[0].rows == block.rows else 0
-    return right > down
+    return right - down
 
 
 def _pieces(blocks: Iterable[tuple[str, Block, int]], across: bool) -> Iterator[tuple[str, int, int, int, int]]:

@@ -39,6 +39,8 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "value of pi": ("the value of pi", "pi değeri"),
     "typed number": ("a typed number", "elle yazılmış bir sayı"),
     "breaks its column": ("not the formula of its column", "sütununun formülü değil"),
+    "wrong number": ("a wrong number", "yanlış bir sayı"),
+    "no number": ("no number", "sayı yok"),
     "typed over": ("a number typed over the formula of its column", "sütunun formülünün yerine yazılmış sayı"),
     "two changes": ("two faults in one formula", "bir formülde iki hata"),
     "no single change mends it": ("no single change corrects it", "tek bir değişiklik düzeltmiyor"),
@@ -121,6 +123,10 @@ HOMEWORK: dict[str, tuple[str, str]] = {
         "{symbol} in {cell}: {found:.6g} found, {wanted:.6g} wanted",
         "{symbol}, {cell} hücresinde: bulunan {found:.6g}, olması gereken {wanted:.6g}",
     ),
+    "remark.suspect.none": (
+        "{symbol} in {cell}: no number found, {wanted:.6g} wanted",
+        "{symbol}, {cell} hücresinde: sayı yok, olması gereken {wanted:.6g}",
+    ),
     "remark.again": ("{term} stands in {cell} as well", "{term} {cell} hücresinde de var"),
     "remark.first": (
         "first formula that is nothing of the mechanism though all that it reads is: {cell}",
@@ -170,8 +176,8 @@ HOMEWORK: dict[str, tuple[str, str]] = {
     "page.marks": ("Marks", "Puan"),
     # what cannot be judged
     "no table": (
-        "no table was found: a column of numbers that formulas read row by row",
-        "tablo bulunamadı: formüllerin satır satır okuduğu bir sayı sütunu yok",
+        "no table was found: a column of at least three numbers with others, or formulas, beside it",
+        "tablo bulunamadı: yanında başka sayılar ya da formüller olan en az üç sayılık bir sütun yok",
     ),
     "no position": (
         "with the numbers of this sheet the mechanism has no position",

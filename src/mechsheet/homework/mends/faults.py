@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import CellRef, Node, RangeRef
+from mechsheet.formula.nodes import CellRef, Node, Number, RangeRef
 from mechsheet.homework.agreement import (
     Reading,
     agrees,
@@ -305,8 +305,8 @@ class Search:
         return good
 
     def _are(self, symbol: str, columns: Array, plainly: bool, rows: slice = ALL) -> NDArray[np.bool_]:
-        """Which columns, shape (columns, rows), are what is asked, in whatever unit; or not `plainly`: angles in another sense
-        or from another zero."""
+        """Which columns, shape (columns, rows), are what is asked, in whatever unit; or not `plainly`: angles in another
+        sense or from another zero."""
         if symbol not in self.truth.columns:
             right = holding(columns[:, 0], span_of(self.truth, symbol), self.truth.size, self.found.tolerance)
             return right & plainly
@@ -420,11 +420,13 @@ def mended_sheet(sheet: Sheet, strip: Strip, formula: Node) -> Sheet:
 
 
 def first_wrong(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> Suspect | None:
-    """Where no single change mends: the first series that is nothing of the mechanism though all that it reads is."""
+    """Where no single change mends: the first series that is nothing of the mechanism though all that it reads is; of
+    numbers alone the first wrong one."""
     search = Search(sheet, truth, results, Effort())
     numbers = search.suspects
     if not numbers:
-        return None
+        typed = [(symbol, series) for symbol, series in search.goals if series.main is None]
+        return next((_wrong_number(sheet, truth, series, symbol) for symbol, series in typed), None)
     strip = sheet.found.work.strips[numbers[0]]
     for symbol, series in search.goals:
         if series.main == strip:
@@ -433,11 +435,17 @@ def first_wrong(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> S
     return Suspect(strip, place, sheet.found.work.number(place), None, "")
 
 
+def _wrong_number(sheet: Sheet, truth: Truth, series: Series, symbol: str) -> Suspect:
+    strip = Strip(series.sheet, series.line, series.origin, series.rows, Number(0.0))
+    found = first_difference(sheet, truth, strip, series, symbol)
+    return replace(found, strip=replace(strip, start=found.place[1], length=1))
+
+
 def first_difference(
     sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: str, mended: Reading | None = None
 ) -> Suspect:
-    """The first cell of what is asked that is not what it should be, and what is wanted there as the sheet counts: as it does
-    once it is mended, else as most of its rows do, in the unit of that size; an angle in the turn that is found there."""
+    """The first cell of what is asked that is not what it should be, and what is wanted there as the sheet counts: as it
+    does once it is mended, else as most of its rows do, in the unit of that size; an angle in the turn found there."""
     column = sheet.column(series)
     if symbol not in truth.columns:
         span = span_of(truth, symbol)
