@@ -25,6 +25,7 @@ from mechsheet.homework.rows_asked import over_asked_rows, rows_answered
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
 from mechsheet.homework.truth import Truth
+from mechsheet.homework.two_way import where
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.upright import Work, upright
 from mechsheet.homework.verdicts import Finding, Verdict
@@ -208,7 +209,7 @@ def _faults(part: Judged) -> list[FaultFound]:
 def _result(found: Understanding, first: Finding, last: Finding, mends: Sequence[Mend]) -> AskedResult:
     """The verdict with the mends in place: a quantity whose own cells hold a fault stays wrong."""
     series = first.series or last.series
-    cells = "" if series is None else series.where(found.work)
+    cells = "" if series is None else where(found, series)
     verdict = first.verdict
     if verdict in ("wrong", "missing") and last.verdict == "right":
         verdict = "follows"
@@ -264,7 +265,7 @@ def _fault(found: Understanding, mend: Mend) -> FaultFound:
     work = found.work
     strip = mend.strip
     return FaultFound(
-        work.where(strip.sheet, strip.start, strip.line, strip.length),
+        work.where(strip.sheet, strip.start, strip.line, strip.length, mend.lines),
         work.shown(strip.formula, strip.sheet),
         work.shown(mend.formula, strip.sheet),
         mend.rights,

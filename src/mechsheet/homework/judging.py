@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
 from mechsheet import reference
 from mechsheet.diagnostics import WorkbookError
-from mechsheet.homework.agreement import Reading, plain_reading
+from mechsheet.formula.nodes import shifted
+from mechsheet.homework.agreement import Reading, agrees, plain_reading
 from mechsheet.homework.conventions import as_counted, behind
 from mechsheet.homework.marking_rules import AskedFor
 from mechsheet.homework.mends.faults import Mend, Suspect, first_wrong, many, mended_sheet
@@ -16,8 +18,9 @@ from mechsheet.homework.mends.trial import Effort
 from mechsheet.homework.mends.typed_over import typed_over
 from mechsheet.homework.series import Run, Series
 from mechsheet.homework.truth import Truth, other_assemblies, without_limits
+from mechsheet.homework.two_way import others_of
 from mechsheet.homework.understanding import MOVING, Understanding, other_runs, understand
-from mechsheet.homework.upright import Work, upright
+from mechsheet.homework.upright import Strip, Work, upright
 from mechsheet.homework.verdicts import Finding, Sheet, agreeing, findings, mostly, with_doubt, with_liveness
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import HOMEWORK, said
@@ -57,9 +60,9 @@ class _Seen:
 
     sheet: Sheet
     truth: Truth
-    asked: Mapping[str, float]
     first: dict[str, Finding]
-    unusual: bool
+    asked: Mapping[str, float]
+    unusual: bool = False
 
     @property
     def right(self) -> int:
@@ -69,25 +72,25 @@ class _Seen:
 
 def judged_tables(work: Work, mechanism: Mechanism, wanted: AskedFor, shown: str) -> list[Judged]:
     """Everything found in a workbook, table by table: the first is the largest; what is not right in it is looked for in the
-    others. Each asked quantity is in one of them. Tables of numbers may go down or to the right.
+    others. Each asked quantity is in one of them. Tables of numbers, and two-way tables, may go down or to the right.
 
     Raises WorkbookError where nothing is a table of the mechanism.
     """
     try:
-        found = _tables(work, mechanism, wanted)
+        return _tables(_directed(work, mechanism, wanted), mechanism, wanted)
     except WorkbookError as error:
-        if not work.undecided:
-            raise _told(error, mechanism, shown) from error
-        found = []
-    if work.undecided and not any(part.promising for part in found):
-        try:
-            other = _tables(upright(work.book, not work.across), mechanism, wanted)
-        except WorkbookError as error:
-            if not found:
-                raise _told(error, mechanism, shown) from error
-            other = []
-        found = other if not found or any(part.promising for part in other) else found
-    return found
+        raise _told(error, mechanism, shown) from error
+
+
+def _directed(work: Work, mechanism: Mechanism, wanted: AskedFor) -> Work:
+    """A workbook that may go down or to the right in the direction in which something is right as it is, or there is a table
+    at all; in its own where that is so both ways."""
+    best: tuple[int, Work] = (-1, work)
+    for way in (work, upright(work.book, not work.across)) if work.undecided else ():
+        with contextlib.suppress(WorkbookError):
+            right = _seen(way, mechanism, wanted).right
+            best = max(best, (right, way), key=lambda pair: pair[0])
+    return best[1]
 
 
 def _tables(work: Work, mechanism: Mechanism, wanted: AskedFor) -> list[Judged]:
@@ -110,7 +113,8 @@ def _tables(work: Work, mechanism: Mechanism, wanted: AskedFor) -> list[Judged]:
         if not better:
             break
         parts = [_only(one, set(one.asked) - better) for one in parts] + [_only(part, better)]
-    return [parts[0], *(part for part in parts[1:] if part.asked)]
+    parts = [parts[0], *(part for part in parts[1:] if part.asked)]
+    return [each for part in parts for each in _with_settings(part, effort)]
 
 
 RIGHT, FOLLOWS, WRONG = 0, 1, 3
@@ -163,6 +167,49 @@ def _judged(
     return judged
 
 
+def _with_settings(judged: Judged, effort: Effort) -> list[Judged]:
+    """A two-way table judged in all its columns: what is right in one of them has to be so in the others, each with its own
+    dimension; what mends one mends those with the same formula. Others where it is wrong are a table of their own."""
+    if not judged.found.settings:
+        return [judged]
+    mends = [replace(mend, lines=_alike(judged.found, mend)) for mend in judged.mends]
+    judged = replace(judged, mends=mends)
+    answers = {one.series.key for one in judged.last.values() if one.series is not None and one.verdict == "right"}
+    main = next((one for one in judged.found.settings.values() if one.key in answers), None)
+    if main is None:
+        return [judged]
+    symbol = next(s for s, one in judged.last.items() if one.series is not None and one.series.key == main.key)
+    reading, asked = judged.last[symbol].reading, {symbol: judged.asked[symbol]}
+    wrong: list[Judged] = []
+    for series, found in others_of(judged.found):
+        quantity = found.truth.quantity(symbol)
+        same = series.main is not None and main.main is not None and _one_formula(main.main, series.main, found.work)
+        right = reading is not None and agrees(series.column(found.work), quantity, reading, found.allowed(quantity))
+        if not right and not (same and judged.mends):
+            sheet, first = _found(found, asked)
+            wrong.append(_with_mends(_Seen(sheet, *_assembly(sheet, first), asked), effort))
+    if not wrong:
+        return [judged]
+    wrong[0] = replace(wrong[0], mends=[*judged.mends, *(mend for part in wrong for mend in part.mends)])
+    return [_only(judged, judged.asked.keys() - asked.keys()), wrong[0]]
+
+
+def _alike(found: Understanding, mend: Mend) -> int:
+    """How many columns of a two-way table, from that of a mend on, have the formula that it mends."""
+    strip, work, count = mend.strip, found.work, 1
+    while (number := work.strip_at((strip.sheet, strip.start, strip.line + count))) is not None:
+        if not _one_formula(strip, work.strips[number], work):
+            break
+        count += 1
+    return count
+
+
+def _one_formula(strip: Strip, other: Strip, work: Work) -> bool:
+    """Whether the formula of one column is that of another filled to the side."""
+    moved = shifted(strip.formula, other.start - strip.start, other.line - strip.line)
+    return strip.length == other.length and work.bound(moved, other) == work.bound(other.formula, other)
+
+
 def _of_both(typed: _Seen, computed: _Seen, effort: Effort) -> Judged:
     """A sheet read with the dimensions of a task typed, or computed: as more is right. A fault can leave nothing right
     either way, and any number near a dimension may be taken for it: then as more is right with mends, computed first."""
@@ -187,8 +234,7 @@ def _seen(
         # a fault may hide what the sheet has in rows at a limit: a mend is not held against them
         found = replace(found, truth=without_limits(found.truth))
         sheet, first = _in_convention(*_found(found, asked))
-    truth, first = _assembly(sheet, first)
-    return _Seen(sheet, truth, asked, first, unusual)
+    return _Seen(sheet, *_assembly(sheet, first), asked, unusual)
 
 
 def _found(found: Understanding, asked: Mapping[str, float]) -> tuple[Sheet, dict[str, Finding]]:

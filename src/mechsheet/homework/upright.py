@@ -92,7 +92,7 @@ class Work:
     """One workbook.
 
     across     its tables go to the right
-    undecided  no formula was filled in any direction: they may as well go the other way
+    undecided  formulas were filled in both directions, or in none: they may as well go the other way
     large      it has more runs of formulas than are looked at
     """
 
@@ -193,9 +193,9 @@ class Work:
         sheet, pos, line = place
         return (sheet, line, pos) if self.across else place
 
-    def where(self, sheet: str, pos: int, line: int, length: int = 1) -> str:
+    def where(self, sheet: str, pos: int, line: int, length: int = 1, lines: int = 1) -> str:
         """Cells as messages name them: Sayfa1!B13:B31."""
-        area = area_name(line, pos, 1, length) if self.across else area_name(pos, line, length, 1)
+        area = area_name(line, pos, lines, length) if self.across else area_name(pos, line, length, lines)
         return f"{sheet}!{area}"
 
     def shown(self, formula: Node, sheet: str = "") -> str:
@@ -356,16 +356,18 @@ def upright(book: Book, to_the_right: bool | None = None) -> Work:
                 break
             key = keys.setdefault(shifted(block.formula, -block.row, -block.col, wrap=True), len(keys))
             blocks.append((sheet.title, block, key))
-    more = _more_to_the_right(blocks)
-    across = more > 0 if to_the_right is None else to_the_right
+    down, right = _directions(blocks)
+    across = right > down if to_the_right is None else to_the_right
     formulas = {key: node for node, key in keys.items()}
     order = {sheet.title: number for number, sheet in enumerate(book.sheets)}
     pieces = sorted(_pieces(blocks, across), key=lambda piece: (order[piece[0]], piece[1], piece[2]))
-    return Work(book, across, list(_strips(pieces, formulas, across)), large, remarks, more == 0)
+    return Work(
+        book, across, list(_strips(pieces, formulas, across)), large, remarks, 2 * min(down, right) >= max(down, right)
+    )
 
 
-def _more_to_the_right(blocks: Sequence[tuple[str, Block, int]]) -> int:
-    """How many more cells have the formula of the cell to their left than of the cell above."""
+def _directions(blocks: Sequence[tuple[str, Block, int]]) -> tuple[int, int]:
+    """How many cells have the formula of the cell above, and how many of the cell to their left."""
     by_corner = {(title, block.row, block.col): (block, key) for title, block, key in blocks}
     down = right = 0
     for title, block, key in blocks:
@@ -375,7 +377,7 @@ def _more_to_the_right(blocks: Sequence[tuple[str, Block, int]]) -> int:
         beside = by_corner.get((title, block.row, block.col + block.cols))
         down += block.cols if below is not None and below[1] == key and below[0].cols == block.cols else 0
         right += block.rows if beside is not None and beside[1] == key and beside[0].rows == block.rows else 0
-    return right - down
+    return down, right
 
 
 def _pieces(blocks: Iterable[tuple[str, Block, int]], across: bool) -> Iterator[tuple[str, int, int, int, int]]:

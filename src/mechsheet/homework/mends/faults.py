@@ -27,9 +27,10 @@ from mechsheet.homework.inputs import single_cells
 from mechsheet.homework.mends.candidates import Candidate, Surroundings, candidates
 from mechsheet.homework.mends.pairs import pairs
 from mechsheet.homework.mends.trial import Effort, Trial, UntriableError
-from mechsheet.homework.series import Graph, Series, aligned
+from mechsheet.homework.series import Graph, Series
 from mechsheet.homework.summaries import holding, span_of
 from mechsheet.homework.truth import Array, Quantity, Truth, kind_of, vocabulary
+from mechsheet.homework.two_way import columns_beside
 from mechsheet.homework.understanding import MOVING
 from mechsheet.homework.upright import Place, Strip, with_formula
 from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, mostly, retype
@@ -57,6 +58,7 @@ class Mend:
     """A formula, what it should be, and the asked quantities that this puts right.
 
     plainly  those are then said themselves, not in another sense or from another zero
+    lines    of a two-way table how many columns beside each other have the formula
     """
 
     strip: Strip
@@ -66,6 +68,7 @@ class Mend:
     rights: tuple[str, ...]
     live: bool = True
     plainly: bool = True
+    lines: int = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -413,9 +416,9 @@ def mended_sheet(sheet: Sheet, strip: Strip, formula: Node) -> Sheet:
     """The sheet with a mend in place."""
     work = with_formula(sheet.found.work, strip, formula)
     graph = Graph(work)
-    found = replace(
-        sheet.found, graph=graph, series=aligned(graph, sheet.found.driver), headings=dict(sheet.found.headings)
-    )
+    series, settings = columns_beside(graph, sheet.found.driver, sheet.found.inputs)
+    headings = dict(sheet.found.headings)
+    found = replace(sheet.found, graph=graph, series=series, settings=settings, headings=headings)
     return Sheet(found, sheet.asked)
 
 

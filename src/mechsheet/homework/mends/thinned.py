@@ -15,8 +15,9 @@ from numpy.typing import NDArray
 from mechsheet.formula.book import Block, BookSheet, CellStore
 from mechsheet.formula.nodes import CellRef, Node, shifted, transform
 from mechsheet.homework.mends.faults import Mend
-from mechsheet.homework.series import Graph, Run, aligned
+from mechsheet.homework.series import Graph, Run
 from mechsheet.homework.truth import Truth
+from mechsheet.homework.two_way import columns_beside
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.upright import Strip, Work, turned
 
@@ -82,7 +83,8 @@ def thinned(found: Understanding, truth: Truth) -> Thinned | None:
         columns={name: column[rows] for name, column in truth.columns.items()},
         spans=dict(truth.spans),
     )
-    understood = replace(found, graph=graph, driver=run, truth=part, series=aligned(graph, run))
+    series, settings = columns_beside(graph, run, found.inputs)
+    understood = replace(found, graph=graph, driver=run, truth=part, series=series, settings=settings)
     return Thinned(understood, part, rows, origins)
 
 
