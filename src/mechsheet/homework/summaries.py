@@ -42,7 +42,7 @@ class Span:
         """Which numbers are it."""
         values = reading.unit * numbers
         ends = [(self.low, self.high), *([self.own] if self.own else [])]
-        return np.logical_or.reduce([(low - allowed <= values) & (values <= high + allowed) for low, high in ends])
+        return np.asarray(sum((low - allowed <= values) & (values <= high + allowed) for low, high in ends), bool)
 
     @property
     def quantity(self) -> Quantity:

@@ -452,10 +452,10 @@ def first_difference(
     column = sheet.column(series)
     if symbol not in truth.columns:
         span = span_of(truth, symbol)
-        unit = mended.unit if mended else nearest_unit(column, replace(span.quantity, values=np.array([span.rows])))
+        unit = mended.unit if mended else _unit(sheet, column, replace(span.quantity, values=np.array([span.rows])))
         return Suspect(strip, series.places()[0], float(column[0]), span.rows / unit, symbol)
     quantity = truth.quantity(symbol)
-    reading = mended or mostly(sheet, truth, symbol, series) or Reading(nearest_unit(column, quantity))
+    reading = mended or mostly(sheet, truth, symbol, series) or Reading(_unit(sheet, column, quantity))
     gap = reading.of(column) - quantity.values
     gap = wrapped(gap) if quantity.kind == "angle" else gap
     rows = np.flatnonzero(~(np.abs(gap) <= sheet.found.allowed(quantity)) & np.isfinite(quantity.values))
@@ -464,6 +464,11 @@ def first_difference(
     if not np.isfinite(gap[row]):
         right = reading.sense * (quantity.values[row] + reading.offset) / reading.unit
     return Suspect(strip, series.places()[row], float(column[row]), float(right), symbol)
+
+
+def _unit(sheet: Sheet, column: Array, quantity: Quantity) -> float:
+    """The unit in which a column that is wrong is meant: of lengths that of the dimensions."""
+    return sheet.found.length_unit if quantity.kind == "length" else nearest_unit(column, quantity)
 
 
 def many(
