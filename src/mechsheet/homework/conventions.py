@@ -6,57 +6,63 @@ computes from it by a formula, or takes from it over the rows, is right as it fo
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 
-import numpy as np
-
-from mechsheet.engine import Values
 from mechsheet.formula.nodes import symbols
 from mechsheet.homework.agreement import Reading
+from mechsheet.homework.counting import as_counted
 from mechsheet.homework.series import Series
-from mechsheet.homework.truth import Shift, Truth
-from mechsheet.homework.understanding import Understanding
+from mechsheet.homework.verdicts import Finding, Sheet, agreeing, findings, mostly
 from mechsheet.model import Mechanism
-from mechsheet.reference.expressions import column as computed
 
 
-def as_counted(found: Understanding, truth: Truth, values: Values | None = None) -> Truth:
-    """A truth with the conventions of the sheet's columns, as these are in some state of the workbook."""
-    shifts = {}
-    for symbol, (series, reading) in found.counted.items():
-        shift = _shift(found, truth, symbol, series, reading, values)
-        if shift is not None:
-            shifts[symbol] = shift
-    if not shifts:
-        return truth
-    known = {name: np.array(value) for name, value in truth.dimensions.items()} | dict(truth.columns)
-    known |= {symbol: shift.counted(truth.columns[symbol]) for symbol, shift in shifts.items()}
-    columns = dict(truth.columns)
-    for output in found.mechanism.outputs:
-        if output.symbol in found.by_convention:
-            values_ = computed(output.formula, known, len(truth.driver))
-            columns[output.symbol] = known[output.symbol] = np.where(truth.exists, values_, np.nan)
-    return replace(truth, columns=columns, shifts=shifts, spans={})
+def in_convention(sheet: Sheet) -> tuple[Sheet, dict[str, Finding]]:
+    """A sheet and what is found in it, where what is not right is held against the conventions of the columns that it
+    follows from."""
+    found, first = sheet.found, findings(sheet)
+    mechanism, truth = found.mechanism, found.truth
+    names = {output.symbol for output in mechanism.outputs}
+    open_ = {symbol for symbol, one in first.items() if one.verdict in ("wrong", "missing")}
+    of = {summary.symbol: summary.of for summary in mechanism.summaries}
+    followed = open_ & names | {of[symbol] for symbol in open_ & of.keys()}
+    ways = {
+        symbol: _counted(sheet, first, symbol) for symbol in sorted(_behind(mechanism, followed) & truth.columns.keys())
+    }
+    counted = {symbol: way for symbol, way in ways.items() if way is not None}
+    if not counted:
+        return sheet, first
+    following = found.by_convention | set(_in_one_sense(mechanism, open_ & names, counted))
+    found = replace(found, counted={**found.counted, **counted}, by_convention=following)
+    found = replace(found, truth=as_counted(found, truth))
+    if not found.truth.shifts:
+        return sheet, first
+    sheet = Sheet(found, sheet.asked)
+    return sheet, first | {symbol: one for symbol, one in findings(sheet).items() if symbol in open_}
 
 
-def _shift(
-    found: Understanding, truth: Truth, symbol: str, series: Series, reading: Reading, values: Values | None
-) -> Shift | None:
-    """How a column counts: by the same in most rows, else it has no convention; None where it is the quantity itself."""
-    own = reading.unit * series.column(found.work, values)
-    apart = reading.sense * own - truth.columns[symbol]
-    known = apart[np.isfinite(apart)]
-    if not len(known):
-        return None
-    offset = float(np.median(known))
-    allowed = found.allowed(truth.quantity(symbol))
-    if 2 * (np.abs(known - offset) <= 2 * allowed).sum() <= len(known):
-        return None
-    return None if reading.sense == 1 and abs(offset) <= allowed else Shift(reading.sense, offset)
+def _counted(sheet: Sheet, first: Mapping[str, Finding], symbol: str) -> tuple[Series, Reading] | None:
+    """The column of a quantity and how it says it, most of its rows where some are wrong."""
+    one = first.get(symbol)
+    if one is None or one.series is None:
+        return agreeing(sheet, sheet.found.truth, symbol)
+    reading = one.reading or mostly(sheet, sheet.found.truth, symbol, one.series)
+    return None if reading is None else (one.series, reading)
 
 
-def behind(mechanism: Mechanism, names: set[str]) -> set[str]:
+def _in_one_sense(
+    mechanism: Mechanism, outputs: Collection[str], counted: Mapping[str, tuple[Series, Reading]]
+) -> Iterator[str]:
+    """The outputs that may follow the columns' conventions: angles counted one way and the other give no sum."""
+    angles = {link.angle_symbol for link in mechanism.links}
+    for output in mechanism.outputs:
+        named = angles.intersection(symbols(output.formula))
+        senses = {counted[symbol][1].sense if symbol in counted else 1 for symbol in named}
+        if output.symbol in outputs and output.symbol not in counted and len(senses) <= 1:
+            yield output.symbol
+
+
+def _behind(mechanism: Mechanism, names: set[str]) -> set[str]:
     """These quantities and all that their formulas name."""
     formulas = {output.symbol: output.formula for output in mechanism.outputs}
 

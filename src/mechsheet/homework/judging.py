@@ -9,19 +9,19 @@ from dataclasses import dataclass, replace
 from mechsheet import reference
 from mechsheet.diagnostics import WorkbookError
 from mechsheet.formula.nodes import shifted
-from mechsheet.homework.agreement import Reading, agrees, plain_reading
-from mechsheet.homework.conventions import as_counted, behind
+from mechsheet.homework.agreement import agrees, plain_reading
+from mechsheet.homework.conventions import in_convention
 from mechsheet.homework.marking_rules import AskedFor
 from mechsheet.homework.mends.faults import Mend, Suspect, first_wrong, many, mended_sheet
 from mechsheet.homework.mends.thinned import thinned
 from mechsheet.homework.mends.trial import Effort
 from mechsheet.homework.mends.typed_over import typed_over
-from mechsheet.homework.series import Run, Series
+from mechsheet.homework.series import Run
 from mechsheet.homework.truth import Truth, other_assemblies, without_limits
 from mechsheet.homework.two_way import others_of
 from mechsheet.homework.understanding import MOVING, Understanding, other_runs, understand
 from mechsheet.homework.upright import Strip, Work, upright
-from mechsheet.homework.verdicts import Finding, Sheet, agreeing, findings, mostly, with_doubt, with_liveness
+from mechsheet.homework.verdicts import Finding, Sheet, findings, with_doubt, with_liveness
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import HOMEWORK, said
 
@@ -34,7 +34,7 @@ class Judged:
     """Everything that was found in a workbook.
 
     truth   of the assembly that the sheet shows
-    first   of each asked quantity what is found in the sheet as it is;  last  the same with the mends in place
+    first   of each asked quantity what is found in the sheet as it is;  last  the same with the mends in place: `mended`
     """
 
     found: Understanding
@@ -44,6 +44,7 @@ class Judged:
     last: Mapping[str, Finding]
     mends: Sequence[Mend]
     suspect: Suspect | None
+    mended: Sheet
     unusual: bool = False
 
     @property
@@ -186,8 +187,8 @@ def _with_settings(judged: Judged, effort: Effort) -> list[Judged]:
         same = series.main is not None and main.main is not None and _one_formula(main.main, series.main, found.work)
         right = reading is not None and agrees(series.column(found.work), quantity, reading, found.allowed(quantity))
         if not right and not (same and judged.mends):
-            sheet, first = _found(found, asked)
-            wrong.append(_with_mends(_Seen(sheet, *_assembly(sheet, first), asked), effort))
+            sheet = Sheet(found, list(asked))
+            wrong.append(_with_mends(_Seen(sheet, *_assembly(sheet, findings(sheet)), asked), effort))
     if not wrong:
         return [judged]
     wrong[0] = replace(wrong[0], mends=[*judged.mends, *(mend for part in wrong for mend in part.mends)])
@@ -229,48 +230,13 @@ def _seen(
     """A workbook understood. `unusual`: the driver may be counted clockwise, or from another zero."""
     found = understand(work, mechanism, list(wanted.marks), wanted.tolerance, unusual, runs)
     asked = _moving(found, wanted)
-    sheet, first = _found(found, asked)
+    sheet = Sheet(found, list(asked))
+    first = findings(sheet)
     if any(one.verdict != "right" for one in first.values()):
         # a fault may hide what the sheet has in rows at a limit: a mend is not held against them
         found = replace(found, truth=without_limits(found.truth))
-        sheet, first = _in_convention(*_found(found, asked))
+        sheet, first = in_convention(Sheet(found, list(asked)))
     return _Seen(sheet, *_assembly(sheet, first), asked, unusual)
-
-
-def _found(found: Understanding, asked: Mapping[str, float]) -> tuple[Sheet, dict[str, Finding]]:
-    sheet = Sheet(found, list(asked))
-    return sheet, findings(sheet)
-
-
-def _in_convention(sheet: Sheet, first: dict[str, Finding]) -> tuple[Sheet, dict[str, Finding]]:
-    """The sheet and its findings, where what is not right is held against the conventions of the columns it follows from."""
-    found = sheet.found
-    mechanism, truth = found.mechanism, found.truth
-    names = {output.symbol for output in mechanism.outputs}
-    open_ = {symbol for symbol, one in first.items() if one.verdict in ("wrong", "missing")}
-    of = {summary.symbol: summary.of for summary in mechanism.summaries}
-    followed = open_ & names | {of[symbol] for symbol in open_ & of.keys()}
-    ways = {
-        symbol: _counted(sheet, first, symbol) for symbol in sorted(behind(mechanism, followed) & truth.columns.keys())
-    }
-    counted = {symbol: way for symbol, way in ways.items() if way is not None}
-    if not counted:
-        return sheet, first
-    found = replace(found, counted=counted, by_convention=frozenset(open_ & names - counted.keys()))
-    found = replace(found, truth=as_counted(found, truth))
-    if not found.truth.shifts:
-        return sheet, first
-    sheet = Sheet(found, sheet.asked)
-    return sheet, first | {symbol: one for symbol, one in findings(sheet).items() if symbol in open_}
-
-
-def _counted(sheet: Sheet, first: Mapping[str, Finding], symbol: str) -> tuple[Series, Reading] | None:
-    """The column of a quantity and how it says it, most of its rows where some are wrong."""
-    one = first.get(symbol)
-    if one is None or one.series is None:
-        return agreeing(sheet, sheet.found.truth, symbol)
-    reading = one.reading or mostly(sheet, sheet.found.truth, symbol, one.series)
-    return None if reading is None else (one.series, reading)
 
 
 def _with_mends(seen: _Seen, effort: Effort) -> Judged:
@@ -283,33 +249,33 @@ def _with_mends(seen: _Seen, effort: Effort) -> Judged:
         mends, last_sheet, last = _mends(seen.sheet, truth, start, effort)
     suspect = None
     if any(one.verdict == "wrong" for one in last.values()):
-        suspect = first_wrong(last_sheet, truth, last)
+        suspect = first_wrong(last_sheet, last)
     first = with_doubt(seen.sheet, truth, with_liveness(found, first))
     if truth is not found.truth:
         others = {symbol: start[symbol] for symbol, one in first.items() if one.verdict == "other assembly"}
         live = with_liveness(replace(found, truth=truth), others)
         first |= {symbol: replace(first[symbol], live=live[symbol].verdict != "not live") for symbol in others}
-    return Judged(found, truth, seen.asked, first, last, mends, suspect, seen.unusual)
+    return Judged(found, truth, seen.asked, first, last, mends, suspect, last_sheet, seen.unusual)
 
 
 def _mends(
     sheet: Sheet, truth: Truth, start: dict[str, Finding], effort: Effort
 ) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
     """Numbers typed over formulas, then as `many`; of a long table the mends are looked for in a part of its rows."""
-    mends, sheet, start = typed_over(sheet, truth, start)
+    sheet = Sheet(replace(sheet.found, truth=truth), sheet.asked)
+    mends, sheet, start = typed_over(sheet, start)
     wrong = any(one.verdict in ("wrong", "missing") for one in start.values())
-    part = thinned(sheet.found, truth) if wrong else None
+    part = thinned(sheet.found) if wrong else None
     if part is None:
-        more, sheet, start = many(sheet, truth, start, effort)
+        more, sheet, start = many(sheet, start, effort)
         return [*mends, *more], sheet, start
-    small = Sheet(part.found, sheet.asked)
-    found, _, _ = many(small, part.truth, findings(small, part.truth), effort)
+    found, _, _ = many(*in_convention(Sheet(part.found, sheet.asked)), effort)
     for mend in found:
         whole = part.back(mend, sheet.found.work)
         if whole is not None:
             mends.append(whole)
             sheet = mended_sheet(sheet, whole.strip, whole.formula)
-    return mends, sheet, findings(sheet, truth) if mends else start
+    return mends, *(in_convention(sheet) if mends else (sheet, start))
 
 
 def _moving(found: Understanding, wanted: AskedFor) -> dict[str, float]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -113,12 +114,12 @@ def _of_rows(symbol: str, finding: Finding, judged: Judged, language: str) -> It
 def _of_mend(judged: Judged, mend: Mend, language: str) -> Iterator[str]:
     """What a mended fault did to the first quantity that it made wrong; where a term that is too many stands as well."""
     found = judged.found
-    sheet = Sheet(found, list(judged.asked))
+    sheet = Sheet(replace(found, truth=judged.mended.found.truth), list(judged.asked))
     for symbol in mend.rights:
-        series = judged.first[symbol].series
+        series, last = judged.first[symbol].series, judged.last[symbol]
         if judged.first[symbol].verdict == "wrong" and series is not None:
-            last = judged.last[symbol].reading
-            yield _of_suspect(judged, first_difference(sheet, judged.truth, mend.strip, series, symbol, last), language)
+            mended = (judged.mended, last.reading) if last.verdict == "right" and last.reading is not None else None
+            yield _of_suspect(judged, first_difference(sheet, mend.strip, series, symbol, mended), language)
             break
     left = Counter(terms(mend.strip.formula)) - Counter(terms(mend.formula))
     lost = [term for term in left if isinstance(term, CellRef | NameRef)]

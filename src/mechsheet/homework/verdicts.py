@@ -14,7 +14,7 @@ from mechsheet.engine import Values
 from mechsheet.formula.nodes import Call, Number, walk
 from mechsheet.homework.agreement import FEWEST, Reading, gaps, most_like, reading_of
 from mechsheet.homework.claims import answers, claimed, exchanged, read_on, rivals
-from mechsheet.homework.conventions import as_counted
+from mechsheet.homework.counting import as_counted
 from mechsheet.homework.headings import around, contains, label_of, labels, names_over, says
 from mechsheet.homework.inputs import MOST_UNREAD, is_length, single_cells, typed_numbers
 from mechsheet.homework.series import Series
@@ -138,7 +138,8 @@ def _reader(sheet: Sheet, truth: Truth) -> Callable[[Series, str], Reading | Non
         if key not in known:
             quantity = truth.quantity(symbol)
             reading = reading_of(sheet.column(series), quantity, found.allowed(quantity), found.zeros)
-            known[key] = reading if reading is not None and _conventional(reading, series) else None
+            twice = symbol in found.by_convention and reading is not None and not reading.plain
+            known[key] = reading if reading is not None and not twice and _conventional(reading, series) else None
         return known[key]
 
     return read_as

@@ -22,6 +22,7 @@ from mechsheet.homework.agreement import (
     units_of,
     wrapped,
 )
+from mechsheet.homework.conventions import in_convention
 from mechsheet.homework.headings import around, names_over, says
 from mechsheet.homework.inputs import single_cells
 from mechsheet.homework.mends.candidates import Candidate, Surroundings, candidates
@@ -29,7 +30,7 @@ from mechsheet.homework.mends.pairs import pairs
 from mechsheet.homework.mends.trial import Effort, Trial, UntriableError
 from mechsheet.homework.series import Graph, Series
 from mechsheet.homework.summaries import holding, span_of
-from mechsheet.homework.truth import Array, Quantity, Truth, kind_of, vocabulary
+from mechsheet.homework.truth import Array, Quantity, kind_of, vocabulary
 from mechsheet.homework.two_way import columns_beside
 from mechsheet.homework.understanding import MOVING
 from mechsheet.homework.upright import Place, Strip, with_formula
@@ -105,12 +106,12 @@ def goals_of(sheet: Sheet, results: Mapping[str, Finding]) -> list[tuple[str, Se
 class Search:
     """One search for a mend in one workbook."""
 
-    def __init__(self, sheet: Sheet, truth: Truth, results: Mapping[str, Finding], effort: Effort) -> None:
-        self.sheet, self.truth, self.results, self.effort = sheet, truth, results, effort
-        self.found = replace(sheet.found, truth=truth)
+    def __init__(self, sheet: Sheet, results: Mapping[str, Finding], effort: Effort) -> None:
+        self.sheet, self.results, self.effort = sheet, results, effort
+        self.found, self.truth = sheet.found, sheet.found.truth
         self.graph: Graph = sheet.found.graph
         self.goals = goals_of(sheet, results)
-        self.trial = Trial(self.graph, effort, sheet.found.series, truth.exists)
+        self.trial = Trial(self.graph, effort, sheet.found.series, self.truth.exists)
 
     @cached_property
     def retyped(self) -> list[Retyped]:
@@ -422,48 +423,54 @@ def mended_sheet(sheet: Sheet, strip: Strip, formula: Node) -> Sheet:
     return Sheet(found, sheet.asked)
 
 
-def first_wrong(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> Suspect | None:
+def first_wrong(sheet: Sheet, results: Mapping[str, Finding]) -> Suspect | None:
     """Where no single change mends: the first series that is nothing of the mechanism though all that it reads is; of
     numbers alone the first wrong one."""
-    search = Search(sheet, truth, results, Effort())
+    search = Search(sheet, results, Effort())
     numbers = search.suspects
     if not numbers:
         typed = [(symbol, series) for symbol, series in search.goals if series.main is None]
-        return next((_wrong_number(sheet, truth, series, symbol) for symbol, series in typed), None)
+        return next((_wrong_number(sheet, series, symbol) for symbol, series in typed), None)
     strip = sheet.found.work.strips[numbers[0]]
     for symbol, series in search.goals:
         if series.main == strip:
-            return first_difference(sheet, truth, strip, series, symbol)
+            return first_difference(sheet, strip, series, symbol)
     place = (strip.sheet, strip.start, strip.line)
     return Suspect(strip, place, sheet.found.work.number(place), None, "")
 
 
-def _wrong_number(sheet: Sheet, truth: Truth, series: Series, symbol: str) -> Suspect:
+def _wrong_number(sheet: Sheet, series: Series, symbol: str) -> Suspect:
     strip = Strip(series.sheet, series.line, series.origin, series.rows, Number(0.0))
-    found = first_difference(sheet, truth, strip, series, symbol)
+    found = first_difference(sheet, strip, series, symbol)
     return replace(found, strip=replace(strip, start=found.place[1], length=1))
 
 
 def first_difference(
-    sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: str, mended: Reading | None = None
+    sheet: Sheet, strip: Strip, series: Series, symbol: str, mended: tuple[Sheet, Reading] | None = None
 ) -> Suspect:
-    """The first cell of what is asked that is not what it should be, and what is wanted there as the sheet counts: as it
-    does once it is mended, else as most of its rows do, in the unit of that size; an angle in the turn found there."""
-    column = sheet.column(series)
+    """The first cell of what is asked that is not what it should be, and what is wanted there as the sheet counts: what the
+    mended one has, and how that says it; else as most of its rows do, in the unit of that size."""
+    column, truth = sheet.column(series), sheet.found.truth
     if symbol not in truth.columns:
         span = span_of(truth, symbol)
-        unit = mended.unit if mended else _unit(sheet, column, replace(span.quantity, values=np.array([span.rows])))
-        return Suspect(strip, series.places()[0], float(column[0]), span.rows / unit, symbol)
-    quantity = truth.quantity(symbol)
-    reading = mended or mostly(sheet, truth, symbol, series) or Reading(_unit(sheet, column, quantity))
-    gap = reading.of(column) - quantity.values
-    gap = wrapped(gap) if quantity.kind == "angle" else gap
-    rows = np.flatnonzero(~(np.abs(gap) <= sheet.found.allowed(quantity)) & np.isfinite(quantity.values))
-    row = int(rows[0]) if len(rows) else 0
-    right = column[row] - reading.sense * gap[row] / reading.unit
-    if not np.isfinite(gap[row]):
-        right = reading.sense * (quantity.values[row] + reading.offset) / reading.unit
-    return Suspect(strip, series.places()[row], float(column[row]), float(right), symbol)
+        wanted = span.rows / _unit(sheet, column, replace(span.quantity, values=np.array([span.rows])))
+        row = 0
+    else:
+        quantity = truth.quantity(symbol)
+        reading = mended[1] if mended else mostly(sheet, truth, symbol, series)
+        reading = reading or Reading(_unit(sheet, column, quantity))
+        gap = reading.of(column) - quantity.values
+        gap = wrapped(gap) if quantity.kind == "angle" else gap
+        rows = np.flatnonzero(~(np.abs(gap) <= sheet.found.allowed(quantity)) & np.isfinite(quantity.values))
+        row = int(rows[0]) if len(rows) else 0
+        wanted = float(
+            column[row] - reading.sense * gap[row] / reading.unit
+        )  # an angle in the turn that is found there
+        if not np.isfinite(wanted):
+            wanted = reading.sense * float(quantity.values[row] + reading.offset) / reading.unit
+    if mended is not None:
+        wanted = float(series.column(mended[0].found.work)[row])
+    return Suspect(strip, series.places()[row], float(column[row]), wanted, symbol)
 
 
 def _unit(sheet: Sheet, column: Array, quantity: Quantity) -> float:
@@ -471,18 +478,21 @@ def _unit(sheet: Sheet, column: Array, quantity: Quantity) -> float:
     return sheet.found.length_unit if quantity.kind == "length" else nearest_unit(column, quantity)
 
 
-def many(
-    sheet: Sheet, truth: Truth, results: Mapping[str, Finding], effort: Effort
-) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
+def many(sheet: Sheet, results: Mapping[str, Finding], effort: Effort) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
     """One mend after the other, up to MOST_FAULTS: (mends, the sheet with all of them, what is found in it)."""
     mends: list[Mend] = []
     current = dict(results)
     while len(mends) < MOST_FAULTS and any(one.verdict in ("wrong", "missing") for one in current.values()):
-        mend = Search(sheet, truth, current, effort).mend()
+        mend = Search(sheet, current, effort).mend()
         if mend is None:
             break
-        mends.append(mend)
-        sheet = mended_sheet(sheet, mend.strip, mend.formula)
-        after = findings(sheet, truth)
-        current = {symbol: after.get(symbol, one) for symbol, one in current.items()}
+        sheet, after = in_convention(mended_sheet(sheet, mend.strip, mend.formula))
+        mends.append(replace(mend, rights=newly_right(current, after)))
+        current |= after
     return mends, sheet, current
+
+
+def newly_right(before: Mapping[str, Finding], after: Mapping[str, Finding]) -> tuple[str, ...]:
+    """What was not right and is."""
+    was = {symbol for symbol, one in before.items() if one.verdict in ("right", "not live", "other assembly")}
+    return tuple(symbol for symbol, one in after.items() if symbol not in was and one.verdict == "right")

@@ -8,11 +8,11 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from mechsheet.formula.nodes import Number
-from mechsheet.homework.mends.faults import Mend, goals_of, mended_sheet
+from mechsheet.homework.conventions import in_convention
+from mechsheet.homework.mends.faults import Mend, goals_of, mended_sheet, newly_right
 from mechsheet.homework.series import Series
-from mechsheet.homework.truth import Truth
 from mechsheet.homework.upright import Strip
-from mechsheet.homework.verdicts import Finding, Sheet, findings
+from mechsheet.homework.verdicts import Finding, Sheet
 
 FEW = 0.25
 """With more typed numbers than this part of its rows a column is one of numbers as well as of formulas."""
@@ -22,9 +22,7 @@ ROUNDED = 1e-9
 KIND = "typed over"
 
 
-def typed_over(
-    sheet: Sheet, truth: Truth, results: Mapping[str, Finding]
-) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
+def typed_over(sheet: Sheet, results: Mapping[str, Finding]) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
     """The numbers that stand in place of a column's formula where what is wrong depends on them: (mends, the sheet with all
     of them, what is found in it)."""
     found: list[tuple[Strip, Sheet]] = []
@@ -36,23 +34,21 @@ def typed_over(
         if _matters(sheet, strip, goals) and _differs(sheet, mended, strip):
             found.append((strip, mended))
             whole = mended
-    after = findings(whole, truth) if found else dict(results)
+    after = dict(results)
+    if found:
+        whole, seen = in_convention(whole)
+        after |= seen
     if any(one.verdict == "right" and after[symbol].verdict != "right" for symbol, one in results.items()):
         return [], sheet, dict(results)
+    right = newly_right(results, after)
     mends = []
     for strip, mended in found:
         number = mended.found.work.strip_at((strip.sheet, strip.start, strip.line))
         assert number is not None
-        formula = mended.found.work.strips[number].at(strip.start)
-        rights = tuple(
-            symbol
-            for symbol, one in results.items()
-            if one.verdict != "right"
-            and after[symbol].verdict == "right"
-            and _leads_to(sheet, strip, after[symbol].series)
-        )
-        mends.append(Mend(strip, sheet.found.work.bound(formula, strip), KIND, 0.0, rights))
-    return mends, whole, {symbol: after.get(symbol, one) for symbol, one in results.items()}
+        formula = sheet.found.work.bound(mended.found.work.strips[number].at(strip.start), strip)
+        rights = tuple(symbol for symbol in right if _leads_to(sheet, strip, after[symbol].series))
+        mends.append(Mend(strip, formula, KIND, 0.0, rights))
+    return mends, whole, after
 
 
 def _typed(sheet: Sheet) -> Iterator[tuple[Series, Strip]]:
