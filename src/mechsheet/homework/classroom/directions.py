@@ -2,7 +2,7 @@
 
 The angle of a link is that of its frame's x axis. Where two of its points lie along the axis, it is the direction from one
 to the other; else the direction between two points less a quarter of a turn, or less what the description says; of a link
-with one point that of the line along which it slides. Where there is none of these the angle means nothing to a student.
+with one point that of the line along which it slides. Of a wheel with one point the relation to the others says it.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Direction:
 
 
 class Directions:
-    """The directions of a mechanism's links by name; None for a link whose angle is no direction."""
+    """The directions of a mechanism's links by name; None for a wheel with one point, whose angle is no direction."""
 
     def __init__(self, mechanism: Mechanism) -> None:
         self.mechanism = mechanism

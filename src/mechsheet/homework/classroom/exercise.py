@@ -22,9 +22,7 @@ from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, reada
 from mechsheet.formats import write
 from mechsheet.formula.scalar import evaluate
 from mechsheet.homework.classroom.figure import figure_of
-from mechsheet.homework.classroom.statement import refuse
 from mechsheet.homework.classroom.task_sheet import task_sheet
-from mechsheet.homework.marking_rules import asked_of
 from mechsheet.homework.recognition import deciding
 from mechsheet.homework.summaries import taken
 from mechsheet.homework.truth import truth_of
@@ -87,7 +85,6 @@ def exercise(
         faults.append(Fault(say("is a file: a folder is written"), readable_name(folder), key="-o"))
     try:
         students, remarks = drawn(mechanism, people or [("", "")], seed)  # that `need` is never met is told in any case
-        refuse(mechanism, list(asked_of(mechanism).marks))
     except DescriptionError as error:
         faults = [*error.faults, *faults]
     if faults:

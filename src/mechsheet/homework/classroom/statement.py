@@ -9,13 +9,11 @@ from collections.abc import Iterator, Sequence
 
 from mechsheet import reference
 from mechsheet.compiled import Compiled
-from mechsheet.diagnostics import DescriptionError, Fault
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Number, Symbol, symbols
 from mechsheet.homework.classroom.directions import Direction, Directions
 from mechsheet.kinematics.equations import FORCES
-from mechsheet.model import Cartesian, Dimension, Distances, Gear, Joint, Link, Mechanism, Place, Polar, Quantity, Rack
-from mechsheet.said import say
+from mechsheet.model import Cartesian, Dimension, Distances, Gear, Joint, Link, Place, Polar, Quantity, Rack
 from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.notes.mathematics import Part, written
 from mechsheet.sheet.workbook import Rich
@@ -26,25 +24,6 @@ from mechsheet.words.workbook import words
 
 Line = list[Part]
 NEXT: Part = (";  ", "")
-
-
-def faults_of_asked(mechanism: Mechanism, asked: Sequence[str]) -> list[Fault]:
-    """The asked angles that count from no line that a student could draw."""
-    from mechsheet.description.text.source import parse
-
-    directions = Directions(mechanism)
-    related = {name for relation in mechanism.relations for name in relation.turning}
-    shown = f"{mechanism.file}.toml" if mechanism.file else "<text>"
-    source = parse(mechanism.text, shown)
-    return [
-        source.fault(
-            ("exercise", "asked", link.angle_symbol),
-            say("no line of the link {link} says from where its angle counts", link=link.name),
-            say("ask for something else, or give the link a second point"),
-        )
-        for link in mechanism.links[1:]
-        if link.angle_symbol in asked and directions.of[link.name] is None and link.name not in related
-    ]
 
 
 class Statement:
@@ -327,9 +306,3 @@ def _needed(compiled: Compiled, asked: Sequence[str]) -> set[str]:
             found.add(symbol)
             waiting += symbols(read[symbol]) if symbol in read else ()
     return found
-
-
-def refuse(mechanism: Mechanism, asked: Sequence[str]) -> None:
-    """Raise DescriptionError where an asked angle counts from nowhere."""
-    if faults := faults_of_asked(mechanism, asked):
-        raise DescriptionError(faults)

@@ -3,6 +3,7 @@ two changes in one formula."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -157,7 +158,7 @@ class Search:
         for number in list(filter(self._is_doubtful, self.suspects))[:MOST_OF_PAIRS]:
             if self.effort.spent:
                 break
-            mend = self._of_strip(number, pairs(self.graph.formulas[number], self._around(number)))
+            mend = self._of_strip(number, pairs(self.graph.formulas[number], self._around(number)), (True,))
             if mend is not None and mend.live:
                 return mend
         return None
@@ -276,8 +277,8 @@ class Search:
 
     # --- one formula --------------------------------------------------------------------------------------------------
 
-    def _of_strip(self, number: int, tried: Sequence[Candidate]) -> Mend | None:
-        """The best of some changes of one formula."""
+    def _of_strip(self, number: int, tried: Sequence[Candidate], ways: Sequence[bool] = (True, False)) -> Mend | None:
+        """The best of some changes of one formula. `ways`: as `plainly` of a mend."""
         strip = self.graph.work.strips[number]
         goals = list({series.key: series for _, series in self.goals}.values())
         try:
@@ -286,7 +287,7 @@ class Search:
             return None
         by_key = {series.key: found for series, found in zip(goals, columns, strict=True)}
         spare: Mend | None = None
-        for plainly in (True, False):
+        for plainly in ways:
             told: list[dict[str, None]] = [{} for _ in tried]
             for symbol, series in self.goals:
                 for index in np.flatnonzero(self._are(symbol, by_key[series.key], plainly)).tolist():
@@ -463,11 +464,11 @@ def first_difference(
         gap = wrapped(gap) if quantity.kind == "angle" else gap
         rows = np.flatnonzero(~(np.abs(gap) <= sheet.found.allowed(quantity)) & np.isfinite(quantity.values))
         row = int(rows[0]) if len(rows) else 0
-        wanted = float(
-            column[row] - reading.sense * gap[row] / reading.unit
-        )  # an angle in the turn that is found there
-        if not np.isfinite(wanted):
-            wanted = reading.sense * float(quantity.values[row] + reading.offset) / reading.unit
+        turned = np.rint((reading.of(column) - quantity.values) / math.tau) if quantity.kind == "angle" else np.zeros(1)
+        there = turned[np.isfinite(turned)]
+        turn = float(np.median(there)) if len(there) else 0.0  # that of the other rows
+        right = float(quantity.values[row]) + reading.offset + math.tau * turn
+        wanted = reading.sense * right / reading.unit
     if mended is not None:
         wanted = float(series.column(mended[0].found.work)[row])
     return Suspect(strip, series.places()[row], float(column[row]), wanted, symbol)
