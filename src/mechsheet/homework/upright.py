@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 
 from mechsheet.diagnostics import Fault
 from mechsheet.engine import Plan, Values, compile_book
-from mechsheet.engine.interpreter.evaluator import Evaluator
 from mechsheet.engine.layout import Area
 from mechsheet.engine.values.cells import BLANK, NUMBER, Cells
 from mechsheet.formula.book import Block, Book, BookSheet, CellStore
@@ -109,18 +108,9 @@ class Work:
         return compile_book(self.book)
 
     @cached_property
-    def computed(self) -> Evaluator:
-        """The engine with every cell computed, which can compute further formulas from them."""
-        evaluator, marks = self.plan.begin({})
-        with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
-            for step in self.plan.steps:
-                step.run(evaluator, marks)
-        return evaluator
-
-    @cached_property
     def values(self) -> Values:
         """Its values as they are."""
-        return self.plan.evaluate() if self.plan.settles else self.plan.values_of(self.computed)
+        return self.plan.evaluate()
 
     @cached_property
     def lines(self) -> Mapping[tuple[str, int], list[int]]:

@@ -50,7 +50,6 @@ may be one of the last (its wrong values can still be those of another link), an
 from anywhere in the sheet, are most of all: those of earlier formulas would use up what may be spent."""
 MOST_AROUND = 60
 """Cells that a formula may have meant instead."""
-ALL = slice(None)
 MOST_OF_PAIRS = 3
 """Formulas in which two changes are tried."""
 
@@ -112,7 +111,7 @@ class Search:
         self.found, self.truth = sheet.found, sheet.found.truth
         self.graph: Graph = sheet.found.graph
         self.goals = goals_of(sheet, results)
-        self.trial = Trial(self.graph, effort, sheet.found.series, self.truth.exists)
+        self.trial = Trial(self.graph, effort)
 
     @cached_property
     def retyped(self) -> list[Retyped]:
@@ -282,7 +281,7 @@ class Search:
         strip = self.graph.work.strips[number]
         goals = list({series.key: series for _, series in self.goals}.values())
         try:
-            columns = self.trial.columns(number, [one.formula for one in tried], goals, self._may_be)
+            columns = self.trial.columns(number, [one.formula for one in tried], goals)
         except UntriableError:
             return None
         by_key = {series.key: found for series, found in zip(goals, columns, strict=True)}
@@ -301,15 +300,7 @@ class Search:
                 spare = spare or mend
         return spare
 
-    def _may_be(self, series: Series, columns: Array, rows: slice) -> NDArray[np.bool_]:
-        """Which columns, shape (columns, rows), are something that is wanted there, seen in some rows."""
-        good = np.zeros(len(columns), bool)
-        for symbol, goal in self.goals:
-            if goal.key == series.key:
-                good |= self._are(symbol, columns, True, rows) | self._are(symbol, columns, False, rows)
-        return good
-
-    def _are(self, symbol: str, columns: Array, plainly: bool, rows: slice = ALL) -> NDArray[np.bool_]:
+    def _are(self, symbol: str, columns: Array, plainly: bool) -> NDArray[np.bool_]:
         """Which columns, shape (columns, rows), are what is asked, in whatever unit; or not `plainly`: angles in another
         sense or from another zero."""
         if symbol not in self.truth.columns:
@@ -317,7 +308,6 @@ class Search:
             return right & plainly
         quantity = self.truth.quantity(symbol)
         allowed = self.found.allowed(quantity)
-        quantity = replace(quantity, values=quantity.values[rows])
         if not plainly:
             return otherwise(columns, quantity, allowed, self.found.zeros)
         good = np.zeros(len(columns), bool)

@@ -20,11 +20,11 @@ from mechsheet.homework.two_way import columns_beside
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.upright import Strip, Work, turned
 
-MOST_ROWS = 1500
+MOST_ROWS = 100
 """Rows of a table that is looked at whole."""
-KEPT = 200
+KEPT = 40
 """Rows that are kept of a longer one."""
-MOST_OWN = 100
+MOST_OWN = 40
 """Rows with a formula of their own, and rows that single cells read, that are kept besides."""
 
 
@@ -79,7 +79,7 @@ def thinned(found: Understanding) -> Thinned | None:
         driver=truth.driver[rows],
         exists=truth.exists[rows],
         columns={name: column[rows] for name, column in truth.columns.items()},
-        spans=dict(truth.spans),
+        spans={},
     )
     series, settings = columns_beside(graph, run, found.inputs)
     understood = replace(found, graph=graph, driver=run, truth=part, series=series, settings=settings)
