@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 
+import openpyxl
 import pytest
 
 import mechsheet
 from chosen import first
 from homework.conventions import TASKS
+from mechsheet.description import loads
 from mechsheet.homework.audit import audit
 
 ASIN = {"t13": "{q}", "xC": "{a2}*COS({fi})-{a3}*COS({t13})", "lean": "2*(PI()-{t13})", "steepest": "PI()-MIN({t13})"}
@@ -148,3 +150,40 @@ def told(found):
         match = re.search(r"in (Sayfa1!\w+): (?:.*) found, (.*) wanted", text)
         if match:
             yield match[1], float(match[2])
+
+
+BUILT = {
+    "1": ("four-bar", "I", "-$B$12", "+$B$12", ["theta13"]),
+    "2": ("four-bar", "D", "^2+C", "^2-C", []),
+    "3": ("four-bar", "F", "$B$7^2+D", "$B$7^2-D", []),
+    "4": ("four-bar", "C", "SIN", "COS", []),
+    "5": ("steering", "C", "SIN", "COS", []),
+    "6": ("steering", "G", "-D", "+D", []),
+    "7": ("steering", "J", "+180", "+90", ["error"]),
+    "8": ("slider", "B", "-$B$4*SIN", "+$B$4*SIN", []),
+    "9": ("slider", "G", "$B$5*COS", "$B$5*SIN", []),
+    "10": ("slider", "J", "2*F", "3*F", ["lean"]),
+    "11": ("lever", "B", "+$B$5", "-$B$5", []),
+    "12": ("lever", "I", "RADIANS", "", ["arc"]),
+}
+"""Number -> (task, the column of its own workbook of one sheet that is changed; from, to; what is asked in that column)."""
+
+
+@pytest.mark.parametrize("number", first(list(BUILT), 3))
+def test_one_formula_changed_in_a_workbook_that_was_built(tmp_path, number):
+    name, column, was, now, lost = BUILT[number]
+    text = TASKS[name].text.replace('"B.x" = 1, ', "")  # no column of the built one
+    mechanism = loads(text, "own")
+    mechsheet.build(mechanism, tmp_path / "own.xlsx", layout="page")
+    book = openpyxl.load_workbook(tmp_path / "own.xlsx")
+    changed = []
+    for (cell,) in book.worksheets[0][f"{column}20:{column}80"]:
+        if isinstance(cell.value, str) and cell.value.startswith("=") and was in cell.value:
+            cell.value = cell.value.replace(was, now)
+            changed.append(cell.coordinate)
+    book.save(tmp_path / "own.xlsx")
+    found = audit(tmp_path / "own.xlsx", mechanism)
+    (fault,) = found.faults
+    assert fault.cells.endswith(f"!{changed[0]}:{changed[-1]}")
+    assert {symbol for symbol, one in found.asked.items() if one.verdict not in ("right", "follows")} == set(lost)
+    assert found.follow_through == found.of - len(lost)

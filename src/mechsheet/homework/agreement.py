@@ -134,13 +134,13 @@ def reading_of(column: Array, quantity: Quantity, allowed: float, zeros: Iterabl
     return None
 
 
-def otherwise(columns: Array, quantity: Quantity, allowed: float, zeros: Iterable[float] = ()) -> NDArray[np.bool_]:
-    """Which of the columns, shape (columns, rows), say an angle in another sense or from another zero, as `reading_of`."""
+def otherwise(columns: Array, quantity: Quantity, allowed: float, zeros: Sequence[float]) -> NDArray[np.bool_]:
+    """Which of the columns, shape (columns, rows), say an angle in some sense from one of these zeros."""
     found = np.zeros(len(columns), bool)
     known = np.flatnonzero(np.isfinite(quantity.values))
     if quantity.kind != "angle" or len(known) < FEWEST:
         return found
-    offsets = np.array(_zeros(zeros))
+    offsets = np.array(zeros)
     for unit in units_of(quantity):
         for sense in (1, -1):
             apart = sense * unit * columns[:, known] - quantity.values[known]
@@ -164,7 +164,7 @@ def most_like(column: Array, quantity: Quantity, allowed: float, zeros: Iterable
     """How a column says a quantity in more than half of its rows; as `reading_of` where it does in all."""
     best: tuple[int, Reading] | None = None
     turning = quantity.kind == "angle"
-    offsets = np.array(_zeros(zeros) if turning else [0.0])
+    offsets = np.array(zeros_of(zeros) if turning else [0.0])
     for unit in units_of(quantity):
         for sense in (1,) if quantity.kind == "number" else (1, -1):
             apart = sense * unit * column - quantity.values - offsets[:, None]
@@ -176,7 +176,7 @@ def most_like(column: Array, quantity: Quantity, allowed: float, zeros: Iterable
     return None if best is None or 2 * best[0] <= known else best[1]
 
 
-def _zeros(zeros: Iterable[float]) -> list[float]:
+def zeros_of(zeros: Iterable[float]) -> list[float]:
     """From where an angle may be counted, the usual first."""
     angles = (0.0, *(sign * zero for zero in zeros for sign in (1, -1)))
     return [quarter + angle for quarter in (0.0, math.pi, math.pi / 2, -math.pi / 2) for angle in angles]
@@ -184,5 +184,5 @@ def _zeros(zeros: Iterable[float]) -> list[float]:
 
 def _zero(offset: float, allowed: float, zeros: Iterable[float]) -> float:
     """The zero that is meant by an offset found from one row; the offset 0 where none is near."""
-    near = (zero for zero in _zeros(zeros) if abs(math.remainder(offset - zero, math.tau)) <= allowed)
+    near = (zero for zero in zeros_of(zeros) if abs(math.remainder(offset - zero, math.tau)) <= allowed)
     return next(near, 0.0)

@@ -13,7 +13,7 @@ from mechsheet.formula.nodes import symbols
 from mechsheet.homework.agreement import Reading
 from mechsheet.homework.counting import as_counted
 from mechsheet.homework.series import Series
-from mechsheet.homework.verdicts import Finding, Sheet, agreeing, findings, mostly
+from mechsheet.homework.verdicts import Finding, Sheet, agreeing, findings, mostly, of_output
 from mechsheet.model import Mechanism
 
 
@@ -47,7 +47,7 @@ def _counted(sheet: Sheet, first: Mapping[str, Finding], symbol: str) -> tuple[S
     if one is None or one.series is None:
         return agreeing(sheet, sheet.found.truth, symbol)
     reading = one.reading or mostly(sheet, sheet.found.truth, symbol, one.series)
-    return None if reading is None else (one.series, reading)
+    return None if reading is None or not of_output(sheet.found, symbol, reading) else (one.series, reading)
 
 
 def _in_one_sense(

@@ -138,11 +138,20 @@ def _reader(sheet: Sheet, truth: Truth) -> Callable[[Series, str], Reading | Non
         if key not in known:
             quantity = truth.quantity(symbol)
             reading = reading_of(sheet.column(series), quantity, found.allowed(quantity), found.zeros)
-            twice = symbol in found.by_convention and reading is not None and not reading.plain
-            known[key] = reading if reading is not None and not twice and _conventional(reading, series) else None
+            if reading is not None and not (of_output(found, symbol, reading) and _conventional(reading, series)):
+                reading = None
+            known[key] = reading
         return known[key]
 
     return read_as
+
+
+def of_output(found: Understanding, symbol: str, reading: Reading) -> bool:
+    """Whether an output may be read so: it is computed by a formula, so that only the sense of an angle, or its other side,
+    is a choice; of one that follows the convention of its columns not even that."""
+    if all(output.symbol != symbol for output in found.mechanism.outputs) or reading.plain:
+        return True
+    return symbol not in found.by_convention and abs(math.remainder(reading.offset, math.pi)) < 1e-3
 
 
 def mostly(sheet: Sheet, truth: Truth, symbol: str, series: Series) -> Reading | None:
@@ -254,7 +263,7 @@ def unexplained(sheet: Sheet, truth: Truth, spare: Sequence[Series]) -> list[Ser
     """Computed series that are nothing of the mechanism, the driver's own value in another unit included."""
     words = vocabulary(truth)
     found = sheet.found
-    computed = [series for series in spare if series.main is not None]
+    computed = [series for series in spare if series.main is not None and np.isfinite(sheet.column(series)).any()]
     known = anything(sheet.matrix(computed), words, found.allowed, found.zeros)
     return [series for series, one in zip(computed, known, strict=True) if not one]
 

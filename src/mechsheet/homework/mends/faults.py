@@ -22,6 +22,7 @@ from mechsheet.homework.agreement import (
     reading_of,
     units_of,
     wrapped,
+    zeros_of,
 )
 from mechsheet.homework.conventions import in_convention
 from mechsheet.homework.headings import around, names_over, says
@@ -50,6 +51,9 @@ may be one of the last (its wrong values can still be those of another link), an
 from anywhere in the sheet, are most of all: those of earlier formulas would use up what may be spent."""
 MOST_AROUND = 60
 """Cells that a formula may have meant instead."""
+FROM_ELSEWHERE = 2
+"""The last way of a mend: rather than an angle that it makes count from anywhere two changes are tried."""
+WAYS = (0, 1, FROM_ELSEWHERE)
 MOST_OF_PAIRS = 3
 """Formulas in which two changes are tried."""
 
@@ -58,7 +62,7 @@ MOST_OF_PAIRS = 3
 class Mend:
     """A formula, what it should be, and the asked quantities that this puts right.
 
-    plainly  those are then said themselves, not in another sense or from another zero
+    way      how those are said then: themselves (0), in the other sense or from half a turn (1), from another zero (2)
     lines    of a two-way table how many columns beside each other have the formula
     """
 
@@ -68,7 +72,7 @@ class Mend:
     weight: float
     rights: tuple[str, ...]
     live: bool = True
-    plainly: bool = True
+    way: int = 0
     lines: int = 1
 
 
@@ -139,7 +143,7 @@ class Search:
                 if (
                     best is not None
                     and best.live
-                    and best.plainly
+                    and best.way == 0
                     and (everything <= set(best.rights) or (wanted <= set(best.rights) and best.weight < SURE))
                 ):
                     tried = [one for one in tried if one.weight + later < best.weight]
@@ -147,7 +151,7 @@ class Search:
                 if mend is not None:
                     mend = replace(mend, weight=mend.weight + later)
                     best = mend if best is None or _rank(mend) < _rank(best) else best
-        return best or self._of_pairs()
+        return best if best is not None and best.way < FROM_ELSEWHERE else self._of_pairs() or best
 
     def _of_pairs(self) -> Mend | None:
         """The first mend of two changes in one formula, of those that are not known to be right; for a column, not for one
@@ -157,7 +161,7 @@ class Search:
         for number in list(filter(self._is_doubtful, self.suspects))[:MOST_OF_PAIRS]:
             if self.effort.spent:
                 break
-            mend = self._of_strip(number, pairs(self.graph.formulas[number], self._around(number)), (True,))
+            mend = self._of_strip(number, pairs(self.graph.formulas[number], self._around(number)), (0,))
             if mend is not None and mend.live:
                 return mend
         return None
@@ -276,8 +280,10 @@ class Search:
 
     # --- one formula --------------------------------------------------------------------------------------------------
 
-    def _of_strip(self, number: int, tried: Sequence[Candidate], ways: Sequence[bool] = (True, False)) -> Mend | None:
-        """The best of some changes of one formula. `ways`: as `plainly` of a mend."""
+    def _of_strip(
+        self, number: int, tried: Sequence[Candidate], ways: Sequence[int] = (0, 1, FROM_ELSEWHERE)
+    ) -> Mend | None:
+        """The best of some changes of one formula. `ways`: as `way` of a mend."""
         strip = self.graph.work.strips[number]
         goals = list({series.key: series for _, series in self.goals}.values())
         try:
@@ -286,30 +292,30 @@ class Search:
             return None
         by_key = {series.key: found for series, found in zip(goals, columns, strict=True)}
         spare: Mend | None = None
-        for plainly in ways:
+        for way in ways:
             told: list[dict[str, None]] = [{} for _ in tried]
             for symbol, series in self.goals:
-                for index in np.flatnonzero(self._are(symbol, by_key[series.key], plainly)).tolist():
+                for index in np.flatnonzero(self._are(symbol, by_key[series.key], way)).tolist():
                     told[index][symbol] = None
             rights = np.array([len(each) for each in told])
             order = np.lexsort((np.array([one.weight for one in tried]), -rights))
             for index in [int(place) for place in order if rights[place]][:VERIFIED]:
                 mend = self.verified(strip, tried[index], tuple(told[index]))
                 if mend is not None and mend.live:
-                    return replace(mend, plainly=plainly)
+                    return replace(mend, way=way)
                 spare = spare or mend
         return spare
 
-    def _are(self, symbol: str, columns: Array, plainly: bool) -> NDArray[np.bool_]:
-        """Which columns, shape (columns, rows), are what is asked, in whatever unit; or not `plainly`: angles in another
-        sense or from another zero."""
+    def _are(self, symbol: str, columns: Array, way: int) -> NDArray[np.bool_]:
+        """Which columns, shape (columns, rows), are what is asked, in whatever unit; `way`: as of a mend."""
         if symbol not in self.truth.columns:
             right = holding(columns[:, 0], span_of(self.truth, symbol), self.truth.size, self.found.tolerance)
-            return right & plainly
+            return right & (way == 0)
         quantity = self.truth.quantity(symbol)
         allowed = self.found.allowed(quantity)
-        if not plainly:
-            return otherwise(columns, quantity, allowed, self.found.zeros)
+        if way:
+            zeros = zeros_of(self.found.zeros) if way == FROM_ELSEWHERE else [0.0, math.pi]
+            return otherwise(columns, quantity, allowed, zeros)
         good = np.zeros(len(columns), bool)
         for unit in units_of(quantity):
             good |= agrees(columns, quantity, Reading(unit), allowed)
@@ -400,8 +406,8 @@ def _inside(strip: Strip, series: Series) -> bool:
     )
 
 
-def _rank(mend: Mend) -> tuple[bool, bool, int, float]:
-    return not mend.live, not mend.plainly, -len(mend.rights), mend.weight
+def _rank(mend: Mend) -> tuple[bool, int, int, float]:
+    return not mend.live, mend.way, -len(mend.rights), mend.weight
 
 
 def mended_sheet(sheet: Sheet, strip: Strip, formula: Node) -> Sheet:
