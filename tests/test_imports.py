@@ -99,6 +99,10 @@ ALLOWED["homework"] = {
     "sheet.workbook",
     "sheet.styles",
     "sheet.wrapping",
+    # a task is told in the words of the workbook's notes, with the workbook's drawing
+    "sheet.first.given",
+    "sheet.notes.mathematics",
+    "plotting",
     "arguments",
     # the routines of the text's appendix are those that exports write
     "exporting.functions",

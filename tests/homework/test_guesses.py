@@ -229,6 +229,34 @@ def test_pasted_numbers_without_any_dimension_have_half_marks(tmp_path):
     assert mark == 1.5
 
 
+NUMBERS = {
+    "to the right": ({"across": True}, 25),
+    "three rows": ({}, 3),
+    "a coarser step": ({}, 13),
+}
+
+
+@pytest.mark.parametrize("how", NUMBERS)
+def test_a_table_of_numbers_is_read_in_any_direction(tmp_path, mechanism, how):
+    """Where nothing is computed no formula says where the table goes: it was not found, or only in the other direction."""
+    options, rows = NUMBERS[how]
+    columns = [(heading, name, values[:: 24 // (rows - 1)]) for heading, name, values in pasted(mechanism)]
+    _, found = marked(tmp_path, mechanism, Table(FOUR_BAR, columns, **options))
+    assert {one.verdict for one in found.asked.values()} == {"not live"}
+    assert found.faults == ()
+
+
+@pytest.mark.parametrize(("value", "kind"), [(77.7, "wrong number"), (None, "no number")])
+def test_a_wrong_number_among_numbers_is_told(tmp_path, mechanism, value, kind):
+    columns = pasted(mechanism)
+    table = Table(FOUR_BAR, columns, cells={"C20": value})
+    mark, found = marked(tmp_path, mechanism, table)
+    (fault,) = found.faults
+    assert (fault.cells, fault.kind) == ("Sayfa1!C20", kind)
+    assert float(fault.mend) == pytest.approx(columns[2][2][11], rel=1e-5)
+    assert mark == 1.0
+
+
 def test_noise_beyond_the_tolerance_has_no_marks(tmp_path, mechanism):
     draw = np.random.default_rng(7)
     columns = [

@@ -6,6 +6,7 @@ import openpyxl
 import pytest
 
 import mechsheet
+from homework.conventions import TASKS
 from homework.handmade import FOUR_BAR, Table, four_bar
 from mechsheet.homework.audit import audit
 
@@ -72,3 +73,22 @@ def test_a_second_attempt_that_is_right_counts(tmp_path, mechanism):
     found = audit(both(tmp_path, first, Table(FOUR_BAR, four_bar())), mechanism)
     assert {verdict for verdict, _ in verdicts(found).values()} == {"right"}
     assert found.faults == ()
+
+
+MIRRORED = {
+    "with the place": ({"t13": "{q}"}, {"theta13": "other assembly", "x_C": "other assembly"}),
+    "the angle alone": ({"t13": "{q}", "xC": "{deg}+0*{t13}"}, {"theta13": "right", "x_C": "wrong"}),
+    "the sharp angle, the right place": (
+        {"t13": "{q}", "xC": "{a2}*COS({fi})-{a3}*COS({t13})"}, {"theta13": "right", "x_C": "right"}
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("how", MIRRORED)
+def test_an_angle_whose_place_is_mirrored_is_of_the_other_assembly(tmp_path, how):
+    """The rod at 5.35 degrees for 174.65 was right, counted clockwise, beside a pin on the wrong side of the crank."""
+    changes, wanted = MIRRORED[how]
+    found = audit(TASKS["slider"].save(tmp_path / "book.xlsx", changes), TASKS["slider"].mechanism)
+    assert {symbol: found.asked[symbol].verdict for symbol in wanted} == wanted
+    clockwise = "theta13 is counted clockwise" in found.remarks
+    assert clockwise is (wanted["theta13"] == "right")

@@ -27,9 +27,10 @@ def exercise(description: Path, class_list: Path, output: Path, seed: int, langu
     \b
     mechsheet exercise four-bar.toml class.csv -o week3
 
-    CLASS.CSV has a column id and, if you like, one called name. The command writes week3/student/ID.xlsx (own
-    dimensions, the driver's column, headings of what is asked; no answer anywhere), week3/solution/ID.xlsx
-    (the ordinary workbook) and week3/key.json, which mechsheet mark reads.
+    CLASS.CSV has a column id and, if you like, one called name. The command writes week3/student/ID.xlsx (a figure,
+    the task in words, own dimensions, the driver's column, headings of what is asked; no answer anywhere),
+    week3/solution/ID.xlsx (the ordinary workbook), week3/numbers.csv (who has which dimensions, and the seed) and
+    week3/key.json, which mechsheet mark reads.
     """
     from mechsheet.homework.classroom.exercise import exercise as write_all
     from mechsheet.homework.classroom.exercise import faults_of_class

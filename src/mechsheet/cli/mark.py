@@ -22,6 +22,7 @@ FILE = click.Path(path_type=Path)
 @click.option("--against", required=True, metavar="FILE", type=FILE, help="key.json, or a description.")
 @click.option("-o", "--output", metavar="MARKS.XLSX", type=FILE, help="The class as a workbook, .xlsx or .ods.")
 @click.option("--csv", "csv_file", metavar="FILE", type=FILE, help="id, mark and words as CSV.")
+@click.option("--moodle", "moodle_file", metavar="FILE", type=FILE, help="CSV for Moodle's grade import.")
 @click.option("--html", "html_folder", metavar="FOLDER", type=FILE, help="A page for each student.")
 @click.option("--assembly", type=click.Choice(["any"]), help="any: accept assemblies other than the sketch's.")
 @seconds_option(MOST_SECONDS)
@@ -31,6 +32,7 @@ def mark(
     against: Path,
     output: Path | None,
     csv_file: Path | None,
+    moodle_file: Path | None,
     html_folder: Path | None,
     assembly: str | None,
     seconds: float,
@@ -48,10 +50,10 @@ def mark(
     from mechsheet.formats import write
     from mechsheet.homework.classroom.marks import as_dict, files_of, key_of_file
     from mechsheet.homework.classroom.marks import mark as mark_all
-    from mechsheet.homework.classroom.marks_book import marks_csv, marks_workbook, pages
+    from mechsheet.homework.classroom.marks_book import marks_csv, marks_workbook, moodle_csv, pages
     from mechsheet.replacing import make_folder, replace_file
 
-    _refuse(output, csv_file, books, files_of(books))
+    _refuse(output, [output, csv_file, moodle_file], files_of(books))
     speak_of(against)
     key = key_of_file(against)
     with at_lines_of(key.mechanism, against), progress("marks") as tell:
@@ -63,6 +65,9 @@ def mark(
     if csv_file is not None:
         replace_file(csv_file, marks_csv(found).encode("utf-8-sig"))
         files.append(csv_file)
+    if moodle_file is not None:
+        replace_file(moodle_file, moodle_csv(found).encode())
+        files.append(moodle_file)
     if html_folder is not None:
         if not html_folder.is_dir():
             make_folder(html_folder)
@@ -78,13 +83,13 @@ def mark(
         say_written(files)
 
 
-def _refuse(output: Path | None, csv_file: Path | None, books: tuple[Path, ...], read: list[Path]) -> None:
+def _refuse(output: Path | None, written: list[Path | None], read: list[Path]) -> None:
     """Raise OutputError where something that is read would be overwritten, or a workbook has no format."""
     from mechsheet.diagnostics import Fault, OutputError
 
     faults = [
         Fault(say("is read here: it is not overwritten"), readable_name(file), hint=say("name another file"))
-        for file in (output, csv_file)
+        for file in written
         if file is not None and any(same_file(file, other) for other in read)
     ]
     if output is not None and output.suffix.lower() not in (".xlsx", ".ods"):

@@ -14,6 +14,8 @@ from mechsheet.homework.truth import Array, Quantity
 DEGREE = math.pi / 180
 POWERS = (1.0, 0.1, 10.0, 0.01, 100.0, 1e-3, 1e3)
 """Length units that people mix: mm, cm, m."""
+TINY = 1e-9
+"""Smaller sizes are nothing."""
 FEWEST = 3
 """Rows that must be there before two columns can be called equal."""
 
@@ -132,10 +134,55 @@ def reading_of(column: Array, quantity: Quantity, allowed: float, zeros: Iterabl
     return None
 
 
+def otherwise(columns: Array, quantity: Quantity, allowed: float, zeros: Sequence[float]) -> NDArray[np.bool_]:
+    """Which of the columns, shape (columns, rows), say an angle in some sense from one of these zeros."""
+    found = np.zeros(len(columns), bool)
+    known = np.flatnonzero(np.isfinite(quantity.values))
+    if quantity.kind != "angle" or len(known) < FEWEST:
+        return found
+    offsets = np.array(zeros)
+    for unit in units_of(quantity):
+        for sense in (1, -1):
+            apart = sense * unit * columns[:, known] - quantity.values[known]
+            from_zero = np.abs(wrapped(apart[:, :1] - offsets))
+            nearest = offsets[np.argmin(np.where(np.isnan(from_zero), math.inf, from_zero), axis=1)]
+            found |= np.abs(wrapped(apart - nearest[:, None])).max(axis=1) <= allowed
+    return found
+
+
+def nearest_unit(column: Array, quantity: Quantity) -> float:
+    """The unit in which numbers that are not a quantity are of its size: how much they change, or how large one is."""
+
+    def size(values: Array) -> float:
+        there = values[np.isfinite(values)]
+        return max(float(np.ptp(there) if len(there) > 1 else np.abs(there).max(initial=0.0)), TINY)
+
+    return min(units_of(quantity), key=lambda unit: abs(math.log(size(unit * column) / size(quantity.values))))
+
+
+def most_like(column: Array, quantity: Quantity, allowed: float, zeros: Iterable[float] = ()) -> Reading | None:
+    """How a column says a quantity in more than half of its rows; as `reading_of` where it does in all."""
+    best: tuple[int, Reading] | None = None
+    turning = quantity.kind == "angle"
+    offsets = np.array(zeros_of(zeros) if turning else [0.0])
+    for unit in units_of(quantity):
+        for sense in (1,) if quantity.kind == "number" else (1, -1):
+            apart = sense * unit * column - quantity.values - offsets[:, None]
+            counts = (np.abs(wrapped(apart) if turning else apart) <= allowed).sum(axis=1)
+            place = int(np.argmax(counts))
+            if best is None or counts[place] > best[0]:
+                best = int(counts[place]), Reading(unit, sense, float(offsets[place]))
+    known = int(np.isfinite(quantity.values).sum())
+    return None if best is None or 2 * best[0] <= known else best[1]
+
+
+def zeros_of(zeros: Iterable[float]) -> list[float]:
+    """From where an angle may be counted, the usual first."""
+    angles = (0.0, *(sign * zero for zero in zeros for sign in (1, -1)))
+    return [quarter + angle for quarter in (0.0, math.pi, math.pi / 2, -math.pi / 2) for angle in angles]
+
+
 def _zero(offset: float, allowed: float, zeros: Iterable[float]) -> float:
     """The zero that is meant by an offset found from one row; the offset 0 where none is near."""
-    for quarter in (0.0, math.pi, math.pi / 2, -math.pi / 2):
-        for angle in (0.0, *(sign * zero for zero in zeros for sign in (1, -1))):
-            if abs(math.remainder(offset - quarter - angle, math.tau)) <= allowed:
-                return quarter + angle
-    return 0.0
+    near = (zero for zero in zeros_of(zeros) if abs(math.remainder(offset - zero, math.tau)) <= allowed)
+    return next(near, 0.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 from mechsheet import reference
 from mechsheet.diagnostics import readable_name
 from mechsheet.formats import read
+from mechsheet.formula.nodes import Number
 from mechsheet.homework.inputs import Input
 from mechsheet.homework.judging import Judged, judged_tables
 from mechsheet.homework.marking_rules import AskedFor, asked_of
@@ -23,6 +25,7 @@ from mechsheet.homework.rows_asked import over_asked_rows, rows_answered
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
 from mechsheet.homework.truth import Truth
+from mechsheet.homework.two_way import where
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.upright import Work, upright
 from mechsheet.homework.verdicts import Finding, Verdict
@@ -206,7 +209,7 @@ def _faults(part: Judged) -> list[FaultFound]:
 def _result(found: Understanding, first: Finding, last: Finding, mends: Sequence[Mend]) -> AskedResult:
     """The verdict with the mends in place: a quantity whose own cells hold a fault stays wrong."""
     series = first.series or last.series
-    cells = "" if series is None else series.where(found.work)
+    cells = "" if series is None else where(found, series)
     verdict = first.verdict
     if verdict in ("wrong", "missing") and last.verdict == "right":
         verdict = "follows"
@@ -262,7 +265,7 @@ def _fault(found: Understanding, mend: Mend) -> FaultFound:
     work = found.work
     strip = mend.strip
     return FaultFound(
-        work.where(strip.sheet, strip.start, strip.line, strip.length),
+        work.where(strip.sheet, strip.start, strip.line, strip.length, mend.lines),
         work.shown(strip.formula, strip.sheet),
         work.shown(mend.formula, strip.sheet),
         mend.rights,
@@ -281,4 +284,7 @@ def _other(found: Understanding, one: Input) -> FaultFound:
 def _unmended(found: Understanding, suspect: Suspect) -> FaultFound:
     strip = suspect.strip
     cells = found.work.where(strip.sheet, strip.start, strip.line, strip.length)
+    if isinstance(strip.formula, Number):
+        there = f"{suspect.found:.10g}" if math.isfinite(suspect.found) else ""
+        return FaultFound(cells, there, f"{suspect.wanted:.6g}", (), "wrong number" if there else "no number")
     return FaultFound(cells, found.work.shown(strip.formula, strip.sheet), "", (), "no single change mends it")

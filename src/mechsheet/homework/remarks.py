@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from mechsheet.homework.mends.candidates import terms
 from mechsheet.homework.mends.faults import Mend, Suspect, first_difference
 from mechsheet.homework.summaries import span_of
 from mechsheet.homework.understanding import Understanding
-from mechsheet.homework.verdicts import Finding, Sheet
+from mechsheet.homework.verdicts import Finding, Sheet, mostly
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import said
 
@@ -41,7 +42,7 @@ def remarks_of(judged: Judged, language: str) -> Iterator[str]:
         yield said(language, "remark.large")
     yield from _of_dimensions(found, language)
     for symbol, finding in judged.first.items():
-        yield from _of_reading(symbol, finding, found, language)
+        yield from _of_reading(symbol, finding.reading or judged.last[symbol].reading, found, language)
         if finding.verdict == "not live":
             dead = ", ".join(finding.dead)
             key = "remark.dead" if dead else "remark.typed"
@@ -80,8 +81,7 @@ def _shown(mechanism: Mechanism, symbol: str, value: float) -> str:
     return f"{math.degrees(value):.10g}°" if unit.kind == "angle" else f"{value:.10g}"
 
 
-def _of_reading(symbol: str, finding: Finding, found: Understanding, language: str) -> Iterator[str]:
-    reading = finding.reading
+def _of_reading(symbol: str, reading: Reading | None, found: Understanding, language: str) -> Iterator[str]:
     if reading is None:
         return
     single = symbol not in found.truth.columns
@@ -100,10 +100,13 @@ def _of_rows(symbol: str, finding: Finding, judged: Judged, language: str) -> It
     """In how many rows a wrong quantity is right, where in some."""
     assert finding.series is not None
     quantity = judged.truth.quantity(symbol)
-    column = finding.series.column(judged.found.work)
+    sheet = Sheet(judged.found, list(judged.asked))
+    column = sheet.column(finding.series)
     known = np.isfinite(quantity.values)
     allowed = judged.found.allowed(quantity)
-    right = max(int((gaps(column, quantity, Reading(unit))[known] <= allowed).sum()) for unit in units_of(quantity))
+    reading = mostly(sheet, judged.truth, symbol, finding.series)
+    ways = [reading] if reading else [Reading(unit) for unit in units_of(quantity)]
+    right = max(int((gaps(column, quantity, way)[known] <= allowed).sum()) for way in ways)
     if right >= max(2, known.sum() // 10):
         yield said(language, "remark.rows", symbol=symbol, right=right, rows=int(known.sum()))
 
@@ -111,11 +114,12 @@ def _of_rows(symbol: str, finding: Finding, judged: Judged, language: str) -> It
 def _of_mend(judged: Judged, mend: Mend, language: str) -> Iterator[str]:
     """What a mended fault did to the first quantity that it made wrong; where a term that is too many stands as well."""
     found = judged.found
-    sheet = Sheet(found, list(judged.asked))
+    sheet = Sheet(replace(found, truth=judged.mended.found.truth), list(judged.asked))
     for symbol in mend.rights:
-        series = judged.first[symbol].series
+        series, last = judged.first[symbol].series, judged.last[symbol]
         if judged.first[symbol].verdict == "wrong" and series is not None:
-            yield _of_suspect(judged, first_difference(sheet, judged.truth, mend.strip, series, symbol), language)
+            mended = (judged.mended, last.reading) if last.verdict == "right" and last.reading is not None else None
+            yield _of_suspect(judged, first_difference(sheet, mend.strip, series, symbol, mended), language)
             break
     left = Counter(terms(mend.strip.formula)) - Counter(terms(mend.formula))
     lost = [term for term in left if isinstance(term, CellRef | NameRef)]
@@ -135,4 +139,5 @@ def _of_suspect(judged: Judged, suspect: Suspect, language: str) -> str:
     cell = work.where(*suspect.place)
     if suspect.wanted is None:
         return said(language, "remark.first", cell=cell)
-    return said(language, "remark.suspect", symbol=suspect.of, cell=cell, found=suspect.found, wanted=suspect.wanted)
+    key = "remark.suspect" if math.isfinite(suspect.found) else "remark.suspect.none"
+    return said(language, key, symbol=suspect.of, cell=cell, found=suspect.found, wanted=suspect.wanted)

@@ -15,8 +15,8 @@ from mechsheet.formula.nodes import Call, CellRef, Node, walk
 from mechsheet.homework.truth import Array
 from mechsheet.homework.upright import Place, Strip, Work, references
 
-SHORTEST = 4
-"""Cells that make a run."""
+SHORTEST = 3
+"""Cells that make a run: with fewer rows no column is told from another."""
 MOST_RUNS = 3
 """Runs that are tried for the driver's."""
 
@@ -337,14 +337,18 @@ def likely_runs(graph: Graph) -> list[Run]:
 
 
 def typed_runs(graph: Graph, asked: Sequence[Array]) -> list[Run]:
-    """What may be the driver's values where all of a table was pasted as numbers: runs with others beside them from end to
-    end. Those that are the values asked for, in one of the units given; where no formula reads any run, each of them."""
-    work = graph.work
-    runs = runs_of_numbers(work)
-    beside = Counter((run.sheet, run.start, run.length) for run in runs)
-    found = [run for run in runs if beside[run.sheet, run.start, run.length] > 1 and np.ptp(run.column(work)) > 0]
-    meant = [run for run in found if any(_same(run.column(work), values) for values in asked)]
+    """What may be the driver's values where all of a table was pasted as numbers: runs with others beside them. Those that
+    are the values asked for, in one of the units given; where no formula reads any run, each of them."""
+    runs = [run for run in runs_of_numbers(graph.work) if np.ptp(run.column(graph.work)) > 0]
+    found = [run for run in runs if any(_beside(run, other) for other in runs)]
+    meant = [run for run in found if any(_same(run.column(graph.work), values) for values in asked)]
     return meant or ([] if drivers(graph) else found[:MOST_RUNS])
+
+
+def _beside(run: Run, other: Run) -> bool:
+    """Whether numbers of another line stand in most rows of a run and in no others: a column may have gaps."""
+    inside = run.sheet == other.sheet and run.line != other.line and run.start <= other.start and other.end <= run.end
+    return inside and 2 * other.length >= run.length
 
 
 def _same(column: Array, values: Array) -> bool:
@@ -365,8 +369,7 @@ def aligned(graph: Graph, driver: Run) -> list[Series]:
         strip = work.strips[number]
         grouped.setdefault((strip.sheet, strip.line, origin), []).append(strip)
     for run in runs_of_numbers(work):
-        beside = run.sheet == driver.sheet and run.line != driver.line
-        if beside and run.start >= driver.start and run.end <= driver.end and 2 * run.length >= driver.length:
+        if _beside(driver, run):
             grouped.setdefault((run.sheet, run.line, driver.start), [])
     found = []
     for (sheet, line, origin), strips in grouped.items():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,21 +26,28 @@ CLOSED = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """What a summary may be: from the rows alone, to the extreme between the rows; internal units."""
+    """What a summary may be, in internal units: from the rows alone, to the extreme between the rows.
+
+    own  the same where the sheet counts the column that it is taken from otherwise;  rows  what the rows alone give, as the
+         sheet counts: what is told to be wanted
+    """
 
     kind: Kind
     low: float
     high: float
+    rows: float
+    own: tuple[float, float] | None = None
 
     def holds(self, numbers: Array, reading: Reading, allowed: float) -> NDArray[np.bool_]:
         """Which numbers are it."""
         values = reading.unit * numbers
-        return np.asarray((self.low - allowed <= values) & (values <= self.high + allowed))
+        ends = [(self.low, self.high), *([self.own] if self.own else [])]
+        return np.asarray(sum((low - allowed <= values) & (values <= high + allowed) for low, high in ends), bool)
 
     @property
     def quantity(self) -> Quantity:
-        """Its ends as a quantity: what units and how much of a difference are allowed."""
-        return Quantity("", self.kind, np.array([self.low, self.high]))
+        """What it is as a quantity, what the rows alone give last: what units and how much of a difference are allowed."""
+        return Quantity("", self.kind, np.array([self.low, self.high, *(self.own or ()), self.rows]))
 
 
 def taken(column: Array, take: Take, kind: Kind, alike: bool = False) -> float:
@@ -64,23 +72,35 @@ def span_of(truth: Truth, symbol: str) -> Span:
 
 def _span(truth: Truth, summary: Summary) -> Span:
     kind = truth.kinds.get(summary.of, "number")
-    column = truth.columns[summary.of]
+    finer = _finer(truth, summary)
+    shift = truth.shifts.get(summary.of)
+    plain = _values(truth, finer, summary, lambda column: column)
+    if shift is None:
+        return Span(kind, min(plain), max(plain), plain[0])
+    own = _values(truth, finer, summary, shift.counted)
+    return Span(kind, min(plain), max(plain), own[0], (min(own), max(own)))
+
+
+def _finer(truth: Truth, summary: Summary) -> Truth | None:
+    """The mechanism with positions between the rows too, where an extreme between two of them may be another number."""
+    rows = len(truth.driver)
+    if "mean" in summary.take.parts or not summary.take.ways or rows > MOST_ROWS:
+        return None
+    finer = np.interp(np.arange((rows - 1) * FINER + 1) / FINER, np.arange(rows), truth.driver)
+    return truth_of(truth.mechanism, truth.dimensions, finer, truth.poses)
+
+
+def _values(truth: Truth, finer: Truth | None, summary: Summary, counted: Callable[[Array], Array]) -> list[float]:
+    """What may be answered, with the column as `counted`: first what the rows alone give."""
+    kind = truth.kinds.get(summary.of, "number")
+    column = counted(truth.columns[summary.of])
     if "mean" in summary.take.parts:
         turns = float(truth.driver[-1] - truth.driver[0]) / math.tau
         closed = truth.mechanism.driver.link and round(turns) != 0 and abs(turns - round(turns)) < CLOSED
         # over a part of a turn the mean of the rows is an answer too, over a turn it counts the closing row twice
-        means = [taken(column, summary.take, kind, alike) for alike in ((False,) if closed else (False, True))]
-        return Span(kind, min(means), max(means))
-    plain = taken(column, summary.take, kind)
-    if not summary.take.ways:
-        return Span(kind, plain, plain)
-    rows = len(truth.driver)
-    if rows > MOST_ROWS:
-        return Span(kind, plain, plain)
-    finer = np.interp(np.arange((rows - 1) * FINER + 1) / FINER, np.arange(rows), truth.driver)
-    between = truth_of(truth.mechanism, truth.dimensions, finer, truth.poses)
-    exact = plain if between is None else taken(between.columns[summary.of], summary.take, kind)
-    return Span(kind, min(plain, exact), max(plain, exact))
+        return [taken(column, summary.take, kind, alike) for alike in ((False,) if closed else (False, True))]
+    found = [taken(column, summary.take, kind)]
+    return found if finer is None else [*found, taken(counted(finer.columns[summary.of]), summary.take, kind)]
 
 
 def reading_of_number(number: float, span: Span, size: float, tolerance: float) -> Reading | None:

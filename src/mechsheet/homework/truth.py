@@ -57,6 +57,18 @@ class Quantity:
 
 
 @dataclass(frozen=True, slots=True)
+class Shift:
+    """How a sheet counts a quantity: from another zero, in another turn, the other way round; internal units."""
+
+    sense: int
+    offset: float
+
+    def counted(self, values: Array) -> Array:
+        """The quantity's values as the sheet has them."""
+        return self.sense * (values + self.offset)
+
+
+@dataclass(frozen=True, slots=True)
 class Truth:
     """A mechanism with numbers in place.
 
@@ -64,6 +76,7 @@ class Truth:
     driver       the driver's values;  exists  in which rows it can be assembled
     columns      the quantities by symbol;  kinds  what each of them is
     poses        of the links in the first row that exists: what picks this assembly again
+    shifts       how the sheet counts columns of which it does not say the quantity itself (`conventions`)
     spans        what its summaries may be, once they are known (`summaries.span_of`)
     """
 
@@ -75,6 +88,7 @@ class Truth:
     kinds: Mapping[str, Kind]
     size: float
     poses: Mapping[str, tuple[float, float, float]] | None
+    shifts: Mapping[str, Shift] = field(default_factory=dict)
     spans: dict[str, Span] = field(default_factory=dict, compare=False)
 
     def quantity(self, symbol: str) -> Quantity:

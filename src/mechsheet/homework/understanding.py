@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from mechsheet import reference
 from mechsheet.diagnostics import Fault, MechanismError, WorkbookError
-from mechsheet.homework.agreement import DEGREE, POWERS, allowance, likely, reading_of
+from mechsheet.homework.agreement import DEGREE, POWERS, Reading, allowance, likely, reading_of
 from mechsheet.homework.headings import Called, aliases_of, called, contains, heading, labels, names_over, tokens
 from mechsheet.homework.inputs import Input, inputs_of, is_length, unread_inputs
 from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, drivers, likely_runs, typed_runs
 from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
+from mechsheet.homework.two_way import Settings, settings_of, with_setting, without_others
 from mechsheet.homework.upright import Place, Work
 from mechsheet.model import Mechanism
 
@@ -28,7 +29,13 @@ MOVING = 20
 
 @dataclass
 class Understanding:
-    """See the module. `factor`, `offset`: driver = factor * cell + offset in internal units."""
+    """See the module.
+
+    factor, offset  driver = factor * cell + offset in internal units
+    counted         the columns that outputs and summaries are computed from, and how they say their quantities
+    settings        the columns of a two-way table by the cells above them
+    by_convention   outputs that follow from these as the sheet counts them, not from the description's (see `conventions`)
+    """
 
     graph: Graph
     driver: Run
@@ -38,6 +45,9 @@ class Understanding:
     truth: Truth
     series: list[Series]
     tolerance: float
+    counted: Mapping[str, tuple[Series, Reading]] = field(default_factory=dict)
+    by_convention: frozenset[str] = frozenset()
+    settings: Settings = field(default_factory=dict)
     headings: dict[tuple[str, int, int], tuple[str, ...]] = field(default_factory=dict)
     names: dict[tuple[str, ...], Called] = field(default_factory=dict)
 
@@ -116,9 +126,10 @@ def understand(
     best: tuple[tuple[int, int], Understanding] | None = None
     for run in runs:
         series = aligned(graph, run)
-        for inputs in _possible_inputs(graph, mechanism, given, run):
+        settings = settings_of(graph, series)
+        for inputs in _possible_inputs(graph, mechanism, given, run, settings):
             for factor, offset in ways(work, run, mechanism, unusual):
-                found = _hypothesis(graph, run, factor, offset, inputs, mechanism, series, tolerance)
+                found = _hypothesis(graph, run, factor, offset, inputs, mechanism, series, settings, tolerance)
                 if found is None:
                     continue
                 score = _score(found, asked)
@@ -159,9 +170,10 @@ def other_runs(graph: Graph, used: Sequence[Understanding]) -> list[Run]:
 
 
 def _possible_inputs(
-    graph: Graph, mechanism: Mechanism, given: Mapping[str, float], run: Run
+    graph: Graph, mechanism: Mechanism, given: Mapping[str, float], run: Run, settings: Settings
 ) -> Iterator[tuple[Input, ...]]:
-    """The cells of the dimensions: by what is written beside them, by their numbers, with those that no formula reads."""
+    """The cells of the dimensions: by what is written beside them, by their numbers, with those that no formula reads, with
+    one above a column of a two-way table."""
     by_words = inputs_of(graph, mechanism, given, run, True)
     unread = unread_inputs(graph, mechanism, given, run, by_words)
     if unread and not by_words:  # no formula reads anything: the numbers were pasted
@@ -172,6 +184,8 @@ def _possible_inputs(
         yield by_numbers
     if unread and by_words:
         yield (*by_words, *unread)
+    power = next((one.factor for one in by_words if is_length(mechanism, one.symbol)), 1.0)
+    yield from with_setting(by_words, settings, mechanism.dimensions, power)
 
 
 def _hypothesis(
@@ -182,13 +196,15 @@ def _hypothesis(
     inputs: tuple[Input, ...],
     mechanism: Mechanism,
     series: list[Series],
+    settings: Settings,
     tolerance: float,
 ) -> Understanding | None:
     values = dimensions_in(graph.work, inputs)
     truth = truth_of(mechanism, values, run.column(graph.work) * factor + offset)
     if truth is None:
         return None
-    return Understanding(graph, run, factor, offset, inputs, truth, series, tolerance)
+    series = without_others(series, inputs, settings)
+    return Understanding(graph, run, factor, offset, inputs, truth, series, tolerance, settings=settings)
 
 
 def dimensions_in(work: Work, inputs: Sequence[Input]) -> dict[str, float]:

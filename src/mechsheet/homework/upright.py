@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 
 from mechsheet.diagnostics import Fault
 from mechsheet.engine import Plan, Values, compile_book
-from mechsheet.engine.interpreter.evaluator import Evaluator
 from mechsheet.engine.layout import Area
 from mechsheet.engine.values.cells import BLANK, NUMBER, Cells
 from mechsheet.formula.book import Block, Book, BookSheet, CellStore
@@ -89,13 +88,19 @@ def turned(node: Node) -> Node:
 
 @dataclass
 class Work:
-    """One workbook. `across`: its tables go to the right; `large`: it has more runs of formulas than are looked at."""
+    """One workbook.
+
+    across     its tables go to the right
+    undecided  formulas were filled in both directions, or in none: they may as well go the other way
+    large      it has more runs of formulas than are looked at
+    """
 
     book: Book
     across: bool
     strips: list[Strip]
     large: bool = False
     remarks: list[str] = field(default_factory=list)
+    undecided: bool = False
 
     @cached_property
     def plan(self) -> Plan:
@@ -103,18 +108,9 @@ class Work:
         return compile_book(self.book)
 
     @cached_property
-    def computed(self) -> Evaluator:
-        """The engine with every cell computed, which can compute further formulas from them."""
-        evaluator, marks = self.plan.begin({})
-        with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
-            for step in self.plan.steps:
-                step.run(evaluator, marks)
-        return evaluator
-
-    @cached_property
     def values(self) -> Values:
         """Its values as they are."""
-        return self.plan.evaluate() if self.plan.settles else self.plan.values_of(self.computed)
+        return self.plan.evaluate()
 
     @cached_property
     def lines(self) -> Mapping[tuple[str, int], list[int]]:
@@ -187,9 +183,9 @@ class Work:
         sheet, pos, line = place
         return (sheet, line, pos) if self.across else place
 
-    def where(self, sheet: str, pos: int, line: int, length: int = 1) -> str:
+    def where(self, sheet: str, pos: int, line: int, length: int = 1, lines: int = 1) -> str:
         """Cells as messages name them: Sayfa1!B13:B31."""
-        area = area_name(line, pos, 1, length) if self.across else area_name(pos, line, length, 1)
+        area = area_name(line, pos, lines, length) if self.across else area_name(pos, line, length, lines)
         return f"{sheet}!{area}"
 
     def shown(self, formula: Node, sheet: str = "") -> str:
@@ -278,7 +274,8 @@ def _range_of_one_sheet(part: Node) -> Node:
 
 
 def with_formula(work: Work, strip: Strip, formula: Node) -> Work:
-    """The workbook with another formula in the cells of a strip (or of typed cells that it names)."""
+    """The workbook with another formula in the cells of a strip (or of typed cells that it names). Strips that it follows on
+    and that have the same formula are one with it from then on."""
     if work.across:
         row, col, rows, cols, node = strip.line, strip.start, 1, strip.length, turned(formula)
     else:
@@ -289,9 +286,16 @@ def with_formula(work: Work, strip: Strip, formula: Node) -> Work:
         for sheet in work.book.sheets
     ]
     new = replace(strip, formula=formula)
-    strips = [new if one == strip else one for one in work.strips]
-    if new not in strips:
-        strips.append(new)
+    strips = [one for one in work.strips if one != strip]
+    place = work.strips.index(strip) if strip in work.strips else len(strips)
+    for one in [work.strips[number] for number in work.lines.get((strip.sheet, strip.line), ())]:
+        first, last = sorted((one, new), key=lambda each: each.start)
+        same = first.end == last.start and work.bound(first.at(last.start), last) == work.bound(last.formula, last)
+        if one != strip and same:
+            place -= strips.index(one) < place
+            strips.remove(one)
+            new = replace(first, length=first.length + last.length)
+    strips.insert(place, new)
     return Work(book, work.across, strips, work.large, work.remarks)
 
 
@@ -325,8 +329,9 @@ def _minus(block: Block, other: Block) -> Iterator[Block]:
             yield Block(row, col, last_row - row, last_col - col, formula)
 
 
-def upright(book: Book) -> Work:
-    """A workbook as strips, in the direction in which most of its formulas were filled; routines of the text are known."""
+def upright(book: Book, to_the_right: bool | None = None) -> Work:
+    """A workbook as strips, in the direction in which most of its formulas were filled, if none is said; routines of the
+    text are known."""
     book = with_routines(book)
     remarks = [str(fault) for fault in _told(book.remarks)] + _numbers_with_commas(book)
     keys: dict[Node, int] = {}
@@ -341,15 +346,18 @@ def upright(book: Book) -> Work:
                 break
             key = keys.setdefault(shifted(block.formula, -block.row, -block.col, wrap=True), len(keys))
             blocks.append((sheet.title, block, key))
-    across = _to_the_right(blocks)
+    down, right = _directions(blocks)
+    across = right > down if to_the_right is None else to_the_right
     formulas = {key: node for node, key in keys.items()}
     order = {sheet.title: number for number, sheet in enumerate(book.sheets)}
     pieces = sorted(_pieces(blocks, across), key=lambda piece: (order[piece[0]], piece[1], piece[2]))
-    return Work(book, across, list(_strips(pieces, formulas, across)), large, remarks)
+    return Work(
+        book, across, list(_strips(pieces, formulas, across)), large, remarks, 2 * min(down, right) >= max(down, right)
+    )
 
 
-def _to_the_right(blocks: Sequence[tuple[str, Block, int]]) -> bool:
-    """Whether more cells have the formula of the cell to their left than of the cell above."""
+def _directions(blocks: Sequence[tuple[str, Block, int]]) -> tuple[int, int]:
+    """How many cells have the formula of the cell above, and how many of the cell to their left."""
     by_corner = {(title, block.row, block.col): (block, key) for title, block, key in blocks}
     down = right = 0
     for title, block, key in blocks:
@@ -359,7 +367,7 @@ def _to_the_right(blocks: Sequence[tuple[str, Block, int]]) -> bool:
         beside = by_corner.get((title, block.row, block.col + block.cols))
         down += block.cols if below is not None and below[1] == key and below[0].cols == block.cols else 0
         right += block.rows if beside is not None and beside[1] == key and beside[0].rows == block.rows else 0
-    return right > down
+    return down, right
 
 
 def _pieces(blocks: Iterable[tuple[str, Block, int]], across: bool) -> Iterator[tuple[str, int, int, int, int]]:

@@ -12,8 +12,9 @@ import numpy as np
 
 from mechsheet.engine import Values
 from mechsheet.formula.nodes import Call, Number, walk
-from mechsheet.homework.agreement import FEWEST, Reading, gaps, reading_of
+from mechsheet.homework.agreement import FEWEST, Reading, gaps, most_like, reading_of
 from mechsheet.homework.claims import answers, claimed, exchanged, read_on, rivals
+from mechsheet.homework.counting import as_counted
 from mechsheet.homework.headings import around, contains, label_of, labels, names_over, says
 from mechsheet.homework.inputs import MOST_UNREAD, is_length, single_cells, typed_numbers
 from mechsheet.homework.series import Series
@@ -137,10 +138,26 @@ def _reader(sheet: Sheet, truth: Truth) -> Callable[[Series, str], Reading | Non
         if key not in known:
             quantity = truth.quantity(symbol)
             reading = reading_of(sheet.column(series), quantity, found.allowed(quantity), found.zeros)
-            known[key] = reading if reading is not None and _conventional(reading, series) else None
+            if reading is not None and not (of_output(found, symbol, reading) and _conventional(reading, series)):
+                reading = None
+            known[key] = reading
         return known[key]
 
     return read_as
+
+
+def of_output(found: Understanding, symbol: str, reading: Reading) -> bool:
+    """Whether an output may be read so: it is computed by a formula, so that only the sense of an angle, or its other side,
+    is a choice; of one that follows the convention of its columns not even that."""
+    if all(output.symbol != symbol for output in found.mechanism.outputs) or reading.plain:
+        return True
+    return symbol not in found.by_convention and abs(math.remainder(reading.offset, math.pi)) < 1e-3
+
+
+def mostly(sheet: Sheet, truth: Truth, symbol: str, series: Series) -> Reading | None:
+    """How a series says a column of the mechanism in most of its rows."""
+    quantity = truth.quantity(symbol)
+    return most_like(sheet.column(series), quantity, sheet.found.allowed(quantity), sheet.found.zeros)
 
 
 def _conventional(reading: Reading, series: Series) -> bool:
@@ -246,7 +263,7 @@ def unexplained(sheet: Sheet, truth: Truth, spare: Sequence[Series]) -> list[Ser
     """Computed series that are nothing of the mechanism, the driver's own value in another unit included."""
     words = vocabulary(truth)
     found = sheet.found
-    computed = [series for series in spare if series.main is not None]
+    computed = [series for series in spare if series.main is not None and np.isfinite(sheet.column(series)).any()]
     known = anything(sheet.matrix(computed), words, found.allowed, found.zeros)
     return [series for series, one in zip(computed, known, strict=True) if not one]
 
@@ -289,7 +306,7 @@ def _typed(found: Understanding, changes: Mapping[str, float]) -> Retyped | None
     if not np.isfinite(column).all():
         return None
     truth = truth_of(found.mechanism, dimensions, column * found.factor + found.offset, found.truth.poses)
-    return None if truth is None else Retyped(truth, values, cells)
+    return None if truth is None else Retyped(as_counted(found, truth, values), values, cells)
 
 
 def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:

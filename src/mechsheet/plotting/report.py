@@ -133,7 +133,9 @@ class _FirstSheet:
         driver = behind_number(self.plan.mechanism.driver.unit.text)
         for symbol, row in self.plan.blocks[key].rows.items() if key in self.plan.blocks else ():
             name = self.text(row, SYMBOL)
-            of_rows = "/ " if isinstance(self.cells.get((row, UNIT)), float) else ""  # a count of the rows, in their place
+            of_rows = (
+                "/ " if isinstance(self.cells.get((row, UNIT)), float) else ""
+            )  # a count of the rows, in their place
             value = f"{self.text(row, VALUE)} {of_rows}{self.text(row, UNIT)}".replace(" °", "°").strip()
             place = self.text(row, TOLERANCE) if key in ("summary", "verdicts") else ""
             if (value or self.text(row, MEANING)) and symbol not in UNSAID:

@@ -57,11 +57,12 @@ def filled(week, number, path, **slips):
 
 def test_a_students_sheet_holds_the_task_and_no_answer(week):
     book = openpyxl.load_workbook(week / "week" / "student" / "101.xlsx")
-    (sheet,) = book.worksheets
+    sheet, _ = book.worksheets
     cells = [cell.value for row in sheet.iter_rows() for cell in row if cell.value is not None]
     assert sheet.sheet_state == "visible"
-    # which assembly, which side, what the columns mean: lengths alone leave that open
-    assert {"assembly: B left of A→B0", "C left of A→B", "theta13: angle of link 3, coupler"} <= set(cells)
+    # which assembly, where the points lie, what the columns mean: lengths alone leave that open
+    assert {"assembly: B left of A→B0", "theta13: direction A→B  (angle of link 3, coupler)"} <= set(cells)
+    assert "3  coupler: A, B, C;  AB = a3;  AC = b3, counter-clockwise from A→B by γ3" in cells
     assert {"theta13", "theta14", "mu_min", "101"} <= set(cells)
     assert [value for value in cells if isinstance(value, float | int)][-25:] == STEPS
     assert not any(isinstance(value, str) and value.startswith("=") for value in cells)
@@ -103,6 +104,18 @@ def test_a_class_is_marked(week):
     page = (pages / "102.html").read_text(encoding="utf-8")
     assert "&lt;b&gt;Bora&lt;/b&gt;" in page
     assert "Ayşe" not in page
+
+
+def test_moodle_reads_the_grades(week, tmp_path):
+    """By ID number; who has handed in nothing has no grade yet."""
+    filled(week, 0, tmp_path / "101.xlsx")
+    run("mark", tmp_path / "101.xlsx", "--against", week / "week" / "key.json", "--moodle", tmp_path / "moodle.csv")
+    text = (tmp_path / "moodle.csv").read_text(encoding="utf-8")
+    head, first, second, third = csv.reader(io.StringIO(text))
+    title = mechsheet.template("four-bar", language="en").title.en
+    assert head == ["ID number", title, f"Feedback: {title}"]
+    assert first[:2] == ["101", "4"]
+    assert [row[:2] for row in (second, third)] == [["102", "-"], ["103", "-"]]
 
 
 def test_an_appeal_is_settled_in_the_sheet(week):

@@ -21,6 +21,7 @@ from mechsheet.description.text.file_names import is_device
 from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, readable_name, system_reason
 from mechsheet.formats import write
 from mechsheet.formula.scalar import evaluate
+from mechsheet.homework.classroom.figure import figure_of
 from mechsheet.homework.classroom.task_sheet import task_sheet
 from mechsheet.homework.recognition import deciding
 from mechsheet.homework.summaries import taken
@@ -29,10 +30,12 @@ from mechsheet.kinematics.means import rows_count_alike
 from mechsheet.model import Mechanism, Need, Vary
 from mechsheet.replacing import make_folder, replace_file
 from mechsheet.said import say
+from mechsheet.words.homework import said
 
 DRAWS = 1000
 """Times that dimensions are drawn anew for one student."""
 KEY = "key.json"
+NUMBERS = "numbers.csv"
 LONGEST = 60
 """Letters of an id in a file's name."""
 _UNSAFE = re.compile(r"[^\w-]+")
@@ -69,7 +72,8 @@ def exercise(
     seed: int = 0,
     progress: Callable[[str], None] | None = None,
 ) -> Exercises:
-    """Write `student/ID.xlsx`, `solution/ID.xlsx` for everybody in a CSV file (id, name, ...), and `key.json`.
+    """Write `student/ID.xlsx`, `solution/ID.xlsx` for everybody in a CSV file (id, name, ...), `numbers.csv`, which says who
+    has which dimensions, and `key.json`.
 
     Dimensions are drawn as the description's [exercise] says, from the seed and the id alone; `progress` is told how many
     students are done. Raises MechsheetError with everything that is wrong with the list, or if nothing drawn fulfils
@@ -85,6 +89,7 @@ def exercise(
         faults = [*error.faults, *faults]
     if faults:
         raise MechsheetError(faults)
+    figure = figure_of(mechanism)
     changed = [(student, with_dimensions(mechanism, student.dimensions)) for student in students]
     for part in (folder, folder / "student", folder / "solution"):
         if not part.is_dir():
@@ -95,11 +100,33 @@ def exercise(
             progress(f"student {number} of {len(changed)}")
         files += [folder / "student" / f"{student.file}.xlsx", folder / "solution" / f"{student.file}.xlsx"]
         compiled = Compiled(own)
-        write(task_sheet(compiled, student.id, student.name), files[-2])
+        write(task_sheet(compiled, student.id, student.name, figure), files[-2])
         write(compiled.workbook, files[-1])
     key = folder / KEY
     replace_file(key, json.dumps(key_of(mechanism, students, seed), indent=1, ensure_ascii=False).encode())
-    return Exercises(tuple(students), folder, (*files, key), tuple(remarks))
+    numbers = folder / NUMBERS
+    replace_file(numbers, numbers_of(mechanism, students, seed).encode("utf-8-sig"))
+    return Exercises(tuple(students), folder, (*files, numbers, key), tuple(remarks))
+
+
+def numbers_of(mechanism: Mechanism, students: Sequence[Student], seed: int) -> str:
+    """Who has which dimensions, as CSV: those that vary, with their units, and the seed that they were drawn from."""
+    units = {dim.symbol: mechanism.shown(dim.unit).symbol for dim in mechanism.dimensions}
+    rules = mechanism.exercise
+    symbols = [one.symbol for one in (rules.vary if rules is not None else ())]
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    heads = [f"{symbol} [{units[symbol]}]" if units[symbol] else symbol for symbol in symbols]
+    writer.writerow([*(said(mechanism.language, f"marks.{key}") for key in ("id", "name")), *heads, "seed"])
+    for one in students:
+        numbers = [f"{one.dimensions[symbol]:.10g}" for symbol in symbols]
+        writer.writerow([no_formula(one.id), no_formula(one.name), *numbers, seed])
+    return text.getvalue()
+
+
+def no_formula(text: str) -> str:
+    """A text that no spreadsheet program takes for a formula."""
+    return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t") else text
 
 
 def key_of(mechanism: Mechanism, students: Sequence[Student], seed: int) -> dict[str, Any]:

@@ -5,13 +5,13 @@ from __future__ import annotations
 import csv
 import html
 import io
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import PurePath
 
 from mechsheet.compiled.evaluation import computed
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef
-from mechsheet.homework.classroom.exercise import safe
+from mechsheet.homework.classroom.exercise import no_formula, safe
 from mechsheet.homework.classroom.marks import Marked, Marks, lines_of, words_of
 from mechsheet.homework.words_of import fault_line, kind_words
 from mechsheet.sheet.styles import BAD_FILL, DERIVED_FILL, HEAD, HEAD_LEFT, INPUT, SUBTITLE, SYMBOL, TITLE, WARN_FILL
@@ -151,17 +151,23 @@ def _faults(marks: Marks) -> Sheet:
 
 
 def marks_csv(marks: Marks) -> str:
-    """id, mark, words: what learning platforms import."""
+    """id, mark, words: what spreadsheet programs and most learning platforms import."""
+    heads = [said("en", key) for key in ("marks.id", "marks.mark", "marks.words")]
+    rows = [[no_formula(one.id), f"{one.mark:g}", no_formula(words_of(one))] for one in marks.students]
+    return _table([heads, *rows])
+
+
+def moodle_csv(marks: Marks) -> str:
+    """What Moodle's grade import reads: the ID number, a grade item called as the mechanism, its feedback. Whose workbook is
+    missing or cannot be judged has no grade yet, which Moodle writes as a dash."""
+    rows = [[one.id, f"{one.mark:g}" if one.audit else "-", words_of(one)] for one in marks.students]
+    return _table([["ID number", marks.title, f"Feedback: {marks.title}"], *rows])
+
+
+def _table(rows: Iterable[Sequence[str]]) -> str:
     text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([said("en", key) for key in ("marks.id", "marks.mark", "marks.words")])
-    writer.writerows([_no_formula(one.id), f"{one.mark:g}", _no_formula(words_of(one))] for one in marks.students)
+    csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue()
-
-
-def _no_formula(text: str) -> str:
-    """A text that no spreadsheet program takes for a formula."""
-    return f"'{text}" if text[:1] in ("=", "+", "-", "@", "\t") else text
 
 
 def pages(marks: Marks) -> dict[str, str]:

@@ -1,115 +1,129 @@
-"""The sheet that a student is given: own dimensions, the driver's column, headings of what is asked; no answer anywhere."""
+"""The sheet that a student is given: a figure, own dimensions, the task in words, the driver's column, headings of what is
+asked; no answer anywhere."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from mechsheet import reference
 from mechsheet.compiled import Compiled
+from mechsheet.homework.classroom.figure import SIZE as FIGURE
+from mechsheet.homework.classroom.figure import Figure
+from mechsheet.homework.classroom.statement import Statement
 from mechsheet.homework.marking_rules import asked_of
-from mechsheet.model import Words
-from mechsheet.sheet.workbook import Cell, Column, PrintSetup, Properties, Sheet, Style, Workbook
-from mechsheet.words.equations import phrase
+from mechsheet.sheet.workbook import PLAIN, Cell, Column, Content, PrintSetup, Properties, Sheet, Style, Workbook
 from mechsheet.words.homework import said
 
 TITLE = Style(bold=True, size=14.0)
+SECTION = Style(bold=True)
 HEAD = Style(bold=True, fill="DDE6F0", border="thin", align="center", wrap=True)
 INPUT = Style(fill="FFF7D6", border="thin", locked=False)
 DRIVEN = Style(border="thin", fill="F3F3F3", number_format="0.####")
 EMPTY = Style(border="thin", locked=False)
 FIRST = 4
-"""Row of the first dimension, from 0."""
-NEARLY = 1e-9
-"""A point that is nearer to a line, in parts of its distance, lies on it."""
+"""Row of the figure, from 0."""
+ROW = 20
+"""Height of a row [pixels]."""
 
 
-def task_sheet(compiled: Compiled, identifier: str, name: str) -> Workbook:
+def task_sheet(compiled: Compiled, identifier: str, name: str, figure: Figure) -> Workbook:
     """The workbook of one student, whose dimensions the mechanism has."""
     mechanism = compiled.mechanism
     language = mechanism.language
-    cells = [
-        Cell(0, 0, mechanism.title.of(language), TITLE),
-        Cell(1, 0, said(language, "task.student")),
-        Cell(1, 1, identifier),
-        Cell(1, 2, name),
-        Cell(2, 0, said(language, "task.hint")),
-    ]
-    row = FIRST
-    for dim in mechanism.dimensions:
-        if dim.derived or dim.place or (dim.shown is None and not isinstance(dim.value, float)):
-            continue
+    asked = list(asked_of(mechanism).marks)
+    told = Statement(compiled, asked)
+    page = _Page()
+    page.put(0, mechanism.title.of(language), TITLE)
+    page.row = 1
+    page.line((said(language, "task.student"), identifier, name))
+    page.line((said(language, "task.hint"),))
+    chart, data = figure.on(FIRST)
+    page.row = FIRST + FIGURE // ROW + 1
+    if mechanism.exercise is not None and mechanism.exercise.vary:
+        page.line((said(language, "task.scale"),))
+    page.section(said(language, "task.given"))
+    for dim, number, label in told.given():
         unit = mechanism.shown(dim.unit).symbol
-        label = f"{dim.symbol} [{unit}]" if unit else dim.symbol
-        cells += [Cell(row, 0, label), Cell(row, 1, _own(dim.value, dim.unit.to_shown), INPUT)]
-        if dim.label is not None:
-            cells.append(Cell(row, 2, dim.label.of(language)))
-        row += 1
-    asked = asked_of(mechanism).marks
-    summaries = {summary.symbol: summary for summary in mechanism.summaries}
-    row += 1
+        page.put(1, number, INPUT)
+        page.line((f"{dim.symbol} [{unit}]" if unit else dim.symbol, None, label or None))
+    page.lines(said(language, "task.derived"), told.derived())
+    page.lines(said(language, "task.links"), told.links())
+    page.lines(said(language, "task.joints"), told.joints())
+    page.lines(said(language, "task.loads"), told.loads())
+    page.lines(said(language, "task.driver"), [*told.driver(), *told.assemblies()])
+    page.lines(said(language, "task.asked"), told.meanings())
+    page.row += 1
+    summaries = {one.symbol for one in mechanism.motion_numbers}
     for symbol in [symbol for symbol in asked if symbol in summaries]:
-        cells += [Cell(row, 0, symbol), Cell(row, 1, None, EMPTY)]
-        meaning = summaries[symbol].label
-        if meaning is not None:
-            cells.append(Cell(row, 2, meaning.of(language)))
-        row += 1
-    row += 1
-    for line in _meanings(compiled, [symbol for symbol in asked if symbol not in summaries]):
-        cells.append(Cell(row, 0, line))
-        row += 1
-    row += 1
+        page.put(1, None, EMPTY)
+        page.line((symbol,))
+    page.row += 1
     columns = [symbol for symbol in asked if symbol not in summaries]
-    values = reference.driver_values(mechanism, reference.dimension_values(mechanism))
-    shown = mechanism.shown(mechanism.driver.unit).symbol
-    cells.append(Cell(row, 0, f"{mechanism.driver.symbol} [{shown}]", HEAD))
-    cells += [Cell(row, col, symbol, HEAD) for col, symbol in enumerate(columns, 1)]
-    for number, value in enumerate(np.asarray(mechanism.driver.unit.to_shown(values), float).tolist(), 1):
-        cells.append(Cell(row + number, 0, round(value, 10), DRIVEN))
-        cells += [Cell(row + number, col, None, EMPTY) for col in range(1, len(columns) + 1)]
+    page.table(compiled, columns)
     sheet = Sheet(
         said(language, "task.sheet"),
-        tuple(cells),
+        tuple(page.cells),
         columns=(Column(0, 0, 22.0), Column(1, max(1, len(columns)), 14.0)),
-        print_setup=PrintSetup(landscape=False, fit_height=1),
+        row_heights=tuple((row, ROW * 0.75) for row in range(FIRST, FIRST + FIGURE // ROW + 1)),
+        charts=(chart,),
+        print_setup=PrintSetup(landscape=False),
     )
     title = mechanism.title.of(language)
-    return Workbook((sheet,), properties=Properties(title=title, language=language))
+    return Workbook((sheet, data), properties=Properties(title=title, language=language))
 
 
-def _meanings(compiled: Compiled, columns: list[str]) -> Iterator[str]:
-    """Which assembly is meant, and what each column is to hold. Of links that are solved all at once an assembly is told
-    by numbers: they would be an answer."""
-    language = compiled.mechanism.language
-    for group in compiled.equations.groups:
-        if group.mode and group.system is None:
-            yield f"{said(language, 'task.assembly')}: {group.mode_words.of(language)}"
-    yield from (side.of(language) for side in _sides(compiled))
-    meant = {each.symbol: each.label.of(language) for each in compiled.equations.columns}
-    yield from (f"{symbol}: {meant[symbol]}" for symbol in columns if meant.get(symbol))
-    yield said(language, "task.angles")
+class _Page:
+    """A sheet written line by line."""
 
+    def __init__(self) -> None:
+        self.cells: list[Cell] = []
+        self.row = 0
 
-def _sides(compiled: Compiled) -> Iterator[Words]:
-    """On which side of its first two points each further point of a link lies: lengths leave it open."""
-    closed = np.flatnonzero(compiled.closed)
-    if not closed.size:
-        return
-    for link in compiled.mechanism.links:
-        if len(link.points) < 3:
-            continue
-        start, end, *others = link.points
-        for point in others:
-            x, y = (
-                [float(compiled.values[f"{name}.{axis}"][closed[0]]) for name in (start, end, point)] for axis in "xy"
-            )
-            along, aside = (x[1] - x[0], y[1] - y[0]), (x[2] - x[0], y[2] - y[0])
-            side = along[0] * aside[1] - along[1] * aside[0]
-            if abs(side) > NEARLY * math.hypot(*along) * math.hypot(*aside):
-                yield phrase("left_of" if side > 0 else "right_of", point=point, start=start, end=end)
+    def put(self, col: int, content: Content, style: Style = PLAIN) -> None:
+        """A cell of this line."""
+        self.cells.append(Cell(self.row, col, content, style))
 
+    def line(self, contents: Sequence[Content]) -> None:
+        """A line of cells."""
+        for col, content in enumerate(contents):
+            if content is not None:
+                self.put(col, content)
+        self.row += 1
 
-def _own(value: object, shown: object) -> float:
-    return round(float(shown(value)), 10)  # type: ignore[operator]
+    def section(self, title: str) -> None:
+        """A heading after an empty line."""
+        self.row += 1
+        self.put(0, title, SECTION)
+        self.row += 1
+
+    def lines(self, title: str, several: Iterable[Content]) -> None:
+        """A heading with its lines; nothing where there are none."""
+        found = list(several)
+        if found:
+            self.section(title)
+        for one in found:
+            self.line((one,))
+
+    def table(self, compiled: Compiled, columns: Sequence[str]) -> None:
+        """The driver's values, what is listed beside them, and the columns to fill in."""
+        mechanism = compiled.mechanism
+        driver = mechanism.driver
+        values = reference.driver_values(mechanism, reference.dimension_values(mechanism))
+        given = {driver.symbol: np.asarray(driver.unit.to_shown(values), float)}
+        for symbol in mechanism.given_by_row:
+            unit = mechanism.given_unit(symbol)
+            given[symbol] = np.asarray(unit.to_shown(compiled.given[symbol]) if unit else compiled.given[symbol], float)
+        for col, symbol in enumerate(given):
+            unit = mechanism.given_unit(symbol)
+            shown = mechanism.shown(unit).symbol if unit else ""
+            self.put(col, f"{symbol} [{shown}]" if shown else symbol, HEAD)
+        for col, symbol in enumerate(columns, len(given)):
+            self.put(col, symbol, HEAD)
+        for row in range(len(values)):
+            self.row += 1
+            for col, numbers in enumerate(given.values()):
+                self.put(col, round(float(numbers[row]), 10), DRIVEN)
+            for col in range(len(given), len(given) + len(columns)):
+                self.put(col, None, EMPTY)

@@ -106,18 +106,18 @@ def _put(formula: Node, paths: Sequence[_Path], new: Node) -> Iterator[Node]:
     """The formula with `new` in all these places; and where they are several, in each of them alone."""
     whole = formula
     for path in paths:
-        whole = put_at(whole, path, new)
+        whole = _put_at(whole, path, new)
     yield whole
     if 1 < len(paths) <= 4:
-        yield from (put_at(formula, path, new) for path in paths)
+        yield from (_put_at(formula, path, new) for path in paths)
 
 
-def put_at(node: Node, path: _Path, new: Node) -> Node:
+def _put_at(node: Node, path: _Path, new: Node) -> Node:
     """A tree with another node at a path; what does not stand on the path is the same object."""
     if not path:
         return new
     below = list(children(node))
-    below[path[0]] = put_at(below[path[0]], path[1:], new)
+    below[path[0]] = _put_at(below[path[0]], path[1:], new)
     return rebuilt(node, tuple(below))
 
 
@@ -131,7 +131,7 @@ def _exchanged(formula: Node, paths: Mapping[Node, Sequence[_Path]]) -> Iterator
             for old, new in ((one, other), (other, one)):
                 for path in paths[old]:
                     if path[: len(inside)] == inside:
-                        whole = put_at(whole, path, new)
+                        whole = _put_at(whole, path, new)
             yield whole
 
 

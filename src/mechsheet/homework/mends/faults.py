@@ -3,6 +3,7 @@ two changes in one formula."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -10,19 +11,32 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import CellRef, Node, RangeRef
-from mechsheet.homework.agreement import Reading, agrees, gaps, likely, reading_of, units_of, wrapped
+from mechsheet.formula.nodes import CellRef, Node, Number, RangeRef
+from mechsheet.homework.agreement import (
+    Reading,
+    agrees,
+    gaps,
+    likely,
+    nearest_unit,
+    otherwise,
+    reading_of,
+    units_of,
+    wrapped,
+    zeros_of,
+)
+from mechsheet.homework.conventions import in_convention
 from mechsheet.homework.headings import around, names_over, says
 from mechsheet.homework.inputs import single_cells
 from mechsheet.homework.mends.candidates import Candidate, Surroundings, candidates
 from mechsheet.homework.mends.pairs import pairs
 from mechsheet.homework.mends.trial import Effort, Trial, UntriableError
-from mechsheet.homework.series import Graph, Series, aligned
+from mechsheet.homework.series import Graph, Series
 from mechsheet.homework.summaries import holding, span_of
-from mechsheet.homework.truth import Array, Quantity, Truth, kind_of, vocabulary
+from mechsheet.homework.truth import Array, Quantity, kind_of, vocabulary
+from mechsheet.homework.two_way import columns_beside
 from mechsheet.homework.understanding import MOVING
 from mechsheet.homework.upright import Place, Strip, with_formula
-from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, retype
+from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, mostly, retype
 
 MOST_FAULTS = 5
 OF_VERIFYING = 10_000
@@ -37,14 +51,20 @@ may be one of the last (its wrong values can still be those of another link), an
 from anywhere in the sheet, are most of all: those of earlier formulas would use up what may be spent."""
 MOST_AROUND = 60
 """Cells that a formula may have meant instead."""
-ALL = slice(None)
+FROM_ELSEWHERE = 2
+"""The last way of a mend: rather than an angle that it makes count from anywhere two changes are tried."""
+WAYS = (0, 1, FROM_ELSEWHERE)
 MOST_OF_PAIRS = 3
 """Formulas in which two changes are tried."""
 
 
 @dataclass(frozen=True, slots=True)
 class Mend:
-    """A formula, what it should be, and the asked quantities that this puts right."""
+    """A formula, what it should be, and the asked quantities that this puts right.
+
+    way      how those are said then: themselves (0), in the other sense or from half a turn (1), from another zero (2)
+    lines    of a two-way table how many columns beside each other have the formula
+    """
 
     strip: Strip
     formula: Node
@@ -52,6 +72,8 @@ class Mend:
     weight: float
     rights: tuple[str, ...]
     live: bool = True
+    way: int = 0
+    lines: int = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,12 +110,12 @@ def goals_of(sheet: Sheet, results: Mapping[str, Finding]) -> list[tuple[str, Se
 class Search:
     """One search for a mend in one workbook."""
 
-    def __init__(self, sheet: Sheet, truth: Truth, results: Mapping[str, Finding], effort: Effort) -> None:
-        self.sheet, self.truth, self.results, self.effort = sheet, truth, results, effort
-        self.found = replace(sheet.found, truth=truth)
+    def __init__(self, sheet: Sheet, results: Mapping[str, Finding], effort: Effort) -> None:
+        self.sheet, self.results, self.effort = sheet, results, effort
+        self.found, self.truth = sheet.found, sheet.found.truth
         self.graph: Graph = sheet.found.graph
         self.goals = goals_of(sheet, results)
-        self.trial = Trial(self.graph, effort, sheet.found.series, truth.exists)
+        self.trial = Trial(self.graph, effort)
 
     @cached_property
     def retyped(self) -> list[Retyped]:
@@ -121,6 +143,7 @@ class Search:
                 if (
                     best is not None
                     and best.live
+                    and best.way == 0
                     and (everything <= set(best.rights) or (wanted <= set(best.rights) and best.weight < SURE))
                 ):
                     tried = [one for one in tried if one.weight + later < best.weight]
@@ -128,7 +151,7 @@ class Search:
                 if mend is not None:
                     mend = replace(mend, weight=mend.weight + later)
                     best = mend if best is None or _rank(mend) < _rank(best) else best
-        return best or self._of_pairs()
+        return best if best is not None and best.way < FROM_ELSEWHERE else self._of_pairs() or best
 
     def _of_pairs(self) -> Mend | None:
         """The first mend of two changes in one formula, of those that are not known to be right; for a column, not for one
@@ -138,7 +161,7 @@ class Search:
         for number in list(filter(self._is_doubtful, self.suspects))[:MOST_OF_PAIRS]:
             if self.effort.spent:
                 break
-            mend = self._of_strip(number, pairs(self.graph.formulas[number], self._around(number)))
+            mend = self._of_strip(number, pairs(self.graph.formulas[number], self._around(number)), (0,))
             if mend is not None and mend.live:
                 return mend
         return None
@@ -257,45 +280,42 @@ class Search:
 
     # --- one formula --------------------------------------------------------------------------------------------------
 
-    def _of_strip(self, number: int, tried: Sequence[Candidate]) -> Mend | None:
-        """The best of some changes of one formula."""
+    def _of_strip(
+        self, number: int, tried: Sequence[Candidate], ways: Sequence[int] = (0, 1, FROM_ELSEWHERE)
+    ) -> Mend | None:
+        """The best of some changes of one formula. `ways`: as `way` of a mend."""
         strip = self.graph.work.strips[number]
         goals = list({series.key: series for _, series in self.goals}.values())
         try:
-            columns = self.trial.columns(number, [one.formula for one in tried], goals, self._may_be)
+            columns = self.trial.columns(number, [one.formula for one in tried], goals)
         except UntriableError:
             return None
         by_key = {series.key: found for series, found in zip(goals, columns, strict=True)}
-        told: list[dict[str, None]] = [{} for _ in tried]
-        for symbol, series in self.goals:
-            for index in np.flatnonzero(self._are(symbol, by_key[series.key])).tolist():
-                told[index][symbol] = None
-        rights = np.array([len(each) for each in told])
-        best = [int(index) for index in np.lexsort((np.array([one.weight for one in tried]), -rights)) if rights[index]]
         spare: Mend | None = None
-        for index in best[:VERIFIED]:
-            one = tried[index]
-            mend = self.verified(strip, one, tuple(told[index]))
-            if mend is not None and mend.live:
-                return mend
-            spare = spare or mend
+        for way in ways:
+            told: list[dict[str, None]] = [{} for _ in tried]
+            for symbol, series in self.goals:
+                for index in np.flatnonzero(self._are(symbol, by_key[series.key], way)).tolist():
+                    told[index][symbol] = None
+            rights = np.array([len(each) for each in told])
+            order = np.lexsort((np.array([one.weight for one in tried]), -rights))
+            for index in [int(place) for place in order if rights[place]][:VERIFIED]:
+                mend = self.verified(strip, tried[index], tuple(told[index]))
+                if mend is not None and mend.live:
+                    return replace(mend, way=way)
+                spare = spare or mend
         return spare
 
-    def _may_be(self, series: Series, columns: Array, rows: slice) -> NDArray[np.bool_]:
-        """Which columns, shape (columns, rows), are something that is wanted there, seen in some rows."""
-        good = np.zeros(len(columns), bool)
-        for symbol, goal in self.goals:
-            if goal.key == series.key:
-                good |= self._are(symbol, columns, rows)
-        return good
-
-    def _are(self, symbol: str, columns: Array, rows: slice = ALL) -> NDArray[np.bool_]:
-        """Which columns, shape (columns, rows), are what is asked, in whatever unit."""
+    def _are(self, symbol: str, columns: Array, way: int) -> NDArray[np.bool_]:
+        """Which columns, shape (columns, rows), are what is asked, in whatever unit; `way`: as of a mend."""
         if symbol not in self.truth.columns:
-            return holding(columns[:, 0], span_of(self.truth, symbol), self.truth.size, self.found.tolerance)
+            right = holding(columns[:, 0], span_of(self.truth, symbol), self.truth.size, self.found.tolerance)
+            return right & (way == 0)
         quantity = self.truth.quantity(symbol)
         allowed = self.found.allowed(quantity)
-        quantity = replace(quantity, values=quantity.values[rows])
+        if way:
+            zeros = zeros_of(self.found.zeros) if way == FROM_ELSEWHERE else [0.0, math.pi]
+            return otherwise(columns, quantity, allowed, zeros)
         good = np.zeros(len(columns), bool)
         for unit in units_of(quantity):
             good |= agrees(columns, quantity, Reading(unit), allowed)
@@ -358,8 +378,13 @@ class Search:
         for symbol, finding in self.results.items():
             if finding.verdict in ("right", "not live") and after[symbol].verdict != "right":
                 return None
-        fixed = tuple(symbol for symbol in self.results if symbol in rights and after[symbol].verdict == "right")
-        if not fixed or not all(self._by_its_column(mended, strip, symbol) for symbol in fixed):
+        fixed = tuple(
+            symbol
+            for symbol, finding in self.results.items()
+            if finding.verdict not in ("right", "not live") and after[symbol].verdict == "right"
+            if self._by_its_column(mended, strip, symbol)
+        )
+        if not set(fixed) & set(rights):
             return None
         understanding = mended.found
         live = all(
@@ -381,71 +406,90 @@ def _inside(strip: Strip, series: Series) -> bool:
     )
 
 
-def _rank(mend: Mend) -> tuple[bool, int, float]:
-    return not mend.live, -len(mend.rights), mend.weight
+def _rank(mend: Mend) -> tuple[bool, int, int, float]:
+    return not mend.live, mend.way, -len(mend.rights), mend.weight
 
 
 def mended_sheet(sheet: Sheet, strip: Strip, formula: Node) -> Sheet:
     """The sheet with a mend in place."""
     work = with_formula(sheet.found.work, strip, formula)
     graph = Graph(work)
-    found = replace(
-        sheet.found, graph=graph, series=aligned(graph, sheet.found.driver), headings=dict(sheet.found.headings)
-    )
+    series, settings = columns_beside(graph, sheet.found.driver, sheet.found.inputs)
+    headings = dict(sheet.found.headings)
+    found = replace(sheet.found, graph=graph, series=series, settings=settings, headings=headings)
     return Sheet(found, sheet.asked)
 
 
-def first_wrong(sheet: Sheet, truth: Truth, results: Mapping[str, Finding]) -> Suspect | None:
-    """Where no single change mends: the first series that is nothing of the mechanism though all that it reads is."""
-    search = Search(sheet, truth, results, Effort())
+def first_wrong(sheet: Sheet, results: Mapping[str, Finding]) -> Suspect | None:
+    """Where no single change mends: the first series that is nothing of the mechanism though all that it reads is; of
+    numbers alone the first wrong one."""
+    search = Search(sheet, results, Effort())
     numbers = search.suspects
     if not numbers:
-        return None
+        typed = [(symbol, series) for symbol, series in search.goals if series.main is None]
+        return next((_wrong_number(sheet, series, symbol) for symbol, series in typed), None)
     strip = sheet.found.work.strips[numbers[0]]
     for symbol, series in search.goals:
         if series.main == strip:
-            return first_difference(sheet, truth, strip, series, symbol)
+            return first_difference(sheet, strip, series, symbol)
     place = (strip.sheet, strip.start, strip.line)
     return Suspect(strip, place, sheet.found.work.number(place), None, "")
 
 
-def first_difference(sheet: Sheet, truth: Truth, strip: Strip, series: Series, symbol: str) -> Suspect:
-    """The first cell of what is asked that is not what it should be, in the unit in which it comes nearest."""
-    if symbol in truth.columns:
-        quantity = truth.quantity(symbol)
-        column, wanted = sheet.column(series), quantity.values
+def _wrong_number(sheet: Sheet, series: Series, symbol: str) -> Suspect:
+    strip = Strip(series.sheet, series.line, series.origin, series.rows, Number(0.0))
+    found = first_difference(sheet, strip, series, symbol)
+    return replace(found, strip=replace(strip, start=found.place[1], length=1))
+
+
+def first_difference(
+    sheet: Sheet, strip: Strip, series: Series, symbol: str, mended: tuple[Sheet, Reading] | None = None
+) -> Suspect:
+    """The first cell of what is asked that is not what it should be, and what is wanted there as the sheet counts: what the
+    mended one has, and how that says it; else as most of its rows do, in the unit of that size."""
+    column, truth = sheet.column(series), sheet.found.truth
+    if symbol not in truth.columns:
+        span = span_of(truth, symbol)
+        wanted = span.rows / _unit(sheet, column, replace(span.quantity, values=np.array([span.rows])))
+        row = 0
     else:
-        quantity = span_of(truth, symbol).quantity
-        column, wanted = sheet.column(series), quantity.values[-1:]
-
-    def apart(unit: float) -> Array:
-        found: Array = column * unit - wanted
-        return wrapped(found) if quantity.kind == "angle" else found
-
-    known = np.isfinite(column) & np.isfinite(wanted)
-    unit = 1.0
-    if known.any():
-        unit = min(units_of(quantity), key=lambda each: float(np.median(np.abs(apart(each))[known])))
-    gap = apart(unit)
-    rows = np.flatnonzero(~(np.abs(gap) <= sheet.found.allowed(quantity)) & np.isfinite(wanted))
-    row = int(rows[0]) if len(rows) else 0
-    number = float(column[row])
-    right = number - float(gap[row]) / unit if known[row] else float(wanted[row]) / unit  # an angle in the same turn
-    return Suspect(strip, series.places()[row], number, right, symbol)
+        quantity = truth.quantity(symbol)
+        reading = mended[1] if mended else mostly(sheet, truth, symbol, series)
+        reading = reading or Reading(_unit(sheet, column, quantity))
+        gap = reading.of(column) - quantity.values
+        gap = wrapped(gap) if quantity.kind == "angle" else gap
+        rows = np.flatnonzero(~(np.abs(gap) <= sheet.found.allowed(quantity)) & np.isfinite(quantity.values))
+        row = int(rows[0]) if len(rows) else 0
+        turned = np.rint((reading.of(column) - quantity.values) / math.tau) if quantity.kind == "angle" else np.zeros(1)
+        there = turned[np.isfinite(turned)]
+        turn = float(np.median(there)) if len(there) else 0.0  # that of the other rows
+        right = float(quantity.values[row]) + reading.offset + math.tau * turn
+        wanted = reading.sense * right / reading.unit
+    if mended is not None:
+        wanted = float(series.column(mended[0].found.work)[row])
+    return Suspect(strip, series.places()[row], float(column[row]), wanted, symbol)
 
 
-def many(
-    sheet: Sheet, truth: Truth, results: Mapping[str, Finding], effort: Effort
-) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
+def _unit(sheet: Sheet, column: Array, quantity: Quantity) -> float:
+    """The unit in which a column that is wrong is meant: of lengths that of the dimensions."""
+    return sheet.found.length_unit if quantity.kind == "length" else nearest_unit(column, quantity)
+
+
+def many(sheet: Sheet, results: Mapping[str, Finding], effort: Effort) -> tuple[list[Mend], Sheet, dict[str, Finding]]:
     """One mend after the other, up to MOST_FAULTS: (mends, the sheet with all of them, what is found in it)."""
     mends: list[Mend] = []
     current = dict(results)
     while len(mends) < MOST_FAULTS and any(one.verdict in ("wrong", "missing") for one in current.values()):
-        mend = Search(sheet, truth, current, effort).mend()
+        mend = Search(sheet, current, effort).mend()
         if mend is None:
             break
-        mends.append(mend)
-        sheet = mended_sheet(sheet, mend.strip, mend.formula)
-        after = findings(sheet, truth)
-        current = {symbol: after.get(symbol, one) for symbol, one in current.items()}
+        sheet, after = in_convention(mended_sheet(sheet, mend.strip, mend.formula))
+        mends.append(replace(mend, rights=newly_right(current, after)))
+        current |= after
     return mends, sheet, current
+
+
+def newly_right(before: Mapping[str, Finding], after: Mapping[str, Finding]) -> tuple[str, ...]:
+    """What was not right and is."""
+    was = {symbol for symbol, one in before.items() if one.verdict in ("right", "not live", "other assembly")}
+    return tuple(symbol for symbol, one in after.items() if symbol not in was and one.verdict == "right")

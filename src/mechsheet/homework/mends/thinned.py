@@ -15,25 +15,24 @@ from numpy.typing import NDArray
 from mechsheet.formula.book import Block, BookSheet, CellStore
 from mechsheet.formula.nodes import CellRef, Node, shifted, transform
 from mechsheet.homework.mends.faults import Mend
-from mechsheet.homework.series import Graph, Run, aligned
-from mechsheet.homework.truth import Truth
+from mechsheet.homework.series import Graph, Run
+from mechsheet.homework.two_way import columns_beside
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.upright import Strip, Work, turned
 
-MOST_ROWS = 1500
+MOST_ROWS = 100
 """Rows of a table that is looked at whole."""
-KEPT = 200
+KEPT = 40
 """Rows that are kept of a longer one."""
-MOST_OWN = 100
+MOST_OWN = 40
 """Rows with a formula of their own, and rows that single cells read, that are kept besides."""
 
 
 @dataclass(frozen=True, slots=True)
 class Thinned:
-    """found  the workbook with a part of the rows, understood as the whole is;  truth  the mechanism in these rows."""
+    """found  the workbook with a part of the rows, understood as the whole is."""
 
     found: Understanding
-    truth: Truth
     rows: NDArray[np.intp]
     origins: Mapping[tuple[str, int], int]
 
@@ -60,16 +59,16 @@ class Thinned:
         return replace(cell, row=origin + int(self.rows[cell.row - origin]))
 
 
-def thinned(found: Understanding, truth: Truth) -> Thinned | None:
+def thinned(found: Understanding) -> Thinned | None:
     """A long table with a part of its rows; None where it is short, or where formulas read other rows than their own."""
-    driver, work = found.driver, found.work
+    driver, work, truth = found.driver, found.work, found.truth
     if driver.length <= MOST_ROWS:
         return None
     origins = {(series.sheet, series.line): series.origin for series in found.series}
     origins[driver.sheet, driver.line] = driver.start
     if len(origins) != len(found.series) + 1 or not all(_own_rows(found, n, origins) for n in range(len(work.strips))):
         return None
-    rows = _rows(found, truth, origins)
+    rows = _rows(found, origins)
     book = replace(work.book, sheets=[_sheet(found, sheet, rows, origins) for sheet in work.book.sheets])
     strips = [one for strip in work.strips for one in _strip(strip, found, rows, origins)]
     small = Work(book, work.across, strips, work.large, work.remarks)
@@ -80,10 +79,11 @@ def thinned(found: Understanding, truth: Truth) -> Thinned | None:
         driver=truth.driver[rows],
         exists=truth.exists[rows],
         columns={name: column[rows] for name, column in truth.columns.items()},
-        spans=dict(truth.spans),
+        spans={},
     )
-    understood = replace(found, graph=graph, driver=run, truth=part, series=aligned(graph, run))
-    return Thinned(understood, part, rows, origins)
+    series, settings = columns_beside(graph, run, found.inputs)
+    understood = replace(found, graph=graph, driver=run, truth=part, series=series, settings=settings)
+    return Thinned(understood, rows, origins)
 
 
 def _own_rows(found: Understanding, number: int, origins: Mapping[tuple[str, int], int]) -> bool:
@@ -99,7 +99,7 @@ def _own_rows(found: Understanding, number: int, origins: Mapping[tuple[str, int
     return True
 
 
-def _rows(found: Understanding, truth: Truth, origins: Mapping[tuple[str, int], int]) -> NDArray[np.intp]:
+def _rows(found: Understanding, origins: Mapping[tuple[str, int], int]) -> NDArray[np.intp]:
     """The rows that are kept: the first that exists is among them."""
     count = found.driver.length
     own: list[int] = []
@@ -112,7 +112,7 @@ def _rows(found: Understanding, truth: Truth, origins: Mapping[tuple[str, int], 
             start = origins.get((corner.sheet or strip.sheet, corner.col))
             own += [corner.row - start] if start is not None else []
     even = np.linspace(0, count - 1, KEPT).astype(int)
-    exists = np.flatnonzero(truth.exists)[:1]
+    exists = np.flatnonzero(found.truth.exists)[:1]
     inside = [row for row in dict.fromkeys(own) if 0 <= row < count][:MOST_OWN]
     return np.unique(np.concatenate([even, exists, np.array(inside, int)])).astype(np.intp)
 

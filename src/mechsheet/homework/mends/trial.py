@@ -8,10 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeAlias, cast
+from typing import cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from mechsheet.engine import evaluate
 from mechsheet.engine.layout import Area
@@ -20,7 +19,6 @@ from mechsheet.formula.book import Book, BookSheet
 from mechsheet.formula.nodes import (
     Call,
     CellRef,
-    ErrorValue,
     Foreign,
     NameRef,
     Node,
@@ -30,16 +28,19 @@ from mechsheet.formula.nodes import (
     children,
     rebuilt,
 )
-from mechsheet.homework.mends.own_values import PLACED, TURNED, is_simple, own_values
-from mechsheet.homework.mends.window import ROWS, Window, window_of
 from mechsheet.homework.routines import routine_names
 from mechsheet.homework.series import Graph, Series
 from mechsheet.homework.truth import Array
 from mechsheet.homework.upright import Place
 
 MOST_AT_ONCE = 1500
-OF_ONE = 150
+OF_ONE = 600
 """What a candidate costs besides its cells, in cells."""
+PLACED = frozenset(("OFFSET", "INDIRECT", "CELL", "FORMULATEXT"))
+TURNED = frozenset(
+    ("ROW", "COLUMN", "INDEX", "VLOOKUP", "HLOOKUP", "MATCH", "LOOKUP", "ROWS", "COLUMNS", "TRANSPOSE", "MMULT")
+)
+"""Functions that mean another thing on a sheet laid out anew: always, and where rows and columns were exchanged."""
 _MOST_LINES = 16
 
 
@@ -63,97 +64,43 @@ class Effort:
         return self.left <= 0
 
 
-Keeps: TypeAlias = Callable[[Series, Array, slice], NDArray[np.bool_]]
-"""Which of the columns, shape (columns, rows), may be what a goal should be, seen in some rows of it."""
-
-
 @dataclass(frozen=True, slots=True)
 class Trial:
-    """Tries formulas for strips of one workbook. `table`: its series; `exists`: the rows in which something is wanted."""
+    """Tries formulas for strips of one workbook."""
 
     graph: Graph
     effort: Effort
-    table: Sequence[Series]
-    exists: NDArray[np.bool_]
 
-    def columns(
-        self, number: int, candidates: Sequence[Node], goals: Sequence[Series], keeps: Keeps | None = None
-    ) -> list[Array]:
+    def columns(self, number: int, candidates: Sequence[Node], goals: Sequence[Series]) -> list[Array]:
         """For each goal an array (candidates, rows): its numbers with each candidate in place of a strip's bound formula.
-
-        keeps  candidates that it turns down in a few rows, for every goal, are not computed in the others: NaN
 
         Raises UntriableError.
         """
         found = [
-            self._columns(number, candidates[first : first + MOST_AT_ONCE], goals, keeps)
+            self._columns(number, candidates[first : first + MOST_AT_ONCE], goals)
             for first in range(0, len(candidates), MOST_AT_ONCE)
         ]
         return [np.concatenate([part[index] for part in found]) for index in range(len(goals))]
 
-    def _columns(
-        self, number: int, candidates: Sequence[Node], goals: Sequence[Series], keeps: Keeps | None
-    ) -> list[Array]:
+    def _columns(self, number: int, candidates: Sequence[Node], goals: Sequence[Series]) -> list[Array]:
         work = self.graph.work
         last = {strip for goal in goals for strip in goal.strips(work)}
         affected = self.graph.below({number}) & (self.graph.above(last) | {number})
         cells = sum(work.strips[index].length for index in affected)
-        alone = not self.graph.reads[number] & self.graph.below({number})
-        if not alone or not is_simple(self.graph.formulas[number]) or work.plan.settles:
-            self.effort.spend(len(candidates) * (4 * OF_ONE + cells))
-            book = _Book(self.graph, affected, len(candidates))
-            book.candidates(number, candidates)
-            book.follow(affected - {number})
-            return book.computed(goals)
-        self.effort.spend(len(candidates) * (OF_ONE + work.strips[number].length))
-        values = own_values(work, work.strips[number], self.graph.formulas[number], candidates)
-        different, which = np.unique(values, axis=0, return_inverse=True, equal_nan=True)
-        kept = self._kept(number, affected, different, goals, keeps)
-        self.effort.spend(len(kept) * (OF_ONE + cells))
-        found = []
-        for columns in self._with_values(number, affected, different[kept], goals):
-            whole = np.full((len(different), columns.shape[1]), np.nan)
-            whole[kept] = columns
-            found.append(whole[np.ravel(which)])
-        return found
-
-    def _kept(
-        self, number: int, affected: set[int], different: Array, goals: Sequence[Series], keeps: Keeps | None
-    ) -> NDArray[np.intp]:
-        """The numbers of those values that may be right, seen in a few rows."""
-        window = window_of(self.graph, number, affected, goals, self.table, self.exists) if keeps is not None else None
-        if window is None or keeps is None:
-            return np.arange(len(different))
-        self.effort.spend(len(different) * (OF_ONE + ROWS * len(affected)))
-        good = np.zeros(len(different), bool)
-        for goal, columns in zip(goals, self._with_values(number, affected, different, goals, window), strict=True):
-            good |= keeps(goal, columns[:, window.part], window.part)
-        return np.flatnonzero(good)
-
-    def _with_values(
-        self, number: int, affected: set[int], values: Array, goals: Sequence[Series], window: Window | None = None
-    ) -> list[Array]:
-        """The goals with values in place of a strip's own, (values, cells of the strip)."""
-        if not len(values):
-            return [np.empty((0, goal.rows)) for goal in goals]
-        book = _Book(self.graph, affected, len(values), window)
-        book.numbers(number, values)
+        self.effort.spend(len(candidates) * (OF_ONE + cells))
+        book = _Book(self.graph, affected, len(candidates))
+        book.candidates(number, candidates)
         book.follow(affected - {number})
         return book.computed(goals)
 
 
 @dataclass
 class _Book:
-    """The small book: a sheet for each line with affected cells, and sheets of numbers as they are.
-
-    pieces  strip -> (start, length, formula) of what is laid out of it: of a window its rows alone
-    """
+    """The small book: a sheet for each line with affected cells, and sheets of numbers as they are."""
 
     graph: Graph
     affected: set[int]
     count: int
-    window: Window | None = None
-    pieces: dict[int, tuple[int, int, Node]] = field(default_factory=dict)
     cells: dict[tuple[str, int], set[int]] = field(default_factory=dict)
     sheets: dict[tuple[str, int], BookSheet] = field(default_factory=dict)
     given: dict[str, BookSheet] = field(default_factory=dict)
@@ -162,31 +109,17 @@ class _Book:
 
     def __post_init__(self) -> None:
         for index in sorted(self.affected):
-            strip, formula = self.graph.work.strips[index], self.graph.formulas[index]
-            piece = (strip.start, strip.length, formula)
-            cut = piece if self.window is None else self.window.cut(strip, formula)
-            if cut is not None:
-                self.pieces[index] = cut
-                line = strip.sheet, strip.line
-                self.cells.setdefault(line, set()).update(range(cut[0], cut[0] + cut[1]))
-                self.sheets.setdefault(line, BookSheet(f"t{len(self.sheets)}"))
+            strip = self.graph.work.strips[index]
+            line = strip.sheet, strip.line
+            self.cells.setdefault(line, set()).update(range(strip.start, strip.end))
+            self.sheets.setdefault(line, BookSheet(f"t{len(self.sheets)}"))
 
     def follow(self, indices: Iterable[int]) -> None:
         """Strips that depend on the candidates: the same formula beside each."""
-        for index in sorted(self.pieces.keys() & set(indices)):
+        for index in sorted(indices):
             strip = self.graph.work.strips[index]
-            start, length, formula = self.pieces[index]
-            placed = self._placed(formula, length, 0)
-            self.sheets[strip.sheet, strip.line].block(start, 0, length, self.count, placed)
-
-    def numbers(self, number: int, values: Array) -> None:
-        """The candidates' values, one beside the other."""
-        strip = self.graph.work.strips[number]
-        start, length, _ = self.pieces[number]
-        sheet = self.sheets[strip.sheet, strip.line]
-        wrong = ErrorValue("#NUM!")
-        for column, numbers in enumerate(values[:, start - strip.start :][:, :length].tolist()):
-            sheet.column_constants(start, column, [wrong if value != value else value for value in numbers])
+            placed = self._placed(self.graph.formulas[index], strip.length, 0)
+            self.sheets[strip.sheet, strip.line].block(strip.start, 0, strip.length, self.count, placed)
 
     def candidates(self, number: int, candidates: Sequence[Node]) -> None:
         """The candidates themselves, one beside the other."""

@@ -1,0 +1,308 @@
+"""A task in words: the derived dimensions, the links and where their points lie, the joints, the driver, what is asked.
+
+Everything that the asked quantities follow from is said, in the description's symbols; no word of a frame of a link's own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from mechsheet import reference
+from mechsheet.compiled import Compiled
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Node, Number, Symbol, symbols
+from mechsheet.homework.classroom.directions import Direction, Directions
+from mechsheet.kinematics.equations import FORCES
+from mechsheet.model import Cartesian, Dimension, Distances, Gear, Joint, Link, Place, Polar, Quantity, Rack
+from mechsheet.sheet.first.given import given_words
+from mechsheet.sheet.notes.mathematics import Part, written
+from mechsheet.sheet.workbook import Rich
+from mechsheet.units import DEG
+from mechsheet.words.equations import body_words, link_words
+from mechsheet.words.homework import said
+from mechsheet.words.workbook import words
+
+Line = list[Part]
+NEXT: Part = (";  ", "")
+
+
+class Statement:
+    """The lines of a task."""
+
+    def __init__(self, compiled: Compiled, asked: Sequence[str]) -> None:
+        self.compiled, self.asked = compiled, asked
+        self.mechanism = compiled.mechanism
+        self.language = compiled.mechanism.language
+        self.directions = Directions(self.mechanism)
+        self.needed = _needed(compiled, asked)
+        roles = {each.symbol: each.role for each in compiled.equations.columns}
+        self.forces = any(roles.get(symbol) in FORCES for symbol in self.needed)
+
+    def text(self, key: str, **parts: object) -> str:
+        """Words of a task."""
+        return said(self.language, f"task.{key}", **parts)
+
+    def math(self, node: Node) -> Line:
+        """A formula as mathematics."""
+        return list(written(node, self.language).parts)
+
+    def angle(self, quantity: Quantity) -> Line:
+        """An angle that a description gives."""
+        if isinstance(quantity, float):
+            return [*self.math(al.number(DEG.written(quantity))), ("°", "")]
+        return self.math(quantity)
+
+    def given(self) -> Iterator[tuple[Dimension, float, str]]:
+        """What is typed, in the unit shown: the dimensions, also those that a synthesis has found, and of speeds, masses and
+        loads those that the asked quantities follow from."""
+        values = reference.dimension_values(self.mechanism)
+        for dim in self.mechanism.dimensions:
+            found = self.mechanism.synthesis is not None and not dim.written and not dim.place
+            if found or (isinstance(dim.value, float) and (not dim.place or dim.symbol in self.needed)):
+                known = dim.place[:1] not in ((), ("synthesis",)) and "center" not in dim.place
+                label = given_words(self.compiled.plan, dim) if known else ""
+                number = round(float(dim.unit.to_shown(values[dim.symbol])), 10)
+                yield dim, number, dim.label.of(self.language) if dim.label is not None else label
+
+    def derived(self) -> Iterator[Rich]:
+        """What follows from the dimensions: `rod = track - 2*arm*sin(beta)`."""
+        for dim in self.mechanism.dimensions:
+            if not isinstance(dim.value, float) and not dim.place and dim.written:
+                unit = self.mechanism.shown(dim.unit).symbol
+                yield self._defined(dim.symbol, unit, dim.value, dim.label.of(self.language) if dim.label else "")
+
+    def links(self) -> Iterator[Rich]:
+        """Each link: its number and name, its points."""
+        for link in self.mechanism.whole_links:
+            ground = link is self.mechanism.ground
+            head = f"{link.number}  {link_words(link).of(self.language)}: "
+            pieces = self._fixed(link) if ground else self._points(link)
+            yield Rich(((head, ""), *pieces, *self._mass_centre(link)))
+
+    def joints(self) -> Iterator[Rich]:
+        """How the links are joined, and what turns with what."""
+        yield Rich(((self.text("pins"), ""),))
+        for joint in self.mechanism.sliding:
+            yield Rich(tuple(self._joint(joint)))
+        angle = {link.name: link.angle_symbol for link in self.mechanism.links[1:]}
+        for relation in self.mechanism.relations:
+            arm = Symbol(angle[relation.arm]) if relation.arm in angle else Number(0.0)
+
+            def turned(name: str, arm: Node = arm) -> Node:
+                return al.sub(Symbol(angle[name]) if name in angle else Number(0.0), arm)
+
+            if isinstance(relation, Gear):
+                left, right = turned(relation.link), al.mul(relation.ratio, turned(relation.on))
+            else:
+                assert isinstance(relation, Rack)
+                left, right = Symbol(relation.joint), al.mul(relation.radius, turned(relation.link))
+            yield Rich((*self.math(left), (" = ", ""), *self.math(al.add(right, relation.phase))))
+
+    def loads(self) -> Iterator[Rich]:
+        """What acts, where forces are asked for: gravity, loads, springs."""
+        dynamics = self.mechanism.dynamics
+        if dynamics is None or not self.forces:
+            return
+        if not all(map(al.is_zero, dynamics.gravity)):
+            yield Rich(((f"{self.text('gravity')} ", ""), *self._pair(*dynamics.gravity)))
+        for load in dynamics.loads:
+            link = next(one for one in self.mechanism.links if one.name == load.link)
+            on = self.text("on", link=link_words(link).of(self.language))
+            if load.force is None:
+                assert load.torque is not None
+                yield Rich(((f"{self.text('torque')} ", ""), *self.math(load.torque), (f" {on}", "")))
+                continue
+            place = [(load.point, "")] if isinstance(load.point, str) else self._place(link, load.name, load.point)[1:]
+            turned = [(f", {self.text('axis')} ", ""), *self._direction(link)] if load.in_link else []
+            line: Line = [(f"{self.text('force')} ", ""), *self._pair(*load.force), *turned]
+            yield Rich((*line, (f" {on}, {self.text('at')} ", ""), *place))
+        for spring in dynamics.springs:
+            between = "–".join(point for _, point in spring.ends)
+            line = [(f"{self.text('spring', between=between)}: ", "")]
+            for key, node in (
+                ("stiffness", spring.stiffness),
+                ("free", spring.free_length),
+                ("damping", spring.damping),
+            ):
+                line += [*([(", ", "")] if key != "stiffness" else []), (f"{self.text(key)} ", ""), *self.math(node)]
+            yield Rich(tuple(line))
+
+    def driver(self) -> Iterator[Rich]:
+        """What is driven, from where its angle counts."""
+        for driver in self.mechanism.all_drivers:
+            line: Line = [(f"{self.text('driven')} {driver.symbol}", "")]
+            link = next((one for one in self.mechanism.links if one.name == driver.link), None)
+            if link is not None:
+                base = driver.relative_to or self.mechanism.ground.name
+                other = next(one for one in self.mechanism.links if one.name == base)
+                line += [(": ", ""), *self._direction(link)]
+                if other is not self.mechanism.ground:
+                    line += [(f" {self.text('against')} ", ""), *self._direction(other)]
+            follows = getattr(driver, "follows", None)
+            if follows is not None:
+                line += [(f";  {driver.symbol} = ", ""), *self.math(follows)]
+            yield Rich(tuple(line))
+
+    def assemblies(self) -> Iterator[Rich]:
+        """Which assembly is meant. Of links that are solved all at once it is told by numbers: they would be an answer."""
+        for group in self.compiled.equations.groups:
+            if group.mode and group.system is None:
+                yield Rich(((f"{self.text('assembly')}: {group.mode_words.of(self.language)}", ""),))
+
+    def meanings(self) -> Iterator[Rich]:
+        """What each asked quantity is."""
+        meant = {each.symbol: each.label.of(self.language) for each in self.compiled.equations.columns}
+        angles = {link.angle_symbol: link for link in self.mechanism.links[1:]}
+        outputs = {output.symbol: output for output in (*self.mechanism.outputs, *self.mechanism.motion_outputs)}
+        summaries = {summary.symbol: summary for summary in self.mechanism.summaries}
+        of = [summaries[symbol].of for symbol in self.asked if symbol in summaries]
+        for symbol in dict.fromkeys((*self.asked, *of)):
+            if symbol in summaries:
+                one = summaries[symbol]
+                label = one.label.of(self.language) if one.label else ""
+                taken = words(self.language, f"take.{one.take.key}", symbol=one.of)
+                yield Rich(((f"{symbol}: {taken}{f' ({label})' if label else ''}", ""),))
+            elif symbol in outputs:
+                output = outputs[symbol]
+                unit = self.mechanism.shown(output.unit).symbol
+                yield self._defined(
+                    symbol, unit, output.formula, output.label.of(self.language) if output.label else ""
+                )
+            elif symbol in angles:
+                yield Rich(
+                    ((f"{symbol}: ", ""), *self._direction(angles[symbol]), (f"  ({meant.get(symbol, '')})", ""))
+                )
+            elif meant.get(symbol):
+                yield Rich(((f"{symbol}: {meant[symbol]}", ""),))
+        yield Rich(((self.text("angles"), ""),))
+
+    # --- parts of lines -----------------------------------------------------------------------------------------------
+
+    def _pair(self, x: Node, y: Node) -> Line:
+        return [("(", ""), *self.math(x), ("; ", ""), *self.math(y), (")", "")]
+
+    def _mass_centre(self, link: Link) -> Line:
+        """Where the mass centre of a link lies, where forces are asked for."""
+        masses = self.mechanism.dynamics.masses if self.mechanism.dynamics is not None and self.forces else ()
+        for mass in masses:
+            if mass.link == link.name:
+                centre = f"G{link.number}"
+                at = mass.center
+                return [NEXT, (f"{centre} = {at}", "")] if isinstance(at, str) else self._place(link, centre, at)
+        return []
+
+    def _place(self, link: Link, name: str, place: Place) -> Line:
+        return self._distances(name, place) if isinstance(place, Distances) else self._point(link, name, place)
+
+    def _defined(self, symbol: str, unit: str, formula: Node, label: str) -> Rich:
+        head = f"{symbol} [{unit}] = " if unit else f"{symbol} = "
+        return Rich(((head, ""), *self.math(formula), *([(f"  ({label})", "")] if label else [])))
+
+    def _direction(self, link: Link) -> Line:
+        """From which line the angle of a link counts."""
+        known = self.directions.of[link.name]
+        if known is None:
+            return [(self.text("related"), "")]
+        if known.joint is not None:
+            return [(self.text("way", symbol=known.joint.symbol), ""), *self._less(known)]
+        return [(self.text("direction", along=f"{known.start}→{known.end}"), ""), *self._less(known)]
+
+    def _less(self, known: Direction) -> Line:
+        number = known.less if isinstance(known.less, int) else al.value_of(known.less)
+        if number is None:
+            return [(f" {self.text('less')} (", ""), *self.math(al.as_node(known.less)), (")", "")]
+        degrees = number if isinstance(known.less, int) else DEG.written(number)
+        return [(f" {self.text('less' if degrees > 0 else 'and')} {abs(degrees):.10g}°", "")] if degrees else []
+
+    def _fixed(self, link: Link) -> Line:
+        """The points of the ground, in the coordinates of the figure."""
+        line: Line = []
+        for name, place in link.points.items():
+            match place:
+                case Cartesian(x, y):
+                    inside = [*self.math(al.as_node(x)), ("; ", ""), *self.math(al.as_node(y))]
+                case Polar(r, angle):
+                    inside = [("r = ", ""), *self.math(al.as_node(r)), (", ∠ ", ""), *self.angle(angle)]
+                case Distances():
+                    inside = self._distances(name, place)[1:]
+            line += [*([NEXT] if line else []), (f"{name} (", ""), *inside, (")", "")]
+        return [*line, (f"  ({self.text('axes')})", "")]
+
+    def _points(self, link: Link) -> Line:
+        """The points of a moving link by lengths along a line between two of them, and to the left of it."""
+        line: Line = [(", ".join(link.points), "")]
+        for name, place in link.points.items():
+            line += self._place(link, name, place)
+        return line
+
+    def _point(self, link: Link, name: str, place: Cartesian | Polar) -> Line:
+        start, end, (along, left) = self.directions.place(link, place)
+        if name == start:
+            return []
+        if end and name == end:
+            return [NEXT, (f"{start}{end} = ", ""), *self.math(along)]
+        turn = self.directions.turned(link, place)
+        if turn is not None and isinstance(place, Polar):
+            told = self.text("turned", line=f"{start}→{end}" if end else link.angle_symbol)
+            return [
+                NEXT,
+                (f"{start}{name} = ", ""),
+                *self.math(al.as_node(place.r)),
+                (f", {told} ", ""),
+                *self.angle(turn),
+            ]
+        return [NEXT, (f"{start}→{name}: ", ""), *self._along(link, end, start, along, left)]
+
+    def _along(self, link: Link, end: str, start: str, along: Node, left: Node) -> Line:
+        """How far along the way between two points, and to the left of it."""
+        line: Line = []
+        for way, key in ((along, "along"), (left, "left")):
+            if not al.is_zero(way):
+                told = self.text(key, line=f"{start}→{end}" if end else link.angle_symbol)
+                line += [*([(", ", "")] if line else []), *self.math(way), (f" {told}", "")]
+        return line
+
+    def _distances(self, name: str, place: Distances) -> Line:
+        side = words(self.language, f"notes.{place.side}", first=place.first, second=place.second)
+        line: Line = [NEXT, (f"{name}{place.first} = ", ""), *self.math(al.as_node(place.first_distance))]
+        line += [(f", {name}{place.second} = ", ""), *self.math(al.as_node(place.second_distance))]
+        return [*line, (f", {side}", "")]
+
+    def _joint(self, joint: Joint) -> Line:
+        """A sliding joint: what slides where, from where its displacement counts."""
+        names = {key: body_words(self.mechanism, name) for key, name in (("link", joint.link), ("on", joint.on))}
+        spoken = {key: name.of(self.language) for key, name in names.items()}
+        on = next(link for link in self.mechanism.links if link.name == joint.on)
+        line: Line = [(words(self.language, f"notes.{joint.kind}", point=joint.point, **spoken) + " ", "")]
+        ground = on is self.mechanism.ground
+        if isinstance(joint.through, str):
+            line.append((joint.through, ""))
+        elif ground:
+            x, y = (self.math(al.as_node(part)) for part in joint.through)
+            line += [("(", ""), *x, ("; ", ""), *y, (")", "")]
+        else:
+            start, end, (along, left) = self.directions.place(on, Cartesian(*joint.through))
+            line += [
+                (f"({self.text('from_point', start=start)} ", ""),
+                *self._along(on, end, start, along, left),
+                (")", ""),
+            ]
+        line += [(f", {self.text('way_of_line')} ", ""), *self.angle(joint.angle)]
+        if not ground:
+            line += [(f" {self.text('from')} {on.angle_symbol}", "")]
+        return [*line, (f"; {self.text('slide', symbol=joint.symbol, point=joint.point)}", "")]
+
+
+def _needed(compiled: Compiled, asked: Sequence[str]) -> set[str]:
+    """All symbols that the asked quantities follow from."""
+    read = {dim.symbol: dim.value for dim in compiled.mechanism.dimensions if not isinstance(dim.value, float)}
+    read |= {each.symbol: each.expression for each in (*compiled.equations.constants, *compiled.equations.columns)}
+    of = {summary.symbol: summary.of for summary in compiled.mechanism.summaries}
+    found: set[str] = set()
+    waiting = [of.get(symbol, symbol) for symbol in asked]
+    while waiting:
+        symbol = waiting.pop()
+        if symbol not in found:
+            found.add(symbol)
+            waiting += symbols(read[symbol]) if symbol in read else ()
+    return found

@@ -1,0 +1,161 @@
+"""The sheet that a student is given is a task: a figure, the links with their points, from which line each angle counts."""
+
+from __future__ import annotations
+
+import openpyxl
+import pytest
+
+import mechsheet
+from chosen import first
+from homework.conventions import TASKS
+from mechsheet.compiled import Compiled
+from mechsheet.description import Overrides, loads
+from mechsheet.description.templates import template_names
+from mechsheet.homework.classroom.exercise import exercise
+from mechsheet.homework.classroom.statement import Statement
+from mechsheet.homework.marking_rules import asked_of
+
+
+def statement(mechanism):
+    return Statement(Compiled(mechanism), list(asked_of(mechanism).marks))
+
+
+def told(lines):
+    return [line.plain for line in lines]
+
+
+@pytest.fixture(scope="module")
+def steering():
+    """The right lever's pin lies across its frame's x axis."""
+    return loads(TASKS["steering"].text.replace('R = ["arm", 0]', 'R = [0, "-arm"]'), "own")
+
+
+def test_each_angle_counts_from_a_line_between_points(steering):
+    lines = told(statement(steering).meanings())
+    assert "theta13: direction L→R  (angle of link 3, tierod)" in lines
+    assert "theta14: direction R0→R and 90°  (angle of link 4, right)" in lines
+    assert told(statement(steering).driver()) == ["driven: theta12: direction L0→L"]
+    assert not any("horizontal" in line or "frame" in line for line in lines)
+
+
+def test_derived_dimensions_outputs_and_summaries_are_defined(steering):
+    found = statement(steering)
+    assert told(found.derived()) == ["rod [mm] = track − 2·arm·sin(β)"]
+    lines = told(found.meanings())
+    assert "error [deg] = θ14 + π − β − arctan(track/wheelbase·cos(θ12))" in lines
+    assert "worst: largest error" in lines
+
+
+def test_points_stand_along_a_line_of_their_link(steering):
+    lines = told(statement(steering).links())
+    assert lines[0] == "1  ground: L0 (0; 0);  R0 (track; 0)  (x to the right, y upwards in the figure)"
+    assert "4  right: R0, R;  R0R = arm" in lines
+    moved = loads(TASKS["steering"].text.replace('L = ["arm", 0]', 'L = ["arm", 0], P = [20, -30]'), "own")
+    assert "2  left: L0, L, P;  L0L = arm;  L0→P: 20 along L0→L, −30 to the left of L0→L" in told(
+        statement(moved).links()
+    )
+
+
+def test_a_slide_says_from_where_it_counts():
+    lines = told(statement(TASKS["slider"].mechanism).joints())
+    told_so = "in the direction 0°; s14 is the distance of C from there, positive that way"
+    assert f"C of piston slides on ground, along a line through (0; c), {told_so}" in lines
+
+
+def test_the_direction_of_a_block_is_that_of_its_guide():
+    lines = told(statement(mechsheet.template("oldham", language="en")).meanings())
+    assert "theta14: direction in which s43 grows less 90°  (angle of link 4, driven hub)" in lines
+
+
+def test_what_forces_follow_from_is_given():
+    text = mechsheet.template("four-bar-forces").text + "\n[exercise]\nasked = { T12 = 1 }\n"
+    found = statement(loads(text, "forces", Overrides(language="en")))
+    assert {"omega12", "m_3", "J_3", "M"} <= {dim.symbol for dim, _, _ in found.given()}
+    assert "torque M on rocker" in told(found.loads())
+    assert any("B0→G4: xG4 along B0→B, yG4 to the left of B0→B" in line for line in told(found.links()))
+    positions = mechsheet.template("four-bar-forces").text + "\n[exercise]\nasked = { theta14 = 1 }\n"
+    plain = statement(loads(positions, "positions"))
+    assert told(plain.loads()) == []
+    assert "m_3" not in {dim.symbol for dim, _, _ in plain.given()}
+
+
+@pytest.mark.parametrize("name", first(template_names(), 4))
+@pytest.mark.parametrize("language", ["en", "tr"])
+def test_every_template_can_be_told(name, language):
+    """Each asked angle has a line, each asked quantity a meaning."""
+    mechanism = mechsheet.template(name, language=language)
+    found = statement(mechanism)
+    lines = told(found.meanings())
+    for symbol in found.asked:
+        (line,) = [line for line in lines if line.startswith((f"{symbol}:", f"{symbol} ["))]
+        assert len(line) > len(symbol) + 3
+    assert len(told(found.links())) == len(mechanism.whole_links)
+
+
+@pytest.mark.parametrize("language", ["en", "tr"])
+def test_the_sheet_has_the_figure_and_no_answer(tmp_path, language):
+    """The figure is of the description's own dimensions, its places rounded; it stands on the first sheet."""
+    text = TASKS["steering"].text + "vary = { arm = [160, 200, 5], beta = [14, 22, 1] }\n"
+    mechanism = loads(text, "own", Overrides(language=language))
+    (tmp_path / "class.csv").write_text("id,name\n7,Ayşe\n8,Bora\n", encoding="utf-8")
+    exercise(mechanism, tmp_path / "class.csv", tmp_path / "out")
+    book = openpyxl.load_workbook(tmp_path / "out" / "student" / "7.xlsx")
+    task, figure = book.worksheets
+    (chart,) = task._charts
+    names = {series.tx.strRef is None and series.tx.v for series in chart.series}
+    assert {"L0", "L", "R", "R0"} <= {name.translate(str.maketrans("₀", "0")) for name in names if name}
+    numbers = [cell.value for row in figure.iter_rows() for cell in row if isinstance(cell.value, float)]
+    assert numbers
+    assert all(round(number, 3) == number for number in numbers)
+    assert task.cell(2, 2).value == "7"
+    assert not any(
+        isinstance(cell.value, str) and cell.value.startswith("=") for row in task.iter_rows() for cell in row
+    )
+
+
+def test_who_has_which_numbers_is_told(tmp_path):
+    text = TASKS["steering"].text + "vary = { arm = [160, 200, 5], beta = [14, 22, 1] }\n"
+    (tmp_path / "class.csv").write_text("id,name\n7,Ayşe\n8,=Bora\n", encoding="utf-8")
+    found = exercise(loads(text, "own"), tmp_path / "class.csv", tmp_path / "out", seed=3)
+    lines = (tmp_path / "out" / "numbers.csv").read_text(encoding="utf-8-sig").splitlines()
+    own = [one.dimensions for one in found.students]
+    assert lines == [
+        "id,name,arm [mm],beta [deg],seed",
+        f"7,Ayşe,{own[0]['arm']:g},{own[0]['beta']:g},3",
+        f"8,'=Bora,{own[1]['arm']:g},{own[1]['beta']:g},3",
+    ]
+    assert tmp_path / "out" / "numbers.csv" in found.files
+
+
+def test_a_task_filled_in_by_hand_is_right(tmp_path):
+    """The sheet itself, with the solution's formulas typed into its columns; its figure is no table."""
+    task = TASKS["steering"]
+    (tmp_path / "class.csv").write_text("id\n7\n", encoding="utf-8")
+    exercise(task.mechanism, tmp_path / "class.csv", tmp_path / "out")
+    path = tmp_path / "out" / "student" / "7.xlsx"
+    book = openpyxl.load_workbook(path)
+    sheet = book.worksheets[0]
+    where = {
+        str(cell.value).split(" [")[0]: cell for row in sheet.iter_rows() for cell in row if cell.value is not None
+    }
+    given = {name: f"$B${where[name].row}" for name in ("track", "wheelbase", "arm", "beta")}
+    top = where["theta12"].row
+    rod = "({track}-2*{arm}*SIN(RADIANS({beta})))".format(**given)
+    for row in range(top + 1, top + 14):
+        fi = f"RADIANS($A{row})"
+        x, y = f"({given['arm']}*COS({fi}))", f"({given['arm']}*SIN({fi}))"
+        s = f"SQRT(({given['track']}-{x})^2+{y}^2)"
+        cosine = f"({rod}^2+{s}^2-{given['arm']}^2)/(2*{rod}*{s})"
+        cells = {
+            "theta13": f"=ATAN2({given['track']}-{x},-{y})-ACOS({cosine})",
+            "theta14": f"=ATAN2({x}+{rod}*COS(B{row})-{given['track']},{y}+{rod}*SIN(B{row}))",
+            "error": f"=DEGREES(C{row}+PI()-ATAN({given['track']}/{given['wheelbase']}*COS({fi})))-{given['beta']}",
+        }
+        for symbol, formula in cells.items():
+            column = next(cell.column for cell in sheet[top] if cell.value == symbol)
+            sheet.cell(row, column, formula)
+    worst = next(row[0].row for row in sheet.iter_rows() if row[0].value == "worst")
+    sheet.cell(worst, 2, f"=MAX(D{top + 1}:D{top + 13})")
+    book.save(path)
+    (one,) = mechsheet.mark(path, tmp_path / "out" / "key.json").students
+    assert (one.id, one.mark) == ("7", 4.0)
