@@ -98,6 +98,7 @@ def test_a_number_typed_over_is_found_in_its_column(tmp_path, pump, cell, wanted
     assert f"s15 in Sayfa1!{cell}: 123.4 found, {wanted} wanted" in found.remarks
 
 
+@pytest.mark.ci
 def test_what_no_single_change_mends_takes_no_longer(tmp_path, pump):
     wrong = CALL.replace("Arakol,SabitU_Y,Eksantrik", "Eksantrik,SabitU_Y*1.07,Arakol")
     found = judged(saved(tmp_path / "pump.xlsx", wrong), pump)
