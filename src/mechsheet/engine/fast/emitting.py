@@ -272,7 +272,8 @@ class _Emitter(Singles):
         self.namespace["unwrapped"] = unwrapped
         # into a buffer first: what is the same in all rows is one number
         self.line(f"copyto({target}, {args[0]})")
-        self.line(f"copyto({target}, unwrapped({target}, {args[1]}, item({value.data} + i)))")
+        above = f'buffers["above"][{value.data}] if i == 0 else item({value.data} + i)'
+        self.line(f"copyto({target}, unwrapped({target}, {args[1]}, {above}))")
 
     def _held(self, number: int, value: Value, args: list[str]) -> None:
         self.names[number] = target = self._target(number)

@@ -375,7 +375,8 @@ class Lowering:
         producers = self.layout.producers(Area(self.layout.block_sheets[number], block.row - 1, block.col, 1, 1))
         if producers & self.results.keys():
             raise UnsuitableError
-        self.reads.columns[place] = frozenset(producers) | {number}
+        # above the first row a phase may have anything, a heading: what it is worth is asked before (`Segment`)
+        self.reads.columns[place] = frozenset({number} if isinstance(kind, Unwrapped) else producers | {number})
         if isinstance(kind, RunningSum):
             step = self.number(kind.step)
             if kind.op == "-":

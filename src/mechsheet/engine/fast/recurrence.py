@@ -186,13 +186,23 @@ def _running_sum(kind: RunningSum, above: Cells, ev: Evaluator, frame: Frame) ->
 def _unwrapped(kind: Unwrapped, above: Cells, ev: Evaluator, frame: Frame) -> Cells:
     values, errors = numbers_of(_value(ev, kind.value, frame), ev.texts)
     turns, turn_errors = numbers_of(ev.value(kind.turn, frame.cell(0, 0)), ev.texts)
-    start, start_error = numbers_of(above, ev.texts)
+    start = _start(above, ev)
     codes = np.zeros(frame.rows, np.uint8) if errors is None else np.array(np.broadcast_to(errors, (frame.rows,)))
     if turn_errors is not None:
         codes[codes == 0] = np.uint8(turn_errors)
     values = np.where(codes == 0, np.broadcast_to(values, (frame.rows,)), np.nan)
-    found = unwrapped(values, float(turns), float("nan") if start_error is not None else float(start))
+    found = unwrapped(values, float(turns), start)
     return finished(found, codes if codes.any() else None)
+
+
+def start_of(kind: Unwrapped, ev: Evaluator, frame: Frame) -> float:
+    """The number above the first row of a frame, NaN where there is none: a heading."""
+    return _start(ev.value(kind.prev, frame.cell(0, 0)), ev)
+
+
+def _start(above: Cells, ev: Evaluator) -> float:
+    start, error = numbers_of(above, ev.texts)
+    return float("nan") if error is not None else float(start)
 
 
 def unwrapped(values: Any, turn: float, above: float) -> Any:

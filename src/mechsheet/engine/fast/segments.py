@@ -18,7 +18,7 @@ from .helpers import TroubleError
 from .lowering import Lowering, Reads, UnsuitableError
 from .marks import Marks
 from .memory import Memory
-from .recurrence import Recurrence, compute
+from .recurrence import Recurrence, Unwrapped, compute, start_of
 
 Buffers: TypeAlias = dict[str, Any]
 
@@ -55,6 +55,14 @@ class Member:
         self.recurrence = recurrence
         self.block = layout.blocks[number]
         self.singly = self.block.rows * self.block.cols == 1
+
+    def above(self, ev: Evaluator) -> tuple[int, float]:
+        """Where the cell over a phase's column lies, and its number."""
+        if not isinstance(self.recurrence, Unwrapped):
+            raise TypeError("no phase")
+        sheet, block = self.layout.block_sheets[self.number], self.block
+        place = self.layout.place(sheet, block.row - 1, block.col)
+        return place, start_of(self.recurrence, ev, Frame(sheet, block.row, block.col, block.rows, 1, 0))
 
     def run(self, ev: Evaluator, start: int, stop: int) -> Codes:
         """Compute rows [start, stop) by the interpreter; their codes."""
@@ -138,6 +146,7 @@ class Segment:
         if self._code is None:
             self._code, _, self._counts = emit(self.lowering, self.layout, ev.around.arithmetic)
         buffers = self._buffers.pop() if self._buffers else self._new_buffers()
+        buffers["above"] = dict(member.above(ev) for member in self.members if isinstance(member.recurrence, Unwrapped))
         reads = self.lowering.reads
         first, last = min(reads.top, self.rows), max(reads.top, self.rows - reads.bottom)
         if first:
