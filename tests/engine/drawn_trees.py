@@ -70,7 +70,7 @@ def conditions(below):
 
 
 def same(found, expected, signs=False):
-    """Values of two evaluations are equal to the last bit, with `signs` those of zeros too; texts have numbers of their own."""
+    """Values of two evaluations are equal to the last bit, with `signs` those of zeros too; texts by what they say."""
     codes = expected._codes
     assert np.array_equal(found._codes, codes)
     exact = (codes < 16) & (codes != TEXT)
