@@ -161,6 +161,16 @@ def test_nothing_is_made_ready_that_is_not_asked_for():
     assert {number for step in plan.steps for number in step.producers} == set(range(len(plan.formulas)))
 
 
+def test_a_text_that_is_reached_late_is_no_other():
+    """The tables of texts of evaluations stand on the plan's, which takes no more texts then."""
+    live = Live(Plan(BOOK))
+    for number in range(3):
+        live.set((0, 0, 1), float(number))
+        live.asked().get("S", 1, 18)  # a text that is computed: its number is the table's next
+        live.asked().column("S", 11, 5, 44)  # "up" and "down", written in a formula
+    assert set(live.asked().column("S", 11, 5, 44)) <= {"up", "down", ErrorValue("#DIV/0!")}
+
+
 def test_a_formula_whose_cells_depend_on_values_has_all_made_ready():
     builder = BookBuilder()
     sheet = builder.sheet("S")

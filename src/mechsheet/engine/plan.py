@@ -256,7 +256,7 @@ class Plan:
             ]
             book = copy(self.book)
             book.sheets = sheets
-            self._replaced[cells] = Plan(book, self.once, steady=self.steady, arithmetic=self.arithmetic)
+            self._replaced[cells] = Plan(book, self.once, steady=self.steady, arithmetic=self.arithmetic).complete()
         return self._replaced[cells]
 
 

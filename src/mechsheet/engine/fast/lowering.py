@@ -199,6 +199,8 @@ class Lowering:
                     raise UnsuitableError
                 return function(self, args)
             case Text(text):
+                if not self.layout.texts.takes(text):
+                    raise UnsuitableError
                 self.layout.texts.number(text)  # known to all evaluations of the plan
                 return self.value("text", (), text, 0, "text")
             case Boolean(flag):

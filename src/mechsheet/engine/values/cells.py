@@ -86,6 +86,9 @@ class Texts:
         self.settings: Settings = settings if base is None else base.settings
         self.epochs: float = epochs if base is None else base.epochs
         self._base = base
+        self._closed = False
+        if base is not None:
+            base._closed = True
         self._first = len(base) if base is not None else 0
         self._texts: list[str] = []
         self._numbers: dict[str, int] = {}
@@ -93,6 +96,10 @@ class Texts:
 
     def __len__(self) -> int:
         return self._first + len(self._texts)
+
+    def takes(self, text: str) -> bool:
+        """Whether a text is here or can still be put here: not while other tables stand on this one, which number it too."""
+        return not self._closed or text in self._numbers
 
     def number(self, text: str) -> int:
         """The number of a text, new or known. Raises UnsupportedError where computed texts take too much memory."""
