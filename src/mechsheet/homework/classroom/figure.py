@@ -58,7 +58,7 @@ class Figure:
             series.append(self._series(item, words, x, y))
         anchor = Anchor(row, 0, SIZE, SIZE)
         chart = Chart(
-            title, anchor, tuple(series), HIDDEN_AXIS, HIDDEN_AXIS, legend="", inner=DRAWING_INNER, alt_text=title
+            "", anchor, tuple(series), HIDDEN_AXIS, HIDDEN_AXIS, legend="", inner=DRAWING_INNER, alt_text=title
         )
         return chart, Sheet(title, tuple(cells))
 

@@ -66,7 +66,7 @@ def task_sheet(compiled: Compiled, identifier: str, name: str, figure: Figure) -
         said(language, "task.sheet"),
         tuple(page.cells),
         columns=(Column(0, 0, 22.0), Column(1, max(1, len(columns)), 14.0)),
-        row_heights=tuple((row, ROW * 0.75) for row in range(FIRST, FIRST + FIGURE // ROW + 1)),
+        row_heights=tuple((row, float(ROW)) for row in range(FIRST, FIRST + FIGURE // ROW + 1)),
         charts=(chart,),
         print_setup=PrintSetup(landscape=False),
     )
