@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Node, Symbol, with_symbols
+from mechsheet.formula.nodes import CellRef, Node, Symbol, with_symbols
 from mechsheet.model import TIME, Law
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import SHOWN, formula
@@ -14,6 +14,16 @@ def driver_at(plan: Plan, place: Node) -> Node:
     if law is None:
         return formula("_start+(place-1)*_step", place=place)
     return by_time(law, time_after(law, formula("place-1", place=place)))
+
+
+def rows_before(plan: Plan) -> Node:
+    """How many rows of the table are before a row.
+
+    Counted from the first row, not from the heading, so that rows inserted over the first do not count; and at a cell
+    beside the table: a formula that asks for the row of its own cell is a circle to some programs, though not to
+    spreadsheets.
+    """
+    return formula("ROW()-ROW(beside)", beside=CellRef(plan.at.first, len(plan.columns), True, True))
 
 
 def time_after(law: Law, rows: Node) -> Node:

@@ -10,7 +10,7 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.driving import by_time, time_after
+from mechsheet.sheet.driving import by_time, rows_before, time_after
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
@@ -117,7 +117,7 @@ class Table:
                 own = plan.mechanism.given_unit(column.symbol) or SECONDS
                 self._listed(column.symbol, column.col, styles.decimals(styles.COLUMN, places_of(plan, own)))
             case "time" if plan.mechanism.driver.law is not None:
-                time = self._checked(time_after(plan.mechanism.driver.law, self._rows_before))
+                time = self._checked(time_after(plan.mechanism.driver.law, rows_before(self.plan)))
                 self._fill(
                     column.col, self._bound(time, first), styles.decimals(styles.COLUMN, places_of(plan, SECONDS))
                 )
@@ -141,7 +141,7 @@ class Table:
         if driver.law is not None:
             self._fill(0, self._bound(by_time(driver.law, Symbol(TIME)), first), style)
             return
-        stepped = self._checked(formula("_start+rows*_step", rows=self._rows_before))
+        stepped = self._checked(formula("_start+rows*_step", rows=rows_before(self.plan)))
         self._fill(0, self._bound(stepped, first), style)
 
     def _listed(self, symbol: str, col: int, style: Style) -> None:
@@ -153,11 +153,6 @@ class Table:
             else:
                 node = self._bound(value, row)
                 self.fills.append(Fill(row, col, in_degrees(node) if unit.in_degrees else node, style))
-
-    @property
-    def _rows_before(self) -> Node:
-        """How many rows of the table are before a row."""
-        return formula("ROW()-ROW(top)", top=CellRef(self.plan.at.first, 0, row_abs=True))
 
     def _checked(self, value: Node) -> Node:
         """The value, while every yellow cell holds what can be: else no row pretends to exist."""

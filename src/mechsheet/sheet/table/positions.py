@@ -18,7 +18,7 @@ from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses
 from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.driving import by_time, time_after
+from mechsheet.sheet.driving import by_time, rows_before, time_after
 from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
@@ -119,9 +119,7 @@ def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: 
     style, law = style_of(plan, column), plan.mechanism.driver.law
     match column.kind:
         case "number":
-            # counted from the row that ranges begin with: they leave out rows that are inserted over it
-            top = CellRef(first, NUMBER, True, True)
-            return [Fill(first, NUMBER, formula("ROW()-ROW(top)", top=top), style, rows=rows)]
+            return [Fill(first, NUMBER, rows_before(plan), style, rows=rows)]
         case "driver":
             number = CellRef(first, NUMBER, col_abs=True)
             stepped = formula("_start+number*_step", number=number) if law is None else by_time(law, Symbol(TIME))
