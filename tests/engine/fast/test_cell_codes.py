@@ -154,8 +154,9 @@ def test_short_columns_texts_and_questions_are_code():
 EDGES = [
     "INDEX(A1:A6,0)", "INDEX(A1:A6,7)", "INDEX(A1:A6,B1)", 'COUNTIF(B1:B6,"o*")', 'COUNTIF(B1:B6,">3")', "COUNTIF(B1:B6,3)",
     'COUNTIF(B1:B6,"3")', 'COUNTIF(B1:B6,"TRUE")', 'MATCH("o*",B1:B6,0)', 'MATCH("OK",B1:B6,0)', "SUM(C1)", "SUM(C1,C1)",
-    "MIN(C1,C2)", "MAX(C2,C1)", "MIN(C1:C2)", "C1^3", "C1^0.5", "C1^-1", "A6^IF(A1>0,2,1)", "(A6/7)^IF(A1>0,3,2)", "XOR(B2,A1)",
-    "XOR(B3,A1)", "ISODD(B2)", "ISODD(D1)", "N(B2)", "ROUNDUP(3.0000000000000004,0)", 'FIND("",B2)', "LEN(D1)", "B2&D1&A1",
+    "MIN(C1,C2)", "MAX(C2,C1)", "MIN(C1:C2)", "C1^3", "C1^0.5", "C1^-1", "A6^IF(A1>0,2,1)", "(A6/7)^IF(A1>0,3,2)",
+    "XOR(B2,A1)", "XOR(B3,A1)", "ISODD(B2)", "ISODD(D1)", "N(B2)", "ROUNDUP(3.0000000000000004,0)", 'FIND("",B2)', "LEN(D1)",
+    "B2&D1&A1",
 ]  # fmt: skip
 
 
