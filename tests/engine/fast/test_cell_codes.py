@@ -149,3 +149,30 @@ def test_short_columns_texts_and_questions_are_code():
     )  # fmt: skip
     assert found == [5.25, 1.0, "43.25", 7.25, 3.25**2, 1.0, 13.0, 3.0, 3.25, 4.0, 4.25, 13.0, 3.25**3.25, 6.75]
     assert asked == 0
+
+
+EDGES = [
+    "INDEX(A1:A6,0)", "INDEX(A1:A6,7)", "INDEX(A1:A6,B1)", 'COUNTIF(B1:B6,"o*")', 'COUNTIF(B1:B6,">3")', "COUNTIF(B1:B6,3)",
+    'COUNTIF(B1:B6,"3")', 'COUNTIF(B1:B6,"TRUE")', 'MATCH("o*",B1:B6,0)', 'MATCH("OK",B1:B6,0)', "SUM(C1)", "SUM(C1,C1)",
+    "MIN(C1,C2)", "MAX(C2,C1)", "MIN(C1:C2)", "C1^3", "C1^0.5", "C1^-1", "A6^IF(A1>0,2,1)", "(A6/7)^IF(A1>0,3,2)",
+    "XOR(B2,A1)", "XOR(B3,A1)", "ISODD(B2)", "ISODD(D1)", "N(B2)", "ROUNDUP(3.0000000000000004,0)", 'FIND("",B2)', "LEN(D1)",
+    "B2&D1&A1",
+]  # fmt: skip
+
+
+def test_edges():
+    """With texts, blanks, both zeros, numbers as texts, what is outside and what is a pattern."""
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    sheet.column_constants(0, 0, [1.0, 2.0, ErrorValue("#N/A"), "ok", "no", 6.0])
+    sheet.column_constants(0, 1, [0.0, "ok", 3.5, "3", True, 3.0])
+    sheet.column_constants(0, 2, [-0.0, 0.0])
+    for row, text in enumerate(EDGES):
+        sheet.block(row, 5, 1, 1, parse_formula(text))
+    plan = compile_book(builder.build())
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Segment, "_fast", lambda *_: False)
+        patch.setattr(CellCodes, "due", lambda _: False)
+        expected = plan.evaluate()
+        patch.setattr(CellCodes, "due", lambda _: True)
+        same(plan.evaluate(), expected, signs=True)
