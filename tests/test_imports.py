@@ -94,6 +94,10 @@ ALLOWED["homework"] = {
     "kinematics.sweep",
     # what a mean over the motion is
     "kinematics.means",
+    # the figure of a task, drawn as the first sheet draws
+    "shapes.positions",
+    "sheet.drawing.drawing",
+    "sheet.drawing.frames",
     "compiled",
     "formats",
     "sheet.workbook",

@@ -30,7 +30,7 @@ def plot(
     mechsheet plot four-bar.toml --at 60 -o fb.png     a picture
     mechsheet plot four-bar.toml -o fb.gif             an animation of the sweep
     mechsheet plot four-bar.toml -o fb.html            a page with a slider
-    mechsheet plot four-bar.toml -o fb.pdf             a report: one to three pages of A4
+    mechsheet plot four-bar.toml -o fb.pdf             a report on paper
     mechsheet plot engine.toml --at 60 --vectors       with velocities and forces
 
     All but the web page need matplotlib: pip install "mechsheet[plot]"

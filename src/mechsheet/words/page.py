@@ -49,7 +49,8 @@ PAGE: dict[str, tuple[str, str]] = {
     "page.verdict.of": (" of ", " / "),
     "page.verdict.positions": (" positions", ""),
     "page.verdict.position": (" position", ""),
-    "page.transmission": ("transmission, these rows", "bağlama açısı, bu satırlar"),
+    "page.transmission": ("transmission ", "bağlama açısı "),
+    "page.transmission.rows": (", these rows", ", bu satırlar"),
     "page.take.rows": ("{label} (these rows)", "{label} (bu satırlarda)"),
     "page.drawing": ("For the drawing", "Çizim için"),
 }  # fmt: skip

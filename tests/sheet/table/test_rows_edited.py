@@ -14,7 +14,7 @@ from mechsheet import reference
 from mechsheet.checking.edited.inserted_rows import Shift
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.engine import evaluate
 from mechsheet.sheet.checks.checks import sheets_in_rows
@@ -195,7 +195,7 @@ def test_rows_inserted_over_the_first(layout):
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_rows_inserted_in_one_sheet_alone_are_told(language):
     """The other sheets would say what they say of other rows."""
-    made = Compiled(loads(template_text("quick-return-lever"), language=language))
+    made = Compiled(loads(template_text("quick-return-lever"), overrides=Overrides(language=language)))
     plan, workbook = made.plan, made.layout
     place, (title, first, width) = 9, tables(plan)[0]
     workbook = filled_down(moved(workbook, title, Shift(first + place, MORE)), title, first + place - 1,

@@ -311,8 +311,9 @@ class Top:
         unit = plan.mechanism.angle_unit
         poor = formula("AND(ISNUMBER(value),value<limit)", value=cell, limit=limit)
         bad = formula('IF(poor,words,"")', poor=poor, words=f": {plan.text('verdict.poor')}")
-        words = joined(plan.text("page.transmission"), bad)
-        self.line(row, f"μ{group.number}", unit.text, words)
+        said, after = angle_words(plan, cell)
+        words = joined(said, f"{after}{plan.text('page.transmission.rows')}", bad)
+        self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=words))
         self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=self.cell("#rows_closed"), least=least)
         self.fill(row, VALUE, value, value_style(plan, "angle"))
@@ -338,13 +339,8 @@ class Top:
                 for col in (MEANING, VALUE)
             )
             any_poor = some_poor(plan.mechanism, angles)
-            least: Node = angles.start
-            words: Node = said.start
-            if len(lines) > 1:
-                least = formula("MIN(angles)", angles=angles)
-                words = formula("INDEX(said,MATCH(least,angles,0))", said=said, angles=angles, least=least)
-            worst, after = angle_words(plan, least)
-            parts += ["; ", words, " (", worst, f"{after})"]  # where rows close, there are angles
+            worst = formula("INDEX(said,MATCH(MIN(angles),angles,0))", said=said, angles=angles)
+            parts += ["; ", text("page.transmission"), worst if len(lines) > 1 else said.start]
         wrong, there = self.cell("#inputs"), self._there()
         closes: Node = joined(*parts)
         missed: Node = Boolean(False)
