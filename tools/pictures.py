@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +23,7 @@ from screenshot import screenshot
 
 import mechsheet
 from mechsheet.checking.programs import convert_with_libreoffice
+from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides, load, loads
 from mechsheet.formats import write
 from mechsheet.homework.classroom.exercise import KEY, exercise
@@ -127,11 +129,15 @@ class Prints:
         self.made: dict[tuple[str, str], Path] = {}
 
     def pdf(self, name: str, layout: str) -> Path:
-        """A template's workbook, in English, as it is printed."""
+        """A template's workbook, in English, as it is printed with the sheets of the proof in sight."""
         if (name, layout) not in self.made:
             target = self.folder / f"{name}-{layout}.xlsx"
-            books = build(load(TEMPLATES / f"{name}.toml", Overrides(language="en")), target, layout=layout)
-            self.made[name, layout] = convert_with_libreoffice(books, "pdf", self.folder)[0]
+            mechanism = load(TEMPLATES / f"{name}.toml", Overrides(language="en", layout=layout))
+            workbook = compiled_of(mechanism).workbook
+            *sheets, description = workbook.sheets
+            seen = (*(replace(sheet, hidden=False) for sheet in sheets), description)
+            write(replace(workbook, sheets=seen), target)
+            self.made[name, layout] = convert_with_libreoffice([target], "pdf", self.folder)[0]
         return self.made[name, layout]
 
     def sheet(self, sheet: str, dpi: int, part: Corner | None = None, name: str = "four-bar") -> Image.Image:
