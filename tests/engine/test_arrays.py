@@ -505,3 +505,15 @@ def test_long_columns_of_a_book_that_settles():
         assert column(values, "B", 1, 2) == [ErrorValue("#DIV/0!"), 1]
         _, codes = values.arrays("S", 4, 0, rows - 1)
         assert (codes != 0).sum() == len(range(0, rows, 7))
+
+
+def test_a_range_with_many_ends_is_no_value():
+    """It was told as a fault of this program."""
+    builder = BookBuilder()
+    sheet = builder.sheet("S")
+    sheet.column_constants(0, 0, [1.0, 2.0, 3.0])
+    for row, text in enumerate(("MAX(A1:INDEX(A1:A3,A1:A3))", "SUM(INDEX(A1:A3,A1:A3):A2)")):
+        sheet.block(row, 1, 1, 1, parse_formula(text))
+    values = compile_book(builder.build()).evaluate()
+    assert column(values, "B", 1, 2) == [ErrorValue("#VALUE!")] * 2
+    assert not values.remarks

@@ -266,6 +266,8 @@ class Evaluator(Reading):
         if frame.rows > 1 or frame.cols > 1:
             raise VaryingSizeError
         singles = slots(node)
+        if not singles:  # the array says where a range ends, as in A1:INDEX(A1:A5,B1:B3): many ranges are no value
+            return error(VALUE)
         values = fitted(*(self.value(at_slot(node, slot), frame, True) for slot in singles))
         height, width = np.broadcast_shapes(*((1, 1, *cells.shape)[-4:][:2] for cells in values))
         names = [f"argument {slot} of {node.name}" for slot in singles]
