@@ -196,7 +196,7 @@ class Extremes:
         return Sheet(
             probes.title,
             tuple(probes.cells),
-            tuple(probes.fills),
+            tuple(probes.alike([*self.limits.blocks, *self.blocks.values()])),
             columns=(
                 Column(NUMBER, NUMBER, 5), Column(DRIVER, DRIVER, 11), Column(STATUS, STATUS, 14),
                 Column(STATUS + 1, probes.side - 2, 11), Column(probes.side - 1, probes.side - 1, 14),

@@ -8,7 +8,8 @@ taken within half a turn of what the anchor has. Values of the driver are counte
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from bisect import bisect_right
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from mechsheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
@@ -79,6 +80,28 @@ class Probes:
         node = self.plan.at.bind(formula(text, **holes), self.title)
         self.fills.append(Fill(row, self.side + work, node, style))
         return self.cell(row, work)
+
+    def alike(self, blocks: Sequence[Block]) -> list[Fill]:
+        """All formulas, those of blocks as if each block were a copy of one: they read cells of their own block as those
+        so many rows above or below."""
+        starts = sorted(block.row for block in blocks)
+
+        def block_of(row: int) -> int:
+            return bisect_right(starts, row)
+
+        def within(fill: Fill) -> Fill:
+            own = block_of(fill.row)
+            if not own or fill.rows > 1:
+                return fill
+
+            def change(part: Node) -> Node:
+                if isinstance(part, CellRef) and part.row_abs and part.sheet is None and block_of(part.row) == own:
+                    return replace(part, row_abs=False)
+                return part
+
+            return replace(fill, formula=transform(fill.formula, change))
+
+        return [within(fill) for fill in self.fills]
 
     # --- rows -------------------------------------------------------------------------------------------------
 
