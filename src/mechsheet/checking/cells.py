@@ -16,7 +16,6 @@ from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.lengths import is_length
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.requested import tables_of
-from mechsheet.sheet.table.summary_table import SummaryTable
 from mechsheet.units import turn
 
 Compared = Literal["value", "error", "nothing"]
@@ -44,8 +43,7 @@ def angles_in(plan: Plan) -> Angles:
             periods[plan.table, column.col] = turn(plan.at.spots[column.symbol].degrees)
     # a table's angle before it goes on from the cell above: of atan2(0, -1) a rounding error makes half a turn or minus that
     for table in tables_of(plan):
-        cell = table.helpers.found if isinstance(table, SummaryTable) else table.found
-        periods |= {(table.title, col): turn(False) for col in cell.columns_of_raw_angles}
+        periods |= {(table.title, col): turn(False) for col in table.found.columns_of_raw_angles}
     lengths = [abs(dim.value) for dim in plan.mechanism.dimensions if isinstance(dim.value, float) and is_length(dim)]
     return Angles(periods, min(1.0, max(lengths, default=1.0) or 1.0))
 

@@ -55,7 +55,7 @@ def compare_tables(book: Book, values: Any, plan: Plan, inputs: Inputs, tally: T
     for table in tables_of(plan):
         if isinstance(table, SummaryTable) or book.sheet(table.title) is None:
             continue
-        judge = _Judge(values, plan, inputs, tally, table, table.formula(), bool(functions_in(book)))
+        judge = _Judge(values, plan, inputs, tally, table, table.found, bool(functions_in(book)))
         for across in range(table.count):
             typed_number = values.get(table.title, HEAD_ROW, 1 + across)
             if isinstance(typed_number, float):

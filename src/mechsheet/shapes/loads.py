@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.vectors import NOWHERE, Vector, minus, plus, size, times, together, turned
-from mechsheet.model import Dynamics, Link, Load, Mass, Spring, center_symbol, pair_symbol, torque_unit
+from mechsheet.model import Dynamics, Link, Load, Mass, Spring, center_symbol, torque_unit
 from mechsheet.model import Place as GivenPlace
 from mechsheet.shapes.described import Described
 from mechsheet.shapes.forms import (
@@ -37,6 +37,7 @@ from mechsheet.shapes.forms import (
     unit,
 )
 from mechsheet.sheet.checks.geometry import place
+from mechsheet.sheet.drawing.arrows import pair_of, points_of_forces
 from mechsheet.sheet.drawing.frames import INK
 from mechsheet.sheet.drawing.outlines import direction_of
 from mechsheet.sheet.plan import Plan
@@ -233,16 +234,8 @@ def _of_points(known: Described, plan: Plan, kind: Kind) -> list[Force]:
 def _joint_forces(known: Described, plan: Plan) -> Iterator[Force]:
     """At a pin the force of its first link on each other one, at a slide the normal force on its link."""
     mechanism = known.mechanism
-
-    def pair(one: str, other: str) -> str:
-        return pair_symbol("F", known.links[one].number, known.links[other].number)
-
-    at: dict[str, list[str]] = {}
-    for link in mechanism.links:
-        for point in link.points:
-            at.setdefault(point, []).append(link.name)
-    pins = {pair(owner, other): point for point, (owner, *others) in at.items() for other in others}
-    slides = {f"{pair(joint.on, joint.link)}.n": joint for joint in mechanism.joints}
+    pins = points_of_forces(mechanism)
+    slides = {f"{pair_of(mechanism, joint.on, joint.link)}.n": joint for joint in mechanism.joints}
     for name in plan.held_columns:
         if name in pins:
             yield Force("force", plain(name), plain(name), place_of(pins[name]), place_of(name))

@@ -115,7 +115,6 @@ class Plan:
     forces  those of the sheet of forces, behind the driver's value and what is said of the row
     bands   those of the sheet of tolerances, likewise;  sensitivities: what these say
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
-    arrow_rows  rows of the drawing's sheet in which its arrows stand, likewise
     synthesis   rows of the sheet of synthesis; None where no dimension is found from a task
     """
 
@@ -136,7 +135,6 @@ class Plan:
     names: list[Name] = field(default_factory=list)
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
-    arrow_rows: range = range(0)
     synthesis: Rows | None = None
 
     @cached_property

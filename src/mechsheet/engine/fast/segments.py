@@ -227,8 +227,9 @@ class Segment:
                 marks.note(member.number, member.run(ev, start, stop))
 
     def _by_code(self, member: Member, ev: Evaluator, memory: Memory, marks: Marks, start: int, stop: int) -> bool:
-        """Compute cells one by one, where the interpreter would do so too; False where code cannot compute all of them."""
-        if not member.singly:
+        """Compute cells one by one, where the interpreter would do so too, as in the row at an end; False where code cannot
+        compute all of them."""
+        if not member.singly and stop - start > 1:
             return False
         number = member.number
         for col in range(self.cols):

@@ -84,10 +84,8 @@ class Arrow:
 def arrows_of(page: Page, frame: Frame, cells: Mapping[str, PointCells]) -> tuple[Series, ...]:
     """All arrows and their scale bars; nothing in a workbook without velocities and forces."""
     found: list[Series] = []
-    first = page.row
     for number, kind in enumerate(page.plan.arrows):
         found += _kind(page, frame, cells, kind, number)
-    page.plan.arrow_rows = range(first, page.row)
     return tuple(found)
 
 
@@ -165,7 +163,8 @@ def _of_points(page: Page, kind: ArrowKind) -> list[Arrow]:
 def _forces(page: Page) -> list[Arrow]:
     """At a pin the force of its first link on each other one, at a slide the normal force on its link."""
     plan, mechanism = page.plan, page.plan.mechanism
-    pins, slides = _pins(mechanism), {f"{_pair(mechanism, each.on, each.link)}.n": each for each in mechanism.joints}
+    pins = points_of_forces(mechanism)
+    slides = {f"{pair_of(mechanism, each.on, each.link)}.n": each for each in mechanism.joints}
     arrows = []
     for name in plan.held_columns:
         column = plan.at.column(name, page.title)
@@ -194,16 +193,17 @@ def _across(force: str, line: Node, read: Callable[[str], Node]) -> Parts:
     )
 
 
-def _pins(mechanism: Mechanism) -> dict[str, str]:
+def points_of_forces(mechanism: Mechanism) -> dict[str, str]:
     """The point at which each joint force acts, by its symbol."""
     at: dict[str, list[str]] = {}
     for link in mechanism.links:
         for point in link.points:
             at.setdefault(point, []).append(link.name)
-    return {_pair(mechanism, owner, other): point for point, (owner, *others) in at.items() for other in others}
+    return {pair_of(mechanism, owner, other): point for point, (owner, *others) in at.items() for other in others}
 
 
-def _pair(mechanism: Mechanism, one: str, other: str) -> str:
+def pair_of(mechanism: Mechanism, one: str, other: str) -> str:
+    """The symbol of the force of one link on another."""
     numbers = {link.name: link.number for link in mechanism.links}
     return pair_symbol("F", numbers[one], numbers[other])
 

@@ -17,7 +17,6 @@ from mechsheet import portable
 from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.rates.coefficients import free_points
-from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, Mechanism, rate_symbols
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
@@ -131,9 +130,7 @@ def _of_forces(plan: Plan, sizes: Mapping[str, float]) -> list[ChartRequest]:
 def _probe(plan: Plan) -> dict[str, Array]:
     """Each column's numbers in a few rows: enough to tell which curves fit on one axis."""
     every = max(1, math.ceil(len(plan.driver) / PROBED))
-    given = {name: column[::every] for name, column in plan.given.items()}
-    values = sweep(plan.mechanism, plan.equations.equations, given)
-    return {symbol: column[np.isfinite(column)] for symbol, column in values.items()}
+    return {symbol: (few := column[::every])[np.isfinite(few)] for symbol, column in plan.nominal.items()}
 
 
 def _stands_still(column: Array) -> bool:

@@ -74,6 +74,11 @@ class SummaryTable(Table):
         """The chart's axis of that dimension."""
         return Axis(self.rows_words())
 
+    @property
+    def found(self) -> CellFormula:
+        """The formula of the quantity at a value of the driver, and the helpers that it needs."""
+        return self.helpers.found
+
     @cached_property
     def helpers(self) -> Helpers:
         """Their columns."""

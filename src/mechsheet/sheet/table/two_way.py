@@ -130,10 +130,6 @@ class Table:
 
     @cached_property
     def found(self) -> CellFormula:
-        """See `formula`."""
-        return self.formula()
-
-    def formula(self) -> CellFormula:
         """The formula of a cell, and the helpers that it needs."""
         heads = {self.request.column: CellRef(HEAD_ROW, 1, row_abs=True)}
         return CellFormula(
