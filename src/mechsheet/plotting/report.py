@@ -292,6 +292,8 @@ class _Paper:
         axes.set_xlabel(chart.x_axis.title, fontsize=SMALL - 1, color=QUIET)
         axes.set_ylabel(chart.y_axis.title, fontsize=SMALL - 1, color=QUIET)
         axes.margins(x=0)
+        axes.set_xlim(chart.x_axis.low, chart.x_axis.high)  # what the workbook leaves open is chosen by the curves
+        axes.set_ylim(chart.y_axis.low, chart.y_axis.high)
         if len(axes.lines) > 2:
             axes.legend(fontsize=SMALL - 1.5, frameon=False, handlelength=1.2, labelspacing=0.2)
         for spine in axes.spines.values():
