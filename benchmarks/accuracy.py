@@ -23,9 +23,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "tests"))
 
-from mechsheet.compiled.evaluation import book_of
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
 from mechsheet.description import loads
-from mechsheet.engine import evaluate
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.constants import typed
 from mechsheet.sheet.layout import lay_out

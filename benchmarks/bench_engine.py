@@ -19,9 +19,9 @@ from itertools import count
 
 import numpy as np
 
-from mechsheet.engine import compile_book
-from mechsheet.formula.book import Book, BookBuilder
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine import compile_book
+from livesheet.formula.book import Book, BookBuilder
+from livesheet.formula.parser import parse_formula
 from mechsheet.library.session import Session
 
 DIMENSIONS = {

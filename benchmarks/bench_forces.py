@@ -25,12 +25,12 @@ from pathlib import Path
 
 import numpy as np
 
+from livesheet.engine import compile_book
+from livesheet.formula.book import Book, BookBuilder
+from livesheet.formula.nodes import CellRef
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
-from mechsheet.engine import compile_book
-from mechsheet.formula.book import Book, BookBuilder
-from mechsheet.formula.nodes import CellRef
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.library.building import build

@@ -17,9 +17,9 @@ from collections.abc import Callable
 import numpy as np
 from bench_engine import best_of
 
-from mechsheet.engine import compile_book
-from mechsheet.formula.book import Book, BookBuilder
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine import compile_book
+from livesheet.formula.book import Book, BookBuilder
+from livesheet.formula.parser import parse_formula
 
 Side = Callable[[], "list[tuple[float, ...]]"]
 FIRST = 5  # the first row of every table, counted from 0

@@ -22,7 +22,7 @@ SHEETS = {"input": "Mechanism", "table": "Positions"}
 
 def column_formulas():
     """Thirteen columns of a four-bar's table, as text for XlsxWriter and as trees for us, with a value of each row."""
-    from mechsheet.formula.parser import parse_formula
+    from livesheet.formula.parser import parse_formula
 
     texts = ["=(ROW()-2)*step"]
     letters = "ABCDEFGHIJKLM"
@@ -38,7 +38,7 @@ def column_values(rows):
 
 
 def workbook(rows):
-    from mechsheet.sheet.workbook import Cell, Fill, Name, Sheet, Style, Workbook
+    from livesheet.workbook import Cell, Fill, Name, Sheet, Style, Workbook
 
     style = Style(number_format="0.000")
     names = ("step", "link_1", "link_2")
@@ -59,7 +59,7 @@ def nothing(path, rows):
 
 
 def ours(path, rows):
-    from mechsheet.formats import write
+    from livesheet.formats import write
 
     write(workbook(rows), path)
 

@@ -8,12 +8,12 @@ import openpyxl
 from openpyxl.worksheet.formula import ArrayFormula
 
 from engine_cases import COLUMN, FIRST_ROW, answered, same
+from livesheet.engine import evaluate
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
 from mechsheet.checking.programs import answers, convert_with_libreoffice
-from mechsheet.engine import evaluate
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
 
 PROGRAMS = ("ironcalc", "gnumeric", "libreoffice")
 

@@ -8,10 +8,10 @@ from pathlib import Path
 
 from openpyxl.utils.datetime import to_excel
 
-from mechsheet.engine.values.cells import ERROR_NAMES
-from mechsheet.formula.book import Book, BookBuilder
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine.values.cells import ERROR_NAMES
+from livesheet.formula.book import Book, BookBuilder
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.parser import parse_formula
 
 FOLDER = Path(__file__).parent / "cases" / "engine"
 FILES = sorted(

@@ -2,8 +2,8 @@
 
 from hypothesis import strategies as st
 
-from mechsheet.formula.functions import FUNCTIONS
-from mechsheet.formula.nodes import (
+from livesheet.formula.functions import FUNCTIONS
+from livesheet.formula.nodes import (
     MAX_COLUMNS,
     MAX_ROWS,
     ArrayLiteral,
@@ -20,8 +20,8 @@ from mechsheet.formula.nodes import (
     Text,
     Unary,
 )
-from mechsheet.formula.parser import DESCRIPTION_FUNCTIONS
-from mechsheet.formula.printer import print_formula
+from livesheet.formula.parser import DESCRIPTION_FUNCTIONS
+from livesheet.formula.printer import print_formula
 
 numbers = st.floats(min_value=0, allow_nan=False, allow_infinity=False).map(lambda x: Number(abs(x)))
 symbols = st.sampled_from(["a", "a_1", "theta12", "C.x", "β₂", "açı"]).map(Symbol)

@@ -2,15 +2,15 @@
 
 from dataclasses import replace
 
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
+from livesheet.formula.nodes import CellRef, walk
+from livesheet.workbook import Fill, Workbook
 from mechsheet.checking import Comparison
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
-from mechsheet.engine import evaluate
-from mechsheet.formula.nodes import CellRef, walk
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.workbook import Fill, Workbook
 
 
 def judged(mechanism: Mechanism, changes: dict[str, float] | None = None) -> Comparison:

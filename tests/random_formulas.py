@@ -2,8 +2,8 @@
 
 import random
 
-from mechsheet.formula.functions import FUNCTIONS
-from mechsheet.formula.nodes import ErrorValue
+from livesheet.formula.functions import FUNCTIONS
+from livesheet.formula.nodes import ErrorValue
 
 ROWS, COLUMNS = 8, 8
 _LETTERS = "ABCDEFGH"

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import mechsheet
-from mechsheet.engine import evaluate
+from livesheet.engine import evaluate
 
 sys.path.insert(0, str(Path(__file__).parent.parent / "benchmarks"))
 

@@ -2,9 +2,9 @@
 
 import pytest
 
+from livesheet.counted import counted
 from mechsheet.checking.remark_lines import stored_lines
 from mechsheet.checking.stored import Stored
-from mechsheet.counted import counted
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError

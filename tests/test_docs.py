@@ -15,13 +15,13 @@ import openpyxl
 import pytest
 
 import mechsheet
+from livesheet.formula.functions import FUNCTIONS
 from mechsheet.cli import main as commands
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
 from mechsheet.description.grammar import Either, Items, Kinds, Named, Shape, Table
 from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.templates import template_names
-from mechsheet.formula.functions import FUNCTIONS
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Sketch
 from mechsheet.sheet.first.transmission import POOR
@@ -329,3 +329,10 @@ def test_links_solved_all_at_once_as_the_page_says(page):
     assert fits(float(height.min()), low) and fits(float(height.max()), high)
     (off,) = re.findall(r"(0\.\d+) mm", text)
     assert 0.0005 < 1e3 * np.abs(mechsheet.template("five-bar-robot").solve()["off"]).max() < float(off)
+
+
+def test_the_example_of_the_spreadsheet_library(monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    (example,) = re.findall(r"```python\n(.*?)```", (DOCS / "livesheet.md").read_text(encoding="utf-8"), re.DOTALL)
+    exec(compile(example, "livesheet.md", "exec"), {})
+    assert openpyxl.load_workbook("plan.xlsx", data_only=True)["Plan"]["C11"].value == pytest.approx(1000 * 1.05**10)

@@ -8,70 +8,85 @@ from pathlib import Path
 import pytest
 
 SOURCE = Path(__file__).parent.parent / "src" / "mechsheet"
+LIBRARY = SOURCE.with_name("livesheet")
 
 EVERYBODY = {
     "diagnostics",
+    "livesheet.diagnostics",
     "extras",
     "arguments.numbers",
-    "said",
-    "counted",
-    "on_demand",
-    "replacing",
-    "time_limit",
+    "livesheet.said",
+    "livesheet.counted",
+    "livesheet.on_demand",
+    "livesheet.replacing",
+    "livesheet.time_limit",
 }
 ALLOWED = {
     "diagnostics": set(),
-    "said": set(),
-    "counted": set(),
-    "on_demand": set(),
-    "replacing": {"diagnostics", "said"},
-    "time_limit": {"diagnostics", "said"},
-    "extras": {"said"},
-    "arguments": {"formula"},
+    "extras": set(),
+    "arguments": {"livesheet.formula"},
     "units": set(),
-    "portable": set(),
-    "model": {"formula.nodes", "units"},
+    "model": {"livesheet.formula.nodes", "units"},
     "words": {"model"},
-    "formula": {"portable"},
     # the nodes of expressions are data of the model; how they are parsed, printed and evaluated is not the reference's
-    "reference": {"model", "formula.nodes"},
-    "engine": {"formula", "portable"},
+    "reference": {"model", "livesheet.formula.nodes"},
     # tasks and the steps of their solutions, as dimensions that follow from others
-    "synthesis": {"portable", "model", "formula", "units", "words"},
-    "description": {"portable", "model", "formula", "units", "synthesis"},
-    "kinematics": {"portable", "model", "formula", "units", "words"},
+    "synthesis": {"livesheet.portable", "model", "livesheet.formula", "units", "words"},
+    "description": {"livesheet.portable", "model", "livesheet.formula", "units", "synthesis"},
+    "kinematics": {"livesheet.portable", "model", "livesheet.formula", "units", "words"},
     # forces, from what is solved already; kinematics knows nothing of them
-    "dynamics": {"portable", "model", "formula", "kinematics", "units", "words"},
-    "sheet": {"portable", "model", "formula", "kinematics", "synthesis", "units", "words"},
-    # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
-    "formats": {"formula", "sheet.workbook"},
+    "dynamics": {"livesheet.portable", "model", "livesheet.formula", "kinematics", "units", "words"},
+    "sheet": {
+        "livesheet.portable",
+        "livesheet.workbook",
+        "livesheet.evaluation",
+        "model",
+        "livesheet.formula",
+        "kinematics",
+        "synthesis",
+        "units",
+        "words",
+    },
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
-    "compiled": {"model", "formula", "kinematics", "dynamics", "sheet", "engine"},
+    "compiled": {
+        "model",
+        "livesheet.formula",
+        "kinematics",
+        "dynamics",
+        "sheet",
+        "livesheet.workbook",
+        "livesheet.evaluation",
+        "livesheet.engine",
+    },
     # what a mechanism looks like, once for all who draw it
-    "shapes": {"portable", "model", "formula", "kinematics", "sheet", "compiled", "units", "words"},
+    "shapes": {"livesheet.portable", "model", "livesheet.formula", "kinematics", "sheet", "compiled", "units", "words"},
     # plotting draws the list of shapes, and the curves of the workbook at positions that the engine computes
     "plotting": {
         "shapes",
         "units",
         "model",
         "words",
-        "formula",
+        "livesheet.formula",
         "kinematics",
         "sheet",
+        "livesheet.workbook",
+        "livesheet.evaluation",
         "compiled",
-        "engine",
+        "livesheet.engine",
         "arguments",
     },
     # exporting prints the equations, draws the list of shapes, and tabulates their values
     "exporting": {
         "shapes",
-        "portable",
+        "livesheet.portable",
         "model",
         "units",
         "words",
-        "formula",
+        "livesheet.formula",
         "kinematics",
         "sheet",
+        "livesheet.workbook",
+        "livesheet.evaluation",
         "compiled",
         "plotting",
         "arguments",
@@ -83,9 +98,9 @@ ALLOWED["homework"] = {
     "model",
     "units",
     "words",
-    "formula",
+    "livesheet.formula",
     "description",
-    "engine",
+    "livesheet.engine",
     "reference",
     # which numbers may be which dimensions is tried with the equations; what is found is proven by the reference
     "kinematics.solve",
@@ -99,8 +114,9 @@ ALLOWED["homework"] = {
     "sheet.drawing.drawing",
     "sheet.drawing.frames",
     "compiled",
-    "formats",
-    "sheet.workbook",
+    "livesheet.formats",
+    "livesheet.workbook",
+    "livesheet.evaluation",
     "sheet.styles",
     "sheet.wrapping",
     # a task is told in the words of the workbook's notes, with the workbook's drawing
@@ -118,12 +134,14 @@ ALLOWED["homework"] = {
 ALLOWED["studies"] = {
     "plotting.axes",
     "model",
-    "formula",
+    "livesheet.formula",
     "description",
     "kinematics",
     "sheet",
+    "livesheet.workbook",
+    "livesheet.evaluation",
     "compiled",
-    "formats",
+    "livesheet.formats",
     "words",
     "__version__",
 }
@@ -132,7 +150,7 @@ ALLOWED["drawing_page"] = {
     "model",
     "units",
     "words",
-    "formula",
+    "livesheet.formula",
     "description",
     "kinematics",
     "compiled",
@@ -144,6 +162,22 @@ ALLOWED["drawing_page"] = {
     "arguments",
 }
 PARTS = sorted(ALLOWED)
+IN_LIBRARY = {
+    "said": set(),
+    "counted": set(),
+    "on_demand": set(),
+    "diagnostics": {"said"},
+    "replacing": {"said", "diagnostics"},
+    "time_limit": {"said", "diagnostics"},
+    "portable": set(),
+    "formula": {"said", "diagnostics", "counted", "portable"},
+    # a workbook as data: no file format is known here, and formats know nothing else of what they write
+    "workbook": {"formula"},
+    "formats": {"said", "diagnostics", "counted", "on_demand", "replacing", "time_limit", "formula", "workbook"},
+    "engine": {"said", "diagnostics", "counted", "on_demand", "time_limit", "formula", "portable"},
+    "evaluation": {"diagnostics", "formula", "workbook", "engine"},
+}
+"""Part of livesheet -> the parts that it may import."""
 FORMATS = {name: {"", "reading", name} for name in ("xlsx", "ods", "xls")} | {
     "reading": {"reading"},
     "": {"", "reading"},
@@ -151,15 +185,15 @@ FORMATS = {name: {"", "reading", name} for name in ("xlsx", "ods", "xls")} | {
 """Folder of formats ("" for what lies beside them) -> the folders it may import: the formats are strangers."""
 
 
-def modules_of(part: str) -> list[Path]:
-    folder = SOURCE / part
-    return sorted(folder.rglob("*.py")) if folder.is_dir() else [SOURCE / f"{part}.py"]
+def modules_of(part: str, package: Path = SOURCE) -> list[Path]:
+    folder = package / part
+    return sorted(folder.rglob("*.py")) if folder.is_dir() else [package / f"{part}.py"]
 
 
 @cache
 def imports(path: Path) -> set[tuple[int, str]]:
-    """(line, module below mechsheet) of every import, also those inside functions."""
-    package = ("mechsheet", *path.relative_to(SOURCE).with_suffix("").parts)
+    """(line, module) of every import of the project's own, also those inside functions; mechsheet's without its name."""
+    package = path.relative_to(SOURCE.parent).with_suffix("").parts
     found = set()
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
@@ -167,49 +201,57 @@ def imports(path: Path) -> set[tuple[int, str]]:
         elif isinstance(node, ast.ImportFrom):
             base = ".".join(package[: len(package) - node.level]) if node.level else ""
             module = ".".join(part for part in (base, node.module or "") if part)
-            names = [module] if module != "mechsheet" else [f"mechsheet.{alias.name}" for alias in node.names]
+            whole = module in ("mechsheet", "livesheet")
+            names = [f"{module}.{alias.name}" for alias in node.names] if whole else [module]
         else:
             continue
-        found |= {(node.lineno, name.removeprefix("mechsheet.")) for name in names if name.startswith("mechsheet.")}
+        own = (name for name in names if name.startswith(("mechsheet.", "livesheet.")))
+        found |= {(node.lineno, name.removeprefix("mechsheet.")) for name in own}
     return found
 
 
-def forbidden(part: str) -> list[str]:
-    allowed = ALLOWED[part] | EVERYBODY | {part}
+def forbidden(part: str, package: Path, allowed: set[str]) -> list[str]:
     wrong = []
-    for path in modules_of(part):
+    for path in modules_of(part, package):
         for line, module in sorted(imports(path)):
             if not any(module == name or module.startswith(f"{name}.") for name in allowed):
-                wrong.append(f"{path.relative_to(SOURCE).as_posix()}:{line}: {part} may not import {module}")
+                wrong.append(f"{path.relative_to(package).as_posix()}:{line}: {part} may not import {module}")
     return wrong
 
 
 @pytest.mark.parametrize("part", PARTS)
 def test_part_imports_only_what_it_may(part):
     assert modules_of(part)
-    assert forbidden(part) == []
+    assert forbidden(part, SOURCE, ALLOWED[part] | EVERYBODY | {part}) == []
+
+
+@pytest.mark.parametrize("part", sorted(IN_LIBRARY))
+def test_part_of_the_library_imports_only_what_it_may(part):
+    """Nothing of mechanisms above all: who uses livesheet alone needs no mechsheet."""
+    assert modules_of(part, LIBRARY)
+    assert forbidden(part, LIBRARY, {f"livesheet.{name}" for name in IN_LIBRARY[part] | {part}}) == []
 
 
 @pytest.mark.parametrize("folder", FORMATS)
 def test_folders_of_formats_import_downwards(folder):
-    files = sorted((SOURCE / "formats" / folder).glob("*.py"))
+    files = sorted((LIBRARY / "formats" / folder).glob("*.py"))
     wrong = [
-        f"{path.relative_to(SOURCE).as_posix()}:{line}: {module}"
+        f"{path.relative_to(LIBRARY).as_posix()}:{line}: {module}"
         for path in files
         for line, module in sorted(imports(path))
-        if module.startswith("formats.") and _folder_of_formats(module) not in FORMATS[folder]
+        if module.startswith("livesheet.formats.") and _folder_of_formats(module) not in FORMATS[folder]
     ]
     assert files
     assert wrong == []
 
 
 def _folder_of_formats(module: str) -> str:
-    name = module.split(".")[1]
-    return name if (SOURCE / "formats" / name).is_dir() else ""
+    name = module.split(".")[2]
+    return name if (LIBRARY / "formats" / name).is_dir() else ""
 
 
 def test_every_folder_of_formats_has_a_rule():
-    assert {path.parent.name for path in (SOURCE / "formats").glob("*/__init__.py")} == set(FORMATS) - {""}
+    assert {path.parent.name for path in (LIBRARY / "formats").glob("*/__init__.py")} == set(FORMATS) - {""}
 
 
 def test_nobody_imports_the_command_line():
@@ -232,6 +274,8 @@ def test_the_rule_can_fail():
 
 def test_every_folder_has_a_rule():
     folders = {path.name for path in SOURCE.iterdir() if path.is_dir() and (path / "__init__.py").exists()}
+    parts = {path.stem for path in LIBRARY.iterdir() if path.suffix == ".py" or (path / "__init__.py").exists()}
+    assert parts == {*IN_LIBRARY, "__init__"}
     # checking is where all of them meet, the library and the command line offer everything
     assert folders <= set(ALLOWED) | {"checking", "cli", "library"}
 

@@ -31,7 +31,6 @@ def test_contents(wheel):
     data = {
         "py.typed",
         "exporting/octave_helpers.m",
-        "formula/functions.txt",
         "plotting/page.css",
         "plotting/page.html",
         "plotting/page.js",
@@ -39,7 +38,10 @@ def test_contents(wheel):
     page = {f"drawing_page/page/{path.name}" for path in (source / "drawing_page" / "page").iterdir()}
     assert inside == modules | templates | data | page
     assert "templates/mechsheet.schema.json" in templates
-    outside = {name.split("/", 1)[1] for name in names if not name.startswith("mechsheet/")}
+    library = {name for name in names if name.startswith("livesheet/")}
+    beside = {path.relative_to(ROOT / "src").as_posix() for path in (ROOT / "src" / "livesheet").rglob("*.py")}
+    assert library == beside | {"livesheet/py.typed", "livesheet/formula/functions.txt"}
+    outside = {name.split("/", 1)[1] for name in names if not name.startswith(("mechsheet/", "livesheet/"))}
     assert outside == {"METADATA", "WHEEL", "RECORD", "entry_points.txt", "licenses/LICENSE"}
 
 
@@ -53,7 +55,7 @@ def test_the_source_archive_holds_what_the_wheel_is_built_from(wheel, tmp_path):
     rooms = {name.partition("/")[0] for name in names}
     alone = {"hatch_build.py", "pyproject.toml", "README.md", "CHANGELOG.md", "LICENSE", "PKG-INFO", ".gitignore"}
     assert rooms == {"src", "templates", *alone}
-    inside = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith("mechsheet/")}
+    inside = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith(("mechsheet/", "livesheet/"))}
     assert {f"src/{name}" for name in inside if "/templates/" not in name} <= names
     assert {f"templates/{Path(name).name}" for name in inside if "/templates/" in name} <= names
 

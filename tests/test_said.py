@@ -2,8 +2,8 @@
 
 import pickle
 
+from livesheet.said import in_turkish, reason, say
 from mechsheet.model import Words
-from mechsheet.said import in_turkish, reason, say
 
 
 def test_a_message_is_a_text_like_any_other():

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-from mechsheet.formula.nodes import Scalar
-from mechsheet.sheet.workbook import Sheet, Workbook, with_values
+from livesheet.formula.nodes import Scalar
+from livesheet.workbook import Sheet, Workbook, with_values
 
 
 def with_inputs(workbook: Workbook, typed: Mapping[tuple[str, int, int], Scalar]) -> Workbook:

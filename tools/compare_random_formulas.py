@@ -21,7 +21,7 @@ sys.path.insert(0, str(ROOT / "tests"))
 
 from asking import PROGRAMS, agree, asked, code_agrees, ours, outvoted  # noqa: E402
 from engine_cases import FOLDER, quoted, spelt  # noqa: E402
-from mechsheet.formula.nodes import ErrorValue  # noqa: E402
+from livesheet.formula.nodes import ErrorValue  # noqa: E402
 from random_formulas import Formulas, random_cells  # noqa: E402
 
 BATCH, SECONDS = 500, 60

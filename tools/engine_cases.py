@@ -18,10 +18,10 @@ sys.path.insert(0, str(ROOT / "tests"))
 
 from asking import PROGRAMS, agree, asked, code_agrees, ours, outvoted  # noqa: E402
 from engine_cases import FOLDER, cells, load, quoted, scalar, spelt  # noqa: E402
-from mechsheet.formula.functions import FUNCTIONS  # noqa: E402
-from mechsheet.formula.nodes import Call, Node, Text, walk  # noqa: E402
-from mechsheet.formula.parser import parse_formula  # noqa: E402
-from mechsheet.formula.printer import print_formula  # noqa: E402
+from livesheet.formula.functions import FUNCTIONS  # noqa: E402
+from livesheet.formula.nodes import Call, Node, Text, walk  # noqa: E402
+from livesheet.formula.parser import parse_formula  # noqa: E402
+from livesheet.formula.printer import print_formula  # noqa: E402
 
 SINGLE = "npytbda"
 VARIANTS = ("A3", "A6", "A5", "A7", "A4")

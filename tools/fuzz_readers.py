@@ -22,14 +22,14 @@ from types import FrameType
 
 import xlsxwriter
 
+from livesheet.engine import compile_book, evaluate
+from livesheet.formats import read, update_values
+from livesheet.formula.book import Book, BookSheet, DefinedName
+from livesheet.formula.nodes import CellRef, walk
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
 from mechsheet.description import load
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.engine import compile_book, evaluate
-from mechsheet.formats import read, update_values
-from mechsheet.formula.book import Book, BookSheet, DefinedName
-from mechsheet.formula.nodes import CellRef, walk
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
 from mechsheet.library.building import build
 
 ROOT = Path(__file__).parent.parent

@@ -1,10 +1,10 @@
-"""Writes docs/functions.md, the list of functions, from src/mechsheet/formula/functions.txt."""
+"""Writes docs/functions.md, the list of functions, from src/livesheet/formula/functions.txt."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from mechsheet.formula.functions import FUNCTIONS, MANY, Function
+from livesheet.formula.functions import FUNCTIONS, MANY, Function
 
 PATH = Path(__file__).parent.parent / "docs" / "functions.md"
 
@@ -22,7 +22,7 @@ array gives one result for each of its cells. Functions marked *volatile* are co
 says so. Probability distributions, Bessel functions and GAMMALN need SciPy: `pip install "mechsheet[statistics]"`; without
 it `recalc` keeps their stored values and says so.
 
-This page is made by `tools/list_of_functions.py` from `src/mechsheet/formula/functions.txt`.
+This page is made by `tools/list_of_functions.py` from `src/livesheet/formula/functions.txt`.
 """
 
 

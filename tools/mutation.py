@@ -27,7 +27,6 @@ from typing import Any
 
 ROOT = Path(__file__).parent.parent
 SOURCE = ROOT / "src"
-PACKAGE = SOURCE / "mechsheet"
 OTHER = {
     ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt, ast.Eq: ast.NotEq, ast.NotEq: ast.Eq,
     ast.In: ast.NotIn, ast.NotIn: ast.In, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
@@ -125,7 +124,7 @@ def _short(text: str) -> str:
 
 def own_tests(module: Path) -> list[str]:
     """The files of tests that carry a module's name, below those of its room; where there are none, those of its folder."""
-    own = module.relative_to(PACKAGE)
+    own = Path(*module.relative_to(SOURCE).parts[1:])
     named = (ROOT / "tests" / own.parts[0]).rglob(f"test_{module.stem}.py")
     return sorted(str(path.relative_to(ROOT)) for path in named) or sorted(
         str(path.relative_to(ROOT)) for path in (ROOT / "tests" / own.parent).glob("test_*.py")

@@ -22,10 +22,10 @@ from PIL import Image, ImageChops, ImageOps
 from screenshot import screenshot
 
 import mechsheet
+from livesheet.formats import write
 from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides, load, loads
-from mechsheet.formats import write
 from mechsheet.homework.classroom.exercise import KEY, exercise
 from mechsheet.homework.classroom.marks import mark
 from mechsheet.homework.classroom.marks_book import marks_workbook

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from mechsheet.on_demand import names_of
+from livesheet.on_demand import names_of
 
 __version__ = "1.0.0"
 

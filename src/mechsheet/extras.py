@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import sys
 
-from mechsheet.diagnostics import Fault, MissingProgramError
-from mechsheet.said import say
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MissingProgramError
 
 EXTRAS = {
     "plot": (("matplotlib",), say("pictures and animations: mechsheet plot, .svg, .png and .gif")),

@@ -4,19 +4,19 @@ from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
 
+from livesheet.evaluation import book_of, computed
+from livesheet.formats import write
+from livesheet.formula.nodes import CellRef, ErrorValue, Node, RangeRef, shifted, transform
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.references import parse_cell
+from livesheet.workbook import Cell, Fill, Sheet, Workbook
 from mechsheet.checking.edited.edits import Edits, edits_of
 from mechsheet.checking.edited.expected import expected_for
 from mechsheet.checking.edited.inserted_rows import NOTHING
 from mechsheet.checking.inputs import description_in
-from mechsheet.compiled.evaluation import book_of, computed
 from mechsheet.description import load
 from mechsheet.dynamics.solve import solve
-from mechsheet.formats import write
-from mechsheet.formula.nodes import CellRef, ErrorValue, Node, RangeRef, shifted, transform
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.references import parse_cell
 from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.workbook import Cell, Fill, Sheet, Workbook
 
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 

@@ -3,8 +3,8 @@
 import pytest
 from laid import Laid, template_text
 
+from livesheet.evaluation import book_of
 from mechsheet.checking.against_reference import against_plan
-from mechsheet.compiled.evaluation import book_of
 
 
 @pytest.mark.parametrize("mode", [1, -1])

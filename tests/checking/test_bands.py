@@ -4,11 +4,11 @@ from pathlib import Path
 
 import pytest
 
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import load
-from mechsheet.engine import evaluate
 
 HOEKEN = Path(__file__).parents[2] / "templates/hoeken.toml"
 

@@ -6,11 +6,11 @@ import pytest
 from edited import laid_out
 
 from chosen import part
+from livesheet.evaluation import computed
+from livesheet.formats import write
+from livesheet.formula.nodes import Call, CellRef, Unary, transform, walk
+from livesheet.workbook import Cell
 from mechsheet.checking import check
-from mechsheet.compiled.evaluation import computed
-from mechsheet.formats import write
-from mechsheet.formula.nodes import Call, CellRef, Unary, transform, walk
-from mechsheet.sheet.workbook import Cell
 
 
 @pytest.fixture(params=part(["four-bar", "slider-crank"], 2))

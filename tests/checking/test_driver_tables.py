@@ -7,14 +7,14 @@ from pathlib import Path
 
 import pytest
 
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
+from livesheet.formula.nodes import Binary, Number, transform
 from mechsheet.checking import against_reference
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import Overrides, loads
-from mechsheet.engine import evaluate
 from mechsheet.exporting.workbooks import functions_workbook
-from mechsheet.formula.nodes import Binary, Number, transform
 from mechsheet.sheet.table.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 
 TEMPLATES = Path(__file__).parents[2] / "templates"

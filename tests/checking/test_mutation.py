@@ -8,15 +8,15 @@ import pytest
 from edited import laid_out, saved
 
 from chosen import ALL, IN_CI
+from livesheet.formats import read
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import column_letters
+from livesheet.formula.slips import damages
 from mechsheet.checking import mutate
 from mechsheet.checking.edited.edits import edits_of
 from mechsheet.checking.edited.expected import expected_for
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.formats import read
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.references import column_letters
-from mechsheet.formula.slips import damages
 
 
 def texts(formula, kind, names=()):

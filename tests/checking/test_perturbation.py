@@ -7,15 +7,15 @@ from edited import TEMPLATES, edited, laid_out, saved
 
 import mechsheet
 from chosen import IN_CI, part
+from livesheet.engine import compile_book
+from livesheet.evaluation import book_of, computed
+from livesheet.formats import read, write
+from livesheet.formula.nodes import Unary
 from mechsheet.checking import check, perturb
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.perturbation import drawn
 from mechsheet.checking.programs import PROGRAMS, stored_values
-from mechsheet.compiled.evaluation import book_of, computed
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
-from mechsheet.engine import compile_book
-from mechsheet.formats import read, write
-from mechsheet.formula.nodes import Unary
 
 
 @pytest.fixture(scope="module")

@@ -14,20 +14,20 @@ from click.testing import CliRunner
 
 import mechsheet
 from chosen import IN_CI
+from livesheet.engine import evaluate
+from livesheet.evaluation import computed
+from livesheet.formats import read, write
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import Unary
+from livesheet.formula.parser import parse_formula
 from mechsheet.checking import check, with_twins
 from mechsheet.checking.inputs import Inputs, OfTheLast
 from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import difference
 from mechsheet.checking.twins import compare_twins
 from mechsheet.cli import main
-from mechsheet.compiled.evaluation import computed
 from mechsheet.description import load
 from mechsheet.dynamics.solve import solve
-from mechsheet.engine import evaluate
-from mechsheet.formats import read, write
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import Unary
-from mechsheet.formula.parser import parse_formula
 from mechsheet.library.building import FORMATS
 from mechsheet.sheet.layout import lay_out
 

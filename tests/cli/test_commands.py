@@ -188,7 +188,7 @@ def test_full_disk_keeps_the_old_file(tmp_path, monkeypatch):
     def full(*_args, **_kwargs):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
-    monkeypatch.setattr("mechsheet.formats.archive.Archive.copied", full)  # where a part's bytes go to the disk
+    monkeypatch.setattr("livesheet.formats.archive.Archive.copied", full)  # where a part's bytes go to the disk
     result = run("build", FOUR_BAR, "-o", tmp_path, "--force")
     assert result.exit_code == 2
     assert "full" in result.stderr

@@ -15,9 +15,9 @@ from small import CRANK, run
 import mechsheet
 from chosen import part
 from degenerate_cases import cases
+from livesheet.formats import read
+from livesheet.formats.seal import is_untouched
 from mechsheet.compiled import Compiled
-from mechsheet.formats import read
-from mechsheet.formats.seal import is_untouched
 
 posix = pytest.mark.skipif(os.name == "nt", reason="Windows has no such files")
 

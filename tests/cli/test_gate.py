@@ -11,10 +11,11 @@ import xlsxwriter
 from click.testing import CliRunner
 
 import mechsheet
+from livesheet.diagnostics import WorkbookError
 from mechsheet.checking import Rules, check
 from mechsheet.checking.report import difference
 from mechsheet.cli import main
-from mechsheet.diagnostics import MissingProgramError, WorkbookError
+from mechsheet.diagnostics import MissingProgramError
 
 
 def run(*arguments):

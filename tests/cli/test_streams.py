@@ -126,7 +126,7 @@ def test_standard_streams_that_are_closed(folder):
 HANGING = """
 import signal, sys, time
 signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell starts what runs in the background deaf to it
-from mechsheet.formats.archive import Archive
+from livesheet.formats.archive import Archive
 write = Archive.contents
 def slow(archive):  # the seal is made when all but one part is written
     print("writing", flush=True)

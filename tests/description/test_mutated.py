@@ -5,10 +5,11 @@ import warnings
 import pytest
 
 from chosen import IN_CI
+from livesheet.diagnostics import Fault
 from mechsheet.description import loads
 from mechsheet.description.locate import located
 from mechsheet.description.templates import template_names, template_text
-from mechsheet.diagnostics import DescriptionError, DescriptionWarning, Fault, MechanismError
+from mechsheet.diagnostics import DescriptionError, DescriptionWarning, MechanismError
 from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.sketched import doubts
 from mechsheet.library.building import compile_workbook

@@ -5,12 +5,12 @@ from pathlib import Path
 
 import pytest
 
+from livesheet.formula.nodes import Symbol, Unary
+from livesheet.formula.parser import parse_description
 from mechsheet.description import Overrides, load, loads
 from mechsheet.description.reader import with_settings
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
-from mechsheet.formula.nodes import Symbol, Unary
-from mechsheet.formula.parser import parse_description
 from mechsheet.model import (
     TAKES,
     Cartesian,

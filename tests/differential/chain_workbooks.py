@@ -13,13 +13,13 @@ from laid import Laid
 from test_reactions import weighed
 from test_start_table import KEPT, Followed, typed
 
+from livesheet.evaluation import book_of
+from livesheet.formats import write
 from mechsheet.checking import Comparison
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.programs import Answers
 from mechsheet.checking.searched.probed_cells import compare_program
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.diagnostics import MechanismError
-from mechsheet.formats import write
 from mechsheet.sheet.plan import MEANING
 from random_mechanisms import Grower
 from typed_files import with_inputs

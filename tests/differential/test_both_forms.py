@@ -15,15 +15,15 @@ import pytest
 from lxml import etree
 
 from chosen import first, some
+from livesheet.engine import evaluate
+from livesheet.formats import read, write
+from livesheet.formula.nodes import Number, shifted, transform
 from mechsheet.checking import check
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.checking.twins import compare_twins
 from mechsheet.description import loads
-from mechsheet.engine import evaluate
-from mechsheet.formats import read, write
-from mechsheet.formula.nodes import Number, shifted, transform
 from mechsheet.library.building import FORMATS, compile_workbook
 from odf import document_parts, schema_file
 from random_mechanisms import KINDS, Grower

@@ -4,9 +4,9 @@ import pytest
 
 from chosen import part
 from degenerate_cases import cases
+from livesheet.formats import write
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.description import loads
-from mechsheet.formats import write
 from mechsheet.library.building import compile_workbook
 from mechsheet.sheet.plan import STATUS
 

@@ -11,10 +11,10 @@ import pytest
 
 import mechsheet
 from chosen import part
+from livesheet.engine import evaluate
+from livesheet.formats import read
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.searched.probed_cells import compare_program
-from mechsheet.engine import evaluate
-from mechsheet.formats import read
 from office_macros import Job, with_macros
 
 ROOT = Path(__file__).parents[2]

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 
 from chosen import ALL
+from livesheet.engine import evaluate
+from livesheet.evaluation import computed
+from livesheet.formats import read, write
 from mechsheet.checking import check
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.checking.searched.probed_cells import compare_program
-from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
-from mechsheet.engine import evaluate
-from mechsheet.formats import read, write
 from mechsheet.sheet.layout import lay_out
 from random_mechanisms import KINDS, Grower
 

@@ -13,14 +13,14 @@ import openpyxl
 import pytest
 
 from chosen import IN_CI, first
+from livesheet.engine import evaluate
+from livesheet.formats import read, update_values, write
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError
-from mechsheet.engine import evaluate
-from mechsheet.formats import read, update_values, write
 from mechsheet.library import changed
 from mechsheet.library.building import FORMATS, compile_workbook
 from mechsheet.synthesis.kinds import KINDS

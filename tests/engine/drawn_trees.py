@@ -3,8 +3,8 @@
 import numpy as np
 from hypothesis import strategies as st
 
-from mechsheet.engine.values.cells import TEXT
-from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, RangeRef, Text, Unary
+from livesheet.engine.values.cells import TEXT
+from livesheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, RangeRef, Text, Unary
 
 FIRST, ROWS = 3, 7
 

@@ -2,9 +2,9 @@
 
 import pytest
 
-from mechsheet.engine import evaluate
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine import evaluate
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.parser import parse_formula
 
 
 @pytest.mark.parametrize(

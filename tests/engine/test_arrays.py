@@ -6,14 +6,14 @@ import pytest
 from openpyxl.worksheet.formula import ArrayFormula
 
 from engine_cases import COLUMN, FIRST_ROW, FOLDER, array_cases, book_of, cells, load, same
+from livesheet.engine import Live, compile_book
+from livesheet.engine.layout import Area
+from livesheet.formula.book import BookBuilder, Table
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import parse_cell
 from mechsheet.checking.programs import convert_with_libreoffice
-from mechsheet.engine import Live, compile_book
-from mechsheet.engine.layout import Area
-from mechsheet.formula.book import BookBuilder, Table
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.references import parse_cell
 
 CASES = array_cases()
 STEP = 7

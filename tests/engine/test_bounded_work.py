@@ -8,15 +8,15 @@ import openpyxl
 import pytest
 
 from asking import ours
+from livesheet.engine import evaluate
+from livesheet.engine.interpreter import budget
+from livesheet.formats import read
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.parser import parse_formula
+from livesheet.time_limit import TimeLimitError, limited
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.engine import evaluate
-from mechsheet.engine.interpreter import budget
-from mechsheet.formats import read
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.parser import parse_formula
 from mechsheet.library.recalculation import recalc
-from mechsheet.time_limit import TimeLimitError, limited
 
 FIB = "LET(fib,LAMBDA(f,n,IF(n<2,n,f(f,n-1)+f(f,n-2))),fib(fib,{n}))"
 
@@ -72,8 +72,8 @@ def test_a_formula_without_end(formula, little_patience):
 @pytest.mark.parametrize("formula", LARGE)
 def test_an_array_that_fills_the_memory(formula, monkeypatch):
     for module in ("values.cells", "values.calling", "kernels.array", "kernels.lambdas", "kernels.random"):
-        monkeypatch.setattr(f"mechsheet.engine.{module}.MOST_LISTED", 1 << 12)
-    monkeypatch.setattr("mechsheet.engine.values.cells.MOST_LETTERS", 1 << 22)
+        monkeypatch.setattr(f"livesheet.engine.{module}.MOST_LISTED", 1 << 12)
+    monkeypatch.setattr("livesheet.engine.values.cells.MOST_LETTERS", 1 << 22)
     start = time.process_time()
     value, remarks = with_remarks(formula)
     assert value == ErrorValue("#VALUE!")

@@ -4,13 +4,13 @@ that are interpreted have code of their own."""
 import pytest
 
 from engine_cases import COLUMN, FILES, FIRST_ROW, array_cases, book_of, cases, same
-from mechsheet.engine import compile_book, evaluate
-from mechsheet.engine.fast.segments import _INTERPRETED
-from mechsheet.engine.kernels.table import kernels_in
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.functions import FUNCTIONS
-from mechsheet.formula.nodes import Call, CellRef, shifted, transform, walk
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine import compile_book, evaluate
+from livesheet.engine.fast.segments import _INTERPRETED
+from livesheet.engine.kernels.table import kernels_in
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.functions import FUNCTIONS
+from livesheet.formula.nodes import Call, CellRef, shifted, transform, walk
+from livesheet.formula.parser import parse_formula
 
 CASES = cases()
 

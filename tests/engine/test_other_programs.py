@@ -7,10 +7,10 @@ import pytest
 from openpyxl.worksheet.formula import ArrayFormula
 
 from engine_cases import COLUMN, FILES, FIRST_ROW, FOLDER, answered, cases, cells, load, same, scalar
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
 from mechsheet.checking.programs import convert_with_libreoffice
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
 
 CASES = cases()
 DIFFERENCES = load(FOLDER / "differences.toml")

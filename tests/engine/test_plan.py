@@ -5,14 +5,14 @@ import math
 import numpy as np
 import pytest
 
-from mechsheet.diagnostics import WorkbookError
-from mechsheet.engine import compile_book, evaluate
-from mechsheet.engine.fast.recurrence import Held, RunningSum, Unwrapped, recognise
-from mechsheet.engine.kernels.table import KERNELS
-from mechsheet.engine.ordering.row_by_row import RowByRow
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import ErrorValue, Symbol, shifted
-from mechsheet.formula.parser import parse_formula
+from livesheet.diagnostics import WorkbookError
+from livesheet.engine import compile_book, evaluate
+from livesheet.engine.fast.recurrence import Held, RunningSum, Unwrapped, recognise
+from livesheet.engine.kernels.table import KERNELS
+from livesheet.engine.ordering.row_by_row import RowByRow
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import ErrorValue, Symbol, shifted
+from livesheet.formula.parser import parse_formula
 
 NA, DIV0, VALUE, NUM, NAME, REF = map(ErrorValue, ("#N/A", "#DIV/0!", "#VALUE!", "#NUM!", "#NAME?", "#REF!"))
 

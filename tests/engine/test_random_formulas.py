@@ -6,10 +6,10 @@ import pytest
 
 from asking import agree, ours
 from engine_cases import COLUMN, FIRST_ROW, FOLDER, load, same, scalar
-from mechsheet.engine import compile_book
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import CellRef, transform
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine import compile_book
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import CellRef, transform
+from livesheet.formula.parser import parse_formula
 from random_formulas import Formulas, random_cells
 
 

@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from mechsheet.engine import evaluate
-from mechsheet.formula.book import Book, BookSheet, DefinedName
-from mechsheet.formula.nodes import CellRef
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine import evaluate
+from livesheet.formula.book import Book, BookSheet, DefinedName
+from livesheet.formula.nodes import CellRef
+from livesheet.formula.parser import parse_formula
 
 LINES = (Path(__file__).parent.parent / "cases" / "bad" / "formulas.txt").read_text(encoding="utf-8").splitlines()
 

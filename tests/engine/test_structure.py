@@ -4,17 +4,17 @@ import ast
 
 import pytest
 
-from test_imports import SOURCE, imports
+from test_imports import LIBRARY, imports
 
-ENGINE = SOURCE / "engine"
+ENGINE = LIBRARY / "engine"
 EVALUATOR = {"interpreter", "kernels"}
 BELOW = ["values", "texts", "layout", "graph", "results", "interpreter", "kernels", "resolve", "fast", "ordering"]
 """Each may import those before it."""
 
 
 def _room(module):
-    """The folder, or the module that lies flat, of `engine.fast.lowering`."""
-    return module.split(".")[1]
+    """The folder, or the module that lies flat, of `livesheet.engine.fast.lowering`."""
+    return module.split(".")[2]
 
 
 def _only_for_types(path):
@@ -36,7 +36,7 @@ def test_imports_go_down(room):
         f"{path.relative_to(ENGINE).as_posix()}:{line}: {module}"
         for path in files
         for line, module in sorted(imports(path))
-        if module.startswith("engine.") and line not in _only_for_types(path) and _room(module) not in allowed
+        if module.startswith("livesheet.engine.") and line not in _only_for_types(path) and _room(module) not in allowed
     ]
     assert files
     assert wrong == []

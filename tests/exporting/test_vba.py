@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 
 from chosen import ITERATED, LISTED, TASKS, but, part
+from livesheet.formula.parser import parse_description
+from livesheet.formula.printer import print_formula
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, load, loads
 from mechsheet.diagnostics import MechanismError
@@ -23,8 +25,6 @@ from mechsheet.exporting.functions import TABLE_KEY, functions_of, in_degrees, p
 from mechsheet.exporting.routines import Source
 from mechsheet.exporting.solvers import solvers_of
 from mechsheet.exporting.vba import write
-from mechsheet.formula.parser import parse_description
-from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics import numeric
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values

@@ -10,14 +10,19 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from livesheet.diagnostics import OutputError
+from livesheet.engine import evaluate
+from livesheet.evaluation import computed
+from livesheet.formats import read, write
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
 from mechsheet.checking.programs import answers
 from mechsheet.cli import main
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import computed
 from mechsheet.description import load, loads
-from mechsheet.diagnostics import OutputError
 from mechsheet.dynamics.solve import solve
-from mechsheet.engine import evaluate
 from mechsheet.exporting.calls import matches
 from mechsheet.exporting.function_sheet import DIFFERENCE_ROW
 from mechsheet.exporting.function_sheet import FIRST as FIRST_CALL
@@ -25,11 +30,6 @@ from mechsheet.exporting.functions import functions_of
 from mechsheet.exporting.lambdas import named_functions
 from mechsheet.exporting.routines import Source
 from mechsheet.exporting.workbooks import NEEDS_ROW, functions_workbook
-from mechsheet.formats import read, write
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
 from mechsheet.sheet.layout import lay_out
@@ -150,7 +150,7 @@ def test_the_pump_of_the_text_in_degrees():
     ],
 )
 def test_matches(pattern, node, found):
-    from mechsheet.formula.nodes import NameRef, Symbol, transform
+    from livesheet.formula.nodes import NameRef, Symbol, transform
 
     def as_symbols(text):
         return transform(parse_formula(text), lambda part: Symbol(part.name) if isinstance(part, NameRef) else part)

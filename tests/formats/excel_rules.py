@@ -17,8 +17,8 @@ from pathlib import Path
 
 from lxml import etree
 
-from mechsheet.formats.limits import title_fault
-from mechsheet.formula.functions import FUNCTIONS
+from livesheet.formats.limits import title_fault
+from livesheet.formula.functions import FUNCTIONS
 
 MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 CHART = "{http://schemas.openxmlformats.org/drawingml/2006/chart}"

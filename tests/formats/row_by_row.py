@@ -4,10 +4,10 @@ import re
 
 import pytest
 
-from mechsheet.diagnostics import WorkbookError
-from mechsheet.formats import read
-from mechsheet.formats.reading import repeated_rows
-from mechsheet.formats.reading.repeated_rows import RepeatedRows
+from livesheet.diagnostics import WorkbookError
+from livesheet.formats import read
+from livesheet.formats.reading import repeated_rows
+from livesheet.formats.reading.repeated_rows import RepeatedRows
 
 
 @pytest.fixture(autouse=True, scope="module")

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from mechsheet import portable
-from mechsheet.formula.nodes import (
+from livesheet import portable
+from livesheet.formula.nodes import (
     Binary,
     Boolean,
     Call,
@@ -17,7 +17,7 @@ from mechsheet.formula.nodes import (
     Text,
     Unary,
 )
-from mechsheet.sheet.workbook import (
+from livesheet.workbook import (
     Anchor,
     Area,
     Axis,

@@ -9,10 +9,10 @@ from pathlib import Path
 
 from lxml import etree
 
-from mechsheet.formula.names import name_fault
-from mechsheet.formula.nodes import Call, walk
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.spellings import longest_spelling
+from livesheet.formula.names import name_fault
+from livesheet.formula.nodes import Call, walk
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.spellings import longest_spelling
 
 MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 CHART = "{http://schemas.openxmlformats.org/drawingml/2006/chart}"

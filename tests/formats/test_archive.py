@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 from samples import sample
 
-from mechsheet.diagnostics import OutputError
-from mechsheet.formats import write
-from mechsheet.formats.archive import Archive, new_archive
+from livesheet.diagnostics import OutputError
+from livesheet.formats import write
+from livesheet.formats.archive import Archive, new_archive
 
 
 def left_alone(folder):

@@ -7,9 +7,9 @@ from ods_files import cell, content, number, row, table, write_ods
 from openpyxl.worksheet.formula import ArrayFormula
 from openpyxl.worksheet.table import Table
 
-from mechsheet.formats import read
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.printer import print_formula
+from livesheet.formats import read
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.printer import print_formula
 from mechsheet.library.recalculation import recalc
 
 

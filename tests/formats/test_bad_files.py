@@ -7,8 +7,8 @@ import pytest
 from bad_files import BAD, formula, packed, sheet, xlsx
 from click.testing import CliRunner
 
+from livesheet.formula.nodes import ErrorValue
 from mechsheet.cli import main
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.library.recalculation import recalc
 
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from mechsheet.formats.fill_down_text import ColumnTexts
-from mechsheet.formats.xml_text import attribute, ooxml_escaped
-from mechsheet.formula.nodes import MAX_ROWS, Binary, Call, CellRef, RangeRef, Text, shifted
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
-from mechsheet.sheet.workbook import Fill
+from livesheet.formats.fill_down_text import ColumnTexts
+from livesheet.formats.xml_text import attribute, ooxml_escaped
+from livesheet.formula.nodes import MAX_ROWS, Binary, Call, CellRef, RangeRef, Text, shifted
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
+from livesheet.workbook import Fill
 
 FORMULAS = (
     "1+2",

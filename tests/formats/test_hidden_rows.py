@@ -6,8 +6,8 @@ import pytest
 import xlsxwriter
 from ods_files import cell, content, number, table, write_ods
 
+from livesheet.formats import read
 from mechsheet.checking.programs import convert_with_libreoffice
-from mechsheet.formats import read
 from mechsheet.library.recalculation import recalc
 
 TOTALS = {"SUBTOTAL(9,A2:A7)": 47.0, "SUBTOTAL(109,A2:A7)": 45.0, "AGGREGATE(9,4,A2:A7)": 63.0, "AGGREGATE(9,5,A2:A7)": 45.0,

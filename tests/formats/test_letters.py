@@ -8,14 +8,14 @@ import subprocess
 
 import pytest
 
+from livesheet.engine import evaluate
+from livesheet.evaluation import computed
+from livesheet.formats import read, write
+from livesheet.formula.nodes import Binary, Call, CellRef, NameRef, Number, RangeRef, Text
+from livesheet.workbook import Cell, Fill, Name, Properties, Sheet, Workbook
 from mechsheet.checking.cells import compare_cells
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.checking.twins import compare_twins
-from mechsheet.compiled.evaluation import computed
-from mechsheet.engine import evaluate
-from mechsheet.formats import read, write
-from mechsheet.formula.nodes import Binary, Call, CellRef, NameRef, Number, RangeRef, Text
-from mechsheet.sheet.workbook import Cell, Fill, Name, Properties, Sheet, Workbook
 
 TITLES = ("Ömer'in çizelgesi", "Αρχική θέση", "Лист 1", "表 (二)", "A1", "1. satır", "it''s & <so>", "R1C1", "TRUE")
 NAMES = ("ÇıkışUzvu", "Açı1", "Δθ", "x₂", "ШАГ", "ölçü.A_1", "_başlangıç", "Ğğ")

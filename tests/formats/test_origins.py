@@ -14,9 +14,9 @@ from openpyxl.chart import LineChart, Reference
 from openpyxl.comments import Comment
 from openpyxl.workbook.defined_name import DefinedName
 
+from livesheet.formats import read
+from livesheet.formula.nodes import ErrorValue
 from mechsheet.checking.programs import convert_with_libreoffice
-from mechsheet.formats import read
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.library.recalculation import recalc
 
 VBA = bytes(range(256)) * 20

@@ -11,9 +11,9 @@ import openpyxl
 import pytest
 from samples import FRONT, sample
 
+from livesheet.formats import write
+from livesheet.formula.nodes import ErrorValue
 from mechsheet.checking.programs import convert_with_libreoffice, libreoffice_command
-from mechsheet.formats import write
-from mechsheet.formula.nodes import ErrorValue
 
 libreoffice = [
     pytest.mark.libreoffice,

@@ -2,9 +2,9 @@
 
 import zipfile
 
+from livesheet.formats.seal import PROPERTIES, is_untouched
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
-from mechsheet.formats.seal import PROPERTIES, is_untouched
 from mechsheet.library.building import build
 
 

@@ -15,9 +15,9 @@ import pytest
 from click.testing import CliRunner
 
 from formats.ods_files import cell, content, number, row, table, text, write_ods
+from livesheet.formats import read
+from livesheet.formula.nodes import ErrorValue
 from mechsheet.cli import main
-from mechsheet.formats import read
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.library.recalculation import recalc
 
 TABLE = Path(__file__).parents[1] / "cases" / "ods_settings.tsv"

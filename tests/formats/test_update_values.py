@@ -15,11 +15,11 @@ from openpyxl.comments import Comment
 from openpyxl.worksheet.datavalidation import DataValidation
 from samples import sample
 
+from livesheet.diagnostics import OutputError, WorkbookError
+from livesheet.formats import read, write
+from livesheet.formula.nodes import ErrorValue
 from mechsheet.checking import check
 from mechsheet.description import load
-from mechsheet.diagnostics import OutputError, WorkbookError
-from mechsheet.formats import read, write
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.library.recalculation import recalc
 
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"

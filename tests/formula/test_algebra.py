@@ -5,11 +5,11 @@ import math
 
 import pytest
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Binary, Call, Number, Symbol, Unary
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.scalar import evaluate
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Binary, Call, Number, Symbol, Unary
+from livesheet.formula.printer import print_formula
+from livesheet.formula.scalar import evaluate
 
 A, B = Symbol("a"), Symbol("b")
 KNOWN = {"a": 0.7, "b": -1.9}

@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chosen import examples
-from mechsheet.formula.book import Book, BookSheet, CellStore, DefinedName
-from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, Number
+from livesheet.formula.book import Book, BookSheet, CellStore, DefinedName
+from livesheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, Number
 
 NUMBERS = st.integers(-9, 9).map(float)
 VALUES = NUMBERS | st.sampled_from(["x", "", True, None])

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Binary, Boolean, Call, Direction, Number, Symbol, Text, TriangleAngle, Unary
-from mechsheet.formula.parser import parse_description
-from mechsheet.formula.printer import print_formula
+from livesheet.formula.derivatives import derivative
+from livesheet.formula.nodes import Binary, Boolean, Call, Direction, Number, Symbol, Text, TriangleAngle, Unary
+from livesheet.formula.parser import parse_description
+from livesheet.formula.printer import print_formula
 from mechsheet.kinematics.numeric import value
 
 WEIGHTS = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280])

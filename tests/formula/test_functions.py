@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from mechsheet.formula.functions import FUNCTIONS, MANY
+from livesheet.formula.functions import FUNCTIONS, MANY
 
 ROOT = Path(__file__).parent.parent.parent
 

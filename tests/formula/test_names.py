@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechsheet.formula.names import name_fault, safe_name
+from livesheet.formula.names import name_fault, safe_name
 
 REFUSED = [
     "r", "R", "c", "Z", "S", "L", "F", "K", "φ",  # rows and columns, in one language or another

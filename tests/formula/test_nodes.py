@@ -2,9 +2,9 @@
 
 import pytest
 
-from mechsheet.formula.nodes import Arrayed, CellRef, ErrorValue, Number, anchored, shifted, transform
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
+from livesheet.formula.nodes import Arrayed, CellRef, ErrorValue, Number, anchored, shifted, transform
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
 
 
 @pytest.mark.parametrize(

@@ -6,10 +6,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from formula_trees import spelt_out
-from mechsheet.diagnostics import FormulaError
-from mechsheet.formula.nodes import Apply, Binary, Call, CellRef, Local, NameRef, Number, TableRef, shifted, walk
-from mechsheet.formula.parser import parse_description, parse_formula
-from mechsheet.formula.printer import print_formula
+from livesheet.diagnostics import FormulaError
+from livesheet.formula.nodes import Apply, Binary, Call, CellRef, Local, NameRef, Number, TableRef, shifted, walk
+from livesheet.formula.parser import parse_description, parse_formula
+from livesheet.formula.printer import print_formula
 
 CASES = Path(__file__).parent.parent / "cases" / "formula"
 

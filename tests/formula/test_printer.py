@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given
 
 from formula_trees import description_trees, sheet_trees
-from mechsheet.diagnostics import FormulaError
-from mechsheet.formula.functions import FUNCTIONS, canonical_name, spelling
-from mechsheet.formula.nodes import Apply, Binary, Call, CellRef, Local, Number, Previous, RangeRef, Symbol, Unary
-from mechsheet.formula.parser import parse_description, parse_formula
-from mechsheet.formula.printer import number_text, print_formula, quote_sheet
+from livesheet.diagnostics import FormulaError
+from livesheet.formula.functions import FUNCTIONS, canonical_name, spelling
+from livesheet.formula.nodes import Apply, Binary, Call, CellRef, Local, Number, Previous, RangeRef, Symbol, Unary
+from livesheet.formula.parser import parse_description, parse_formula
+from livesheet.formula.printer import number_text, print_formula, quote_sheet
 
 CASES = Path(__file__).parent.parent / "cases" / "formula"
 TEXTS = tomllib.loads((CASES / "text.toml").read_text(encoding="utf-8"))

@@ -2,8 +2,8 @@
 
 import pytest
 
-from mechsheet.formula.nodes import MAX_ROWS, CellRef, RangeRef
-from mechsheet.formula.references import parse_r1c1
+from livesheet.formula.nodes import MAX_ROWS, CellRef, RangeRef
+from livesheet.formula.references import parse_r1c1
 
 
 @pytest.mark.parametrize(

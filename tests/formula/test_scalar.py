@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Unary
-from mechsheet.formula.scalar import evaluate
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Unary
+from livesheet.formula.scalar import evaluate
 
 TWO = Number(2.0)
 GOOD: list[tuple[Node, float]] = [

@@ -2,9 +2,9 @@
 
 import pytest
 
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.slips import damages
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
+from livesheet.formula.slips import damages
 
 
 def slips(text, kind, names=()):

@@ -2,9 +2,9 @@
 
 import pytest
 
-from mechsheet.formula.nodes import CellRef, ErrorValue, RangeRef, TableRef
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.tables import Table, cells_of_table, parse_table, table_text
+from livesheet.formula.nodes import CellRef, ErrorValue, RangeRef, TableRef
+from livesheet.formula.printer import print_formula
+from livesheet.formula.tables import Table, cells_of_table, parse_table, table_text
 
 TABLE = Table("Sales", "S", 2, 1, 6, ("Item", "Qty", "Unit price", "#[x]'s"), 1, 1)
 """In B3:E8: a row of names, four rows of data, a row of totals."""

@@ -2,10 +2,10 @@
 
 import pytest
 
-from mechsheet.formula.nodes import Call, Number
-from mechsheet.formula.parser import parse_description
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.written import WRITTEN
+from livesheet.formula.nodes import Call, Number
+from livesheet.formula.parser import parse_description
+from livesheet.formula.printer import print_formula
+from livesheet.formula.written import WRITTEN
 from mechsheet.kinematics.numeric import FUNCTIONS
 
 

@@ -8,9 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from homework.plain_export import plain_book
-from mechsheet.engine import Values, evaluate
-from mechsheet.formula.book import Block, Book
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, transform
+from livesheet.engine import Values, evaluate
+from livesheet.formula.book import Block, Book
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, transform
 from mechsheet.model import Mechanism
 
 ITERATIONS = 4

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from mechsheet.formula.book import Block, Book, BookSheet
-from mechsheet.formula.nodes import (
+from livesheet.formula.book import Block, Book, BookSheet
+from livesheet.formula.nodes import (
     Binary,
     Call,
     CellRef,

@@ -16,12 +16,12 @@ from dataclasses import dataclass, replace
 import mechsheet
 from homework.methods import METHODS, NotConvergedError
 from homework.styles import STYLES
+from livesheet.formula.book import Book
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import area_name
+from livesheet.formula.slips import damages
 from mechsheet.description.templates import template_names
 from mechsheet.diagnostics import DescriptionError, MechanismError, MechsheetError
-from mechsheet.formula.book import Book
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.references import area_name
-from mechsheet.formula.slips import damages
 from mechsheet.homework.audit import Audit, audited
 from mechsheet.homework.classroom.exercise import with_dimensions
 from mechsheet.homework.marking_rules import asked_of

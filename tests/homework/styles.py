@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from homework.plain_export import plain_book
-from mechsheet.formula.book import Block, Book, BookSheet, DefinedName
-from mechsheet.formula.nodes import CellRef, NameRef, Node, transform
+from livesheet.formula.book import Block, Book, BookSheet, DefinedName
+from livesheet.formula.nodes import CellRef, NameRef, Node, transform
 from mechsheet.homework.upright import turned
 from mechsheet.model import Mechanism
 

@@ -10,9 +10,9 @@ from click.testing import CliRunner
 
 import mechsheet
 from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
+from livesheet.formats import read
 from mechsheet import description
 from mechsheet.cli import main
-from mechsheet.formats import read
 from mechsheet.homework.audit import audit
 from mechsheet.homework.recognition import deciding, driven_on, recognise, tables
 from mechsheet.homework.truth import Quantity

@@ -8,9 +8,9 @@ import pytest
 
 import mechsheet
 from homework.plain_export import plain_book
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.references import area_name
 from mechsheet import description
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.references import area_name
 from mechsheet.homework.audit import audited
 from mechsheet.homework.marking_rules import asked_of
 from mechsheet.homework.upright import upright

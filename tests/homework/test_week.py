@@ -40,8 +40,8 @@ def run(line, code=0):
 
 def plain_pump(path):
     """A pump's table by hand: formulas of the plain export, typed with openpyxl."""
-    from mechsheet.formula.nodes import shifted
-    from mechsheet.formula.printer import print_formula
+    from livesheet.formula.nodes import shifted
+    from livesheet.formula.printer import print_formula
 
     (sheet,) = plain_book(mechsheet.template("adjustable-pump")).sheets
     book = openpyxl.Workbook()

@@ -17,9 +17,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Node, Symbol, symbols, transform
+from livesheet.formula import algebra as al
+from livesheet.formula.derivatives import derivative
+from livesheet.formula.nodes import Node, Symbol, symbols, transform
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.kinematics.numeric import Array, value
 

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 from chosen import ITERATED, but
+from livesheet.formula.printer import print_formula
 from mechsheet import reference
 from mechsheet.description import load, loads
-from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.numeric import value

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from mechsheet.formula.nodes import Call, Number, Symbol
+from livesheet.formula.nodes import Call, Number, Symbol
 from mechsheet.kinematics.numeric import triangle_angle, value, without_jumps
 
 

@@ -2,10 +2,10 @@
 
 import pytest
 
+from livesheet.formula.parser import parse_description
 from mechsheet.compiled import compiled_of
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
-from mechsheet.formula.parser import parse_description
 from mechsheet.kinematics.period import Periods
 
 

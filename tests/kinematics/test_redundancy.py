@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from laid import Laid
 
+from livesheet.formats import write
 from mechsheet.checking import check, perturb
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.text.origin import without_origin
 from mechsheet.diagnostics import MechanismError
-from mechsheet.formats import write
 from mechsheet.kinematics.redundancy import redundant_links
 from mechsheet.kinematics.sketched import doubts
 from mechsheet.library import changed

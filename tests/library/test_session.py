@@ -14,13 +14,13 @@ from hypothesis import strategies as st
 
 import mechsheet
 from chosen import examples
-from mechsheet.diagnostics import WorkbookError
-from mechsheet.engine import Live, Plan, compile_book
-from mechsheet.engine import incremental as incremental_module
-from mechsheet.engine.fast.cell_codes import CellCodes
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.parser import parse_formula
+from livesheet.diagnostics import WorkbookError
+from livesheet.engine import Live, Plan, compile_book
+from livesheet.engine import incremental as incremental_module
+from livesheet.engine.fast.cell_codes import CellCodes
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.parser import parse_formula
 from mechsheet.library.session import Session
 
 ROOT = Path(__file__).parent.parent.parent

@@ -4,9 +4,9 @@ import dataclasses
 
 import pytest
 
+from livesheet.formula.nodes import Symbol
+from livesheet.formula.parser import parse_description
 from mechsheet.description import loads
-from mechsheet.formula.nodes import Symbol
-from mechsheet.formula.parser import parse_description
 from mechsheet.model import Dimension, Link, Words
 from mechsheet.units import RAD
 

@@ -16,10 +16,11 @@ from PIL import Image
 
 import mechsheet
 from chosen import some
+from livesheet.diagnostics import OutputError
 from loaded_mechanisms import SUSPENSION
 from mechsheet import plotting
 from mechsheet.cli import main
-from mechsheet.diagnostics import MechsheetError, MissingProgramError, OutputError
+from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.plotting import pictures, sampling
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage, journey

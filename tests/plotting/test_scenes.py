@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from drawn_points import expected, fitted
+from livesheet.engine import PORTABLE, evaluate
+from livesheet.evaluation import book_of
 from mechsheet import reference
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import Overrides, load
 from mechsheet.diagnostics import MechanismError, MechsheetError
-from mechsheet.engine import PORTABLE, evaluate
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.plotting.sampling import LEAST, MOST, resampled, sample, with_value

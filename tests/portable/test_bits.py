@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechsheet import portable
-from mechsheet.portable.steps import PIECE
+from livesheet import portable
+from livesheet.portable.steps import PIECE
 
 ONE = ["arccos", "arcsin", "arctan", "cos", "exp", "log", "log10", "sin", "tan"]
 SPECIAL = [0.0, -0.0, math.inf, -math.inf, math.nan, 1.0, -1.0, 5e-324, 1.7e308, -2.0, 0.5]

@@ -6,7 +6,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from mechsheet import portable
+from livesheet import portable
 
 COUNT = 300
 

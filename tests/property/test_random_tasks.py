@@ -10,12 +10,12 @@ import math
 import pytest
 
 from chosen import first
+from livesheet.evaluation import book_of
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.references import cell_address
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechanismError
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.dimensions import dimension_values as of_equations
 from mechsheet.library.session import Session
 from mechsheet.reference import dimension_values as of_reference

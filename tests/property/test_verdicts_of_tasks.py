@@ -9,8 +9,8 @@ from synthesised import outputs
 from test_random_tasks import address, typed
 
 from chosen import first
+from livesheet.formula.references import cell_address
 from mechsheet.description import loads
-from mechsheet.formula.references import cell_address
 from mechsheet.reference import dimension_values
 from mechsheet.reference.synthesis import functions, guidance
 from mechsheet.reference.synthesis.results import Given, crank_of, pairs

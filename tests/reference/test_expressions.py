@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from reference_cases import CASES
 
+from livesheet.formula.nodes import CellRef, Text
+from livesheet.formula.parser import parse_description
 from mechsheet.diagnostics import MechanismError
-from mechsheet.formula.nodes import CellRef, Text
-from mechsheet.formula.parser import parse_description
 from mechsheet.reference.expressions import evaluate
 
 TABLE = tomllib.loads((CASES / "expressions.toml").read_text(encoding="utf-8"))

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from reference_cases import EXAMPLES, mechanism, read
 
+from livesheet.formula.parser import parse_description
 from mechsheet.diagnostics import MechanismError
-from mechsheet.formula.parser import parse_description
 from mechsheet.model import Dimension, Distances, Driver, Link
 from mechsheet.reference import dimension_values, driver_values
 from mechsheet.reference.geometry import link_places, places, size

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from reference_cases import CASES, EXAMPLES, read
 
+from livesheet.formula.parser import parse_description
 from mechsheet.diagnostics import MechanismError
-from mechsheet.formula.parser import parse_description
 from mechsheet.model import Cartesian, Driver, Joint, Link
 from mechsheet.reference import dimension_values, driver_values, residuals, solve, variables, worst
 from mechsheet.units import DEG

@@ -3,12 +3,12 @@
 import re
 from dataclasses import replace
 
+from livesheet.engine import compile_book
+from livesheet.evaluation import book_of
+from livesheet.workbook import Fill
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import Overrides, loads
-from mechsheet.engine import compile_book
 from mechsheet.sheet import styles
-from mechsheet.sheet.workbook import Fill
 
 COLOURS = {id(styles.BAD): "red", id(styles.WARN): "amber", id(styles.GOOD): "green"}
 RULES = 200

@@ -10,13 +10,13 @@ from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
+from livesheet.formula.nodes import Call, Node, children
+from livesheet.formula.printer import print_formula
+from livesheet.workbook import Fill, Sheet
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
-from mechsheet.formula.nodes import Call, Node, children
-from mechsheet.formula.printer import print_formula
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.workbook import Fill, Sheet
 
 ROOT = Path(__file__).parents[2]
 TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))

@@ -5,11 +5,11 @@ from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
-from mechsheet.compiled.evaluation import book_of
+from livesheet.engine import compile_book, evaluate
+from livesheet.engine.layout import Area
+from livesheet.evaluation import book_of
 from mechsheet.description import Overrides, loads
 from mechsheet.dynamics.solve import solve
-from mechsheet.engine import compile_book, evaluate
-from mechsheet.engine.layout import Area
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import MEANING
 

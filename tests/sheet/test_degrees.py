@@ -4,11 +4,11 @@ import math
 
 import pytest
 
-from mechsheet.engine import compile_book
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import transform
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
+from livesheet.engine import compile_book
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import transform
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
 from mechsheet.sheet.degrees import degrees_together, in_degrees
 
 READS = [

@@ -4,8 +4,8 @@ import pytest
 from laid import template_text
 from planned import planned
 
-from mechsheet.formula.nodes import Number, symbols
-from mechsheet.formula.scalar import evaluate
+from livesheet.formula.nodes import Number, symbols
+from livesheet.formula.scalar import evaluate
 from mechsheet.sheet.driving import driver_at
 
 SWEEP = "start = 0\nstop = 360\nstep = 15\n"

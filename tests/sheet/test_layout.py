@@ -6,10 +6,10 @@ from itertools import permutations
 import pytest
 
 from chosen import some
+from livesheet.formula.nodes import CellRef, Symbol, walk
 from mechsheet.description import loads
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.dynamics.solve import solve
-from mechsheet.formula.nodes import CellRef, Symbol, walk
 from mechsheet.sheet import layout
 from mechsheet.sheet.plan import plan_of
 

@@ -2,11 +2,11 @@
 
 import pytest
 
+from livesheet.formula.nodes import Call, walk
+from livesheet.formula.spellings import longest_spelling
 from mechsheet.compiled import Compiled
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
-from mechsheet.formula.nodes import Call, walk
-from mechsheet.formula.spellings import longest_spelling
 from mechsheet.library.changed import loads
 
 MOST_ARGUMENTS, MOST_CHARACTERS = 255, 8192

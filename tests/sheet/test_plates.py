@@ -8,9 +8,9 @@ from laid import Laid
 
 import mechsheet
 from chosen import ALL, part
+from livesheet.formula.printer import print_formula
 from mechsheet.description import loads
 from mechsheet.exporting.kinds import KINDS
-from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
 from mechsheet.reference import solve as refer
 from mechsheet.sheet.table.lowering import lowered

@@ -2,8 +2,8 @@
 
 import pytest
 
-from mechsheet.formula.nodes import CellRef, NameRef, Previous, RangeRef, Symbol
-from mechsheet.formula.printer import print_formula
+from livesheet.formula.nodes import CellRef, NameRef, Previous, RangeRef, Symbol
+from livesheet.formula.printer import print_formula
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.quoted import formula, joined
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from chosen import first
+from livesheet.formats import write
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.description import load
-from mechsheet.formats import write
 from mechsheet.library.building import compile_workbook
 
 ROOT = Path(__file__).parents[2]

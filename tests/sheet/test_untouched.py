@@ -9,8 +9,8 @@ from laid import Laid
 
 from chosen import part
 from degenerate_cases import cases
+from livesheet.formula.nodes import ErrorValue
 from mechsheet.description import loads
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.plan import plan_of
 

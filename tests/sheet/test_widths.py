@@ -6,9 +6,9 @@ from itertools import product
 import pytest
 from laid import template_text
 
+from livesheet.engine.texts.number_formats import formatted
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
-from mechsheet.engine.texts.number_formats import formatted
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.units import Unit
 

@@ -5,8 +5,8 @@ from xml.etree import ElementTree
 
 import pytest
 
+from livesheet.formats import read
 from mechsheet import open_book
-from mechsheet.formats import read
 from mechsheet.studies.parts import told_of
 from mechsheet.studies.run import studied
 from studying import small, study_of

@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from mechsheet.diagnostics import OutputError
+from livesheet.diagnostics import OutputError
 from mechsheet.studies import lock
 from mechsheet.studies.lock import NAME, locked
 from mechsheet.studies.parts import counted

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mechsheet.formula.nodes import Symbol
+from livesheet.formula.nodes import Symbol
 from mechsheet.model import Objective
 from mechsheet.studies.ranking import front_of, ranked
 

@@ -13,7 +13,8 @@ import numpy as np
 import pytest
 
 from chosen import IN_CI
-from mechsheet.diagnostics import MechsheetError, MissingProgramError, OutputError
+from livesheet.diagnostics import OutputError
+from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.studies import folder as folders
 from mechsheet.studies import packages, parts, running
 from mechsheet.studies.designs import Designs

@@ -10,9 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from mechsheet.diagnostics import Fault
-from mechsheet.formula.nodes import ErrorValue, Scalar
-from mechsheet.said import say
+from livesheet.diagnostics import Fault
+from livesheet.formula.nodes import ErrorValue, Scalar
+from livesheet.said import say
 
 _COMMA = re.compile(r"[+-]?[0-9]+,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _SHOWN = 40

@@ -7,8 +7,9 @@ from decimal import Decimal
 from numbers import Integral, Real
 from typing import Any
 
-from mechsheet.diagnostics import Fault, MechsheetError
-from mechsheet.said import say
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 
 
 def number_given(value: Any, key: str) -> float:

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from mechsheet.replacing import make_folder
+from livesheet.replacing import make_folder
 
 _SLASHES = tuple(sign for sign in (os.sep, os.altsep, "/") if sign)
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mechsheet.diagnostics import Fault
-from mechsheet.formula.book import Book, BookSheet
-from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, RangeRef
-from mechsheet.formula.references import column_index, parse_reference
-from mechsheet.said import say
+from livesheet.diagnostics import Fault
+from livesheet.formula.book import Book, BookSheet
+from livesheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, RangeRef
+from livesheet.formula.references import column_index, parse_reference
+from livesheet.said import say
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from mechsheet.on_demand import names_of
+from livesheet.on_demand import names_of
 
 if TYPE_CHECKING:
     from mechsheet.checking.baseline import Baseline, read_baseline

@@ -10,6 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.formula.book import Book
+from livesheet.formula.nodes import symbols
+from livesheet.formula.references import cell_address
+from livesheet.said import say
 from mechsheet import reference
 from mechsheet.checking.bands import compare_bands
 from mechsheet.checking.conditioning import excused
@@ -21,9 +25,6 @@ from mechsheet.checking.steepness import EDGE, Steepness
 from mechsheet.checking.typed import changed, equations_as_typed, typed, with_listed_rates
 from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.diagnostics import MechanismError
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import symbols
-from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.newton.leaving import LEAP
@@ -31,7 +32,6 @@ from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import ENERGY, Mechanism
-from mechsheet.said import say
 from mechsheet.sheet.plan import Plan
 
 

@@ -16,10 +16,10 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.formula.references import cell_address
 from mechsheet import reference
 from mechsheet.checking.inputs import Array
 from mechsheet.checking.report import Tally
-from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.rates.sensitivity import by_symbol, toleranced
 from mechsheet.model import WAYS

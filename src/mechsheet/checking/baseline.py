@@ -15,12 +15,12 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from livesheet.diagnostics import Fault, WorkbookError, readable_name
+from livesheet.formula.nodes import ErrorValue, Scalar
+from livesheet.formula.references import parse_reference
+from livesheet.said import say
 from mechsheet.checking.report import TOLERANCE
 from mechsheet.checking.stored import Difference, Stored
-from mechsheet.diagnostics import Fault, WorkbookError, readable_name
-from mechsheet.formula.nodes import ErrorValue, Scalar
-from mechsheet.formula.references import parse_reference
-from mechsheet.said import say
 
 HEAD = "# Differences accepted by mechsheet --baseline; --update-baseline writes this file anew."
 _COMPUTED, _STORED = "computed ", "stored "

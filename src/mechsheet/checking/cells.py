@@ -7,12 +7,12 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from livesheet.formula.book import Book
+from livesheet.formula.nodes import ErrorValue, Scalar, shifted
+from livesheet.formula.references import cell_address
 from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import Comparison, Tally, difference
 from mechsheet.checking.rules import Rules, ignored_in
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import ErrorValue, Scalar, shifted
-from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.lengths import is_length
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.requested import tables_of

@@ -15,6 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.formula.book import Book
+from livesheet.formula.references import cell_address
 from mechsheet import reference
 from mechsheet.checking.conditioning import excused
 from mechsheet.checking.edited.expected import functions_in
@@ -23,8 +25,6 @@ from mechsheet.checking.nearness import CLOSED, DEAD_CENTRE, apart_of
 from mechsheet.checking.report import TOLERANCE, Tally
 from mechsheet.checking.typed import changed, equations_as_typed, typed
 from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
-from mechsheet.formula.book import Book
-from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import runs_of, without_jumps
 from mechsheet.kinematics.sweep import DISTINCT, distinct, poses_in, sweep

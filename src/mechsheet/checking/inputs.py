@@ -10,16 +10,16 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.diagnostics import Fault, MissingSheetError, WorkbookError
+from livesheet.formula.book import Book
+from livesheet.formula.references import cell_address
+from livesheet.said import say
 from mechsheet.checking.report import text_of
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.diagnostics import Fault, MissingSheetError, WorkbookError
-from mechsheet.formula.book import Book
-from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.places import number as place_number
-from mechsheet.said import say
 from mechsheet.sheet.layout import DESCRIPTION_MARK
 from mechsheet.sheet.plan import VALUE, Plan
 

@@ -7,6 +7,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from livesheet.diagnostics import Fault, MissingSheetError, WorkbookError, readable_name
+from livesheet.formats import read
+from livesheet.formula.book import Book
+from livesheet.said import say
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.baseline import Baseline
 from mechsheet.checking.cells import compare_cells
@@ -23,20 +27,10 @@ from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.checking.stale import description_of, stale
 from mechsheet.checking.stored import judge_stored
 from mechsheet.description.locate import located
-from mechsheet.diagnostics import (
-    Fault,
-    MechanismError,
-    MissingProgramError,
-    MissingSheetError,
-    WorkbookError,
-    readable_name,
-)
-from mechsheet.formats import read
-from mechsheet.formula.book import Book
+from mechsheet.diagnostics import MechanismError, MissingProgramError
 from mechsheet.library.building import build
 from mechsheet.library.changed import load
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 
 
 def check(

@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from typing import Any, get_args
 
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Scalar
+from livesheet.formula.book import Book
+from livesheet.formula.nodes import Scalar
 from mechsheet.sheet.plan import LEGEND_ROW, SYMBOL, VALUE, VERDICT_ROW
 from mechsheet.words.workbook import Language, words
 

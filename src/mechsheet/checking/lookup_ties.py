@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Scalar, walk
 from mechsheet.checking.report import TOLERANCE, difference
-from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Scalar, walk
 
 
 def names_an_equal_row(formula: Node, sheet: str, values: Any, theirs: Scalar, scale: float) -> bool:

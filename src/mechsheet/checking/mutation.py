@@ -11,20 +11,20 @@ from typing import Any
 
 import numpy as np
 
+from livesheet.diagnostics import readable_name
+from livesheet.engine import compile_book
+from livesheet.formats import read
+from livesheet.formula.book import Block, Book, BookSheet
+from livesheet.formula.nodes import shifted
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import area_name
+from livesheet.formula.slips import Damage, damages
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.cells import Angles, angles_in
 from mechsheet.checking.edited.edits import edits_of
 from mechsheet.checking.edited.expected import Expected, expected_for, inside
 from mechsheet.checking.perturbation import description_or_fault, workbook_of
 from mechsheet.checking.report import TOLERANCE
-from mechsheet.diagnostics import readable_name
-from mechsheet.engine import compile_book
-from mechsheet.formats import read
-from mechsheet.formula.book import Block, Book, BookSheet
-from mechsheet.formula.nodes import shifted
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.references import area_name
-from mechsheet.formula.slips import Damage, damages
 from mechsheet.sheet.checks.efforts import AGREES
 
 TRIES = 60

@@ -16,20 +16,21 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from livesheet.diagnostics import Fault, WorkbookError, readable_name
+from livesheet.engine import compile_book
+from livesheet.formats import read, update_values
+from livesheet.formula.book import Book
+from livesheet.formula.nodes import Scalar
+from livesheet.said import say
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
 from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.description.locate import located
-from mechsheet.diagnostics import Fault, MechanismError, MissingProgramError, WorkbookError, readable_name
-from mechsheet.engine import compile_book
-from mechsheet.formats import read, update_values
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Scalar
+from mechsheet.diagnostics import MechanismError, MissingProgramError
 from mechsheet.library.building import build
 from mechsheet.library.changed import load
-from mechsheet.said import say
 from mechsheet.sheet.plan import Plan
 
 Place = tuple[str, int, int]

@@ -10,12 +10,13 @@ import tempfile
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
-from mechsheet.diagnostics import Fault, MissingProgramError, WorkbookError, near_miss, readable_name
+from livesheet.diagnostics import Fault, WorkbookError, near_miss, readable_name
+from livesheet.formula.book import Book
+from livesheet.formula.nodes import Binary, ErrorValue, Node, Scalar, walk
+from livesheet.formula.references import cell_name
+from livesheet.said import say
+from mechsheet.diagnostics import MissingProgramError
 from mechsheet.extras import command_for, missing_package, missing_program
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Binary, ErrorValue, Node, Scalar, walk
-from mechsheet.formula.references import cell_name
-from mechsheet.said import say
 
 TIMEOUT = 600
 """Seconds that a spreadsheet program may take."""
@@ -127,7 +128,7 @@ def _run(command: list[str]) -> None:
 
 def stored_values(path: Path) -> Answers:
     """The values stored in a workbook file, by whichever program wrote it."""
-    from mechsheet.formats import read
+    from livesheet.formats import read
 
     book = read(path)
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from mechsheet.diagnostics import Fault
-from mechsheet.said import Said, say
+from livesheet.diagnostics import Fault
+from livesheet.said import Said, say
 
 if TYPE_CHECKING:
     from mechsheet.checking import Stored

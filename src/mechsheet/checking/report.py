@@ -7,12 +7,12 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from mechsheet.formula.nodes import ErrorValue, Scalar
-from mechsheet.said import say
+from livesheet.formula.nodes import ErrorValue, Scalar
+from livesheet.said import say
 
 if TYPE_CHECKING:
+    from livesheet.diagnostics import Fault
     from mechsheet.checking.stored import Stored
-    from mechsheet.diagnostics import Fault
 
 TOLERANCE = 1e-9
 """Largest difference that counts as agreement: of lengths as a part of the mechanism's size, of angles in radians."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from livesheet.said import say
 from mechsheet.checking.remark_lines import remark_lines, stored_lines
-from mechsheet.said import say
 
 LONG = 100
 """Longer formulas are shown around the place in which they differ; with --json in full."""

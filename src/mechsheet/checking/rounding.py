@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Binary, CellRef, NameRef, Node, Number, RangeRef, Scalar, walk
+from livesheet.formula.book import Book
+from livesheet.formula.nodes import Binary, CellRef, NameRef, Node, Number, RangeRef, Scalar, walk
 
 ROUNDING = 1e-14
 """What is lost when numbers cancel, as a part of the largest number that the formula reads."""

@@ -6,11 +6,11 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from livesheet.diagnostics import Fault, WorkbookError
+from livesheet.formula.book import Book
+from livesheet.said import say
 from mechsheet.arguments.ranges import Area, area_of
 from mechsheet.checking.report import TOLERANCE
-from mechsheet.diagnostics import Fault, WorkbookError
-from mechsheet.formula.book import Book
-from mechsheet.said import say
 
 
 @dataclass(frozen=True, slots=True)

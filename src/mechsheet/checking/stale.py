@@ -11,12 +11,13 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from livesheet.diagnostics import readable_name
+from livesheet.said import say
 from mechsheet.checking.edited.pull import pull
 from mechsheet.description.text.index import Path as Place
 from mechsheet.description.text.origin import is_origin, meaning
 from mechsheet.description.text.source import dotted, read_text
-from mechsheet.diagnostics import MechsheetError, readable_name
-from mechsheet.said import say
+from mechsheet.diagnostics import MechsheetError
 
 _EXTRA = ("", "-basic", "-lambda")
 """What the names of a description's workbooks have behind its own."""

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from livesheet.formula.nodes import symbols
 from mechsheet import reference
 from mechsheet.checking.inputs import Array
-from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import FORCES, INNER, RATES
 from mechsheet.kinematics.numeric import value

@@ -13,17 +13,17 @@ from itertools import groupby
 from pathlib import Path
 from typing import Any
 
+from livesheet.diagnostics import Fault
+from livesheet.engine import steady_plan
+from livesheet.formula.book import Block, Book, BookSheet, Run
+from livesheet.formula.nodes import Binary, Call, ErrorValue, Node, Scalar, Unary, shifted, walk
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import cell_address
+from livesheet.said import say
 from mechsheet.checking.report import Comparison, text_of, texts_apart
 from mechsheet.checking.rounding import Rounding
 from mechsheet.checking.rules import Ignored, Rules, ignored_in, unmeant
 from mechsheet.checking.tracing import Suspect, explained
-from mechsheet.diagnostics import Fault
-from mechsheet.engine import steady_plan
-from mechsheet.formula.book import Block, Book, BookSheet, Run
-from mechsheet.formula.nodes import Binary, Call, ErrorValue, Node, Scalar, Unary, shifted, walk
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.references import cell_address
-from mechsheet.said import say
 
 JUDGE = "stored values"
 """What the stored values are called among the judges."""

@@ -12,9 +12,9 @@ from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any
 
-from mechsheet.engine import steady_plan
-from mechsheet.formula.book import Block, Book, BookSheet, CellStore
-from mechsheet.formula.nodes import CellRef, NameRef, Node, Scalar, shifted, transform
+from livesheet.engine import steady_plan
+from livesheet.formula.book import Block, Book, BookSheet, CellStore
+from livesheet.formula.nodes import CellRef, NameRef, Node, Scalar, shifted, transform
 
 BESIDE = "\u0001"
 """Added to a sheet's title: no program allows it there, so no other sheet is called so."""

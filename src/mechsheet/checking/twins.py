@@ -7,16 +7,16 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from livesheet.formats import FORMATS, read
+from livesheet.formula.book import Book, BookSheet, CellStore
+from livesheet.formula.nodes import Node, Scalar
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import cell_address
+from livesheet.said import say
 from mechsheet.checking.cells import column_scale
 from mechsheet.checking.edited.formula_diff import Formulas, neutral, stretches
 from mechsheet.checking.inputs import description_in
 from mechsheet.checking.report import Comparison, Report, Tally, difference
-from mechsheet.formats import FORMATS, read
-from mechsheet.formula.book import Book, BookSheet, CellStore
-from mechsheet.formula.nodes import Node, Scalar
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.references import cell_address
-from mechsheet.said import say
 
 
 def with_twins(reports: Sequence[Report]) -> list[Report]:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from mechsheet.formula.scalar import evaluate
+from livesheet.formula.scalar import evaluate
+from livesheet.said import reason, say
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.model import Mechanism
-from mechsheet.said import reason, say
 from mechsheet.sheet.table.lowering import Assignments
 
 

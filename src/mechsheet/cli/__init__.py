@@ -13,9 +13,10 @@ from typing import Any
 
 import click
 
+from livesheet.diagnostics import near_miss
+from livesheet.said import say
 from mechsheet import __version__
-from mechsheet.diagnostics import MechsheetError, near_miss
-from mechsheet.said import say
+from mechsheet.diagnostics import MechsheetError
 
 from .common import in_options
 from .helping import TASKS, Explained, write_commands

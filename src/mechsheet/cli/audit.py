@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError, readable_name
-from mechsheet.said import say
-from mechsheet.time_limit import limited
+from livesheet.diagnostics import Fault, readable_name
+from livesheet.said import say
+from livesheet.time_limit import limited
+from mechsheet.diagnostics import MechsheetError
 
 from .common import JSON, MOST_SECONDS, at_lines_of, described, progress, say_written, seconds_option
 from .helping import Explained
@@ -80,7 +81,7 @@ def audit(
 
 def _recognised(workbook: Path, describe: Path | None, language: str | None, as_json: bool) -> None:
     """What a workbook seems to be; a description of that."""
-    from mechsheet.formats import read
+    from livesheet.formats import read
     from mechsheet.homework.recognised_words import as_dict, lines
     from mechsheet.homework.recognition import recognise, tables
     from mechsheet.homework.upright import upright
@@ -101,11 +102,11 @@ def _recognised(workbook: Path, describe: Path | None, language: str | None, as_
 
 def _describe(known: Recognised, output: Path, language: str) -> None:
     """Write the description, as the template has it, with the workbook's dimensions, driver and assembly."""
+    from livesheet.replacing import replace_file
     from mechsheet.description import Overrides
     from mechsheet.description.templates import template_text
     from mechsheet.homework.recognition import settings_of, with_driver
     from mechsheet.library.changed import loads
-    from mechsheet.replacing import replace_file
 
     text = with_driver(known, template_text(known.template))
     found = loads(text, known.template, Overrides(settings_of(known), language=language))

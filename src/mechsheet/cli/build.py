@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name
-from mechsheet.said import say
+from livesheet.diagnostics import Fault, OutputError, readable_name
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 
 from .common import (
     FORMATS_COMPLETED,

@@ -10,8 +10,9 @@ from typing import Any
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError
-from mechsheet.said import say
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 
 from .common import JSON, completing, seconds_option
 from .gate import Gate, concluded, descriptions_among, fails, gate_options, of_each, workbooks

@@ -13,10 +13,11 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from livesheet.diagnostics import Fault, OutputError, readable_name
+from livesheet.replacing import is_stream
+from livesheet.said import Said, say
 from mechsheet.arguments.outputs import file_in, is_there
-from mechsheet.diagnostics import DescriptionWarning, Fault, MechanismError, MechsheetError, OutputError, readable_name
-from mechsheet.replacing import is_stream
-from mechsheet.said import Said, say
+from mechsheet.diagnostics import DescriptionWarning, MechanismError, MechsheetError
 
 from .speaking import fault_told, language_of, speak, told
 

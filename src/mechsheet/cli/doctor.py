@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 import click
 
+from livesheet.said import say
 from mechsheet import __version__
-from mechsheet.said import say
 
 from .common import JSON, progress
 from .helping import Explained

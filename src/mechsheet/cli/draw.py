@@ -8,8 +8,9 @@ from pathlib import Path
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError, readable_name
-from mechsheet.said import say
+from livesheet.diagnostics import Fault, readable_name
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 
 from .helping import Explained
 from .speaking import told

@@ -7,9 +7,10 @@ from typing import Any
 
 import click
 
+from livesheet.diagnostics import Fault
+from livesheet.said import say
 from mechsheet.arguments.outputs import folder_ready
-from mechsheet.diagnostics import Fault, MechsheetError
-from mechsheet.said import say
+from mechsheet.diagnostics import MechsheetError
 
 from .common import (
     STANDARD_OUTPUT,

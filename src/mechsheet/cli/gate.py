@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, TypeVar
 
 import click
 
-from mechsheet.diagnostics import OWN_FAILURES, Fault, MechsheetError, own_fault, readable_name
-from mechsheet.said import say
-from mechsheet.time_limit import in_time, limited
+from livesheet.diagnostics import Fault, readable_name
+from livesheet.said import say
+from livesheet.time_limit import in_time, limited
+from mechsheet.diagnostics import OWN_FAILURES, MechsheetError, own_fault
 
 from .common import Command, doubts_told, in_file, progress, with_options
 from .speaking import note, wrote
@@ -161,7 +162,7 @@ def concluded(gate: Gate, reports: Sequence[Report], baseline: Baseline | None, 
     """Write the report and the baseline, say what is missing, and end with the exit code."""
     faults = [*faults, *unmeant(gate, reports)]
     if gate.junit_file is not None:
-        from mechsheet.replacing import replace_file
+        from livesheet.replacing import replace_file
 
         from .junit import junit
 
@@ -192,7 +193,7 @@ def why_not_strict(report: Report) -> list[str]:
 
 
 def _conclude_baseline(gate: Gate, baseline: Baseline) -> None:
-    from mechsheet.replacing import replace_file
+    from livesheet.replacing import replace_file
 
     name = baseline.path.as_posix()
     if gate.update_baseline:

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
+from livesheet.formats.xml_text import legal
 from mechsheet.checking.remark_lines import cell_text, grouped, remark_line
-from mechsheet.formats.xml_text import legal
 
 if TYPE_CHECKING:
+    from livesheet.diagnostics import Fault
     from mechsheet.checking import Report, Stored
-    from mechsheet.diagnostics import Fault
 
 MOST = 100
 """Cells of a sheet that are listed."""

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import click
 
-from mechsheet.diagnostics import readable_name
-from mechsheet.said import say
+from livesheet.diagnostics import readable_name
+from livesheet.said import say
 
 from .common import JSON, MOST_SECONDS, at_lines_of, progress, same_file, say_written, seconds_option
 from .helping import Explained
@@ -47,11 +47,11 @@ def mark(
     In marks.xlsx a number in the yellow column replaces a total. Nothing leaves this machine; a student's page
     contains no other student's data.
     """
-    from mechsheet.formats import write
+    from livesheet.formats import write
+    from livesheet.replacing import make_folder, replace_file
     from mechsheet.homework.classroom.marks import as_dict, files_of, key_of_file
     from mechsheet.homework.classroom.marks import mark as mark_all
     from mechsheet.homework.classroom.marks_book import marks_csv, marks_workbook, moodle_csv, pages
-    from mechsheet.replacing import make_folder, replace_file
 
     _refuse(output, [output, csv_file, moodle_file], files_of(books))
     speak_of(against)
@@ -85,7 +85,7 @@ def mark(
 
 def _refuse(output: Path | None, written: list[Path | None], read: list[Path]) -> None:
     """Raise OutputError where something that is read would be overwritten, or a workbook has no format."""
-    from mechsheet.diagnostics import Fault, OutputError
+    from livesheet.diagnostics import Fault, OutputError
 
     faults = [
         Fault(say("is read here: it is not overwritten"), readable_name(file), hint=say("name another file"))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import click
 
+from livesheet.said import say
 from mechsheet.arguments.outputs import folder_ready, is_there
-from mechsheet.said import say
 
 from .common import STANDARD_OUTPUT, completing, output_file, output_option, refuse_existing
 from .helping import Explained
@@ -48,7 +48,7 @@ def new(template: str | None, output: str | None, show_list: bool) -> None:
     if output in (None, STANDARD_OUTPUT):
         print_file(text)
         return
-    from mechsheet.replacing import replace_file
+    from livesheet.replacing import replace_file
 
     file = output_file(output, f"{template.removesuffix('.toml')}.toml")
     refuse_existing(file)

@@ -6,11 +6,11 @@ from typing import Any
 
 import click
 
+from livesheet.counted import counted
+from livesheet.said import say
 from mechsheet.checking.mutation import by_kind, by_sheet
 from mechsheet.checking.remark_lines import grouped
 from mechsheet.checking.report_lines import focused, report_lines
-from mechsheet.counted import counted
-from mechsheet.said import say
 
 from .speaking import told
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import click
 
+from livesheet.said import say
 from mechsheet.arguments.outputs import folder_ready
-from mechsheet.said import say
 
 from .common import STANDARD_OUTPUT, output_file, output_option, progress, refuse_existing, same_file
 from .helping import Explained
@@ -28,8 +28,8 @@ def pull(workbook: Path, output: str | None, into: Path | None) -> None:
     mechsheet pull edited.xlsx -o new.toml
     mechsheet pull edited.xlsx --into mine.toml -o mine.toml
     """
+    from livesheet.replacing import replace_file
     from mechsheet.checking.edited.pull import pull as pulled_from
-    from mechsheet.replacing import replace_file
 
     file = None if output in (None, STANDARD_OUTPUT) else output_file(output, f"{workbook.stem}.toml", (workbook,))
     if file is not None and not (into is not None and same_file(file, into)):

@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from livesheet.diagnostics import Fault, readable_name
+from livesheet.said import say
+from livesheet.time_limit import limited
 from mechsheet.arguments.outputs import folder_ready, names_folder
-from mechsheet.diagnostics import Fault, MechsheetError, readable_name
-from mechsheet.said import say
-from mechsheet.time_limit import limited
+from mechsheet.diagnostics import MechsheetError
 
 from .common import JSON, output_file, output_option, progress, seconds_option, settings_of
 from .gate import Gate, concluded, gate_options, of_each, workbooks
@@ -129,9 +130,9 @@ def _check(files: Sequence[Path], gate: Gate, seconds: float | None, as_json: bo
 
 
 def _judged(file: Path, tell: Callable[[str], None], rules: Rules, baseline: Baseline | None) -> Report:
+    from livesheet.formats import read
     from mechsheet.checking import Report
     from mechsheet.checking.stored import judge_stored
-    from mechsheet.formats import read
 
     tell("recalculating")
     stored, _ = judge_stored(read(file), rules)
@@ -150,8 +151,8 @@ def _print_notes(head: str, remarks: Iterable[Fault]) -> None:
 
 def _print_areas(result: Result, areas: Iterable[Any], as_json: bool) -> None:
     """The cells of some ranges: JSON as for the whole workbook, or tables with an empty line between them."""
+    from livesheet.formula.references import cell_name
     from mechsheet.checking.remark_lines import cell_text
-    from mechsheet.formula.references import cell_name
     from mechsheet.library.recalculation import json_value
 
     if as_json:

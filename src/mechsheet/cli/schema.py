@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import click
 
+from livesheet.said import say
 from mechsheet.arguments.outputs import folder_ready
-from mechsheet.said import say
 
 from .common import STANDARD_OUTPUT, output_file, output_option
 from .helping import Explained
@@ -29,7 +29,7 @@ def schema(output: str | None) -> None:
     if output in (None, STANDARD_OUTPUT):
         print_file(text)
         return
-    from mechsheet.replacing import replace_file
+    from livesheet.replacing import replace_file
 
     file = output_file(output, FILE)
     with folder_ready(output):

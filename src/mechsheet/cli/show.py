@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from mechsheet.diagnostics import readable_name
+from livesheet.diagnostics import readable_name
 
 from .common import JSON, at_lines_of, change_options, described, progress
 from .helping import Explained

@@ -14,8 +14,9 @@ from pathlib import Path
 
 import click
 
-from mechsheet.diagnostics import Fault, MechsheetError
-from mechsheet.said import say
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 
 _KEY = "mechsheet.language"
 """Where click's contexts, which share one mapping, keep the language of what is worked on."""

@@ -17,8 +17,8 @@ from typing import NoReturn
 
 import click
 
-from mechsheet.diagnostics import system_reason
-from mechsheet.said import say
+from livesheet.diagnostics import system_reason
+from livesheet.said import say
 
 from .speaking import told
 

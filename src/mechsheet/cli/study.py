@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.said import Said, say
+from livesheet.diagnostics import Fault
+from livesheet.said import Said, say
+from mechsheet.diagnostics import MechanismError
 
 from .common import FORMATS_COMPLETED, at_lines_of, bar_of, change_options, described
 from .helping import Explained

@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.diagnostics import WorkbookError
+from livesheet.evaluation import computed, live
+from livesheet.formula.nodes import Scalar
+from livesheet.workbook import Workbook
 from mechsheet import sheet
-from mechsheet.compiled.evaluation import computed, live
-from mechsheet.diagnostics import WorkbookError
 from mechsheet.dynamics.flywheel import Flywheel, flywheel
 from mechsheet.dynamics.solve import solve
-from mechsheet.formula.nodes import Scalar
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Equations
@@ -24,10 +25,9 @@ from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.workbook import Workbook
 
 if TYPE_CHECKING:
-    from mechsheet.engine import Live
+    from livesheet.engine import Live
 
 
 class Compiled:

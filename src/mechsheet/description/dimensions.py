@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from livesheet.formula.nodes import Node, symbols
 from mechsheet.description.asked import synthesis
 from mechsheet.description.kinds import unit_kind
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import REPORTED, Scope, circle_message, cycles, words
 from mechsheet.description.text.index import Path
-from mechsheet.formula.nodes import Node, symbols
 from mechsheet.model import Dimension
 from mechsheet.units import Unit
 

@@ -9,6 +9,9 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node
+from livesheet.said import say
 from mechsheet.description.joints import RELATIONS, Ends
 from mechsheet.description.kinds import ANGLE, ANY, LENGTH
 from mechsheet.description.own_cells import own_cell
@@ -17,10 +20,7 @@ from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.sketched_angles import SketchedAngles
 from mechsheet.description.text.index import Path
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node
 from mechsheet.model import PRESSURE, Dimension, Gear, Joint, Link, Rack, Relation
-from mechsheet.said import say
 from mechsheet.units import NUMBER, Unit, unit_of
 
 ROUGH = 1

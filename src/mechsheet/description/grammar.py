@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
+from livesheet.formula.nodes import MAX_COLUMNS, MAX_ROWS
 
 HEADING_ROWS = 20
 """Rows of a sheet that are kept for headings when the length of a sweep is judged."""

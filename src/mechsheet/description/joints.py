@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from livesheet.said import say
 from mechsheet.description.kinds import ANGLE, LENGTH
 from mechsheet.description.links import pair, points_of
 from mechsheet.description.quoting import quoted
@@ -11,7 +12,6 @@ from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope, Space
 from mechsheet.description.text.index import Path
 from mechsheet.model import Joint, Link
-from mechsheet.said import say
 
 RELATIONS = ("gear", "belt", "rack")
 """Types that tie angles and displacements to each other; they join nothing."""

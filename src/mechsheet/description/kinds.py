@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
-from mechsheet.said import Said, say
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
+from livesheet.said import Said, say
 from mechsheet.units import Unit
 
 ANGLE, LENGTH, DEGREES, ANY = "angle", "length", "number of degrees", ""

@@ -6,14 +6,14 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from mechsheet import portable
+from livesheet import portable
+from livesheet.said import say
 from mechsheet.description.kinds import ANGLE, LENGTH
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import REPORTED, Scope, Space, circle_message, cycles, words
 from mechsheet.description.text.index import Path
 from mechsheet.model import GROUND, Cartesian, Distances, Joint, Link, Place, Polar
-from mechsheet.said import say
 
 _ROUNDING = 1e-9
 """Distances may miss each other by this part of their size and count as meeting (a point on the line between two)."""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from livesheet.diagnostics import Fault
 from mechsheet.description.text.source import parse
-from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.diagnostics import MechanismError
 
 
 def located(error: MechanismError, text: str, file: str) -> MechanismError:

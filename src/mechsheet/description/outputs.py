@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from livesheet.formula.nodes import Call, Node, Symbol, symbols, transform
+from livesheet.said import say
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.driving.rates import known as known_rate
 from mechsheet.description.kinds import ANGLE, LENGTH, label_fault, plain_unit, unit_kind
@@ -12,9 +14,7 @@ from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.requests import coordinates, is_coordinate
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.text.index import Path
-from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from mechsheet.model import Driver, Output
-from mechsheet.said import say
 from mechsheet.units import Unit, unit_of
 
 

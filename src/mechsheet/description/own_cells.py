@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from livesheet.formula.nodes import Node, Symbol
+from livesheet.said import say
 from mechsheet.description.kinds import ANGLE
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
-from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.model import Dimension
-from mechsheet.said import say
 from mechsheet.units import Unit
 
 

@@ -7,6 +7,8 @@ from dataclasses import replace
 from pathlib import Path as FilePath
 from typing import Any
 
+from livesheet.diagnostics import readable_name
+from livesheet.said import say
 from mechsheet.description import dimensions, gears, joints, links, redundant, requests, sketch
 from mechsheet.description import outputs as further_outputs
 from mechsheet.description.asked import exercise, study, synthesis, tolerances
@@ -25,9 +27,8 @@ from mechsheet.description.text.file_names import is_device
 from mechsheet.description.text.origin import with_origin
 from mechsheet.description.text.rewrite import with_value
 from mechsheet.description.text.source import Source, parse, parse_as_meant, read_text
-from mechsheet.diagnostics import DescriptionError, readable_name
+from mechsheet.diagnostics import DescriptionError
 from mechsheet.model import Dimension, Driver, Dynamics, FurtherDriver, Joint, Link, Mechanism, Sketch, Solution, Words
-from mechsheet.said import say
 
 
 def load(path: str | FilePath, overrides: Overrides = AS_IT_IS) -> Mechanism:

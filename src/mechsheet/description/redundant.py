@@ -10,7 +10,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from mechsheet import portable
+from livesheet import portable
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Node, Symbol
+from livesheet.said import say
 from mechsheet.description.head import part
 from mechsheet.description.joints import Ends
 from mechsheet.description.kinds import LENGTH
@@ -18,10 +21,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import listed
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.model import Cartesian, Distances, Joint, Link, Place, Polar, Quantity, Redundant
-from mechsheet.said import say
 
 
 def read(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from livesheet.formula.nodes import Symbol
+from livesheet.said import say
 from mechsheet.description.driving.driver import rows_of
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.driving.rates import known as known_rate
@@ -12,9 +14,7 @@ from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.text.index import Path
-from mechsheet.formula.nodes import Symbol
 from mechsheet.model import TAKES, ChartRequest, Driver, Ends, Quantity, Summary, TableRequest
-from mechsheet.said import say
 
 
 def declare(outputs: dict[str, Any], summaries: dict[str, Any], scope: Scope) -> None:

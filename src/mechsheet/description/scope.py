@@ -8,18 +8,18 @@ from dataclasses import dataclass, field
 from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
+from livesheet.diagnostics import FormulaError
+from livesheet.formula.names import folded, name_fault
+from livesheet.formula.nodes import Node, Symbol, children, symbols, transform
+from livesheet.formula.parser import RESERVED, parse_description
+from livesheet.formula.scalar import evaluate
+from livesheet.said import Said, reason, say
 from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, plain_unit
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.numbers import typed_number
-from mechsheet.diagnostics import FormulaError
-from mechsheet.formula.names import folded, name_fault
-from mechsheet.formula.nodes import Node, Symbol, children, symbols, transform
-from mechsheet.formula.parser import RESERVED, parse_description
-from mechsheet.formula.scalar import evaluate
 from mechsheet.model import Quantity, Take, Words
-from mechsheet.said import Said, reason, say
 from mechsheet.units import DEG, NUMBER, Unit, unit_of
 
 DEEPEST = 200

@@ -10,6 +10,8 @@ import math
 import unicodedata
 from typing import Any
 
+from livesheet.diagnostics import near_miss
+from livesheet.said import say
 from mechsheet.description.grammar import (
     Either,
     Integer,
@@ -30,8 +32,6 @@ from mechsheet.description.report import BAD, Report, alternatives, found, liste
 from mechsheet.description.schema import REASONS
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.numbers import typed_number, with_points
-from mechsheet.diagnostics import near_miss
-from mechsheet.said import say
 
 LARGEST, SMALLEST = 1e100, 1e-100
 """Sizes of numbers that can be multiplied a few times without leaving what a spreadsheet can hold."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from livesheet.said import say
 from mechsheet.description.kinds import ANGLE, LENGTH
 from mechsheet.description.links import pair
 from mechsheet.description.quoting import quoted
@@ -11,7 +12,6 @@ from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
 from mechsheet.model import Driver, Quantity, Sketch
-from mechsheet.said import say
 
 
 def read(data: dict[str, Any], driver: Driver | None, scope: Scope) -> Sketch:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from mechsheet import portable
+from livesheet import portable
 from mechsheet.description.scope import Scope
 from mechsheet.model import Cartesian, Driver, FurtherDriver, Joint, Link, Polar, Quantity, Sketch
 

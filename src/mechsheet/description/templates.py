@@ -6,11 +6,12 @@ from importlib.resources import files
 from importlib.resources.abc import Traversable
 from pathlib import Path
 
+from livesheet.diagnostics import Fault
+from livesheet.said import say
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
-from mechsheet.diagnostics import DescriptionError, Fault
+from mechsheet.diagnostics import DescriptionError
 from mechsheet.model import Words
-from mechsheet.said import say
 
 _SUFFIX = ".toml"
 

@@ -7,6 +7,9 @@ import math
 import unicodedata
 from dataclasses import dataclass
 
+from livesheet.diagnostics import Fault
+from livesheet.formula.nodes import Call, Node, Symbol, symbols, walk
+from livesheet.said import say
 from mechsheet.description import dimensions
 from mechsheet.description.asked import synthesis
 from mechsheet.description.head import scope_of
@@ -20,9 +23,6 @@ from mechsheet.description.text.index import Path
 from mechsheet.description.text.numbers import typed_number
 from mechsheet.description.text.rewrite import number_text
 from mechsheet.description.text.source import Source
-from mechsheet.diagnostics import Fault
-from mechsheet.formula.nodes import Call, Node, Symbol, symbols, walk
-from mechsheet.said import say
 from mechsheet.units import Unit
 
 DIGITS = 15

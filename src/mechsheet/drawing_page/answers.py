@@ -8,16 +8,16 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from livesheet.diagnostics import Fault, OutputError, readable_name, system_reason
+from livesheet.replacing import replace_file
+from livesheet.said import say
 from mechsheet.description.templates import template_names, template_text, template_titles
 from mechsheet.description.text.file_names import is_file_name
 from mechsheet.description.text.source import read_text
-from mechsheet.diagnostics import Fault, OutputError, readable_name, system_reason
 from mechsheet.drawing_page.editing.orders import edited
 from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.questions import Refusal, number_in, places_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
-from mechsheet.replacing import replace_file
-from mechsheet.said import say
 from mechsheet.words.messages import text_in as said_in
 from mechsheet.words.workbook import Language
 

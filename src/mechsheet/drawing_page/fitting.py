@@ -15,11 +15,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.formula.nodes import Symbol
 from mechsheet.description.parts import Parts
 from mechsheet.description.text.index import Path
 from mechsheet.drawing_page.positions import Point, Pose, line_of, local_places
 from mechsheet.drawing_page.reading import followed, read_by_guide, reads_of
-from mechsheet.formula.nodes import Symbol
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.places import number
 from mechsheet.model import Cartesian, Distances, Driver, Joint, Link, Mechanism, Place, Polar, Quantity, Words

@@ -13,12 +13,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.formula.nodes import Node
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.motion import SHOWN_ROLES
 from mechsheet.description.parts import Parts
 from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_positions, line_of, local_places
 from mechsheet.drawing_page.reading import Reading, fault_entry
-from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.lengths import largest_length

@@ -7,12 +7,13 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import Any
 
+from livesheet.diagnostics import Fault
+from livesheet.formula.nodes import symbols
 from mechsheet.compiled import Compiled
 from mechsheet.description.locate import located
 from mechsheet.description.parts import Parts, parts_of
 from mechsheet.description.text.source import Source, parse
-from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
-from mechsheet.formula.nodes import symbols
+from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Node, Symbol
 from mechsheet.dynamics.columns import LONGEST, Columns
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.places import LinkPlaces, cartesian
 from mechsheet.kinematics.poses import Poses

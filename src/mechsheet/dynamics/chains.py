@@ -20,12 +20,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol, renamed
 from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.teeth import Teeth
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol, renamed
 from mechsheet.kinematics.newton.carriers import Solution, Span, holder
 from mechsheet.kinematics.newton.chains import Binary, Carrier
 from mechsheet.kinematics.newton.rates import solved

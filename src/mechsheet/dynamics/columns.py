@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.cell_lengths import CellLengths
 from mechsheet.kinematics.equations import RATES, ForceKind
 from mechsheet.kinematics.poses import Poses

@@ -8,10 +8,10 @@ that is not the owner, the owner exerts on it what the pin exerts on both togeth
 
 from __future__ import annotations
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node
 from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.assur import bodies_of
 from mechsheet.kinematics.equations import ForceKind
 from mechsheet.kinematics.graph import Slide

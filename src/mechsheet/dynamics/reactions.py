@@ -15,14 +15,16 @@ Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, chapters 13 and 
 
 from __future__ import annotations
 
-from mechsheet.diagnostics import Fault, MechanismError
+from livesheet.diagnostics import Fault
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.chains import ChainReactions
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.teeth import Teeth
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.chains import Chain
@@ -43,7 +45,6 @@ from mechsheet.kinematics.vectors import (
     turned,
 )
 from mechsheet.kinematics.writing import Found
-from mechsheet.said import say
 from mechsheet.words.equations import phrase
 
 

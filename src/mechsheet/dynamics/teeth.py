@@ -17,11 +17,11 @@ Source: Shigley, Mechanical Engineering Design, force analysis of spur gears; vi
 
 from __future__ import annotations
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Node
 from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.kinematics.ties import Held, Tied, axis_of, eliminated, terms_of

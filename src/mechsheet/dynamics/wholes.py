@@ -10,9 +10,9 @@ Source: Norton, Design of Machinery, chapter 11.
 
 from __future__ import annotations
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Node, Symbol
 from mechsheet.dynamics.acting import ActingForces
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.kinematics.vectors import Vector, cross, size, times
 from mechsheet.kinematics.writing import Found
 from mechsheet.model import SHAKING, Mass, Words, center_symbol

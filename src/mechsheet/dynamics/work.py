@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol
 from mechsheet.dynamics.acting import ActingForces
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.writing import Found
 from mechsheet.units import Unit
 from mechsheet.words.equations import phrase

@@ -6,15 +6,16 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from livesheet.diagnostics import Fault, near_miss, readable_name
+from livesheet.replacing import make_folder, replace_file
+from livesheet.said import say
 from mechsheet.arguments.numbers import number_given, whole_number_given
 from mechsheet.arguments.outputs import file_in
-from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_name
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting.identifiers import ascii_word
 from mechsheet.exporting.job import Job, Kind
 from mechsheet.exporting.kinds import KINDS
 from mechsheet.model import Mechanism
-from mechsheet.replacing import make_folder, replace_file
-from mechsheet.said import say
 
 __all__ = ["KINDS", "Job", "Kind", "export", "exported", "kind_of"]
 

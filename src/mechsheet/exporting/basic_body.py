@@ -5,10 +5,10 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Iterable, Mapping
 
+from livesheet.formula.nodes import Call, Node, Symbol, transform
+from livesheet.formula.printer import print_formula
 from mechsheet.exporting.identifiers import ascii_word, identifiers
 from mechsheet.exporting.lowering import Step
-from mechsheet.formula.nodes import Call, Node, Symbol, transform
-from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.newton.carriers import ITERATED
 
 WIDTH = 100

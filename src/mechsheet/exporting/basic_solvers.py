@@ -10,14 +10,14 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterable, Mapping, Sequence
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Node, Number, Symbol, symbols
+from livesheet.formula.printer import print_formula
 from mechsheet.exporting.basic_body import KEYWORDS, Body, comment, shown_name, wrapped
 from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step
 from mechsheet.exporting.routines import unknown_key
 from mechsheet.exporting.solvers import Block, Solver
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
-from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import Words

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from livesheet.formula.nodes import Call, Node, Symbol, children, transform
+from livesheet.formula.written import pairwise
 from mechsheet.exporting.lowering import Step
 from mechsheet.exporting.routines import Routine, mapped
-from mechsheet.formula.nodes import Call, Node, Symbol, children, transform
-from mechsheet.formula.written import pairwise
 
 
 def with_calls(routine: Routine, patterns: Sequence[Routine]) -> Routine:

@@ -6,16 +6,16 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
+from livesheet.workbook import Area, Cell, Column, Conditional, Fill, Merge, PrintSetup, Sheet
 from mechsheet.exporting.functions import TABLE_KEY, Function, in_degrees, variable_key
 from mechsheet.exporting.routines import Source
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
 from mechsheet.model import Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places
-from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Fill, Merge, PrintSetup, Sheet
 
 LIST_TITLE = Words("Functions", "Fonksiyonlar")
 ABOUT = Words(

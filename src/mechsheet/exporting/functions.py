@@ -7,12 +7,12 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
+from livesheet.formula.names import folded, safe_name
+from livesheet.formula.nodes import Call, Node, Symbol
 from mechsheet.exporting.calls import with_calls
 from mechsheet.exporting.library import PARAMETERS, basics
 from mechsheet.exporting.lowering import Step
 from mechsheet.exporting.routines import Routine, Source
-from mechsheet.formula.names import folded, safe_name
-from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.model import Mechanism, TableRequest, Words
 from mechsheet.units import DEG, NUMBER
 

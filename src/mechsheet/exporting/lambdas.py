@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 
+from livesheet.formula.names import folded, safe_name
+from livesheet.formula.nodes import Call, Local, Node, Symbol, transform
+from livesheet.workbook import NamedFunction
 from mechsheet.exporting.functions import TABLE_KEY, Function
 from mechsheet.exporting.routines import guarded, missing_where
-from mechsheet.formula.names import folded, safe_name
-from mechsheet.formula.nodes import Call, Local, Node, Symbol, transform
-from mechsheet.sheet.workbook import NamedFunction
 
 MOST_PAIRS = 120
 """Names of one LET: it takes 126."""

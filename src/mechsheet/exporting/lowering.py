@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Direction, Node, Symbol, TriangleAngle, symbols
 from mechsheet.compiled import Compiled
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Direction, Node, Symbol, TriangleAngle, symbols
 from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.kinematics.naming import FreshNames, given_names, without_group
 from mechsheet.model import Words

@@ -7,10 +7,10 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterable
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
+from livesheet.formula.printer import number_text, print_formula
 from mechsheet.exporting.position import Position
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
-from mechsheet.formula.printer import number_text, print_formula
 from mechsheet.kinematics.closures import Vector
 from mechsheet.sheet.symbols import GREEK, parts
 from mechsheet.sheet.table.positions import decimals_of, places

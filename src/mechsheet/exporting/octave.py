@@ -11,16 +11,17 @@ from collections.abc import Sequence
 from dataclasses import replace
 from importlib.resources import files
 
-from mechsheet.diagnostics import Fault, MechsheetError
+from livesheet.diagnostics import Fault
+from livesheet.formula.nodes import Node
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import ColumnLine, Line, Loop, Program, commented, heading, one_line, program_of
-from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.kinematics.vectors import Vector, minus, plus
 from mechsheet.model import TIME, ChartRequest
-from mechsheet.said import say
 from mechsheet.shapes.forms import ARROWS, HALF, LEAST, Extreme, Mark, Shape
 from mechsheet.shapes.listing import shapes_of
 from mechsheet.sheet.drawing.charts import chart_requests

@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, symbols, transform
+from livesheet.formula.printer import print_formula
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.routines import missing_where
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, symbols, transform
-from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.equations import FORCES, RATES, Condition, Equation, Equations, Group, System
 from mechsheet.kinematics.newton.leaving import scales

@@ -9,14 +9,15 @@ import sys
 from collections.abc import Iterable
 from textwrap import dedent, wrap
 
-from mechsheet.diagnostics import Fault, MechsheetError
+from livesheet.diagnostics import Fault
+from livesheet.formula.nodes import Node
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import WIDTH, ColumnLine, Line, Loop, Program, commented, heading, one_line, program_of
-from mechsheet.formula.nodes import Node
 from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import TIME
-from mechsheet.said import say
 
 RESERVED = (
     *keyword.kwlist, *keyword.softkwlist, *dir(builtins), "np", "csv", "sys", "solve", "main", "n", "rows", "exists",

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from mechsheet.diagnostics import Fault, MechanismError
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 
 
 def refuse_synthesis(mechanism: Mechanism, what: str) -> None:

@@ -11,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, renamed, transform
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.lowering import Lowering, Step
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, renamed, transform
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.model import Words

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.plotting.sampling import LEAST, sample
-from mechsheet.said import say
 from mechsheet.shapes.names import POINTS
 from mechsheet.shapes.positions import Positions, Scene
 

@@ -10,9 +10,9 @@ from dataclasses import replace
 from functools import lru_cache
 from typing import TypeAlias
 
+from livesheet.formula.nodes import Symbol
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.routines import Source
-from mechsheet.formula.nodes import Symbol
 from mechsheet.model import Cartesian, Dimension, Driver, Joint, Link, Mechanism, Quantity, Words
 from mechsheet.units import RAD, unit_of
 

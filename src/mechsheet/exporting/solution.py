@@ -9,18 +9,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Node, Number, Symbol, symbols
+from livesheet.formula.scalar import evaluate
+from livesheet.said import say
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.mathtext import RATIO, Pen, packed, point_math, seen, symbol_math
 from mechsheet.exporting.position import Position
 from mechsheet.exporting.program import one_line, quantity
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
-from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import Words
-from mechsheet.said import say
 from mechsheet.synthesis.writing import says
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words import solution as words

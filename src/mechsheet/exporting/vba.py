@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from mechsheet.diagnostics import Fault, MechanismError
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.exporting.basic import function_names, module
 from mechsheet.exporting.functions import Function, functions_of
 from mechsheet.exporting.job import Job
@@ -11,7 +13,6 @@ from mechsheet.exporting.routines import Source
 from mechsheet.exporting.solvers import solvers_of
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import Words
-from mechsheet.said import say
 
 INTRODUCTION = Words(
     """{title}

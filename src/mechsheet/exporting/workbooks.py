@@ -9,6 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
+from livesheet.formula.names import folded
+from livesheet.formula.nodes import Call, CellRef, Node, Number, Text
+from livesheet.said import say
+from livesheet.workbook import Area, Cell, Conditional, Fill, Module, Sheet, Workbook
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.basic import function_names, module
 from mechsheet.exporting.function_sheet import LIST_TITLE, functions_sheet
@@ -17,16 +21,12 @@ from mechsheet.exporting.lambdas import modes_read, named_functions
 from mechsheet.exporting.refusing import refuse_synthesis
 from mechsheet.exporting.routines import Source
 from mechsheet.exporting.vba import introduction
-from mechsheet.formula.names import folded
-from mechsheet.formula.nodes import Call, CellRef, Node, Number, Text
 from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import TableRequest, Words
-from mechsheet.said import say
 from mechsheet.sheet import styles
 from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
-from mechsheet.sheet.workbook import Area, Cell, Conditional, Fill, Module, Sheet, Workbook
 from mechsheet.units import Unit
 
 NEEDS_ROW = 3

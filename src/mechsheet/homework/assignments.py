@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from mechsheet.formula.nodes import Root
+from livesheet.formula.nodes import Root
 from mechsheet.homework.agreement import DEGREE, FEWEST, wrapped
 from mechsheet.homework.truth import Array, Truth
 from mechsheet.kinematics.equations import Equations

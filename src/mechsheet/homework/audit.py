@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.diagnostics import readable_name
+from livesheet.formats import read
+from livesheet.formula.nodes import Number
 from mechsheet import reference
-from mechsheet.diagnostics import readable_name
-from mechsheet.formats import read
-from mechsheet.formula.nodes import Number
 from mechsheet.homework.inputs import Input
 from mechsheet.homework.judging import Judged, judged_tables
 from mechsheet.homework.marking_rules import AskedFor, asked_of

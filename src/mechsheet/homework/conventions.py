@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 
-from mechsheet.formula.nodes import symbols
+from livesheet.formula.nodes import symbols
 from mechsheet.homework.agreement import Reading
 from mechsheet.homework.counting import as_counted
 from mechsheet.homework.series import Series

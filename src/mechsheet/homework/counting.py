@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from mechsheet.engine import Values
+from livesheet.engine import Values
 from mechsheet.homework.agreement import Reading
 from mechsheet.homework.series import Series
 from mechsheet.homework.truth import Shift, Truth

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
-from mechsheet.formula.names import folded
+from livesheet.formula.names import folded
 from mechsheet.homework.upright import Place, Work
 from mechsheet.model import Mechanism
 
@@ -190,7 +190,7 @@ def labels(mechanism: Mechanism, symbol: str) -> Sequence[str]:
 
 def names_over(work: Work, places: Iterable[Place]) -> list[str]:
     """The workbook's names of these cells, or of the line that they are."""
-    from mechsheet.formula.nodes import CellRef, RangeRef
+    from livesheet.formula.nodes import CellRef, RangeRef
 
     cells = set(places)
     found = []

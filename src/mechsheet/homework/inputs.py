@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from mechsheet.formula.nodes import symbols
+from livesheet.formula.nodes import symbols
 from mechsheet.homework.agreement import DEGREE, POWERS
 from mechsheet.homework.headings import around, contains, names_over, plain, says
 from mechsheet.homework.series import Graph, Run, of_table

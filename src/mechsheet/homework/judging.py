@@ -6,9 +6,9 @@ import contextlib
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
+from livesheet.diagnostics import WorkbookError
+from livesheet.formula.nodes import shifted
 from mechsheet import reference
-from mechsheet.diagnostics import WorkbookError
-from mechsheet.formula.nodes import shifted
 from mechsheet.homework.agreement import agrees, plain_reading
 from mechsheet.homework.conventions import in_convention
 from mechsheet.homework.marking_rules import AskedFor

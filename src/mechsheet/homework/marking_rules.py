@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from mechsheet.formula.nodes import symbols
+from livesheet.formula.nodes import symbols
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from mechsheet.diagnostics import readable_name
+from livesheet.diagnostics import readable_name
 from mechsheet.homework.headings import around
 from mechsheet.homework.recognition import Recognised, Table
 from mechsheet.homework.series import Series

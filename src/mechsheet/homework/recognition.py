@@ -14,13 +14,13 @@ from functools import cached_property
 
 import numpy as np
 
+from livesheet.formula.nodes import symbols
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.description.text.rewrite import with_number
 from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import MechanismError
-from mechsheet.formula.nodes import symbols
 from mechsheet.homework.agreement import DEGREE, Reading, gaps, likely, reading_of
 from mechsheet.homework.assignments import likely_assignments, modes_of
 from mechsheet.homework.inputs import Input, inputs_of, single_cells

@@ -9,8 +9,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from livesheet.formula.nodes import CellRef, NameRef, walk
 from mechsheet import reference
-from mechsheet.formula.nodes import CellRef, NameRef, walk
 from mechsheet.homework.agreement import Reading, gaps, units_of
 from mechsheet.homework.inputs import SAME
 from mechsheet.homework.judging import Judged

@@ -15,17 +15,17 @@ from copy import copy
 from functools import lru_cache
 from typing import Literal, TypeAlias
 
+from livesheet.engine import evaluate
+from livesheet.formula.book import Block, Book, BookSheet, DefinedName
+from livesheet.formula.functions import FUNCTIONS
+from livesheet.formula.names import folded
+from livesheet.formula.nodes import Call, Node, Number, calls
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
-from mechsheet.engine import evaluate
 from mechsheet.exporting.functions import functions_of
 from mechsheet.exporting.lambdas import named_functions
 from mechsheet.exporting.routines import Source
-from mechsheet.formula.book import Block, Book, BookSheet, DefinedName
-from mechsheet.formula.functions import FUNCTIONS
-from mechsheet.formula.names import folded
-from mechsheet.formula.nodes import Call, Node, Number, calls
 
 PUMP = "adjustable-pump"
 """The mechanism that the text has a routine of its own for."""

@@ -10,8 +10,8 @@ from functools import cached_property
 
 import numpy as np
 
-from mechsheet.engine import Values
-from mechsheet.formula.nodes import Call, CellRef, Node, walk
+from livesheet.engine import Values
+from livesheet.formula.nodes import Call, CellRef, Node, walk
 from mechsheet.homework.truth import Array
 from mechsheet.homework.upright import Place, Strip, Work, references
 

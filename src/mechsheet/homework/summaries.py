@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import Symbol
+from livesheet.formula.nodes import Symbol
 from mechsheet.homework.agreement import Reading, allowance, units_of
 from mechsheet.homework.truth import Array, Kind, Quantity, Truth, truth_of
 from mechsheet.kinematics.means import mean_of_motion

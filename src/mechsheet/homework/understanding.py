@@ -9,8 +9,9 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.diagnostics import Fault, WorkbookError
 from mechsheet import reference
-from mechsheet.diagnostics import Fault, MechanismError, WorkbookError
+from mechsheet.diagnostics import MechanismError
 from mechsheet.homework.agreement import DEGREE, POWERS, Reading, allowance, likely, reading_of
 from mechsheet.homework.headings import Called, aliases_of, called, contains, heading, labels, names_over, tokens
 from mechsheet.homework.inputs import Input, inputs_of, is_length, unread_inputs

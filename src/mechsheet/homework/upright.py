@@ -18,12 +18,12 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.diagnostics import Fault
-from mechsheet.engine import Plan, Values, compile_book
-from mechsheet.engine.layout import Area
-from mechsheet.engine.values.cells import BLANK, NUMBER, Cells
-from mechsheet.formula.book import Block, Book, BookSheet, CellStore
-from mechsheet.formula.nodes import (
+from livesheet.diagnostics import Fault
+from livesheet.engine import Plan, Values, compile_book
+from livesheet.engine.layout import Area
+from livesheet.engine.values.cells import BLANK, NUMBER, Cells
+from livesheet.formula.book import Block, Book, BookSheet, CellStore
+from livesheet.formula.nodes import (
     Call,
     CellRef,
     NameRef,
@@ -34,8 +34,8 @@ from mechsheet.formula.nodes import (
     transform,
     walk,
 )
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.references import area_name
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import area_name
 from mechsheet.homework.routines import with_routines
 
 Array: TypeAlias = NDArray[np.float64]

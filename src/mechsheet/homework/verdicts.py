@@ -10,8 +10,8 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
-from mechsheet.engine import Values
-from mechsheet.formula.nodes import Call, Number, walk
+from livesheet.engine import Values
+from livesheet.formula.nodes import Call, Number, walk
 from mechsheet.homework.agreement import FEWEST, Reading, gaps, most_like, reading_of
 from mechsheet.homework.claims import answers, claimed, exchanged, read_on, rivals
 from mechsheet.homework.counting import as_counted

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call, Direction, Node, Symbol, symbols, transform
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Call, Direction, Node, Symbol, symbols, transform
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import Mechanism

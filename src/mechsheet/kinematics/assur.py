@@ -12,13 +12,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from mechsheet.diagnostics import Fault, MechanismError
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.mobility import listed_names, stiff_faults
 from mechsheet.kinematics.newton.chains import MOST_UNKNOWNS, Chain, TooManyUnknownsError, next_chain
 from mechsheet.kinematics.ties import Tied, next_tied
 from mechsheet.model import Driver, FurtherDriver, Mechanism, Rack, Relation
-from mechsheet.said import say
 
 
 @dataclass(frozen=True, slots=True)

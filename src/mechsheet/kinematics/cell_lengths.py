@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Node
-from mechsheet.formula.printer import print_formula
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Node
+from livesheet.formula.printer import print_formula
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.model import Mechanism
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from graphlib import TopologicalSorter
 
-from mechsheet.formula.nodes import symbols
+from livesheet.formula.nodes import symbols
 from mechsheet.kinematics.places import number
 from mechsheet.model import Mechanism
 

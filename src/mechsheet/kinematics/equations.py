@@ -16,8 +16,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Node, Root, Symbol, symbols
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Node, Root, Symbol, symbols
 from mechsheet.kinematics.closures import Loop
 from mechsheet.model import Words
 from mechsheet.units import Unit

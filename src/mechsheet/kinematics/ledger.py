@@ -11,9 +11,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call, Direction, Node, Number, Root, Symbol, symbols
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Call, Direction, Node, Number, Root, Symbol, symbols
 from mechsheet.kinematics.equations import Condition, Equation, ForceKind, Role, System
 from mechsheet.kinematics.naming import FreshNames
 from mechsheet.kinematics.newton.system import followed

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Number, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Node, Number, Symbol
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.numeric import Array

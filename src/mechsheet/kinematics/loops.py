@@ -12,9 +12,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Binary, Node, Number, Symbol, Unary
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Binary, Node, Number, Symbol, Unary
 from mechsheet.kinematics.assur import Contact, Dyad, Pin, Step, bodies_of
 from mechsheet.kinematics.closures import NO_LOOP, Loop, Vector
 from mechsheet.kinematics.newton.chains import Chain

@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from mechsheet.diagnostics import Fault, MechanismError
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.graph import Graph
 from mechsheet.model import Gear, Mechanism
-from mechsheet.said import say
 
 LARGEST_PART = 5
 """Parts of up to this many bodies are searched for joints too many: larger rigid parts are rare and slow to find."""

@@ -8,14 +8,15 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.diagnostics import Fault, MechanismError
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dyads.solved import Solved
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.places import number
 from mechsheet.model import Mechanism, Words
-from mechsheet.said import say
 
 BETWEEN = 0.1
 """A sketch lies between two assemblies where the squares of its distances to them differ by less than this part of the

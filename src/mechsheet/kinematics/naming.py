@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import chain, count
 
-from mechsheet.formula.names import folded
+from livesheet.formula.names import folded
 from mechsheet.model import Mechanism
 
 

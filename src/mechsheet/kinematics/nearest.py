@@ -15,8 +15,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mechsheet.diagnostics import Fault
-from mechsheet.formula.nodes import Root
+from livesheet.diagnostics import Fault
+from livesheet.formula.nodes import Root
+from livesheet.said import say
 from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.modes import BETWEEN, SEPARATE, BetweenModesError, Entry, difference, shown_entries
@@ -26,7 +27,6 @@ from mechsheet.kinematics.newton.system import followed
 from mechsheet.kinematics.numeric import Array, evaluate_equation
 from mechsheet.kinematics.places import number
 from mechsheet.model import Mechanism, Words
-from mechsheet.said import say
 
 WIDTH = 256
 """So many combinations are followed at most: of more those that miss the sketch least so far."""

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet import portable
-from mechsheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, Unary
+from livesheet import portable
+from livesheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, Unary
 from mechsheet.kinematics.equations import Equation
 
 Array = NDArray[np.float64]

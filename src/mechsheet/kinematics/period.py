@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Literal, Protocol
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Node, Previous, Symbol, Unary, children
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Call, Node, Previous, Symbol, Unary, children
 from mechsheet.model import TIME
 from mechsheet.units import Unit
 

@@ -10,11 +10,11 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from mechsheet import portable
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call, Node, Symbol, TriangleAngle
-from mechsheet.formula.scalar import evaluate
+from livesheet import portable
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Call, Node, Symbol, TriangleAngle
+from livesheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.model import Cartesian, Distances, Link, Polar, Quantity, Words

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Node, Symbol, symbols
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.graph import Graph, Slide

@@ -14,8 +14,10 @@ from itertools import combinations, islice
 
 import numpy as np
 
-from mechsheet import portable
-from mechsheet.diagnostics import Fault, MechanismError
+from livesheet import portable
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.graph import graph_of
@@ -27,7 +29,6 @@ from mechsheet.kinematics.sketched import assemblies
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.kinematics.writing import write_equations, write_stepped
 from mechsheet.model import Joint, Link, Mechanism, Rack, Sketch
-from mechsheet.said import say
 
 HOLDS = 1e-7
 """A condition that is met within this part of the size, in every position, is met by itself."""

@@ -14,7 +14,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import Call, Direction, Node
+from livesheet.formula.nodes import Call, Direction, Node
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import at_values, given_between
 from mechsheet.kinematics.equations import Condition, Equations

@@ -15,8 +15,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet import portable
-from mechsheet.diagnostics import DescriptionWarning, Fault
+from livesheet import portable
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import DescriptionWarning
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
@@ -30,7 +32,6 @@ from mechsheet.kinematics.places import number
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.kinematics.writing import write_equations
 from mechsheet.model import Gear, Mechanism, Rack, Relation
-from mechsheet.said import say
 
 FAR, NOWHERE = 0.25, 0.5
 """A sketch that misses the position by such a part of the mechanism's size (or radians) was not drawn there, or anywhere."""

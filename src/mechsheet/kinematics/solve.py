@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
@@ -20,7 +21,6 @@ from mechsheet.kinematics.redundancy import redundancy_faults
 from mechsheet.kinematics.sketched import with_position
 from mechsheet.kinematics.writing import Further, standing, write_equations, write_stepped
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 
 
 def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None, further: Further | None = None) -> Equations:

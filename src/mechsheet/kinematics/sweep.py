@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import Root
+from livesheet.formula.nodes import Root
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values, listed_values
 from mechsheet.kinematics.equations import Equations

@@ -14,8 +14,8 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.model import Gear, Rack, Relation
 

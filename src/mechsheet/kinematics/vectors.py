@@ -6,8 +6,8 @@ from collections.abc import Iterable
 from functools import reduce
 from typing import TypeAlias
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Node, Unary
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Node, Unary
 
 Vector: TypeAlias = tuple[Node, Node]
 

@@ -9,10 +9,12 @@ from typing import TypeAlias
 
 import numpy as np
 
-from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Node, Number, Symbol, symbols
+from livesheet.diagnostics import Fault
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Node, Number, Symbol, symbols
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.dimensions import dimension_values
@@ -44,7 +46,6 @@ from mechsheet.kinematics.rates.coefficients import Written, add_rates, wanted
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.kinematics.ties import Tied
 from mechsheet.model import FurtherDriver, Mechanism, Quantity, Words
-from mechsheet.said import say
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import phrase, same
 

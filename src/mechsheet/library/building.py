@@ -7,13 +7,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from livesheet.diagnostics import Fault, OutputError, near_miss, readable_name
+from livesheet.said import say
+from livesheet.workbook import Workbook
 from mechsheet.description import Overrides
 from mechsheet.description.reader import with_settings
-from mechsheet.diagnostics import Fault, MechsheetError, OutputError, near_miss, readable_name
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.workbook import Workbook
 
 if TYPE_CHECKING:
     from mechsheet.compiled import Compiled
@@ -107,8 +108,8 @@ def targets(
 
 def is_folder(output: str | Path) -> bool:
     """Whether workbooks go into a folder of that name: as for every output, and a new name without an ending."""
+    from livesheet.replacing import is_stream
     from mechsheet.arguments.outputs import names_folder
-    from mechsheet.replacing import is_stream
 
     path = Path(output)
     return names_folder(output) or (not path.suffix and not is_stream(path))
@@ -116,8 +117,8 @@ def is_folder(output: str | Path) -> bool:
 
 def refuse_edited(wanted: Iterable[Target]) -> None:
     """Raise OutputError when files are there that `build` did not write as they are now."""
-    from mechsheet.formats.seal import is_untouched
-    from mechsheet.replacing import is_stream
+    from livesheet.formats.seal import is_untouched
+    from livesheet.replacing import is_stream
 
     faults = []
     for target in wanted:
@@ -138,14 +139,14 @@ def refuse_edited(wanted: Iterable[Target]) -> None:
 
 def write_all(compiled: Compiled, wanted: Sequence[Target], output: str | Path = ".") -> list[Path]:
     """Write the workbook of a mechanism, and those with functions, into the files of `targets`."""
+    from livesheet.formats import write
     from mechsheet.arguments.outputs import folder_ready
-    from mechsheet.formats import write
 
     folder = f"{output}/" if is_folder(output) else output
     with folder_ready(folder):
         for target in wanted:
             if target.form in FUNCTIONS:
-                from mechsheet.compiled.evaluation import computed
+                from livesheet.evaluation import computed
                 from mechsheet.exporting.workbooks import functions_workbook
 
                 write(computed(functions_workbook(compiled, target.form)), target.path)
@@ -180,7 +181,7 @@ def _known(given: str | Iterable[str], known: Sequence[str], key: str, what: str
 
 def _format_of(path: Path, given: Sequence[str] | None) -> str:
     """The format of a file that is named: its ending; what has none (a device) is written in the format that was given."""
-    from mechsheet.replacing import is_stream
+    from livesheet.replacing import is_stream
 
     ending = path.suffix.lower().removeprefix(".")
     if ending in FORMATS:

@@ -13,6 +13,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from livesheet.diagnostics import Fault, readable_name
+from livesheet.said import say
 from mechsheet import description
 from mechsheet.description.locate import located
 from mechsheet.description.overrides import AS_IT_IS, Overrides, name_of, option_of
@@ -23,9 +25,8 @@ from mechsheet.description.text.numbers import typed_number
 from mechsheet.description.text.origin import with_origin
 from mechsheet.description.text.rewrite import number_text, with_value
 from mechsheet.description.text.source import parse, parse_as_meant, read_text
-from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, MechsheetError, readable_name
+from mechsheet.diagnostics import DescriptionError, MechanismError, MechsheetError
 from mechsheet.model import Gear, Mechanism
-from mechsheet.said import say
 
 if TYPE_CHECKING:
     from mechsheet.kinematics.equations import Group

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib import metadata
 
+from livesheet.said import say
 from mechsheet.checking.programs import libreoffice_command
 from mechsheet.extras import EXTRAS, command_for, how_to_get
-from mechsheet.said import say
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,13 +12,14 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.counted import counted
+from livesheet.diagnostics import Fault
+from livesheet.said import say
 from mechsheet.arguments.numbers import number_text, whole_number_given
-from mechsheet.counted import counted
 from mechsheet.description.overrides import Overrides
-from mechsheet.diagnostics import Fault, MechsheetError
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.extras import missing_package
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 
 if TYPE_CHECKING:
     from mechsheet.compiled import Compiled

@@ -8,11 +8,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from mechsheet import portable
+from livesheet import portable
+from livesheet.diagnostics import Fault
+from livesheet.said import say
 from mechsheet.description import loads
 from mechsheet.description.text.rewrite import number_text, with_number, with_value, without_key
 from mechsheet.description.text.source import Source
-from mechsheet.diagnostics import Fault, MechanismError
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations, Group
@@ -22,7 +24,6 @@ from mechsheet.kinematics.places import number
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 
 APART = 1e-5
 """Assemblies nearer than this part of their size are no help to tell them apart; a later row may be."""

@@ -7,13 +7,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from livesheet.diagnostics import Fault, WorkbookError, near_miss, readable_name
+from livesheet.formula.book import Book
+from livesheet.formula.nodes import CellRef, ErrorValue, Scalar
+from livesheet.formula.references import cell_name, parse_reference
+from livesheet.said import say
 from mechsheet.arguments.cell_values import cell_value, typed
 from mechsheet.arguments.ranges import Area, area_of
-from mechsheet.diagnostics import Fault, WorkbookError, near_miss, readable_name
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import CellRef, ErrorValue, Scalar
-from mechsheet.formula.references import cell_name, parse_reference
-from mechsheet.said import say
 
 if TYPE_CHECKING:
     from mechsheet.checking import Rules, Stored
@@ -83,8 +83,8 @@ class Result:
         They are computed once more, by functions that have the same bits on every machine; where a volatile function
         would give another value then, the values are those that were looked at.
         """
-        from mechsheet.engine import PORTABLE, evaluate
-        from mechsheet.formats import update_values
+        from livesheet.engine import PORTABLE, evaluate
+        from livesheet.formats import update_values
 
         settled = not any(fault.about == "volatile" for fault in self.remarks)
         values = evaluate(self.book, self.changes, PORTABLE) if settled else self.values
@@ -104,8 +104,8 @@ def recalc(path: str | Path, settings: Mapping[str, Any] | None = None) -> Resul
     What cannot be computed as it is meant is in `remarks`. Raises WorkbookError: not a workbook, an unknown name, a cell
     that is computed itself, a value that the cell cannot take.
     """
-    from mechsheet.engine import evaluate
-    from mechsheet.formats import read
+    from livesheet.engine import evaluate
+    from livesheet.formats import read
 
     path = Path(path)
     book = read(path)

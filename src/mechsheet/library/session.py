@@ -9,19 +9,19 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.diagnostics import Fault, FormulaError, WorkbookError, near_miss
+from livesheet.engine import Live, compile_book
+from livesheet.engine.layout import Area
+from livesheet.engine.values.cells import BOOLEAN, NUMBER
+from livesheet.formula.book import Book
+from livesheet.formula.dialects import MAX_NESTING
+from livesheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, ErrorValue, NameRef, Node, RangeRef, Scalar
+from livesheet.formula.parser import parse_formula
+from livesheet.said import say
 from mechsheet.arguments.cell_values import cell_value
-from mechsheet.diagnostics import Fault, FormulaError, WorkbookError, near_miss
-from mechsheet.engine import Live, compile_book
-from mechsheet.engine.layout import Area
-from mechsheet.engine.values.cells import BOOLEAN, NUMBER
-from mechsheet.formula.book import Book
-from mechsheet.formula.dialects import MAX_NESTING
-from mechsheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, ErrorValue, NameRef, Node, RangeRef, Scalar
-from mechsheet.formula.parser import parse_formula
-from mechsheet.said import say
 
 if TYPE_CHECKING:
-    from mechsheet.engine.values.cells import Cells
+    from livesheet.engine.values.cells import Cells
 
 Numbers: TypeAlias = NDArray[np.float64]
 Value: TypeAlias = "float | int | str | bool | ErrorValue | np.number[Any] | None"
@@ -40,7 +40,7 @@ def open_book(path: str | Path) -> Session:
     >>> book["a1"] = 65.0                                   # doctest: +SKIP
     >>> book["Positions!F4:F364"].max()                     # doctest: +SKIP
     """
-    from mechsheet.formats import read
+    from livesheet.formats import read
 
     path = Path(path)
     return Session(read(path), path)
@@ -180,7 +180,7 @@ class Session:
 
     def write(self, output: str | Path) -> None:
         """Write the workbook with its values as they are now and nothing else changed. Raises OutputError."""
-        from mechsheet.formats import update_values
+        from livesheet.formats import update_values
 
         if self._path is None:
             raise ValueError("a session of a book that was not read from a file")

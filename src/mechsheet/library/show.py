@@ -8,12 +8,13 @@ import json
 import math
 from dataclasses import replace
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import cell_name
+from livesheet.workbook import Workbook
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.compiled.motion import motion_of
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.references import cell_name
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.graph import graph_of
@@ -26,7 +27,6 @@ from mechsheet.model import TIME, Mechanism, Output, Rack, Relation, Summary, en
 from mechsheet.sheet.first.blocks import unit_of_column
 from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
-from mechsheet.sheet.workbook import Workbook
 from mechsheet.synthesis.writing import says
 from mechsheet.units import NUMBER, behind_number, unit_of
 from mechsheet.words.workbook import words

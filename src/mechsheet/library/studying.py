@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from mechsheet.diagnostics import Fault, MechsheetError
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 
 _SIZE = re.compile(r"\s*(\d+(?:\.\d+)?)\s*(?:([KMGT])(i?)B?|B)?\s*", re.IGNORECASE)
 _DESIGN = re.compile(r"(.+):\s*([\d_]+)\s*", re.DOTALL)

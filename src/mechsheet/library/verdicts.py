@@ -7,15 +7,15 @@ from dataclasses import replace
 
 import numpy as np
 
+from livesheet.formula.nodes import Scalar
+from livesheet.said import say
 from mechsheet.compiled import Compiled
-from mechsheet.formula.nodes import Scalar
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import Search
 from mechsheet.library.building import told
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import MEANING, TOLERANCE
 from mechsheet.units import behind_number

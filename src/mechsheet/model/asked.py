@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-from mechsheet.formula.nodes import Node
+from livesheet.formula.nodes import Node
 
 from .symbols import Words
 

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
-from mechsheet.formula.nodes import Call, Node, symbols
-from mechsheet.formula.nodes import Number as NumberNode
+from livesheet.formula.nodes import Call, Node, symbols
+from livesheet.formula.nodes import Number as NumberNode
 from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 
 from .asked import Exercise, Study, Synthesis, Tolerances

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from mechsheet.formula.nodes import Node
+from livesheet.formula.nodes import Node
 
 Quantity: TypeAlias = float | Node
 

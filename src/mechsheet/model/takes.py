@@ -16,7 +16,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, transform
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, transform
 
 Way = Literal["min", "max"]
 

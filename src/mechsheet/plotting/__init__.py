@@ -9,10 +9,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Literal
 
+from livesheet.diagnostics import Fault, near_miss, readable_name
+from livesheet.said import say
 from mechsheet.arguments.outputs import file_in
-from mechsheet.diagnostics import Fault, MechsheetError, near_miss, readable_name
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 
 KINDS = ("svg", "png", "gif", "html", "pdf")
 
@@ -51,7 +52,7 @@ def plot(
             name=path.name,
         )
         raise MechsheetError(Fault(say("the ending of the name says how to draw"), readable_name(path), hint=hint))
-    from mechsheet.replacing import replace_file
+    from livesheet.replacing import replace_file
 
     replace_file(path, drawn(mechanism, kind, at, language, vectors))
     return path

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from livesheet.workbook import Axis
 from mechsheet.plotting.scenes import Points
-from mechsheet.sheet.workbook import Axis
 
 MOST_TICKS = 7
 DEGREES = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360, 720)

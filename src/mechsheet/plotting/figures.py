@@ -12,11 +12,11 @@ from html import escape
 
 import numpy as np
 
+from livesheet.workbook import Axis, Chart, Series
 from mechsheet.plotting.axes import Scale, scale_of, tick_text
 from mechsheet.plotting.scenes import Curves, Piece, Points
 from mechsheet.shapes.positions import RING, Disc, Item, Label, Scene, Stroke, Window
 from mechsheet.sheet.drawing.drawing import SIZE
-from mechsheet.sheet.workbook import Axis, Chart, Series
 
 PIXELS = 4 / 3
 """Pixels of a point."""

@@ -9,9 +9,9 @@ from html import escape
 from importlib.resources import files
 from string import Template
 
+from livesheet.workbook import Cell, Chart, Fill, SeriesRef, Workbook
 from mechsheet.plotting.figures import Figure, Move, drawing, figure
 from mechsheet.plotting.scenes import Curves, Piece, Stage, comes_round
-from mechsheet.sheet.workbook import Cell, Chart, Fill, SeriesRef, Workbook
 from mechsheet.words import pictures as words
 
 

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.said import say
 from mechsheet.extras import missing_package
-from mechsheet.said import say
 from mechsheet.shapes.positions import RING, Disc, Item, Label, Scene, Stroke, there
 
 if TYPE_CHECKING:

@@ -14,8 +14,9 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from livesheet.formula.nodes import ErrorValue
+from livesheet.workbook import Chart, Rich
 from mechsheet.compiled import Compiled, compiled_of
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.model import Mechanism
 from mechsheet.plotting.pictures import draw, settings
 from mechsheet.plotting.sampling import Sample, sample
@@ -26,7 +27,6 @@ from mechsheet.shapes.positions import Item, Label, Positions, Scene, Stroke, Wi
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.workbook import Chart, Rich
 from mechsheet.units import behind_number
 from mechsheet.words import pictures as words
 

@@ -11,24 +11,25 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from livesheet.diagnostics import Fault
+from livesheet.evaluation import live
+from livesheet.formula.nodes import Symbol
+from livesheet.said import say
 from mechsheet.arguments.numbers import number_given
 from mechsheet.compiled import Compiled, compiled_of
-from mechsheet.compiled.evaluation import live
-from mechsheet.diagnostics import Fault, MechanismError, MechsheetError
-from mechsheet.formula.nodes import Symbol
+from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_at, place_of, rates_at
 from mechsheet.kinematics.numeric import Array, runs_of
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
-from mechsheet.said import say
 from mechsheet.sheet.drawing.points import moving_points
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
 from mechsheet.units import behind_number
 
 if TYPE_CHECKING:
-    from mechsheet.engine import Live
+    from livesheet.engine import Live
 
 LEAST, MOST = 121, 361
 """A sweep with fewer positions is refined, each of its steps alike; of one with more, every second, third … is taken."""

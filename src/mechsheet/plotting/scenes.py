@@ -13,12 +13,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.engine import Values
-from mechsheet.formula.nodes import CellRef, ErrorValue
+from livesheet.engine import Values
+from livesheet.formula.nodes import CellRef, ErrorValue
+from livesheet.workbook import Chart, Series, SeriesRef
 from mechsheet.plotting.sampling import Sample
 from mechsheet.shapes.loads import VECTORS
 from mechsheet.shapes.positions import Disc, Positions, Scene, Stroke
-from mechsheet.sheet.workbook import Chart, Series, SeriesRef
 
 Points = NDArray[np.float64]
 

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.said import say
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 
-from ..diagnostics import MechanismError
-from ..formula.nodes import Binary, Call, Node, Number, Symbol, Unary
 from ..model import Quantity
 
 Value = Any

@@ -16,7 +16,8 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..formula.nodes import Node
+from livesheet.formula.nodes import Node
+
 from ..model import Dynamics, Link, Mechanism, Place, Spring, pair_symbol
 from .expressions import column as over_rows
 from .geometry import ROUNDING, Array, link_places

@@ -10,10 +10,11 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.said import say
+from livesheet.diagnostics import near_miss
+from livesheet.formula.nodes import symbols
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 
-from ..diagnostics import MechanismError, near_miss
-from ..formula.nodes import symbols
 from ..model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
 from .driving import by_law
 from .expressions import number

@@ -6,7 +6,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from ..formula.nodes import symbols
+from livesheet.formula.nodes import symbols
+
 from .expressions import column
 from .geometry import Array
 from .solution import Solution, motion_of

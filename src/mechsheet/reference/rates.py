@@ -15,7 +15,8 @@ from contextlib import suppress
 
 import numpy as np
 
-from ..formula.nodes import symbols
+from livesheet.formula.nodes import symbols
+
 from ..model import Mechanism, rate_symbols
 from . import further, geometry
 from .driving import driver_rates

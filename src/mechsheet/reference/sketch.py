@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechsheet.said import say
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 
-from ..diagnostics import MechanismError
 from ..model import Joint, Link, Mechanism
 from . import geometry
 from .expressions import number

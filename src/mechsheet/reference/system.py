@@ -15,9 +15,9 @@ from typing import Literal, TypeAlias
 
 import numpy as np
 
-from mechsheet.said import say
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 
-from ..diagnostics import MechanismError
 from ..model import FurtherDriver, Gear, Joint, Mechanism, Rack
 from . import geometry
 from .expressions import number

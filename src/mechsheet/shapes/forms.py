@@ -7,9 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
-from mechsheet import portable
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol
+from livesheet import portable
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.vectors import Vector, minus, plus, size, times, turned
 from mechsheet.sheet.quoted import formula
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from mechsheet import portable
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol
-from mechsheet.formula.scalar import evaluate
+from livesheet import portable
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol
+from livesheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.vectors import Vector, dot, minus, plus, size, times, together, turned
 from mechsheet.model import Joint, Rack

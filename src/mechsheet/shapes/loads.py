@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.vectors import NOWHERE, Vector, minus, plus, size, times, together, turned
 from mechsheet.model import Dynamics, Link, Load, Mass, Spring, center_symbol, torque_unit
 from mechsheet.model import Place as GivenPlace

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from mechsheet import portable
+from livesheet import portable
 from mechsheet.kinematics.numeric import Array
 
 POINTS = 180.0

@@ -14,7 +14,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from mechsheet.formula.nodes import Node
+from livesheet.formula.nodes import Node
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.vectors import Vector

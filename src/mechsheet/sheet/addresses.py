@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
-from mechsheet.formula.nodes import Call, CellRef, NameRef, Node, Previous, RangeRef, Symbol, transform
+from livesheet.formula.nodes import Call, CellRef, NameRef, Node, Previous, RangeRef, Symbol, transform
 from mechsheet.sheet.quoted import ALL, SHOWN
 
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from mechsheet.formula.nodes import Node, Number, transform, walk
-from mechsheet.sheet.workbook import Cell, Conditional, Sheet, Validation, Workbook
+from livesheet.formula.nodes import Node, Number, transform, walk
+from livesheet.workbook import Cell, Conditional, Sheet, Validation, Workbook
 
 DIGITS = 15
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Unary
+from livesheet.formula.nodes import Binary, Call, Node, Number, Unary
 
 HALF_TURN = 180.0
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import CellRef, Node, Symbol, with_symbols
+from livesheet.formula.nodes import CellRef, Node, Symbol, with_symbols
 from mechsheet.model import TIME, Law
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import SHOWN, formula

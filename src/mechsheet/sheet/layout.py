@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from livesheet.workbook import Cell, Column, Properties, Sheet, Workbook
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism
 from mechsheet.sheet.checks.checks import Checks, checks_sheet
@@ -22,7 +23,6 @@ from mechsheet.sheet.table.positions import positions_sheet
 from mechsheet.sheet.table.rates import rates_sheet
 from mechsheet.sheet.table.requested import table_sheets
 from mechsheet.sheet.table.tolerance import Tolerance
-from mechsheet.sheet.workbook import Cell, Column, Properties, Sheet, Workbook
 
 DESCRIPTION_MARK = "mechsheet description, format 1"
 """First cell of the hidden sheet that carries the description: one line of it per row follows."""
@@ -68,6 +68,7 @@ def properties_of(plan: Plan) -> Properties:
         comments=plan.text("made"),
         keywords="mechanism, linkage, mechsheet",
         language=plan.language,
+        author="mechsheet",
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from mechsheet.formula.nodes import Call, Node, RangeRef, Text
+from livesheet.formula.nodes import Call, Node, RangeRef, Text
 from mechsheet.kinematics.period import SAME_AGAIN
 from mechsheet.model import Driver
 from mechsheet.sheet.plan import ROW_COUNT, Plan

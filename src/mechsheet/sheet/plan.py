@@ -13,9 +13,10 @@ from typing import Literal
 
 import numpy as np
 
-from mechsheet import portable
-from mechsheet.formula.names import folded, safe_name
-from mechsheet.formula.nodes import Node, Symbol
+from livesheet import portable
+from livesheet.formula.names import folded, safe_name
+from livesheet.formula.nodes import Node, Symbol
+from livesheet.workbook import Name
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import BANDS, FORCES, INNER, JOINT_FORCES, RATES, Equations, Role
@@ -35,7 +36,6 @@ from mechsheet.sheet.table.bands import Banded, found_bands, sizes, tolerance_sy
 from mechsheet.sheet.table.flywheel import with_energy
 from mechsheet.sheet.table.lowering import Assignment, Assignments, in_pass, lowered
 from mechsheet.sheet.table.start_columns import start_columns
-from mechsheet.sheet.workbook import Name
 from mechsheet.synthesis.kinds import kind_of
 from mechsheet.words.workbook import Language, words
 

@@ -10,8 +10,8 @@ from __future__ import annotations
 
 from functools import cache
 
-from mechsheet.formula.nodes import Call, CellRef, NameRef, Node, Number, Symbol, Text, transform, walk
-from mechsheet.formula.parser import parse_formula
+from livesheet.formula.nodes import Call, CellRef, NameRef, Node, Number, Symbol, Text, transform, walk
+from livesheet.formula.parser import parse_formula
 
 ALL, SHOWN = "ALL ", "SHOWN "
 """What the names of symbols begin with that stand for a whole column, or for a cell as people read it."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from mechsheet.sheet.workbook import Dash, Style
+from livesheet.workbook import Dash, Style
 
 INK, QUIET, RULE = "1F2933", "6B7280", "C5CBD3"
 INPUT_FILL, DERIVED_FILL, HEAD_FILL, BAND_FILL, ROW_FILL = "FFF7D6", "F1F3F5", "1F4E79", "D6E4F0", "FFE7A3"

@@ -6,7 +6,7 @@ import re
 import unicodedata
 from functools import lru_cache
 
-from mechsheet.sheet.workbook import Rich
+from livesheet.workbook import Rich
 
 GREEK = {
     "alpha": "α", "beta": "β", "gamma": "γ", "delta": "δ", "epsilon": "ε", "zeta": "ζ", "eta": "η", "theta": "θ",

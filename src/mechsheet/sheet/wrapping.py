@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import unicodedata
 
-from mechsheet.sheet.workbook import Content, plain_text
+from livesheet.workbook import Content, plain_text
 
 _WIDTHS = {
     191: "'", 222: "ijl", 260: "|", 278: " !,./:;I[\\]ft\N{LATIN SMALL LETTER DOTLESS I}",

@@ -8,11 +8,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from mechsheet.compiled.evaluation import computed
-from mechsheet.formula.nodes import Binary, CellRef, Node, Text
-from mechsheet.model import Objective, Range
-from mechsheet.sheet import styles
-from mechsheet.sheet.workbook import (
+from livesheet.evaluation import computed
+from livesheet.formula.nodes import Binary, CellRef, Node, Text
+from livesheet.workbook import (
     Anchor,
     Area,
     Axis,
@@ -28,6 +26,8 @@ from mechsheet.sheet.workbook import (
     Style,
     Workbook,
 )
+from mechsheet.model import Objective, Range
+from mechsheet.sheet import styles
 from mechsheet.studies.designs import DESIGN
 from mechsheet.studies.parts import heads_of, told_of
 from mechsheet.words.study import study_words
@@ -56,7 +56,9 @@ def book_of(found: Studied) -> Workbook:
         sheets.append(_apart(found))
     sheets.append(_settings(found))
     title = mechanism.title.of(mechanism.language)
-    return computed(Workbook(tuple(sheets), properties=Properties(title=title, language=mechanism.language)))
+    return computed(
+        Workbook(tuple(sheets), properties=Properties(title=title, language=mechanism.language, author="mechsheet"))
+    )
 
 
 def _said(found: Studied, key: str, **parts: object) -> str:

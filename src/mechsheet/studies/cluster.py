@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from mechsheet.diagnostics import Fault, MechsheetError
-from mechsheet.said import say
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.studies.packages import distributed, unlike
 from mechsheet.studies.parts import Order, VersionsError, compute
 from mechsheet.studies.running import AHEAD, Parts

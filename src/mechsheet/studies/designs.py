@@ -14,9 +14,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.diagnostics import Fault
+from livesheet.formula.nodes import Node, symbols
+from livesheet.said import say
 from mechsheet.compiled import Compiled
-from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.formula.nodes import Node, symbols
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_between, given_values, step_of
 from mechsheet.kinematics.equations import FORCES, RATES
@@ -24,7 +26,6 @@ from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.period import Periods
 from mechsheet.model import Condition, Mechanism, Study
-from mechsheet.said import say
 from mechsheet.sheet.checks.boundless import bounded, divisor_of
 from mechsheet.sheet.checks.turning import derivatives, differentiated
 from mechsheet.sheet.first.classification import classification

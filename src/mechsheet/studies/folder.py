@@ -14,9 +14,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from mechsheet.diagnostics import Fault, MechsheetError, OutputError, readable_name, system_reason
-from mechsheet.replacing import make_folder, replace_file
-from mechsheet.said import say
+from livesheet.diagnostics import Fault, OutputError, readable_name, system_reason
+from livesheet.replacing import make_folder, replace_file
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.lock import NAME as LOCK
 from mechsheet.studies.packages import unlike

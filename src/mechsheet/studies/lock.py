@@ -12,9 +12,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from mechsheet.diagnostics import Fault, OutputError, readable_name
-from mechsheet.replacing import output_error
-from mechsheet.said import say
+from livesheet.diagnostics import Fault, OutputError, readable_name
+from livesheet.replacing import output_error
+from livesheet.said import say
 
 NAME = ".study.lock"
 """The file that is locked, in the study's folder."""

@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Direction, Node, Symbol, TriangleAngle, Unary, children, symbols
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Call, Direction, Node, Symbol, TriangleAngle, Unary, children, symbols
 from mechsheet.kinematics.equations import Condition, Equation, Equations
 from mechsheet.studies.program import DESIGN, ONE, PLACE, WHOLE, Printed, Program, Value, Width
 

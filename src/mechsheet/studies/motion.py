@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import Node, Symbol, symbols
+from livesheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import WAYS, Condition, Take

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.workbook import Axis
 from mechsheet.plotting.axes import scale_of, tick_text
-from mechsheet.sheet.workbook import Axis
 from mechsheet.studies.designs import APART
 from mechsheet.studies.packages import arrow
 from mechsheet.studies.parts import heads_of

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
 from mechsheet.kinematics.numeric import FUNCTIONS, Array, without_jumps
 
 ONE, DESIGN, PLACE, WHOLE = range(4)

@@ -9,12 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.diagnostics import Fault, MechanismError, near_miss
-from mechsheet.formula.nodes import Node, symbols
+from livesheet.diagnostics import Fault, near_miss
+from livesheet.formula.nodes import Node, symbols
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import ENERGY, TAKES, Condition, Mechanism, Study, Take, Way
-from mechsheet.said import say
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.first.classification import FourBar, classification
 from mechsheet.sheet.first.grashof import SAME

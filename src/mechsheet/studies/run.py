@@ -7,11 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from mechsheet.diagnostics import Fault, MechsheetError
-from mechsheet.formats import write
+from livesheet.diagnostics import Fault
+from livesheet.formats import write
+from livesheet.replacing import replace_file
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.model import Mechanism
-from mechsheet.replacing import replace_file
-from mechsheet.said import say
 from mechsheet.studies.book import book_of
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.folder import Folder, Result

@@ -12,8 +12,9 @@ from pathlib import Path
 from threading import Thread
 from typing import TypeAlias
 
-from mechsheet.diagnostics import Fault, MechsheetError
-from mechsheet.said import say
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.studies.parts import Done, Order, compute
 
 Parts: TypeAlias = Iterator[Done]

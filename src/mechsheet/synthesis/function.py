@@ -10,8 +10,8 @@ Source: F. Freudenstein, Approximate synthesis of four-bar linkages, Trans. ASME
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Symbol, with_symbols
-from mechsheet.formula.parser import parse_description
+from livesheet.formula.nodes import Symbol, with_symbols
+from livesheet.formula.parser import parse_description
 from mechsheet.model import Synthesis
 from mechsheet.synthesis.four_bar import INPUT_TURNS, RANGE_ROWS, output_angle, part, position, transmission_angle
 from mechsheet.synthesis.kind import THROUGH_POINTS, Columns, Curve, Kind, Line, Requirement

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from mechsheet.formula.nodes import Node
+from livesheet.formula.nodes import Node
 from mechsheet.model import Synthesis, TaskPlace
 from mechsheet.synthesis.writing import Writer
 

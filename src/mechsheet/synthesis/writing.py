@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, with_symbols
-from mechsheet.formula.parser import parse_description
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, with_symbols
+from livesheet.formula.parser import parse_description
 from mechsheet.model import Dimension, TaskPlace, Words
 from mechsheet.units import Unit
 from mechsheet.words.synthesis import STEPS, step_words

@@ -7,19 +7,20 @@ import pytest
 from edited import TEMPLATES, audited, edited, laid_out, saved, with_column
 
 from chosen import IN_CI, part
+from livesheet.diagnostics import WorkbookError
+from livesheet.evaluation import computed
+from livesheet.formats import write
+from livesheet.formula.nodes import Unary
+from livesheet.formula.parser import parse_formula
+from livesheet.workbook import Cell
 from mechsheet.checking import check
 from mechsheet.checking.edited.formula_diff import alike
 from mechsheet.checking.programs import convert_with_libreoffice
-from mechsheet.compiled.evaluation import computed
 from mechsheet.description import load
 from mechsheet.description.schema import TAKES
-from mechsheet.diagnostics import MechsheetError, WorkbookError
-from mechsheet.formats import write
-from mechsheet.formula.nodes import Unary
-from mechsheet.formula.parser import parse_formula
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.library.building import build
 from mechsheet.sheet.layout import DESCRIPTION_MARK
-from mechsheet.sheet.workbook import Cell
 
 
 @pytest.fixture(scope="module")
@@ -56,7 +57,7 @@ def test_nothing_was_edited_in_summaries_of_every_kind(tmp_path, suffix, referen
 def column(plan, symbol):
     """(sheet, column as letters, first row as people count)"""
     spot = plan.at.spots[symbol]
-    from mechsheet.formula.references import column_letters
+    from livesheet.formula.references import column_letters
 
     return column_letters(spot.col), spot.row + 1
 

@@ -5,11 +5,11 @@ from dataclasses import replace
 import pytest
 from edited import audited, edited, laid_out, moved, saved
 
+from livesheet.evaluation import book_of
+from livesheet.workbook import Cell
 from mechsheet.checking import check
 from mechsheet.checking.edited.inserted_rows import NOTHING, Shift, moves_between, undone
 from mechsheet.checking.edited.pull import pull
-from mechsheet.compiled.evaluation import book_of
-from mechsheet.sheet.workbook import Cell
 
 
 @pytest.fixture(scope="module")

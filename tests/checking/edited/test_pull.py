@@ -7,18 +7,18 @@ import pytest
 from edited import TEMPLATES, edited, laid_out, saved
 
 from chosen import first
+from livesheet.engine import evaluate
+from livesheet.evaluation import computed
+from livesheet.formats import read, update_values, write
+from livesheet.formula.references import cell_name
 from mechsheet.checking.edited.changes import input_places
 from mechsheet.checking.edited.edits import same
 from mechsheet.checking.edited.expected import expected_for
 from mechsheet.checking.edited.pull import pull
 from mechsheet.checking.perturbation import drawn
-from mechsheet.compiled.evaluation import computed
 from mechsheet.description import loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.dynamics.solve import solve
-from mechsheet.engine import evaluate
-from mechsheet.formats import read, update_values, write
-from mechsheet.formula.references import cell_name
 from mechsheet.sheet.layout import lay_out
 
 

@@ -6,14 +6,14 @@ from functools import cache
 import pytest
 from edited import TEMPLATES, edited, laid_out, saved
 
+from livesheet.diagnostics import WorkbookError
+from livesheet.engine import compile_book
+from livesheet.evaluation import book_of
+from livesheet.formula.references import cell_address
 from mechsheet.checking import check
 from mechsheet.checking.searched.against_search import EXACT, against_search
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import load, loads
-from mechsheet.diagnostics import WorkbookError
-from mechsheet.engine import compile_book
-from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.search import Search
 from mechsheet.library.verdicts import verdicts_of
 

@@ -7,12 +7,12 @@ import pytest
 from laid import Laid, template_text
 from test_summary_table import built, evaluated
 
+from livesheet.evaluation import book_of
+from livesheet.formula.nodes import ErrorValue
 from mechsheet.checking.searched.probed_cells import UNMOVED, Astray, Searched, compare_program
 from mechsheet.checking.searched.summaries import Expected
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import load
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.sheet.table.requested import tables_of
 from mechsheet.sheet.table.tolerance import lines_of
 from mechsheet.sheet.table.two_way import FIRST

@@ -7,11 +7,11 @@ from laid import Laid
 import mechsheet
 from chosen import IN_CI
 from in_line import IN_LINE
+from livesheet.formula.nodes import ErrorValue
 from mechsheet import loads, reference
 from mechsheet.checking import check
 from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import DescriptionError
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_at
 from mechsheet.kinematics.sweep import sweep

@@ -1,9 +1,9 @@
 """Loads as they are read: numbers are cells, a 0 is none, what differs from row to row stands as it is."""
 
 from in_line import IN_LINE
+from livesheet.formula.algebra import ZERO, neg
+from livesheet.formula.nodes import Symbol, symbols
 from mechsheet.description import loads
-from mechsheet.formula.algebra import ZERO, neg
-from mechsheet.formula.nodes import Symbol, symbols
 from mechsheet.kinematics.dimensions import dimension_values
 
 LOADS = """

@@ -10,12 +10,12 @@ from hypothesis import strategies as st
 from asking import ours
 from chosen import examples
 from engine_cases import COLUMN, FIRST_ROW
-from mechsheet.engine import FAST, PORTABLE, compile_book
-from mechsheet.engine.fast.cell_codes import CellCodes
-from mechsheet.engine.fast.segments import Segment
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, RangeRef, Text
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine import FAST, PORTABLE, compile_book
+from livesheet.engine.fast.cell_codes import CellCodes
+from livesheet.engine.fast.segments import Segment
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, RangeRef, Text
+from livesheet.formula.parser import parse_formula
 from mechsheet.library.session import Session
 from random_formulas import Formulas, random_cells
 

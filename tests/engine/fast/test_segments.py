@@ -7,13 +7,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chosen import examples
-from mechsheet.engine import FAST, PORTABLE, compile_book
-from mechsheet.engine.fast import emitting as emitting_module
-from mechsheet.engine.fast import segments as segments_module
-from mechsheet.engine.fast.segments import Segment
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine import FAST, PORTABLE, compile_book
+from livesheet.engine.fast import emitting as emitting_module
+from livesheet.engine.fast import segments as segments_module
+from livesheet.engine.fast.segments import Segment
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number
+from livesheet.formula.parser import parse_formula
 
 data_trees = st.recursive(data_refs | data_refs | numbers, lambda below: numeric(below, data_refs), max_leaves=8)
 trees = st.recursive(refs | refs | numbers, lambda below: numeric(below, refs), max_leaves=8)

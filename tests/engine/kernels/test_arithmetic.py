@@ -6,14 +6,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from mechsheet import portable
-from mechsheet.compiled.evaluation import book_of
+from livesheet import portable
+from livesheet.engine import PORTABLE, compile_book, evaluate
+from livesheet.evaluation import book_of
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import Call, walk
+from livesheet.formula.parser import DESCRIPTION_FUNCTIONS, parse_formula
 from mechsheet.compiled.mechanism import compiled_of
 from mechsheet.description import Overrides, load
-from mechsheet.engine import PORTABLE, compile_book, evaluate
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import Call, walk
-from mechsheet.formula.parser import DESCRIPTION_FUNCTIONS, parse_formula
 
 ROOT = Path(__file__).parents[3]
 

@@ -3,7 +3,7 @@
 import pytest
 
 from asking import ours
-from mechsheet.formula.nodes import ErrorValue
+from livesheet.formula.nodes import ErrorValue
 
 NUM, NA = ErrorValue("#NUM!"), ErrorValue("#N/A")
 CASES = [

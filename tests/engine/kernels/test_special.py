@@ -9,9 +9,9 @@ import pytest
 
 from asking import ours
 from engine_cases import FOLDER, load
-from mechsheet.engine import evaluate
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine import evaluate
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.parser import parse_formula
 
 CASES = load(FOLDER / "special" / "mpmath.toml")["cases"]
 
@@ -107,4 +107,4 @@ def test_without_scipy_its_functions_keep_their_stored_values_and_say_what_is_mi
     values, remarks = ran.stdout.splitlines()
     assert values.startswith("['#NAME?', '#NAME?', 24.52"), "nothing is stored; what needs no scipy is computed"
     assert "NORM.S.INV needs scipy, which is not installed" in remarks
-    assert "mechsheet[statistics]" in remarks
+    assert "pip install scipy" in remarks

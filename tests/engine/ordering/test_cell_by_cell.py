@@ -1,10 +1,10 @@
 """Blocks that read each other cell by cell: the order of the cells is found once, and circles are found every time."""
 
-from mechsheet.engine import compile_book
-from mechsheet.engine.ordering.cell_by_cell import Together
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine import compile_book
+from livesheet.engine.ordering.cell_by_cell import Together
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.parser import parse_formula
 
 
 def to_and_fro(*formulas):

@@ -9,17 +9,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from chosen import examples
-from mechsheet.engine import FAST, PORTABLE, compile_book
-from mechsheet.engine.fast import scalars
-from mechsheet.engine.fast.lowered_functions import UFUNCS
-from mechsheet.engine.kernels.math import rounded, rounded_one
-from mechsheet.engine.ordering import row_by_row as row_by_row_module
-from mechsheet.engine.ordering import schedule as schedule_module
-from mechsheet.engine.ordering.cell_by_cell import Together
-from mechsheet.engine.ordering.row_by_row import RowByRow
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import Binary, Boolean, Call, CellRef, ErrorValue, Number, RangeRef, Text
-from mechsheet.formula.parser import parse_formula
+from livesheet.engine import FAST, PORTABLE, compile_book
+from livesheet.engine.fast import scalars
+from livesheet.engine.fast.lowered_functions import UFUNCS
+from livesheet.engine.kernels.math import rounded, rounded_one
+from livesheet.engine.ordering import row_by_row as row_by_row_module
+from livesheet.engine.ordering import schedule as schedule_module
+from livesheet.engine.ordering.cell_by_cell import Together
+from livesheet.engine.ordering.row_by_row import RowByRow
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import Binary, Boolean, Call, CellRef, ErrorValue, Number, RangeRef, Text
+from livesheet.formula.parser import parse_formula
 
 ROWS, FIRST, ELSEWHERE = 14, 3, 5
 """Rows of the set; its first row on sheet S, and on sheet T."""

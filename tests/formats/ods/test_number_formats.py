@@ -6,10 +6,10 @@ import csv
 
 import pytest
 
+from livesheet.formats import write
+from livesheet.formats.ods.number_formats import number_style
+from livesheet.workbook import Cell, Sheet, Style, Workbook
 from mechsheet.checking.programs import convert_with_libreoffice, libreoffice_command
-from mechsheet.formats import write
-from mechsheet.formats.ods.number_formats import number_style
-from mechsheet.sheet.workbook import Cell, Sheet, Style, Workbook
 from odf import schema_errors
 
 SHOWN = {

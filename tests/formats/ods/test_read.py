@@ -10,13 +10,13 @@ import pytest
 from ods_files import NAMESPACES, cell, content, number, row, table, text, write_ods
 from samples import sample
 
-from mechsheet.diagnostics import WorkbookError
-from mechsheet.engine import evaluate
-from mechsheet.formats import read, write
-from mechsheet.formula.book import Block
-from mechsheet.formula.nodes import MAX_COLUMNS, Binary, CellRef, ErrorValue, NameRef, Number, RangeRef, Text, Unary
-from mechsheet.formula.printer import print_formula
-from mechsheet.sheet.workbook import Fill, Sheet, Workbook
+from livesheet.diagnostics import WorkbookError
+from livesheet.engine import evaluate
+from livesheet.formats import read, write
+from livesheet.formula.book import Block
+from livesheet.formula.nodes import MAX_COLUMNS, Binary, CellRef, ErrorValue, NameRef, Number, RangeRef, Text, Unary
+from livesheet.formula.printer import print_formula
+from livesheet.workbook import Fill, Sheet, Workbook
 
 
 def book_of(tmp_path, rows, outside="", **options):

@@ -10,7 +10,7 @@ from ods_files import content, table, write_ods
 from row_by_row import alone, everything, rows_taken, short_tables  # noqa: F401 (a fixture for all tests here)
 
 from chosen import examples
-from mechsheet.formats.reading import package as package_module
+from livesheet.formats.reading import package as package_module
 
 ROOT = Path(__file__).parents[3]
 

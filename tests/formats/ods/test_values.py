@@ -2,8 +2,8 @@
 
 import pytest
 
-from mechsheet.formats.ods.values import date_text, time_number, time_text
-from mechsheet.formats.reading.numbers import NULL_DATE, day_number
+from livesheet.formats.ods.values import date_text, time_number, time_text
+from livesheet.formats.reading.numbers import NULL_DATE, day_number
 
 
 @pytest.mark.parametrize("number", [45351.0, 45351.5, 1.25, 60.000011574074074])

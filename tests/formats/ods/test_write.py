@@ -9,12 +9,12 @@ import pytest
 from lxml import etree
 from samples import FIRST, FRONT, LEFT_OUT, STEPS, TABLE, sample
 
-from mechsheet.diagnostics import OutputError
-from mechsheet.formats.ods.charts import chart_content
-from mechsheet.formats.ods.write import write_ods
-from mechsheet.formula.nodes import Binary, CellRef, ErrorValue, Number, shifted
-from mechsheet.formula.printer import print_formula
-from mechsheet.sheet.workbook import (
+from livesheet.diagnostics import OutputError
+from livesheet.formats.ods.charts import chart_content
+from livesheet.formats.ods.write import write_ods
+from livesheet.formula.nodes import Binary, CellRef, ErrorValue, Number, shifted
+from livesheet.formula.printer import print_formula
+from livesheet.workbook import (
     Anchor,
     Area,
     Axis,

@@ -3,9 +3,9 @@
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechsheet.formats.reading.fill_runs import FormulaRuns
-from mechsheet.formula.nodes import shifted
-from mechsheet.formula.parser import parse_formula
+from livesheet.formats.reading.fill_runs import FormulaRuns
+from livesheet.formula.nodes import shifted
+from livesheet.formula.parser import parse_formula
 
 
 @settings(max_examples=50, deadline=None)

@@ -5,9 +5,9 @@ import zipfile
 import pytest
 from xlsx_files import packed, parts_of
 
-from mechsheet.diagnostics import WorkbookError
-from mechsheet.formats import read
-from mechsheet.formats.reading.package import MAX_RATIO
+from livesheet.diagnostics import WorkbookError
+from livesheet.formats import read
+from livesheet.formats.reading.package import MAX_RATIO
 
 
 @pytest.mark.filterwarnings("ignore:Duplicate name")

@@ -15,15 +15,15 @@ from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.formula import ArrayFormula
 
 import mechsheet
+from livesheet.diagnostics import WorkbookError
+from livesheet.formats import read
+from livesheet.formats.xls.function_numbers import FUNCTION_NUMBERS
+from livesheet.formula.functions import FUNCTIONS
+from livesheet.formula.nodes import Boolean, Call, ErrorValue, Foreign, NameRef, SheetsRef, shifted
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
 from mechsheet.checking.programs import convert_with_libreoffice, libreoffice_command
 from mechsheet.cli import main
-from mechsheet.diagnostics import WorkbookError
-from mechsheet.formats import read
-from mechsheet.formats.xls.function_numbers import FUNCTION_NUMBERS
-from mechsheet.formula.functions import FUNCTIONS
-from mechsheet.formula.nodes import Boolean, Call, ErrorValue, Foreign, NameRef, SheetsRef, shifted
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
 
 libreoffice = [
     pytest.mark.libreoffice,

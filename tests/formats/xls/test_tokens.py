@@ -4,9 +4,9 @@ import struct
 
 import xls_files as xls
 
-from mechsheet.formats import read
-from mechsheet.formats.xls.tokens import normal
-from mechsheet.formula.printer import print_formula
+from livesheet.formats import read
+from livesheet.formats.xls.tokens import normal
+from livesheet.formula.printer import print_formula
 
 OPERATORS = ("+", "-", "*", "/", "^", "&", "<", "<=", "=", ">=", ">", "<>")
 """From 0x03 on ([MS-XLS] 2.5.198.25 and following)."""

@@ -18,7 +18,7 @@ from xlsxwriter.styles import Styles
 
 import mechsheet
 from chosen import IN_CI
-from mechsheet.formats.xlsx import library
+from livesheet.formats.xlsx import library
 
 ROOT = Path(__file__).parents[3]
 SOURCE = Path(mechsheet.__file__).parent
@@ -65,7 +65,7 @@ import sys
 from pathlib import Path
 import xlsxwriter
 from mechsheet import build, load
-from mechsheet.formats import write
+from livesheet.formats import write
 from samples import sample
 folder = Path(sys.argv[1])
 write(sample(), folder / "sample.xlsx")

@@ -8,14 +8,14 @@ from hypothesis import strategies as st
 from xlsx_files import MAIN, packed, parts_of
 
 from chosen import examples
+from livesheet.diagnostics import WorkbookError
+from livesheet.engine import evaluate
+from livesheet.formats import update_values
+from livesheet.formats.xlsx.read import read_xlsx
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import area_name
 from mechsheet.checking.programs import convert_with_libreoffice
-from mechsheet.diagnostics import WorkbookError
-from mechsheet.engine import evaluate
-from mechsheet.formats import update_values
-from mechsheet.formats.xlsx.read import read_xlsx
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.references import area_name
 
 NA = ErrorValue("#N/A")
 

@@ -11,9 +11,9 @@ from row_by_row import alone, everything, rows_taken, short_tables  # noqa: F401
 from xlsx_files import packed, parts_of
 
 from chosen import examples
-from mechsheet.diagnostics import WorkbookError
-from mechsheet.formats.reading import package as package_module
-from mechsheet.formats.xlsx.read import read_xlsx
+from livesheet.diagnostics import WorkbookError
+from livesheet.formats.reading import package as package_module
+from livesheet.formats.xlsx.read import read_xlsx
 
 ROOT = Path(__file__).parents[3]
 

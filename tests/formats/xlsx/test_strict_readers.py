@@ -13,16 +13,16 @@ import pytest
 from strict_xlsx import faults
 
 from chosen import ALL, part
+from livesheet.evaluation import computed
+from livesheet.formats import write
+from livesheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, Unary
+from livesheet.workbook import Area, Cell, Comment, Conditional, Fill, Name, Sheet, Style, Workbook, with_values
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import computed
 from mechsheet.description import load, loads
 from mechsheet.dynamics.solve import solve
 from mechsheet.exporting.workbooks import functions_workbook
-from mechsheet.formats import write
-from mechsheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, Unary
 from mechsheet.sheet.constants import typed, with_typed_constants
 from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Name, Sheet, Style, Workbook, with_values
 from random_mechanisms import Grower
 
 TEMPLATES = sorted((Path(__file__).parents[3] / "templates").glob("*.toml"))

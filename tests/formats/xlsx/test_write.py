@@ -13,13 +13,13 @@ import pytest
 from lxml import etree
 from samples import FIRST, FRONT, LEFT_OUT, STEPS, TABLE, circle, sample
 
-from mechsheet.diagnostics import OutputError
-from mechsheet.formats.xlsx.cells import can_be_shared
-from mechsheet.formats.xlsx.write import write_xlsx
-from mechsheet.formula.nodes import MAX_ROWS, Binary, CellRef, ErrorValue, NameRef, Number, Text, shifted
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
-from mechsheet.sheet.workbook import Area, Cell, Fill, Name, PrintSetup, Sheet, Style, Validation, Workbook
+from livesheet.diagnostics import OutputError
+from livesheet.formats.xlsx.cells import can_be_shared
+from livesheet.formats.xlsx.write import write_xlsx
+from livesheet.formula.nodes import MAX_ROWS, Binary, CellRef, ErrorValue, NameRef, Number, Text, shifted
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
+from livesheet.workbook import Area, Cell, Fill, Name, PrintSetup, Sheet, Style, Validation, Workbook
 
 MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 X14 = "{http://schemas.microsoft.com/office/spreadsheetml/2009/9/main}"
@@ -451,8 +451,8 @@ def test_the_second_workbook_of_a_process_has_the_same_bytes(tmp_path):
     """XlsxWriter writes into the options it is given: they must not be shared."""
     code = (
         "import sys; from pathlib import Path\n"
-        "from mechsheet.formats import write\n"
-        "from mechsheet.sheet.workbook import Cell, Sheet, Workbook\n"
+        "from livesheet.formats import write\n"
+        "from livesheet.workbook import Cell, Sheet, Workbook\n"
         "book = Workbook((Sheet('S', (Cell(0, 0, 1.0),)),))\n"
         "for name in sys.argv[1:]: write(book, Path(name))\n"
     )

@@ -10,10 +10,10 @@ import mechsheet
 from chosen import first
 from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
 from homework.styles import STYLES as LAYOUTS
+from livesheet.formula.nodes import Binary, Call, Number
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.printer import print_formula
 from mechsheet import description
-from mechsheet.formula.nodes import Binary, Call, Number
-from mechsheet.formula.parser import parse_formula
-from mechsheet.formula.printer import print_formula
 from mechsheet.homework.audit import audit, audited
 from mechsheet.homework.marking_rules import asked_of
 from mechsheet.homework.mends.candidates import Surroundings, candidates
@@ -135,7 +135,7 @@ def test_a_wrong_argument_of_a_routine_is_mended(tmp_path, mechanism):
 
 def test_a_macro_that_is_only_called_like_a_routine_keeps_its_values(tmp_path, mechanism):
     """Here Boy is something else: the file says what it gave."""
-    from mechsheet.formats import read
+    from livesheet.formats import read
 
     path = Table(FOUR_BAR, four_bar(s="Boy({a1}-{xA},-{yA})")).save(tmp_path / "book.xlsx")
     book = read(path)

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from judging import judged
+from livesheet.formula.derivatives import derivative
+from livesheet.formula.nodes import Symbol, symbols, transform
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
-from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Symbol, symbols, transform
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.newton.cramer import cramer

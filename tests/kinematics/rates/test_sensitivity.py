@@ -12,11 +12,11 @@ import pytest
 from closure_rates import PRIME, rates_over
 
 from chosen import ALL, ITERATED, but, some
+from livesheet.formula.nodes import symbols
 from mechsheet import reference
 from mechsheet.checking.bands import derivatives
 from mechsheet.description import load
 from mechsheet.dynamics.solve import solve
-from mechsheet.formula.nodes import symbols
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import FORCES, RATES

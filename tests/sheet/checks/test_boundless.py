@@ -6,8 +6,8 @@ import pytest
 from laid import Laid, template_text
 
 import mechsheet
+from livesheet.formula.nodes import ErrorValue
 from mechsheet.description import Overrides, loads
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.library.show import overview_text
 from mechsheet.library.verdicts import verdicts_json
 from mechsheet.sheet.checks.boundless import may_grow

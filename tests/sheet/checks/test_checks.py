@@ -7,13 +7,13 @@ from laid import ROOT, TEMPLATES, Laid, template_text
 from planned import planned
 
 from chosen import some
-from mechsheet.compiled.evaluation import book_of
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
+from livesheet.formula.nodes import Binary, Call, Number, RangeRef, transform
+from livesheet.workbook import Cell
 from mechsheet.dynamics.solve import solve
-from mechsheet.engine import evaluate
-from mechsheet.formula.nodes import Binary, Call, Number, RangeRef, transform
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.plan import plan_of
-from mechsheet.sheet.workbook import Cell
 
 CLOSED = {"en": "largest gap of a joint: rounding only", "tr": "en büyük mafsal açıklığı: yalnız yuvarlama"}
 OPEN = "a joint is open: see the hidden sheet Checks"

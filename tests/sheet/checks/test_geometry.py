@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from mechsheet.formula.scalar import evaluate
+from livesheet.formula.scalar import evaluate
 from mechsheet.model import Cartesian, Distances, Link, Polar
 from mechsheet.sheet.checks.geometry import base_point, distance, place
 

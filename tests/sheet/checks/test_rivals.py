@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 from swept import four_bar, swept
 
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.compiled import compiled_of
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import Overrides
 from mechsheet.description.templates import template_names, template_text
-from mechsheet.engine import evaluate
 from mechsheet.library.changed import loads
 from mechsheet.sheet.checks.extremes import BEYOND
 from mechsheet.sheet.plan import MEANING

@@ -7,9 +7,9 @@ import pytest
 from laid import Laid, template_text
 
 from in_line import IN_LINE
+from livesheet.formula.nodes import ErrorValue
 from mechsheet import loads
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage
 from mechsheet.sheet.drawing.arrows import BAR_RISE, BAR_ROOM, COLORS, EDGE, LONGEST, NAMED, room_of_bars

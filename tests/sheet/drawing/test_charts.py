@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from livesheet.formats.house_style import MARGIN_END
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
-from mechsheet.formats.house_style import MARGIN_END
 from mechsheet.sheet.drawing.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_requests, driver_axis
 from mechsheet.sheet.first.mechanism import CHARTS
 from mechsheet.sheet.layout import lay_out

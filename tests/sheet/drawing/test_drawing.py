@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from chosen import IN_CI, LOADED, but, some
+from livesheet.engine import Live, compile_book
+from livesheet.engine.layout import Area
+from livesheet.engine.results import Values
+from livesheet.evaluation import book_of
+from livesheet.formula.nodes import CellRef, ErrorValue
 from mechsheet import reference
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
-from mechsheet.engine import Live, compile_book
-from mechsheet.engine.layout import Area
-from mechsheet.engine.results import Values
-from mechsheet.formula.nodes import CellRef, ErrorValue
 from mechsheet.sheet.drawing.charts import chart_requests, traced_points
 from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.drawing.frames import SAMPLES

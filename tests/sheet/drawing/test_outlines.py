@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from mechsheet.formula.nodes import Symbol
+from livesheet.formula.nodes import Symbol
 from mechsheet.model import Cartesian, Distances, Link, Polar
 from mechsheet.sheet.drawing.outlines import corners, number_places
 

@@ -3,7 +3,7 @@
 import pytest
 from planned import planned
 
-from mechsheet.formula.scalar import evaluate
+from livesheet.formula.scalar import evaluate
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.sheet.drawing.wheels import wheels_of
 

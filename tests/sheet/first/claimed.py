@@ -10,12 +10,13 @@ from pathlib import Path
 
 import numpy as np
 
-from mechsheet.compiled.evaluation import book_of
+from livesheet.engine import compile_book
+from livesheet.evaluation import book_of
+from livesheet.formats import write
+from livesheet.workbook import Fill, Sheet
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.solve import solve
-from mechsheet.engine import compile_book
-from mechsheet.formats import write
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.places import number
 from mechsheet.kinematics.search import TURN, Search
@@ -23,7 +24,6 @@ from mechsheet.reference.geometry import link_places
 from mechsheet.sheet import styles
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import MEANING, VALUE
-from mechsheet.sheet.workbook import Fill, Sheet
 from random_mechanisms import Grower
 from typed_files import with_inputs
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from mechsheet.formula.nodes import ErrorValue
+from livesheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.rates.sensitivity import toleranced
 from mechsheet.kinematics.search import TURN

@@ -4,9 +4,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from mechsheet.formula.scalar import evaluate
+from livesheet.formula.scalar import evaluate
+from livesheet.workbook import Area
 from mechsheet.sheet.first.blocks import input_validation
-from mechsheet.sheet.workbook import Area
 
 PLAN = SimpleNamespace(equations=SimpleNamespace(positive={"a1"}), text=lambda key, **parts: (key, *parts.values()))
 

@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from laid import Laid, template_text
 
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
 from mechsheet.checking.searched.against_search import against_search
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
-from mechsheet.engine import evaluate
 from mechsheet.sheet.page.layout import lay_out_page
 from mechsheet.sheet.plan import VALUE
 from mechsheet.sheet.table.two_way import FIRST

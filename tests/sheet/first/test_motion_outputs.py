@@ -5,9 +5,9 @@ import math
 import pytest
 from laid import Laid, template_text
 
+from livesheet.formula.nodes import ErrorValue
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.search import Search
 from mechsheet.library.show import overview_text
 

@@ -3,12 +3,12 @@
 import pytest
 from laid import Laid, template_text
 
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
 from mechsheet.checking.searched.against_search import against_search
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.dynamics.solve import solve
-from mechsheet.engine import evaluate
 from mechsheet.model import takes
 from mechsheet.sheet.page.layout import lay_out_page
 from mechsheet.studies.designs import Designs

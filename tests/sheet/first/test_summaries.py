@@ -5,7 +5,7 @@ import math
 import pytest
 from laid import Laid, template_text
 
-from mechsheet.formula.nodes import ErrorValue
+from livesheet.formula.nodes import ErrorValue
 
 NA = ErrorValue("#N/A")
 

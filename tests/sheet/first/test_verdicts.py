@@ -8,7 +8,7 @@ import tomllib
 import pytest
 from laid import ROOT, Laid, template_text
 
-from mechsheet.formula.nodes import ErrorValue
+from livesheet.formula.nodes import ErrorValue
 
 NA = ErrorValue("#N/A")
 CASES = tomllib.loads((ROOT / "tests/cases/stands.toml").read_text(encoding="utf-8"))

@@ -7,11 +7,11 @@ import pytest
 from laid import ROOT, TEMPLATES, Laid, template_text
 
 from chosen import some
-from mechsheet.formula.nodes import Binary, Call, CellRef, Number, Previous, RangeRef, Symbol, Text, walk
-from mechsheet.formula.parser import parse_description
+from livesheet.formula.nodes import Binary, Call, CellRef, Number, Previous, RangeRef, Symbol, Text, walk
+from livesheet.formula.parser import parse_description
+from livesheet.workbook import Rich
 from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.notes.notes import EQUATION, MEANING, PLACE, SYMBOL, WIDTHS
-from mechsheet.sheet.workbook import Rich
 from mechsheet.words.workbook import WORDS
 
 CASES = tomllib.loads((ROOT / "tests/cases/mathematics.toml").read_text(encoding="utf-8"))["case"]

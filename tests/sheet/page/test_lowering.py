@@ -2,9 +2,9 @@
 
 import pytest
 
+from livesheet.formula.nodes import Call, walk
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
-from mechsheet.formula.nodes import Call, walk
 from mechsheet.sheet.page.lowering import lowered
 
 FOUR_BAR = """

@@ -10,19 +10,19 @@ import pytest
 
 import mechsheet
 from chosen import ITERATED, LOADED, STEPWISE, but, part
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
+from livesheet.formats import read
+from livesheet.formula.nodes import CellRef, NameRef, RangeRef, shifted, walk
+from livesheet.formula.printer import print_formula
+from livesheet.workbook import Fill
 from mechsheet.checking import check
 from mechsheet.checking.cells import compare_cells
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import Overrides, loads
-from mechsheet.engine import evaluate
-from mechsheet.formats import read
-from mechsheet.formula.nodes import CellRef, NameRef, RangeRef, shifted, walk
-from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.equations import RATES
 from mechsheet.sheet.page.paper import ACROSS, Paper, on_paper, pixels
 from mechsheet.sheet.plan import VALUE
-from mechsheet.sheet.workbook import Fill
 from office_macros import Job, with_macros
 from published.printed_numbers import dimensions, table
 from random_mechanisms import Grower

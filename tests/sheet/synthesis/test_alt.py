@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
+from livesheet.evaluation import book_of
+from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.references import cell_address
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import Overrides, loads
-from mechsheet.formula.nodes import ErrorValue
-from mechsheet.formula.references import cell_address
 from mechsheet.library.session import Session
 from mechsheet.reference.synthesis import crank_rocker
 from mechsheet.sheet.synthesis.alt import ACROSS, ANGLES, DOWN, LINE_ROW, RATIOS, SWINGS, TURNS

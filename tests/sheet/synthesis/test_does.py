@@ -4,8 +4,8 @@ import pytest
 from laid import template_text
 from planned import planned
 
-from mechsheet.formula.nodes import CellRef
-from mechsheet.formula.printer import print_formula
+from livesheet.formula.nodes import CellRef
+from livesheet.formula.printer import print_formula
 from mechsheet.sheet.synthesis.does import DOUBT, YES, Does
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED

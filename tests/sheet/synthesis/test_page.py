@@ -6,8 +6,8 @@ import pytest
 from laid import template_text
 from planned import planned
 
-from mechsheet.formula.nodes import Number
-from mechsheet.formula.scalar import evaluate
+from livesheet.formula.nodes import Number
+from livesheet.formula.scalar import evaluate
 from mechsheet.sheet.synthesis.page import Page
 
 

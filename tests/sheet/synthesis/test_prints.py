@@ -4,10 +4,10 @@ from pathlib import Path
 
 import pytest
 
+from livesheet.evaluation import book_of
+from livesheet.formula.references import cell_address
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
-from mechsheet.formula.references import cell_address
 from mechsheet.library.session import Session
 from mechsheet.sheet.symbols import plain
 from mechsheet.synthesis.kinds import kind_of

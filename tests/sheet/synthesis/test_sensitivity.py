@@ -3,8 +3,8 @@
 import pytest
 from laid import template_text
 
+from livesheet.formula.nodes import symbols
 from mechsheet.description import loads
-from mechsheet.formula.nodes import symbols
 from mechsheet.sheet.synthesis.sensitivity import changes, mark
 
 

@@ -15,13 +15,13 @@ from leaping import leaps
 from chosen import examples, part
 from degenerate_cases import cases
 from judging import judged
+from livesheet.evaluation import book_of
+from livesheet.formula.nodes import MAX_ROWS
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.description.grammar import MOST_ROWS
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.formula.nodes import MAX_ROWS
 from mechsheet.kinematics.solve import solve
 from mechsheet.reference import solve as refer
 from mechsheet.sheet.checks.checks import Checks

@@ -11,8 +11,8 @@ from laid import Laid
 
 import mechsheet
 from chosen import ALL, part
+from livesheet.formula.nodes import Number
 from mechsheet.exporting.kinds import KINDS
-from mechsheet.formula.nodes import Number
 
 CASES = Path(__file__).parents[2] / "cases/reference"
 FAR = math.hypot(3, 2)

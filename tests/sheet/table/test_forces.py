@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from laid import Laid, template_text
 
+from livesheet.evaluation import book_of
+from livesheet.formula.nodes import Call, ErrorValue, Number
+from livesheet.formula.printer import print_formula
 from mechsheet import loads
 from mechsheet.checking import check
 from mechsheet.checking.against_reference import against_plan
-from mechsheet.compiled.evaluation import book_of
-from mechsheet.formula.nodes import Call, ErrorValue, Number
-from mechsheet.formula.printer import print_formula
 from mechsheet.library.building import build
 from mechsheet.library.show import overview_text
 

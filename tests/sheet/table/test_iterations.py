@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from laid import Laid, template_text
 
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
-from mechsheet.engine import evaluate
 from mechsheet.exporting import KINDS, Job
 from random_mechanisms import Grower
 

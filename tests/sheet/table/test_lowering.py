@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 from laid import Laid, template_text
 
 from chosen import examples
-from mechsheet.engine import evaluate
-from mechsheet.formula.algebra import rooted
-from mechsheet.formula.book import BookBuilder
-from mechsheet.formula.nodes import Call, CellRef, ErrorValue, Symbol, walk
-from mechsheet.formula.printer import print_formula
+from livesheet.engine import evaluate
+from livesheet.formula.algebra import rooted
+from livesheet.formula.book import BookBuilder
+from livesheet.formula.nodes import Call, CellRef, ErrorValue, Symbol, walk
+from livesheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.table.lowering import angle_by_sides, lowered, sine_side
 

@@ -6,7 +6,7 @@ import pytest
 from laid import template_text
 from planned import planned
 
-from mechsheet.formula.printer import print_formula
+from livesheet.formula.printer import print_formula
 from mechsheet.sheet.table.positions import column_fills
 
 FIRST = 30

@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 from laid import Laid, template_text
 
+from livesheet.evaluation import book_of
+from livesheet.formats import read
+from livesheet.formula.nodes import Call, CellRef, ErrorValue, Number, transform, walk
+from livesheet.formula.printer import print_formula
+from livesheet.workbook import Rich
 from mechsheet import loads
 from mechsheet.checking import check
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
-from mechsheet.formats import read
-from mechsheet.formula.nodes import Call, CellRef, ErrorValue, Number, transform, walk
-from mechsheet.formula.printer import print_formula
 from mechsheet.library.building import build
 from mechsheet.sheet.table.positions import GROUP_ROW
-from mechsheet.sheet.workbook import Rich
 
 NA = ErrorValue("#N/A")
 

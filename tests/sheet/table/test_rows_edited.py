@@ -10,13 +10,13 @@ import pytest
 from edited import filled_down, moved
 from laid import TEMPLATES, template_text
 
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
 from mechsheet import reference
 from mechsheet.checking.edited.inserted_rows import Shift
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import Overrides, loads
 from mechsheet.diagnostics import MechanismError
-from mechsheet.engine import evaluate
 from mechsheet.sheet.checks.checks import sheets_in_rows
 from mechsheet.sheet.plan import MEANING
 

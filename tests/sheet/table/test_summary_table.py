@@ -5,12 +5,12 @@ from pathlib import Path
 
 import pytest
 
+from livesheet.engine import compile_book
+from livesheet.evaluation import book_of
+from livesheet.formula.nodes import ErrorValue
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
-from mechsheet.engine import compile_book
-from mechsheet.formula.nodes import ErrorValue
 from mechsheet.sheet import styles
 from mechsheet.sheet.table.two_way import FIRST, HEAD_ROW
 

@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 
 from chosen import ITERATED, but
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
+from livesheet.formula.printer import print_formula
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
-from mechsheet.engine import evaluate
-from mechsheet.formula.printer import print_formula
 from mechsheet.model import Tolerances
 from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.table.bands import ROOT, WORST

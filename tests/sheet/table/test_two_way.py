@@ -9,11 +9,11 @@ import pytest
 
 from chosen import part
 from judging import positions_only
-from mechsheet.compiled.evaluation import computed
+from livesheet.evaluation import computed
+from livesheet.formula.nodes import CellRef, ErrorValue, shifted, walk
+from livesheet.formula.printer import print_formula
 from mechsheet.description import Overrides, loads
 from mechsheet.diagnostics import MechanismError
-from mechsheet.formula.nodes import CellRef, ErrorValue, shifted, walk
-from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.library.building import compile_workbook
 from mechsheet.reference import solve as refer

@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from livesheet.diagnostics import Fault
+from livesheet.said import Said, say
 from mechsheet.description import load, loads
 from mechsheet.description.grammar import Either, Items, Kinds, Named, Table
 from mechsheet.description.schema import DESCRIPTION, REASONS
-from mechsheet.diagnostics import Fault, MechsheetError
-from mechsheet.said import Said, say
+from mechsheet.diagnostics import MechsheetError
 from mechsheet.words.messages import in_language
 from mechsheet.words.messages.turkish import TURKISH
 

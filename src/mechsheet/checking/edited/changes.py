@@ -6,14 +6,14 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from livesheet.diagnostics import Fault, WorkbookError
+from livesheet.formula.book import Book
+from livesheet.formula.nodes import Scalar
+from livesheet.formula.references import cell_address
+from livesheet.said import say
 from mechsheet.checking.edited.edits import same
 from mechsheet.checking.edited.expected import Expected
 from mechsheet.checking.report import text_of
-from mechsheet.diagnostics import Fault, WorkbookError
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Scalar
-from mechsheet.formula.references import cell_address
-from mechsheet.said import say
 from mechsheet.sheet.plan import TOLERANCE, VALUE
 from mechsheet.sheet.table.requested import tables_of
 

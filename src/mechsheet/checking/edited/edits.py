@@ -6,16 +6,16 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
+from livesheet.formula.book import Book, BookSheet
+from livesheet.formula.functions import FUNCTIONS
+from livesheet.formula.names import folded
+from livesheet.formula.nodes import Call, Local, NameRef, Node, Number, Scalar, Unary, shifted, transform
+from livesheet.formula.printer import print_formula
+from livesheet.said import say
 from mechsheet.checking.edited.expected import Expected, Inputs
 from mechsheet.checking.edited.formula_diff import Formulas, alike, formula_of, neutral, stretches
 from mechsheet.checking.edited.inserted_rows import Moves, moves_between, undone
 from mechsheet.checking.report import Edit, text_of
-from mechsheet.formula.book import Book, BookSheet
-from mechsheet.formula.functions import FUNCTIONS
-from mechsheet.formula.names import folded
-from mechsheet.formula.nodes import Call, Local, NameRef, Node, Number, Scalar, Unary, shifted, transform
-from mechsheet.formula.printer import print_formula
-from mechsheet.said import say
 
 SAME = 1e-13
 """Numbers this near (relatively) are one: programs write 15 to 17 digits."""

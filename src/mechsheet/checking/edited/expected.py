@@ -5,16 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 
+from livesheet.evaluation import book_of
+from livesheet.formula.book import Book
+from livesheet.formula.nodes import Call
+from livesheet.workbook import Workbook
 from mechsheet.compiled import Compiled
-from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Call
 from mechsheet.sheet.layout import DESCRIPTION_SHEET
 from mechsheet.sheet.plan import TOLERANCE, Plan
-from mechsheet.sheet.workbook import Workbook
 
 Inputs = dict[tuple[str, int, int], str]
 """(sheet, row, column) of each input cell -> what it holds."""

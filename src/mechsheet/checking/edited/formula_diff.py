@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from mechsheet.formula.book import Block, BookSheet
-from mechsheet.formula.nodes import (
+from livesheet.formula.book import Block, BookSheet
+from livesheet.formula.nodes import (
     ArrayLiteral,
     Binary,
     Call,

@@ -12,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
+from livesheet.formula.book import Block, Book, BookSheet, CellStore
+from livesheet.formula.nodes import CellRef, ErrorValue, Node, RangeRef, Scalar, shifted, transform
+from livesheet.formula.references import area_name, column_letters
+from livesheet.said import say
 from mechsheet.checking.report import Edit
-from mechsheet.formula.book import Block, Book, BookSheet, CellStore
-from mechsheet.formula.nodes import CellRef, ErrorValue, Node, RangeRef, Scalar, shifted, transform
-from mechsheet.formula.references import area_name, column_letters
-from mechsheet.said import say
 
 MOST = 50
 """So many rows or columns at most are looked for; with more the sheet is another one."""

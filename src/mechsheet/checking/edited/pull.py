@@ -7,6 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from livesheet.diagnostics import Fault, readable_name
+from livesheet.formats import read
+from livesheet.formula.nodes import Scalar
+from livesheet.said import say
 from mechsheet.checking.edited.changes import Change, changes_in, input_places
 from mechsheet.checking.edited.edits import same
 from mechsheet.checking.edited.expected import Expected, expected_for, inside
@@ -19,14 +23,11 @@ from mechsheet.description.text.index import Path as Place
 from mechsheet.description.text.origin import without_origin
 from mechsheet.description.text.rewrite import number_text, with_number, without_key
 from mechsheet.description.text.source import Source, parse, read_text
-from mechsheet.diagnostics import DescriptionError, Fault, MechanismError, readable_name
-from mechsheet.formats import read
-from mechsheet.formula.nodes import Scalar
+from mechsheet.diagnostics import DescriptionError, MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.places import number
 from mechsheet.library.modes_from_sketch import numbered_anew, with_modes
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 
 
 @dataclass(frozen=True, slots=True)

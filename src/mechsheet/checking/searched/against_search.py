@@ -16,16 +16,16 @@ from typing import Any
 
 import numpy as np
 
-from mechsheet import portable
+from livesheet import portable
+from livesheet.formula.book import Book
+from livesheet.formula.nodes import Scalar
+from livesheet.formula.references import cell_address
 from mechsheet.checking.inputs import OfTheLast, inputs_in
 from mechsheet.checking.report import Comparison, Tally
 from mechsheet.checking.searched.summaries import judge_summaries
 from mechsheet.checking.searched.tables import judge_tables
 from mechsheet.checking.searched.verdicts import SearchedVerdicts
 from mechsheet.checking.undefined_dimensions import missing_dimensions
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Scalar
-from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.places import number_places
 from mechsheet.kinematics.search import Search

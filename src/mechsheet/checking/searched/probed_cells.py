@@ -11,13 +11,13 @@ from collections.abc import Callable, Collection
 from dataclasses import replace
 from typing import Any
 
+from livesheet.formula.book import Book
+from livesheet.formula.nodes import Direction, Scalar, Symbol
 from mechsheet.checking.cells import Compared, angles_in, compare_cells
 from mechsheet.checking.edited.inserted_rows import Move, MovedValues, Moves
 from mechsheet.checking.report import Comparison
 from mechsheet.checking.rules import Rules
 from mechsheet.checking.searched.against_search import against_search
-from mechsheet.formula.book import Book
-from mechsheet.formula.nodes import Direction, Scalar, Symbol
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import BLOCKS, Plan
 from mechsheet.sheet.table.lowering import FITS

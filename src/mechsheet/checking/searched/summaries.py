@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from livesheet.formula.nodes import Scalar, Symbol
+from livesheet.formula.references import cell_address
+from livesheet.formula.scalar import evaluate
 from mechsheet.checking.report import Tally
 from mechsheet.checking.searched.verdicts import SearchedVerdicts
-from mechsheet.formula.nodes import Scalar, Symbol
-from mechsheet.formula.references import cell_address
-from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.search import TURN, Search

@@ -6,10 +6,10 @@ import math
 from collections.abc import Callable
 from typing import Any
 
+from livesheet.formula.references import cell_address
 from mechsheet.checking.report import Tally
 from mechsheet.checking.searched.summaries import expected_of
 from mechsheet.checking.searched.verdicts import SearchedVerdicts
-from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.search import Search
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.requested import tables_of

@@ -6,14 +6,14 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from livesheet.formula.nodes import symbols
+from livesheet.said import say
 from mechsheet.description.forces.force_names import CENTER, OF_MOTION
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
-from mechsheet.formula.nodes import symbols
 from mechsheet.model import Exercise, Need, Vary
-from mechsheet.said import say
 
 ALL_ROWS = "all rows"
 _COMPARED = re.compile(r"(.+?)(<=|>=|<|>)(.+)", re.DOTALL)

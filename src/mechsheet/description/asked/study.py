@@ -7,13 +7,13 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from livesheet.formula.nodes import Call, Node, Symbol, symbols, transform
+from livesheet.said import say
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
-from mechsheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from mechsheet.model import EXTREME, POINT_RATES, Condition, Objective, Range, Study
-from mechsheet.said import say
 
 MOST_OBJECTIVES = 3
 MOST_DESIGNS = 10**12

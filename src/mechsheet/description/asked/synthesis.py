@@ -7,16 +7,16 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Node, Symbol, symbols
+from livesheet.formula.scalar import evaluate
+from livesheet.said import reason, say
 from mechsheet.description.kinds import LENGTH, unit_kind
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Symbol, symbols
-from mechsheet.formula.scalar import evaluate
 from mechsheet.model import Dimension, Synthesis, TaskPlace
-from mechsheet.said import reason, say
 from mechsheet.synthesis.kind import Kind
 from mechsheet.synthesis.kinds import KINDS, written
 from mechsheet.synthesis.writing import Task, Units, Writer

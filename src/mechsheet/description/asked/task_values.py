@@ -10,6 +10,8 @@ import tomllib
 from collections.abc import Iterator
 from typing import Any
 
+from livesheet.diagnostics import Fault
+from livesheet.said import say
 from mechsheet.description.asked.schema import SYNTHESIS
 from mechsheet.description.asked.synthesis import unit_in
 from mechsheet.description.grammar import Items, Shape, Table, Text, YesNo
@@ -18,8 +20,6 @@ from mechsheet.description.text.index import Path
 from mechsheet.description.text.rewrite import with_value, without_key
 from mechsheet.description.text.source import Source
 from mechsheet.description.typed_value import scope_for, typed_value
-from mechsheet.diagnostics import Fault
-from mechsheet.said import say
 from mechsheet.synthesis.kinds import KINDS
 from mechsheet.units import NUMBER
 

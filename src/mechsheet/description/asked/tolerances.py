@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from livesheet.said import say
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
@@ -13,7 +14,6 @@ from mechsheet.description.requests import check_column
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
 from mechsheet.model import Dimension, Driver, FurtherDriver, Tolerances
-from mechsheet.said import say
 
 _PATH: Path = ("tolerance",)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, TypeAlias
 
+from livesheet.said import say
 from mechsheet.description.grammar import MOST_ROWS
 from mechsheet.description.joints import Ends
 from mechsheet.description.kinds import ANGLE, LENGTH
@@ -13,7 +14,6 @@ from mechsheet.description.report import BAD, found, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
 from mechsheet.model import Driver, Joint, Link, Quantity
-from mechsheet.said import say
 from mechsheet.units import Unit, unit_of
 
 LANDS = 1e-9

@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, symbols
+from livesheet.said import say
 from mechsheet.description.driving import driver as first_driver
 from mechsheet.description.joints import Ends
 from mechsheet.description.own_cells import own_cell
@@ -12,10 +15,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, circle_message, cycles
 from mechsheet.description.text.index import Path
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, symbols
 from mechsheet.model import Dimension, Driver, FurtherDriver, Joint, Link, TableRequest
-from mechsheet.said import say
 
 
 def read(

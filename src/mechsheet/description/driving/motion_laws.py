@@ -16,15 +16,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol, symbols
+from livesheet.formula.parser import parse_description
+from livesheet.said import say
 from mechsheet.description.kinds import ANGLE, ANY, LENGTH
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol, symbols
-from mechsheet.formula.parser import parse_description
 from mechsheet.model import LAWS, TIME, Dimension, Driver, Law, Quantity
-from mechsheet.said import say
 from mechsheet.units import SECONDS, Unit
 
 START, STOP, DURATION = "start", "stop", "duration"

@@ -5,6 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
+from livesheet.formula import algebra as al
+from livesheet.formula.derivatives import derivative
+from livesheet.formula.nodes import Call, Node, Symbol, symbols, walk
+from livesheet.said import reason, say
 from mechsheet.description.driving import motion_laws
 from mechsheet.description.forces.force_names import OF_MOTION
 from mechsheet.description.kinds import ANY
@@ -12,11 +16,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
-from mechsheet.formula import algebra as al
-from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Call, Node, Symbol, symbols, walk
 from mechsheet.model import POINT_RATES, Dimension, Driver, Joint, Law, Link, Quantity, rate_symbols
-from mechsheet.said import reason, say
 from mechsheet.units import RAD, Unit
 
 _SIXTIETH = al.div(al.PI, al.number(30.0))

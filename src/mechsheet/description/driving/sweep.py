@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from livesheet.diagnostics import Fault
+from livesheet.said import say
 from mechsheet.description.driving.driver import LANDS, check_sweep, kind_and_unit
 from mechsheet.description.grammar import MOST_ROWS, Quantity
 from mechsheet.description.quoting import quoted
@@ -17,8 +19,6 @@ from mechsheet.description.text.numbers import typed_number
 from mechsheet.description.text.rewrite import number_text, with_value
 from mechsheet.description.text.source import Source
 from mechsheet.description.typed_value import DIGITS, scope_for, table_of, typed_value
-from mechsheet.diagnostics import Fault
-from mechsheet.said import say
 from mechsheet.units import DEG, Unit
 
 LEAST_ROWS = 2

@@ -10,6 +10,9 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol, symbols
+from livesheet.said import say
 from mechsheet.description.driving.rates import check_speed, is_rate
 from mechsheet.description.forces.force_names import CENTER, first_key, keys_of
 from mechsheet.description.links import place as read_place
@@ -17,8 +20,6 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, symbol_fault
 from mechsheet.description.text.index import Path
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.model import (
     Cartesian,
     Dimension,
@@ -33,7 +34,6 @@ from mechsheet.model import (
     center_symbol,
     torque_unit,
 )
-from mechsheet.said import say
 from mechsheet.units import Unit, unit_of
 
 METRES = {"mm": 0.001, "cm": 0.01, "dm": 0.1, "m": 1.0}

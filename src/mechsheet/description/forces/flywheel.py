@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from livesheet.formula.nodes import Symbol
+from livesheet.formula.scalar import evaluate
+from livesheet.said import Said, say
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
-from mechsheet.formula.nodes import Symbol
-from mechsheet.formula.scalar import evaluate
 from mechsheet.model import ENERGY, Dimension, Driver, Dynamics, Link, Quantity
-from mechsheet.said import Said, say
 from mechsheet.units import NUMBER
 
 _PATH: Path = ("flywheel",)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import Any
 
+from livesheet.said import Said, say
 from mechsheet.description.kinds import ANY, LENGTH
 from mechsheet.description.quoting import quoted
 from mechsheet.description.scope import Scope
@@ -21,7 +22,6 @@ from mechsheet.model import (
     center_symbol,
     pair_symbol,
 )
-from mechsheet.said import Said, say
 
 WEIGHTS = ("mass", "center", "inertia")
 """Keys of a link that has a mass."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from livesheet.said import say
 from mechsheet.description.kinds import plain_unit
 from mechsheet.description.quoting import quoted
-from mechsheet.said import say
 
 MINUS = "−–‒—﹣－"
 """Signs that word processors and web pages write for a minus."""

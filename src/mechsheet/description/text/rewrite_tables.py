@@ -5,12 +5,12 @@ A new table goes behind the last of its kind ([links.rocker] behind [links.coupl
 
 from __future__ import annotations
 
+from livesheet.said import say
 from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.text.index import Path, Spot, key_text
 from mechsheet.description.text.rewrite import with_value
 from mechsheet.description.text.source import Source, parse
 from mechsheet.diagnostics import DescriptionError
-from mechsheet.said import say
 
 
 def with_table(source: Source, path: Path, lines: list[str]) -> Source:

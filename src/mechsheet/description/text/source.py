@@ -10,11 +10,12 @@ from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import Any
 
+from livesheet.diagnostics import Fault, readable_name
+from livesheet.said import say
 from mechsheet.description.quoting import printable
 from mechsheet.description.text.index import BARE_KEY, Path, Spot, index
 from mechsheet.description.text.typed import Mistake, mended
-from mechsheet.diagnostics import DescriptionError, Fault, readable_name
-from mechsheet.said import say
+from mechsheet.diagnostics import DescriptionError
 
 MAX_BYTES = 1_000_000
 """A description is written by hand; a larger file is something else."""

@@ -10,10 +10,10 @@ import re
 import tomllib
 from dataclasses import dataclass, field
 
+from livesheet.said import say
 from mechsheet.description.quoting import quoted
 from mechsheet.description.text.index import BARE_KEY, Path, key_text
 from mechsheet.description.text.numbers import BLANKS, MINUS, Typed, typed_number
-from mechsheet.said import say
 
 # Quotation marks of word processors.
 _OPEN, _CLOSE = "“”„‟«»", "“”‟«»"

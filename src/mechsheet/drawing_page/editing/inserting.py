@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import count
 
+from livesheet.formula.names import folded
 from mechsheet.description.text.index import key_text
 from mechsheet.description.text.rewrite import without_key
 from mechsheet.description.text.rewrite_tables import with_last_key, with_table
@@ -19,7 +20,6 @@ from mechsheet.drawing_page.editing.shaping import size_of
 from mechsheet.drawing_page.editing.sheet import Sheet, rounded
 from mechsheet.drawing_page.positions import Point, local_places
 from mechsheet.drawing_page.questions import Impossible, Refusal
-from mechsheet.formula.names import folded
 from mechsheet.model import Link
 from mechsheet.words.drawing_page import DRAWING_PAGE
 from mechsheet.words.workbook import Language

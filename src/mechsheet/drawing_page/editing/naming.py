@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from itertools import count
 
+from livesheet.formula.names import folded
 from mechsheet.description.parts import Parts
 from mechsheet.description.scope import symbol_fault
-from mechsheet.formula.names import folded
 
 LETTERS = "ABCDEFGHKLMNPQRSTUVW"
 

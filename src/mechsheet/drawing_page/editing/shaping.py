@@ -9,6 +9,8 @@ from typing import TypeAlias
 
 import numpy as np
 
+from livesheet.diagnostics import Fault
+from livesheet.said import say
 from mechsheet.description.overrides import with_values
 from mechsheet.description.parts import Parts
 from mechsheet.description.quoting import quoted
@@ -16,7 +18,7 @@ from mechsheet.description.text.numbers import typed_number
 from mechsheet.description.text.rewrite import number_text, with_number, with_value, without_key
 from mechsheet.description.text.rewrite_tables import with_last_key
 from mechsheet.description.text.source import Source
-from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError
+from mechsheet.diagnostics import DescriptionError, MechsheetError
 from mechsheet.drawing_page.fitting import Fit, fitted
 from mechsheet.drawing_page.looking import shown_value, values_at
 from mechsheet.drawing_page.positions import (
@@ -33,7 +35,6 @@ from mechsheet.drawing_page.questions import Impossible
 from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.kinematics.places import number
 from mechsheet.library.modes_from_sketch import with_modes
-from mechsheet.said import say
 
 DIGITS = 5
 """Of the mechanism's size: a dragged length is rounded to so many."""

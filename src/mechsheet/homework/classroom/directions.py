@@ -14,9 +14,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Node
 from mechsheet import reference
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node
 from mechsheet.homework.agreement import DEGREE
 from mechsheet.homework.truth import Truth, truth_of
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Quantity

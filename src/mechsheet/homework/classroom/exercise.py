@@ -14,13 +14,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from livesheet.diagnostics import Fault, readable_name, system_reason
+from livesheet.formats import write
+from livesheet.formula.scalar import evaluate
+from livesheet.replacing import make_folder, replace_file
+from livesheet.said import say
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
 from mechsheet.description.text.file_names import is_device
-from mechsheet.diagnostics import DescriptionError, Fault, MechsheetError, readable_name, system_reason
-from mechsheet.formats import write
-from mechsheet.formula.scalar import evaluate
+from mechsheet.diagnostics import DescriptionError, MechsheetError
 from mechsheet.homework.classroom.figure import figure_of
 from mechsheet.homework.classroom.task_sheet import task_sheet
 from mechsheet.homework.recognition import deciding
@@ -28,8 +31,6 @@ from mechsheet.homework.summaries import taken
 from mechsheet.homework.truth import truth_of
 from mechsheet.kinematics.means import rows_count_alike
 from mechsheet.model import Mechanism, Need, Vary
-from mechsheet.replacing import make_folder, replace_file
-from mechsheet.said import say
 from mechsheet.words.homework import said
 
 DRAWS = 1000

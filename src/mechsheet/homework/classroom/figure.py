@@ -12,13 +12,13 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.workbook import Anchor, Area, Cell, Chart, Series, SeriesRef, Sheet
 from mechsheet.model import Mechanism
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage
 from mechsheet.shapes.positions import Disc, Item, Label, Scene, Stroke, there
 from mechsheet.sheet.drawing.drawing import DRAWING_INNER
 from mechsheet.sheet.drawing.frames import HIDDEN_AXIS
-from mechsheet.sheet.workbook import Anchor, Area, Cell, Chart, Series, SeriesRef, Sheet
 from mechsheet.words.homework import said
 
 DIGITS = 3

@@ -8,9 +8,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from livesheet.diagnostics import Fault, readable_name, system_reason
+from livesheet.formats import FORMATS, read
+from livesheet.said import say
+from livesheet.time_limit import limited
 from mechsheet.description import load, loads
-from mechsheet.diagnostics import OWN_FAILURES, Fault, MechsheetError, own_fault, readable_name, system_reason
-from mechsheet.formats import FORMATS, read
+from mechsheet.diagnostics import OWN_FAILURES, MechsheetError, own_fault
 from mechsheet.homework.audit import Audit, audited
 from mechsheet.homework.classroom.exercise import Student, safe, with_dimensions
 from mechsheet.homework.marking_rules import AskedFor, asked_of
@@ -18,8 +21,6 @@ from mechsheet.homework.own_dimensions import is_other
 from mechsheet.homework.upright import Work, upright
 from mechsheet.homework.words_of import fault_line
 from mechsheet.model import Mechanism
-from mechsheet.said import say
-from mechsheet.time_limit import limited
 from mechsheet.words.homework import said
 
 SUFFIXES = tuple(FORMATS)

@@ -9,13 +9,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import PurePath
 
-from mechsheet.compiled.evaluation import computed
-from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef
+from livesheet.evaluation import computed
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef
+from livesheet.workbook import Cell, Column, Fill, PrintSetup, Properties, Sheet, Style, Workbook
 from mechsheet.homework.classroom.exercise import no_formula, safe
 from mechsheet.homework.classroom.marks import Marked, Marks, lines_of, words_of
 from mechsheet.homework.words_of import fault_line, kind_words
 from mechsheet.sheet.styles import BAD_FILL, DERIVED_FILL, HEAD, HEAD_LEFT, INPUT, SUBTITLE, SYMBOL, TITLE, WARN_FILL
-from mechsheet.sheet.workbook import Cell, Column, Fill, PrintSetup, Properties, Sheet, Style, Workbook
 from mechsheet.sheet.wrapping import wrapped_lines
 from mechsheet.words.homework import marks_of, said
 
@@ -40,7 +40,7 @@ LONGEST_FOOTER = 60
 def marks_workbook(marks: Marks) -> Workbook:
     """Sheets *Class* and *Faults*; totals are formulas, and a number in the yellow column stands in their place."""
     sheets = (_class(marks), _faults(marks))
-    found = Workbook(sheets, properties=Properties(title=marks.title, language=marks.language))
+    found = Workbook(sheets, properties=Properties(title=marks.title, language=marks.language, author="mechsheet"))
     return computed(found)
 
 

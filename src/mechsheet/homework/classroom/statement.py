@@ -7,16 +7,16 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Number, Symbol, symbols
+from livesheet.workbook import Rich
 from mechsheet import reference
 from mechsheet.compiled import Compiled
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Number, Symbol, symbols
 from mechsheet.homework.classroom.directions import Direction, Directions
 from mechsheet.kinematics.equations import FORCES
 from mechsheet.model import Cartesian, Dimension, Distances, Gear, Joint, Link, Place, Polar, Quantity, Rack
 from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.notes.mathematics import Part, written
-from mechsheet.sheet.workbook import Rich
 from mechsheet.units import DEG
 from mechsheet.words.equations import body_words, link_words
 from mechsheet.words.homework import said

@@ -7,13 +7,13 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
+from livesheet.workbook import PLAIN, Cell, Column, Content, PrintSetup, Properties, Sheet, Style, Workbook
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.homework.classroom.figure import SIZE as FIGURE
 from mechsheet.homework.classroom.figure import Figure
 from mechsheet.homework.classroom.statement import Statement
 from mechsheet.homework.marking_rules import asked_of
-from mechsheet.sheet.workbook import PLAIN, Cell, Column, Content, PrintSetup, Properties, Sheet, Style, Workbook
 from mechsheet.words.homework import said
 
 TITLE = Style(bold=True, size=14.0)
@@ -71,7 +71,7 @@ def task_sheet(compiled: Compiled, identifier: str, name: str, figure: Figure) -
         print_setup=PrintSetup(landscape=False),
     )
     title = mechanism.title.of(language)
-    return Workbook((sheet, data), properties=Properties(title=title, language=language))
+    return Workbook((sheet, data), properties=Properties(title=title, language=language, author="mechsheet"))
 
 
 class _Page:

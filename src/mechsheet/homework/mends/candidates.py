@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from mechsheet.formula.nodes import (
+from livesheet.formula.nodes import (
     Binary,
     Call,
     CellRef,
@@ -23,7 +23,7 @@ from mechsheet.formula.nodes import (
     rebuilt,
     walk,
 )
-from mechsheet.formula.slips import FUNCTIONS, LEFT_OUT, SWAPPED, neighbours
+from livesheet.formula.slips import FUNCTIONS, LEFT_OUT, SWAPPED, neighbours
 
 MOST = 4000
 """Candidates for one formula."""

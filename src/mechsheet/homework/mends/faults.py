@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula.nodes import CellRef, Node, Number, RangeRef
+from livesheet.formula.nodes import CellRef, Node, Number, RangeRef
 from mechsheet.homework.agreement import (
     Reading,
     agrees,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import heapq
 from collections.abc import Iterator
 
-from mechsheet.formula.nodes import Node
+from livesheet.formula.nodes import Node
 from mechsheet.homework.mends.candidates import Candidate, Surroundings, candidates
 
 MOST_PAIRS = 5000

@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.formula.book import Block, BookSheet, CellStore
-from mechsheet.formula.nodes import CellRef, Node, shifted, transform
+from livesheet.formula.book import Block, BookSheet, CellStore
+from livesheet.formula.nodes import CellRef, Node, shifted, transform
 from mechsheet.homework.mends.faults import Mend
 from mechsheet.homework.series import Graph, Run
 from mechsheet.homework.two_way import columns_beside

@@ -12,11 +12,11 @@ from typing import cast
 
 import numpy as np
 
-from mechsheet.engine import evaluate
-from mechsheet.engine.layout import Area
-from mechsheet.engine.values.cells import NUMBER
-from mechsheet.formula.book import Book, BookSheet
-from mechsheet.formula.nodes import (
+from livesheet.engine import evaluate
+from livesheet.engine.layout import Area
+from livesheet.engine.values.cells import NUMBER
+from livesheet.formula.book import Book, BookSheet
+from livesheet.formula.nodes import (
     Call,
     CellRef,
     Foreign,

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from mechsheet.formula.nodes import Number
+from livesheet.formula.nodes import Number
 from mechsheet.homework.conventions import in_convention
 from mechsheet.homework.mends.faults import Mend, goals_of, mended_sheet, newly_right
 from mechsheet.homework.series import Series

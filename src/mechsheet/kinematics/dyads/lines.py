@@ -10,10 +10,12 @@ Parallel lines do not meet, or coincide and leave the position undetermined: #N/
 
 from __future__ import annotations
 
-from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call, Node, Symbol
+from livesheet.diagnostics import Fault
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Call, Node, Symbol
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads.solved import ONE_ASSEMBLY, Solved, lines_cross
 from mechsheet.kinematics.equations import Condition
@@ -21,7 +23,6 @@ from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.places import angle_of
 from mechsheet.kinematics.poses import Guide, Poses
-from mechsheet.said import say
 from mechsheet.units import LENGTH, NUMBER
 from mechsheet.words.equations import phrase
 

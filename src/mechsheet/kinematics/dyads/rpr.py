@@ -13,9 +13,9 @@ Source: Soeylemez, Mechanisms, section 3.8 (kol-kizak, h = 0) and the inverted s
 
 from __future__ import annotations
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Binary, Call, Node
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Binary, Call, Node
 from mechsheet.kinematics.assur import Dyad
 from mechsheet.kinematics.dyads.solved import Solved, half_turn_unless, known_way, leg, leg_left
 from mechsheet.kinematics.equations import Condition

@@ -13,8 +13,8 @@ Source: Soeylemez, Mechanisms, section 3.8 (slider-crank): a3 sin(theta13) = a2 
 
 from __future__ import annotations
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads.solved import Solved, along_and_across, half_turn_unless, leg, leg_left
 from mechsheet.kinematics.equations import Condition

@@ -12,9 +12,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Binary, Call, Node, Symbol, TriangleAngle
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Binary, Call, Node, Symbol, TriangleAngle
 from mechsheet.kinematics.assur import Dyad
 from mechsheet.kinematics.dyads.solved import DEAD, Determinant, Solved, known_way
 from mechsheet.kinematics.equations import Condition

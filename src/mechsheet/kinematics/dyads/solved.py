@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call, Node, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Call, Node, Symbol
 from mechsheet.kinematics.equations import Condition, System
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.model import Words

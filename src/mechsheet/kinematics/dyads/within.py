@@ -15,9 +15,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import TriangleAngle, symbols
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import TriangleAngle, symbols
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads.rrr import three_pins, triangle_exists
 from mechsheet.kinematics.dyads.solved import Solved

@@ -16,9 +16,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Call, Node, Number, Symbol, renamed, symbols
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Call, Node, Number, Symbol, renamed, symbols
 from mechsheet.kinematics.equations import Condition, Equation, System
 from mechsheet.kinematics.newton.chains import Assembly, Binary, Carrier, Chain
 from mechsheet.kinematics.newton.cramer import Cramer, cramer

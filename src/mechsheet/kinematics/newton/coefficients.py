@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Node, Symbol, renamed
+from livesheet.formula import algebra as al
+from livesheet.formula.derivatives import derivative
+from livesheet.formula.nodes import Node, Symbol, renamed
 from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.newton.rates import Closing, Own, dead, known_sides, own_rate, solved, without

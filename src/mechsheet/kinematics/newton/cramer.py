@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol
 
 Matrix = Sequence[Sequence[Node]]
 

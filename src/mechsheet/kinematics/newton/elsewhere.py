@@ -11,7 +11,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from mechsheet.diagnostics import Fault, MechanismError
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations, Group, System
@@ -19,7 +21,6 @@ from mechsheet.kinematics.newton.leaving import led, scales, trends
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.kinematics.writing import write_stepped
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 
 ALIKE = 1e-3
 """Radians, or parts of the size: start values are rounded."""

@@ -8,9 +8,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from mechsheet import portable
-from mechsheet.diagnostics import Fault
-from mechsheet.formula.nodes import Symbol
+from livesheet import portable
+from livesheet.diagnostics import Fault
+from livesheet.formula.nodes import Symbol
+from livesheet.said import say
 from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, difference, entries_of
@@ -21,7 +22,6 @@ from mechsheet.kinematics.newton.starts import MOST_FOUND, assemblies_in
 from mechsheet.kinematics.newton.system import refined
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import Mechanism, Words
-from mechsheet.said import say
 from mechsheet.units import Unit
 
 NEARLY = 0.05

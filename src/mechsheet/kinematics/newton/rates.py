@@ -20,9 +20,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary as NodeBinary
-from mechsheet.formula.nodes import Call, Node, Number, Symbol, renamed, transform
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary as NodeBinary
+from livesheet.formula.nodes import Call, Node, Number, Symbol, renamed, transform
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import Condition, System
 from mechsheet.kinematics.graph import Slide

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from mechsheet.diagnostics import Fault, MechanismError
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.equations import Equations
-from mechsheet.said import say
 
 
 def need_closed_form(equations: Equations, what: str, key: str = "", hint: str = "") -> None:

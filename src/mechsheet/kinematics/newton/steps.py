@@ -9,14 +9,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.diagnostics import Fault, MechanismError
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import at_values, listed_values
 from mechsheet.kinematics.equations import PASSES, Equations, System
 from mechsheet.kinematics.newton.system import MOST_PASSES
 from mechsheet.kinematics.numeric import Array, interpolated
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 
 FINER = (2, 4, 8)
 """Parts into which the steps are divided."""

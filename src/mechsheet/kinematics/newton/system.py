@@ -19,8 +19,8 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from mechsheet import portable
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
+from livesheet import portable
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
 from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.numeric import FUNCTIONS, Array, evaluate_equation
 

@@ -6,10 +6,11 @@ import math
 
 import numpy as np
 
-from mechsheet.diagnostics import Fault, MechanismError
+from livesheet.diagnostics import Fault
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import Driver, Words
-from mechsheet.said import say
 
 STEP = math.radians(1.0)
 FEWEST, MOST = 24, 390

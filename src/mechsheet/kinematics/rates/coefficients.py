@@ -16,10 +16,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
-from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.formula import algebra as al
-from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Call, Node, Symbol, symbols, with_symbols
+from livesheet.diagnostics import Fault
+from livesheet.formula import algebra as al
+from livesheet.formula.derivatives import derivative
+from livesheet.formula.nodes import Call, Node, Symbol, symbols, with_symbols
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.dyads.solved import Determinant, Solved
@@ -35,7 +37,6 @@ from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, RateColumns, o
 from mechsheet.kinematics.ties import Held, Tied, solved_for
 from mechsheet.kinematics.vectors import Vector, cross, minus, plus, size, times
 from mechsheet.model import POINT_RATES, Mechanism, Words, rate_symbols
-from mechsheet.said import say
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words.equations import link_words, phrase
 

@@ -17,8 +17,8 @@ from contextlib import suppress
 from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.places import angle_of

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from mechsheet.formula.nodes import Node, Symbol
+from livesheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.cell_lengths import CellLengths
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger

@@ -20,9 +20,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Node, Symbol, symbols, transform, walk, with_symbols
+from livesheet.formula import algebra as al
+from livesheet.formula.derivatives import derivative
+from livesheet.formula.nodes import Node, Symbol, symbols, transform, walk, with_symbols
 from mechsheet.kinematics.cell_lengths import terms_of
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.model import Dimension, Mechanism

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-from mechsheet.formula.nodes import Call, CellRef, Node
+from livesheet.formula.nodes import Call, CellRef, Node
 from mechsheet.kinematics.newton.leaving import LEAP
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula

@@ -11,9 +11,9 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import reduce
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.derivatives import KEEP_BOUNDS, WITHIN_BOUNDS
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, symbols, transform, walk
+from livesheet.formula import algebra as al
+from livesheet.formula.derivatives import KEEP_BOUNDS, WITHIN_BOUNDS
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, symbols, transform, walk
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan

@@ -9,8 +9,9 @@ import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
+from livesheet.workbook import Area, Cell, Column, Conditional, Content, Fill, Merge, PrintSetup, Sheet, Style
 from mechsheet.kinematics.numeric import runs_of
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
@@ -23,7 +24,6 @@ from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.table.rates import dead_words
 from mechsheet.sheet.table.status import status_words
-from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Content, Fill, Merge, PrintSetup, Sheet, Style
 
 ROUNDING = 1e3
 """Lengths are equal up to so many times what counts as zero (1e-12 of the largest length): 1e-9 of it."""

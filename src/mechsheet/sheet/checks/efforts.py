@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from mechsheet.formula.nodes import Call, Node, Symbol
+from livesheet.formula.nodes import Call, Node, Symbol
 from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.sheet.checks.geometry import largest_length
 from mechsheet.sheet.plan import Plan

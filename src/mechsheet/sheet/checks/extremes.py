@@ -13,8 +13,9 @@ from dataclasses import replace
 from functools import cached_property
 from typing import Literal
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.workbook import Column, PrintSetup, Sheet
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.model import WAYS
@@ -46,7 +47,6 @@ from mechsheet.sheet.quoted import ALL, SHOWN, formula
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.bands import band_of_constant
 from mechsheet.sheet.table.positions import heading
-from mechsheet.sheet.workbook import Column, PrintSetup, Sheet
 from mechsheet.units import turn as whole_turn
 
 BOUNDLESS = SIDE + 7

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Literal, TypeAlias
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Symbol, symbols
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.sheet.checks.gaps import chunks_of
 from mechsheet.sheet.checks.geometry import largest_length
 from mechsheet.sheet.plan import Plan

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import islice
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol, walk
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.spellings import longest_spelling
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol, walk
+from livesheet.formula.printer import print_formula
+from livesheet.formula.spellings import longest_spelling
 from mechsheet.kinematics.places import angle_of
 from mechsheet.model import Joint, Link
 from mechsheet.sheet.checks.geometry import base_point, distance, measured_pairs, place

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TypeAlias
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.ledger import CLOSING
 from mechsheet.kinematics.places import angle_of

@@ -10,9 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.names import folded, safe_name
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.names import folded, safe_name
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
+from livesheet.workbook import Name
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.probes import ALL_ROWS, AT, SIDE, VALUE, Block, Probes
@@ -20,7 +21,6 @@ from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.status import first_open
-from mechsheet.sheet.workbook import Name
 
 STRETCHES = 3
 """Stretches that are looked at; further ones are counted."""

@@ -16,8 +16,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import CellRef, Node
 from mechsheet.sheet.checks.probes import ALL_ROWS, AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula

@@ -12,14 +12,14 @@ from bisect import bisect_right
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from mechsheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
+from livesheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
+from livesheet.workbook import Cell, Content, Fill, Style
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.driving import by_time, driver_at, time_after
 from mechsheet.sheet.plan import DRIVER, Plan
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import cell_formula, style_of
-from mechsheet.sheet.workbook import Cell, Content, Fill, Style
 
 ALL_ROWS = Symbol("#all_rows")
 """How many rows the table has, on the sheet of probes: there it is read most."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet.checks.parabolas import DIFFERENCES
 from mechsheet.sheet.checks.probes import ALL_ROWS, Probes
 from mechsheet.sheet.quoted import ALL, formula

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from mechsheet.formula.nodes import Binary, Node, Symbol
+from livesheet.formula.nodes import Binary, Node, Symbol
 from mechsheet.kinematics.equations import Group
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from typing import Literal
 
-from mechsheet.formula.nodes import CellRef, Node, Symbol
+from livesheet.formula.nodes import CellRef, Node, Symbol
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
 from mechsheet.model import Mechanism
 from mechsheet.sheet.checks.probes import ALL_ROWS, AT, SIDE, Block, Probes

@@ -15,8 +15,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol, transform
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, transform
+from livesheet.workbook import Area, Rich, Series
 from mechsheet.model import Mechanism, pair_symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.gaps import chunks_of
@@ -38,7 +39,6 @@ from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.plan import ArrowKind, Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.workbook import Area, Rich, Series
 
 LONGEST = 0.45
 """How long the longest arrow of a kind is, in half windows."""

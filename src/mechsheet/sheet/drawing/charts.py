@@ -13,7 +13,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from mechsheet import portable
+from livesheet import portable
+from livesheet.workbook import Anchor, Area, Axis, Chart, Column, Dash, PrintSetup, Series, SeriesRef, Sheet
 from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.rates.coefficients import free_points
@@ -25,7 +26,6 @@ from mechsheet.sheet.first.mechanism import CHARTS
 from mechsheet.sheet.plan import VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.bands import HIGH, LOW, part_of
-from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Column, Dash, PrintSetup, Series, SeriesRef, Sheet
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 
 GAP = 12

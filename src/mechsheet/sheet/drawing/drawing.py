@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from mechsheet import portable
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, Symbol, symbols, transform
-from mechsheet.formula.scalar import evaluate
+from livesheet import portable
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import CellRef, Node, Symbol, symbols, transform
+from livesheet.formula.scalar import evaluate
+from livesheet.workbook import Anchor, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.model import ChartRequest, Joint
 from mechsheet.sheet import styles
@@ -51,7 +52,6 @@ from mechsheet.sheet.drawing.wheels import Wheels, racks
 from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.workbook import Anchor, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
 from mechsheet.units import behind_number
 
 SIZE = 480

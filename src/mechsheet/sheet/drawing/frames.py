@@ -15,15 +15,15 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
+from livesheet.workbook import Area, Axis, Cell, Content, Fill, Series, SeriesRef, Style
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.gaps import chunks_of
 from mechsheet.sheet.checks.limits import STRETCHES
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
-from mechsheet.sheet.workbook import Area, Axis, Cell, Content, Fill, Series, SeriesRef, Style
 
 NAME, FIRST, SECOND, CHART_X, CHART_Y, SIXTH, SEVENTH, EIGHTH, NINTH = range(9)
 """Columns: what it is, its own numbers, and its place in the chart; four more where there is more to say."""

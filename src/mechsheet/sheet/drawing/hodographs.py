@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from mechsheet.formula import algebra as al
+from livesheet.formula import algebra as al
+from livesheet.workbook import Anchor, Chart, Series, SeriesRef
 from mechsheet.model import ChartRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import CHART_X, CHART_Y, HIDDEN_AXIS, INK, NAME, Frame, Page, write_frame
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.workbook import Anchor, Chart, Series, SeriesRef
 
 MARGIN = 1.2
 """How much larger than everything that is drawn the window is."""

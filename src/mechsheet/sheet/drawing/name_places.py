@@ -13,9 +13,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from mechsheet import portable
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, Number, RangeRef
+from livesheet import portable
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import CellRef, Node, Number, RangeRef
+from livesheet.workbook import Fill
 from mechsheet.model import Mechanism
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import EIGHTH, FIRST, NAME, NINTH, NUMBER_STYLE, SEVENTH, Page
@@ -24,7 +25,6 @@ from mechsheet.sheet.drawing.points import PointCells, labelled_points
 from mechsheet.sheet.drawing.shapes import Guide
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.workbook import Fill
 
 DIRECTIONS = (45, 135, 90, 0, 180, 315, 225, 270)
 """In degrees; of equally free ones the first is taken."""

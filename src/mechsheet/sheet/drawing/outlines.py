@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from mechsheet import portable
-from mechsheet.formula import algebra as al
-from mechsheet.formula.algebra import Angle
-from mechsheet.formula.nodes import Node, Symbol
+from livesheet import portable
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
+from livesheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.places import angle_of, cartesian, number_places
 from mechsheet.model import Joint, Link, Mechanism
 

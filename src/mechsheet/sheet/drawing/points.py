@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from mechsheet.formula.nodes import CellRef
+from livesheet.formula.nodes import CellRef
+from livesheet.workbook import Series
 from mechsheet.model import Mechanism
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import (
@@ -21,7 +22,6 @@ from mechsheet.sheet.drawing.frames import (
     Page,
 )
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.workbook import Series
 
 
 @dataclass(frozen=True, slots=True)

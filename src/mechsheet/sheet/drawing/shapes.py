@@ -10,15 +10,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, Number
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, Number
+from livesheet.workbook import Fill, Series
 from mechsheet.model import Joint, Link
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import CHART_X, CHART_Y, FIRST, INK, NAME, NUMBER_STYLE, SECOND, SIXTH, Frame, Page
 from mechsheet.sheet.drawing.outlines import block_has_line, line_end
 from mechsheet.sheet.drawing.points import PointCells
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.workbook import Fill, Series
 
 BLOCK_LENGTH, BLOCK_HEIGHT = 0.075, 0.045
 """Half the sides of a sliding block."""

@@ -10,9 +10,10 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, symbols
-from mechsheet.formula.scalar import evaluate
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, symbols
+from livesheet.formula.scalar import evaluate
+from livesheet.workbook import Series
 from mechsheet.kinematics.equations import LinkPose
 from mechsheet.model import Gear, Link, Mechanism, Rack
 from mechsheet.sheet import styles
@@ -21,7 +22,6 @@ from mechsheet.sheet.drawing.frames import CHART_X, CHART_Y, FIRST, NAME, SECOND
 from mechsheet.sheet.drawing.points import PointCells
 from mechsheet.sheet.drawing.shapes import Guide, filled, local_path, series_of
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.workbook import Series
 
 CORNERS = 48
 """Of a circle."""

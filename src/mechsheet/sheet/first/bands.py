@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Call, Node, Symbol
+from livesheet.formula.nodes import Call, Node, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.blocks import Writer, shown_unit
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE

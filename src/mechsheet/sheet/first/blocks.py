@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Node, Number, Unary
+from livesheet.formula.nodes import Node, Number, Unary
+from livesheet.workbook import Area, Cell, Conditional, Content, Fill, Style, Validation
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.positions import places
-from mechsheet.sheet.workbook import Area, Cell, Conditional, Content, Fill, Style, Validation
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit
 

@@ -10,13 +10,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.workbook import Area, Conditional
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import SYMBOL, VALUE, Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.workbook import Area, Conditional
 
 Kind = Literal["number", "length", "step", "mode", "choice", "task"]
 

@@ -2,7 +2,18 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text
+from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text
+from livesheet.workbook import (
+    Anchor,
+    Area,
+    Chart,
+    Column,
+    Control,
+    PrintSetup,
+    Sheet,
+    Style,
+    Validation,
+)
 from mechsheet.kinematics.equations import Group, System
 from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.model import Dimension
@@ -34,17 +45,6 @@ from mechsheet.sheet.table.bands import tolerance_symbol
 from mechsheet.sheet.table.lowering import in_pass
 from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.tolerance import Tolerance
-from mechsheet.sheet.workbook import (
-    Anchor,
-    Area,
-    Chart,
-    Column,
-    Control,
-    PrintSetup,
-    Sheet,
-    Style,
-    Validation,
-)
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 
 MARGIN = MEANING + 1

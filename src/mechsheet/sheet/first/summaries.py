@@ -3,7 +3,8 @@ the outputs that follow from these numbers."""
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Call, CellRef, Node, Symbol, transform
+from livesheet.formula.nodes import Call, CellRef, Node, Symbol, transform
+from livesheet.workbook import Area, Conditional
 from mechsheet.model import WAYS, Output, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
@@ -15,7 +16,6 @@ from mechsheet.sheet.plan import MEANING, ROW_COUNT, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
-from mechsheet.sheet.workbook import Area, Conditional
 
 
 def write_summaries(writer: Writer) -> None:

@@ -7,8 +7,8 @@ those of the first red verdict, else how well what is asked is met. The line und
 
 from __future__ import annotations
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, RangeRef
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import CellRef, Node, RangeRef
 from mechsheet.model import Synthesis
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from mechsheet.formula.nodes import Node, RangeRef, Text
+from livesheet.formula.nodes import Node, RangeRef, Text
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined

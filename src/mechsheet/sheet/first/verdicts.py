@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from typing import Literal
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Boolean, Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import ENERGY, Link, Synthesis, inertia_unit
 from mechsheet.sheet import styles
@@ -30,7 +31,6 @@ from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.start_table import assemblies_lost
-from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.units import behind_number
 from mechsheet.units import turn as whole_turn
 

@@ -9,15 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Node, Symbol, symbols
+from livesheet.formula import algebra as al
+from livesheet.formula.derivatives import derivative
+from livesheet.formula.nodes import Node, Symbol, symbols
+from livesheet.workbook import Rich
 from mechsheet.kinematics.closures import Loop, Vector
 from mechsheet.model import rate_symbols
 from mechsheet.sheet.notes.mathematics import Part, written
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.workbook import Rich
 
 Rate = tuple[Node, Node]
 

@@ -5,8 +5,8 @@ SQRT((A.x - a1)^2 + A.y^2)   is written   √((x_A − a_1)² + y_A²), with rea
 
 from __future__ import annotations
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import (
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import (
     Binary,
     Boolean,
     Call,
@@ -19,10 +19,10 @@ from mechsheet.formula.nodes import (
     TriangleAngle,
     Unary,
 )
-from mechsheet.formula.printer import number_text
+from livesheet.formula.printer import number_text
+from livesheet.workbook import Rich
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import parts
-from mechsheet.sheet.workbook import Rich
 from mechsheet.words.workbook import Language, words
 
 Part = tuple[str, str]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Node
-from mechsheet.formula.references import cell_name, column_letters
+from livesheet.formula.nodes import Node
+from livesheet.formula.references import cell_name, column_letters
+from livesheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
 from mechsheet.kinematics.equations import BANDS, FORCES, RATES
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
@@ -14,7 +15,6 @@ from mechsheet.sheet.plan import HIDDEN, STATUS, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.lowering import Assignment
 from mechsheet.sheet.table.positions import column_unit, group_title, mathematics
-from mechsheet.sheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
 from mechsheet.sheet.wrapping import wrapped_lines
 from mechsheet.units import DEG, NUMBER
 from mechsheet.words.equations import body_words, link_words

@@ -12,8 +12,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text, Unary, symbols, transform
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text, Unary, symbols, transform
+from livesheet.workbook import Anchor, Area, Cell, Chart, Column, Content, Fill, Series, SeriesRef
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.model import ChartRequest, Joint, Link
 from mechsheet.sheet import styles
@@ -28,7 +29,6 @@ from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan, traced_points
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.workbook import Anchor, Area, Cell, Chart, Column, Content, Fill, Series, SeriesRef
 from mechsheet.units import behind_number
 
 NAME, X, Y, MIDDLE = range(4)

@@ -6,6 +6,19 @@ import math
 from dataclasses import replace
 from itertools import pairwise
 
+from livesheet.workbook import (
+    Anchor,
+    Area,
+    Axis,
+    Chart,
+    Column,
+    Control,
+    PrintSetup,
+    Series,
+    SeriesRef,
+    Sheet,
+    Workbook,
+)
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import ChartRequest, Ends, Mechanism
 from mechsheet.sheet import styles
@@ -23,19 +36,6 @@ from mechsheet.sheet.page.top import LAST, MEANING, UNIT, VALUE, Top
 from mechsheet.sheet.plan import VERDICT_ROW
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.requested import table_sheets
-from mechsheet.sheet.workbook import (
-    Anchor,
-    Area,
-    Axis,
-    Chart,
-    Column,
-    Control,
-    PrintSetup,
-    Series,
-    SeriesRef,
-    Sheet,
-    Workbook,
-)
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 
 TOP_WIDTHS = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0)

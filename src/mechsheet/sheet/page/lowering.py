@@ -18,8 +18,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Direction, Node, Symbol, TriangleAngle, symbols, transform, walk
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Direction, Node, Symbol, TriangleAngle, symbols, transform, walk
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group

@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
-from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.formula.names import folded, safe_name
-from mechsheet.formula.nodes import Node, Symbol, symbols
-from mechsheet.formula.scalar import evaluate
+from livesheet.diagnostics import Fault
+from livesheet.formula.names import folded, safe_name
+from livesheet.formula.nodes import Node, Symbol, symbols
+from livesheet.formula.scalar import evaluate
+from livesheet.said import say
+from livesheet.workbook import Name
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations
 from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.drawing.charts import remarkable_points
@@ -22,7 +24,6 @@ from mechsheet.sheet.first.classification import FourBar, classification
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.plan import SHEETS, VALUE, VERDICT_ROW, Block, Plan, TableColumn
 from mechsheet.sheet.table.averaged import with_averaged
-from mechsheet.sheet.workbook import Name
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.workbook import words
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, transform, walk
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, transform, walk
+from livesheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style, plain_text
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
@@ -24,7 +25,6 @@ from mechsheet.sheet.table.positions import (
     places_of,
 )
 from mechsheet.sheet.table.status import first_open, links_of, undetermined
-from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style, plain_text
 from mechsheet.units import SECONDS
 
 NARROWEST, WIDEST = 10.0, 26.0

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
+from livesheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.model import WAYS, Summary, Synthesis
@@ -24,7 +25,6 @@ from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
-from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit, turn
 

@@ -24,13 +24,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 from itertools import cycle
 
-from mechsheet.formula.nodes import Call, CellRef, Node
-from mechsheet.sheet import styles
-from mechsheet.sheet.first.transmission import POOR
-from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.synthesis.naming import Naming
-from mechsheet.sheet.workbook import (
+from livesheet.formula.nodes import Call, CellRef, Node
+from livesheet.workbook import (
     Anchor,
     Area,
     Axis,
@@ -46,6 +41,11 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Style,
 )
+from mechsheet.sheet import styles
+from mechsheet.sheet.first.transmission import POOR
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.synthesis.naming import Naming
 from mechsheet.synthesis.over_ratio import LONGEST
 
 SWINGS = tuple(range(10, 130, 10))

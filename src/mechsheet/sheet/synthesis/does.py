@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Text
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
+from livesheet.workbook import Area, Conditional
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.grashof import named
 from mechsheet.sheet.first.transmission import POOR
@@ -18,7 +19,6 @@ from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
 from mechsheet.sheet.synthesis.rows import LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.sensitivity import largest
 from mechsheet.sheet.synthesis.tables import MU, curve_columns, exact_column, has_points, sensitivity_columns
-from mechsheet.sheet.workbook import Area, Conditional
 from mechsheet.units import behind_number
 
 YES, DOUBT, NO = "✓", "!", "✗"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol, with_symbols
-from mechsheet.formula.parser import parse_description
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol, with_symbols
+from livesheet.formula.parser import parse_description
 from mechsheet.kinematics.writing import counts_from_driven
 from mechsheet.model import Synthesis
 from mechsheet.sheet.plan import Plan

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Call, CellRef, Node, Symbol, with_symbols
+from livesheet.formula.nodes import Call, CellRef, Node, Symbol, with_symbols
+from livesheet.workbook import Area, Cell, Chart, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.model import Dimension, Synthesis
 from mechsheet.sheet import styles
@@ -10,7 +11,6 @@ from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.synthesis.naming import MODE, Naming
 from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, USED, VALUE, Rows
-from mechsheet.sheet.workbook import Area, Cell, Chart, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.synthesis.kinds import kind_of
 
 LARGE = 1e6

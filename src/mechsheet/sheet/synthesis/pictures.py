@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from typing import Literal
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, RangeRef
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import CellRef, Node, RangeRef
+from livesheet.workbook import Anchor, Area, Axis, Chart, Series, SeriesRef
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import HIDDEN_AXIS
 from mechsheet.sheet.quoted import formula
@@ -15,7 +16,6 @@ from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.planning import WINDOW
 from mechsheet.sheet.synthesis.rows import CHARTS, FIRST_ROW, MEANING, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.tables import THETA, curve_columns, has_points
-from mechsheet.sheet.workbook import Anchor, Area, Axis, Chart, Series, SeriesRef
 from mechsheet.synthesis.kind import Line
 
 SIZE, LEGEND, HEIGHT, GAP = 286, 72, 240, 12

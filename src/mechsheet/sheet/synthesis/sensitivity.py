@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.derivatives import derivative
-from mechsheet.formula.nodes import Call, Node, Number, Symbol, symbols
+from livesheet.formula import algebra as al
+from livesheet.formula.derivatives import derivative
+from livesheet.formula.nodes import Call, Node, Number, Symbol, symbols
 from mechsheet.model import Dimension, Synthesis
 from mechsheet.synthesis.writing import says
 

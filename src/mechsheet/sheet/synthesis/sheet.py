@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Call, CellRef
+from livesheet.formula.nodes import Call, CellRef
+from livesheet.workbook import Area, Column, Conditional, PrintSetup, Sheet
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.blocks import input_validation
 from mechsheet.sheet.notes.mathematics import written
@@ -25,7 +26,6 @@ from mechsheet.sheet.synthesis.rows import (
     VALUE,
 )
 from mechsheet.sheet.synthesis.tables import sensitivity_columns, write_asked, write_changes, write_curve
-from mechsheet.sheet.workbook import Area, Column, Conditional, PrintSetup, Sheet
 from mechsheet.synthesis.writing import says
 
 ROW_HEIGHT, LINE_HEIGHT = 20.0, 34.0

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import CellRef, Node, Symbol, with_symbols
-from mechsheet.formula.parser import parse_description
+from livesheet.formula.nodes import CellRef, Node, Symbol, with_symbols
+from livesheet.formula.parser import parse_description
+from livesheet.workbook import Column
 from mechsheet.model import Synthesis
 from mechsheet.sheet import styles
 from mechsheet.sheet.quoted import formula
@@ -11,7 +12,6 @@ from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.sensitivity import changes, mark
-from mechsheet.sheet.workbook import Column
 from mechsheet.synthesis.four_bar import transmission_angle
 from mechsheet.synthesis.kind import Requirement
 from mechsheet.synthesis.kinds import kind_of

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TypeVar
 
-from mechsheet.formula.nodes import Symbol
+from livesheet.formula.nodes import Symbol
 from mechsheet.kinematics.equations import FORCES, RATES, Role
 from mechsheet.model import Mechanism, Summary
 from mechsheet.sheet.quoted import SHOWN

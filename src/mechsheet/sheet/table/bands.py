@@ -12,9 +12,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from mechsheet.diagnostics import Fault, MechanismError
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, Node, Symbol, with_symbols
+from livesheet.diagnostics import Fault
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Node, Symbol, with_symbols
+from livesheet.said import say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.equations import Equations, Role
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.rates.sensitivity import (
@@ -28,7 +30,6 @@ from mechsheet.kinematics.rates.sensitivity import (
     toleranced,
 )
 from mechsheet.model import Mechanism
-from mechsheet.said import say
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded
 from mechsheet.units import LENGTH, NUMBER, Unit

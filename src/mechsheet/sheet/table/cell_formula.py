@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import MAX_COLUMNS, Call, CellRef, Node, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import MAX_COLUMNS, Call, CellRef, Node, Symbol
+from livesheet.workbook import Cell, Fill
 from mechsheet.kinematics.angle_branch import WINDOWED, branches_of, reading_taken, taken_near
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import Plan
@@ -19,7 +20,6 @@ from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.expansion import LIMITS, definitions, expand, needed, varying
 from mechsheet.sheet.table.positions import places
-from mechsheet.sheet.workbook import Cell, Fill
 from mechsheet.units import ANGLE, Unit
 
 ABOVE, START, FIRST_DRIVER = "{symbol} above", "{symbol} start", "first driver"

@@ -12,10 +12,10 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, children, symbols, transform, walk
-from mechsheet.formula.printer import print_formula
-from mechsheet.formula.spellings import extra_characters, longest_spelling
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, children, symbols, transform, walk
+from livesheet.formula.printer import print_formula
+from livesheet.formula.spellings import extra_characters, longest_spelling
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.model import Mechanism
 from mechsheet.sheet.table.lowering import Assignments

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from mechsheet.formula.nodes import Node, Previous, Symbol
+from livesheet.formula.nodes import Node, Previous, Symbol
 from mechsheet.model import ENERGY, Mechanism, energy_unit
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.lowering import Assignment, Assignments

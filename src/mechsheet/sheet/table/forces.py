@@ -6,10 +6,10 @@ in the order in which their forces are found: the last one first, the driver las
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Symbol
+from livesheet.formula.nodes import Symbol
+from livesheet.workbook import Sheet
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.rates import sheet_beside
-from mechsheet.sheet.workbook import Sheet
 
 
 def forces_sheet(plan: Plan) -> Sheet:

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Node, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Symbol
+from livesheet.workbook import Cell, Column, Content, Fill, Merge, Sheet, Style
 from mechsheet.kinematics.equations import Group, System
 from mechsheet.kinematics.newton.system import SETTLED
 from mechsheet.sheet import styles
@@ -18,7 +19,6 @@ from mechsheet.sheet.table.lowering import in_pass
 from mechsheet.sheet.table.positions import FORMULA_ROW, SYMBOL_ROW
 from mechsheet.sheet.table.rates import sheet_beside
 from mechsheet.sheet.table.start_table import StartTable
-from mechsheet.sheet.workbook import Cell, Column, Content, Fill, Merge, Sheet, Style
 
 NUMBER_WIDTH = 11.0
 

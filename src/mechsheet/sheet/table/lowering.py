@@ -15,8 +15,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import (
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import (
     Binary,
     Call,
     Direction,

@@ -7,26 +7,14 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 
-from mechsheet import portable
-from mechsheet.formula.nodes import (
+from livesheet import portable
+from livesheet.formula.nodes import (
     CellRef,
     Node,
     Symbol,
     transform,
 )
-from mechsheet.model import TIME
-from mechsheet.sheet import styles
-from mechsheet.sheet.addresses import Addresses
-from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.driving import by_time, rows_before, time_after
-from mechsheet.sheet.first.inputs import while_inputs_can_be
-from mechsheet.sheet.notes.mathematics import written
-from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
-from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.bands import HEADINGS, ROOT, WORST
-from mechsheet.sheet.table.status import status
-from mechsheet.sheet.workbook import (
+from livesheet.workbook import (
     Area,
     Cell,
     Column,
@@ -41,6 +29,18 @@ from mechsheet.sheet.workbook import (
     Style,
     plain_text,
 )
+from mechsheet.model import TIME
+from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Addresses
+from mechsheet.sheet.degrees import degrees_together, in_degrees
+from mechsheet.sheet.driving import by_time, rows_before, time_after
+from mechsheet.sheet.first.inputs import while_inputs_can_be
+from mechsheet.sheet.notes.mathematics import written
+from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.table.bands import HEADINGS, ROOT, WORST
+from mechsheet.sheet.table.status import status
 from mechsheet.units import NUMBER as NUMBER_UNIT
 from mechsheet.units import Unit
 

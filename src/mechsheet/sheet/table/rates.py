@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from mechsheet.formula.nodes import CellRef, Node, Symbol
+from livesheet.formula.nodes import CellRef, Node, Symbol
+from livesheet.workbook import Area, Cell, Column, Comment, Conditional, Fill, Merge, PrintSetup, Rich, Sheet
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, RATES_DRIVER, RATES_STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
@@ -27,7 +28,6 @@ from mechsheet.sheet.table.positions import (
     width_for,
 )
 from mechsheet.sheet.table.status import first_open, links_of, words_between
-from mechsheet.sheet.workbook import Area, Cell, Column, Comment, Conditional, Fill, Merge, PrintSetup, Rich, Sheet
 
 
 def rates_sheet(plan: Plan) -> Sheet:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+from livesheet.said import say
+from livesheet.workbook import Sheet
 from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.model import TableRequest
-from mechsheet.said import say
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.summary_table import SummaryTable
 from mechsheet.sheet.table.two_way import Table
-from mechsheet.sheet.workbook import Sheet
 
 
 def table_sheets(plan: Plan) -> tuple[Sheet, ...]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from mechsheet.formula.nodes import Node, symbols
+from livesheet.formula.nodes import Node, symbols
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.newton.leading import leading
 from mechsheet.sheet.table.lowering import Assignment, Assignments

@@ -8,8 +8,9 @@ not says 1 in the last column.
 
 from __future__ import annotations
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
+from livesheet.workbook import Area, Cell, Content, Fill, Merge, Style
 from mechsheet.kinematics.equations import Group, System
 from mechsheet.kinematics.newton.leaving import STEADY, trends
 from mechsheet.kinematics.newton.system import FIRST_PASSES, LED, SETTLED
@@ -20,7 +21,6 @@ from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import FORMULA_ROW, GROUP_ROW, SYMBOL_ROW, places_of
 from mechsheet.sheet.table.start_columns import begun, start_columns
-from mechsheet.sheet.workbook import Area, Cell, Content, Fill, Merge, Style
 from mechsheet.units import DEG
 
 

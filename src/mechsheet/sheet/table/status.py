@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.numeric import value
 from mechsheet.sheet.plan import Plan

@@ -11,8 +11,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, transform
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, transform
+from livesheet.workbook import Area, Axis, Cell, Column, Conditional, Fill, Style
 from mechsheet.model import WAYS, Dimension, Quantity, Summary, TableRequest, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks import rivals
@@ -27,7 +28,6 @@ from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.cell_formula import Blocks, CellFormula, helper_blocks
 from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.table.two_way import CORNER_ROW, FIRST, HEAD_ROW, NAME_ROW, Body, Table, bracketed
-from mechsheet.sheet.workbook import Area, Axis, Cell, Column, Conditional, Fill, Style
 
 
 class SummaryTable(Table):

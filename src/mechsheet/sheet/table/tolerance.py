@@ -11,8 +11,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from livesheet.workbook import Cell, Fill, Sheet, Style
 from mechsheet.model import WAYS, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
@@ -24,7 +25,6 @@ from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.bands import QUANTITIES, ROOT, WORST, part_of
 from mechsheet.sheet.table.positions import style_of
 from mechsheet.sheet.table.rates import sheet_beside
-from mechsheet.sheet.workbook import Cell, Fill, Sheet, Style
 
 GAP = 2
 """Empty rows below the table; the dimensions' names stand in the second."""

@@ -9,18 +9,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
-from mechsheet.formula.nodes import Call, CellRef
-from mechsheet.formula.printer import quote_sheet
-from mechsheet.model import Dimension, Quantity, TableRequest
-from mechsheet.sheet import styles
-from mechsheet.sheet.drawing.charts import driver_axis
-from mechsheet.sheet.first.blocks import input_validation, shown_unit
-from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.cell_formula import Blocks, CellFormula, helper_blocks
-from mechsheet.sheet.table.positions import places
-from mechsheet.sheet.workbook import (
+from livesheet.formula.nodes import Call, CellRef
+from livesheet.formula.printer import quote_sheet
+from livesheet.workbook import (
     Anchor,
     Area,
     Axis,
@@ -36,6 +27,15 @@ from mechsheet.sheet.workbook import (
     Sheet,
     Validation,
 )
+from mechsheet.model import Dimension, Quantity, TableRequest
+from mechsheet.sheet import styles
+from mechsheet.sheet.drawing.charts import driver_axis
+from mechsheet.sheet.first.blocks import input_validation, shown_unit
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.table.cell_formula import Blocks, CellFormula, helper_blocks
+from mechsheet.sheet.table.positions import places
 from mechsheet.units import behind_number
 
 TITLE_ROW, ABOUT_ROW, HINT_ROW, _, CORNER_ROW, NAME_ROW, HEAD_ROW, FIRST = range(8)

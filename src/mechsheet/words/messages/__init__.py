@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from mechsheet.diagnostics import Fault
-from mechsheet.said import in_turkish
+from livesheet.diagnostics import Fault
+from livesheet.said import in_turkish
 
 
 def text_in(text: str, language: str) -> str:
