@@ -12,7 +12,7 @@ import numpy as np
 
 from mechsheet import reference
 from mechsheet.description import loads
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import Mechanism, Sketch
 from mechsheet.reference.geometry import places
 from random_mechanisms import Body, Grower

@@ -15,7 +15,7 @@ from livesheet.formula.nodes import Binary, Call, CellRef, NameRef, Number, Rang
 from livesheet.workbook import Cell, Fill, Name, Properties, Sheet, Workbook
 from mechsheet.checking.cells import compare_cells
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
-from mechsheet.checking.twins import compare_twins
+from mechsheet.checking.xlsx_against_ods import compare_twins
 
 TITLES = ("Ömer'in çizelgesi", "Αρχική θέση", "Лист 1", "表 (二)", "A1", "1. satır", "it''s & <so>", "R1C1", "TRUE")
 NAMES = ("ÇıkışUzvu", "Açı1", "Δθ", "x₂", "ШАГ", "ölçü.A_1", "_başlangıç", "Ğğ")

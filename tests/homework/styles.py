@@ -8,7 +8,7 @@ from dataclasses import replace
 from homework.plain_export import plain_book
 from livesheet.formula.book import Block, Book, BookSheet, DefinedName
 from livesheet.formula.nodes import CellRef, NameRef, Node, transform
-from mechsheet.homework.upright import turned
+from mechsheet.homework.formula_strips import turned
 from mechsheet.model import Mechanism
 
 

@@ -17,8 +17,8 @@ from homework.plain_export import plain_book
 from mechsheet import description
 from mechsheet.cli import main
 from mechsheet.homework.audit import FaultFound, audit, audited
+from mechsheet.homework.formula_strips import upright
 from mechsheet.homework.marking_rules import asked_of
-from mechsheet.homework.upright import upright
 from mechsheet.homework.words_of import fault_line
 
 ASKED = ("theta13", "theta14", "mu")

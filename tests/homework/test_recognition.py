@@ -14,9 +14,9 @@ from livesheet.formats import read
 from mechsheet import description
 from mechsheet.cli import main
 from mechsheet.homework.audit import audit
+from mechsheet.homework.expected_values import Quantity
+from mechsheet.homework.formula_strips import upright
 from mechsheet.homework.recognition import deciding, driven_on, recognise, tables
-from mechsheet.homework.truth import Quantity
-from mechsheet.homework.upright import upright
 
 
 def seen(path):

@@ -7,7 +7,7 @@ from chosen import IN_CI, some
 from mechsheet.description import loads
 from mechsheet.description.templates import template_names
 from mechsheet.diagnostics import MechanismError, MechsheetError
-from mechsheet.homework.truth import truth_of
+from mechsheet.homework.expected_values import truth_of
 from mechsheet.studies.designs import Designs
 from studying import in_workbook, study_of, template_text
 

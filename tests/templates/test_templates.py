@@ -14,7 +14,7 @@ from mechsheet import reference, template
 from mechsheet.description import Overrides, load, loads
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
     from mechsheet.checking.rules import Rules
     from mechsheet.checking.stored import Stored
-    from mechsheet.checking.twins import with_twins
+    from mechsheet.checking.xlsx_against_ods import with_twins
 
 _HOMES = {
     "Baseline": "baseline",
@@ -33,7 +33,7 @@ _HOMES = {
     "difference": "report",
     "Rules": "rules",
     "Stored": "stored",
-    "with_twins": "twins",
+    "with_twins": "xlsx_against_ods",
 }
 """Name -> module: imported when first used, so that `recalc --check` loads nothing of mechanisms."""
 

@@ -27,7 +27,7 @@ from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.newton.leaving import LEAP
+from mechsheet.kinematics.newton.lost_assembly import LEAP
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep

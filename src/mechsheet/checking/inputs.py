@@ -19,7 +19,7 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
-from mechsheet.kinematics.places import number as place_number
+from mechsheet.kinematics.points_in_link import number as place_number
 from mechsheet.sheet.layout import DESCRIPTION_MARK
 from mechsheet.sheet.plan import VALUE, Plan
 

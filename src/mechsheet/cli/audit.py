@@ -82,9 +82,9 @@ def audit(
 def _recognised(workbook: Path, describe: Path | None, language: str | None, as_json: bool) -> None:
     """What a workbook seems to be; a description of that."""
     from livesheet.formats import read
+    from mechsheet.homework.formula_strips import upright
     from mechsheet.homework.recognised_words import as_dict, lines
     from mechsheet.homework.recognition import recognise, tables
-    from mechsheet.homework.upright import upright
 
     with progress(workbook.name) as tell:
         found = tables(upright(read(workbook)))

@@ -21,7 +21,7 @@ from mechsheet.description.text.index import Path
 from mechsheet.drawing_page.positions import Point, Pose, line_of, local_places
 from mechsheet.drawing_page.reading import followed, read_by_guide, reads_of
 from mechsheet.kinematics.dimensions import dimension_order
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import Cartesian, Distances, Driver, Joint, Link, Mechanism, Place, Polar, Quantity, Words
 
 STEPS = 15

@@ -23,7 +23,7 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array, value
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import edges
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Link, Mechanism

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from mechsheet.description.parts import Parts
-from mechsheet.kinematics.places import number, number_places
+from mechsheet.kinematics.points_in_link import number, number_places
 from mechsheet.model import Joint, Link
 
 Point = tuple[float, float]

@@ -26,8 +26,8 @@ from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.teeth import Teeth
-from mechsheet.kinematics.newton.carriers import Solution, Span, holder
 from mechsheet.kinematics.newton.chains import Binary, Carrier
+from mechsheet.kinematics.newton.newton_equations import Solution, Span, holder
 from mechsheet.kinematics.newton.rates import solved
 from mechsheet.kinematics.poses import Assembly, Poses
 from mechsheet.kinematics.rates.motions import Motions

@@ -13,10 +13,10 @@ from livesheet.formula.nodes import Node
 from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.kinematics.assur import bodies_of
+from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.equations import ForceKind
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
-from mechsheet.kinematics.writing import Found
 from mechsheet.model import Driver, FurtherDriver, Words, pair_symbol
 from mechsheet.words.equations import body_words, phrase
 

@@ -26,11 +26,12 @@ from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.teeth import Teeth
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
+from mechsheet.kinematics.build_equations import Found
+from mechsheet.kinematics.gear_relations import Tied
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.rates.motions import Motions
-from mechsheet.kinematics.ties import Tied
 from mechsheet.kinematics.vectors import (
     NOWHERE,
     Vector,
@@ -44,7 +45,6 @@ from mechsheet.kinematics.vectors import (
     together,
     turned,
 )
-from mechsheet.kinematics.writing import Found
 from mechsheet.words.equations import phrase
 
 

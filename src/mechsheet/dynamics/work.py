@@ -14,7 +14,7 @@ from collections.abc import Mapping
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
 from mechsheet.dynamics.acting import ActingForces
-from mechsheet.kinematics.writing import Found
+from mechsheet.kinematics.build_equations import Found
 from mechsheet.units import Unit
 from mechsheet.words.equations import phrase
 

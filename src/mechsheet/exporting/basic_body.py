@@ -9,7 +9,7 @@ from livesheet.formula.nodes import Call, Node, Symbol, transform
 from livesheet.formula.printer import print_formula
 from mechsheet.exporting.identifiers import ascii_word, identifiers
 from mechsheet.exporting.lowering import Step
-from mechsheet.kinematics.newton.carriers import ITERATED
+from mechsheet.kinematics.newton.newton_equations import ITERATED
 
 WIDTH = 100
 """Characters of a line; VBA takes 1,023 and 24 continuations."""

@@ -18,7 +18,7 @@ from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step
 from mechsheet.exporting.routines import unknown_key
 from mechsheet.exporting.solvers import Block, Solver
-from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
+from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import Words
 

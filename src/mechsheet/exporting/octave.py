@@ -18,7 +18,7 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import ColumnLine, Line, Loop, Program, commented, heading, one_line, program_of
 from mechsheet.kinematics.equations import System
-from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
+from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.kinematics.vectors import Vector, minus, plus
 from mechsheet.model import TIME, ChartRequest

@@ -18,7 +18,7 @@ from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.routines import missing_where
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.equations import FORCES, RATES, Condition, Equation, Equations, Group, System
-from mechsheet.kinematics.newton.leaving import scales
+from mechsheet.kinematics.newton.lost_assembly import scales
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Dimension, Law, Mechanism, Quantity
 from mechsheet.units import NUMBER, Unit

@@ -15,7 +15,7 @@ from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import WIDTH, ColumnLine, Line, Loop, Program, commented, heading, one_line, program_of
-from mechsheet.kinematics.newton.leaving import LEAP, STEADY, TREND
+from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import TIME
 

@@ -32,9 +32,9 @@ from mechsheet.kinematics.angle_branch import WINDOWED
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Group, System
 from mechsheet.kinematics.lengths import largest_length
-from mechsheet.kinematics.newton.leaving import scales
+from mechsheet.kinematics.newton.lost_assembly import scales
 from mechsheet.kinematics.newton.tracing import STEP
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import Words
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import NOTHING

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.homework.truth import Array, Quantity
+from mechsheet.homework.expected_values import Array, Quantity
 
 DEGREE = math.pi / 180
 POWERS = (1.0, 0.1, 10.0, 0.01, 100.0, 1e-3, 1e3)

@@ -11,7 +11,7 @@ import numpy as np
 
 from livesheet.formula.nodes import Root
 from mechsheet.homework.agreement import DEGREE, FEWEST, wrapped
-from mechsheet.homework.truth import Array, Truth
+from mechsheet.homework.expected_values import Array, Truth
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import evaluate_equation
 from mechsheet.model import Dimension, Mechanism

@@ -15,6 +15,8 @@ from livesheet.diagnostics import readable_name
 from livesheet.formats import read
 from livesheet.formula.nodes import Number
 from mechsheet import reference
+from mechsheet.homework.expected_values import Truth
+from mechsheet.homework.formula_strips import Work, upright
 from mechsheet.homework.inputs import Input
 from mechsheet.homework.judging import Judged, judged_tables
 from mechsheet.homework.marking_rules import AskedFor, asked_of
@@ -24,10 +26,8 @@ from mechsheet.homework.remarks import remarks_of
 from mechsheet.homework.rows_asked import over_asked_rows, rows_answered
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
-from mechsheet.homework.truth import Truth
 from mechsheet.homework.two_way import where
 from mechsheet.homework.understanding import Understanding
-from mechsheet.homework.upright import Work, upright
 from mechsheet.homework.verdicts import Finding, Verdict
 from mechsheet.model import Mechanism
 from mechsheet.words.homework import said

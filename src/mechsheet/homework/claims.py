@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from mechsheet.homework.agreement import Reading
+from mechsheet.homework.expected_values import Array
 from mechsheet.homework.series import Series
-from mechsheet.homework.truth import Array
 from mechsheet.homework.understanding import Understanding
 
 ReadAs = Callable[[Series, str], Reading | None]

@@ -8,8 +8,8 @@ import numpy as np
 
 from livesheet.engine import Values
 from mechsheet.homework.agreement import Reading
+from mechsheet.homework.expected_values import Shift, Truth
 from mechsheet.homework.series import Series
-from mechsheet.homework.truth import Shift, Truth
 from mechsheet.homework.understanding import Understanding
 from mechsheet.reference.expressions import column as computed
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from livesheet.formula.names import folded
-from mechsheet.homework.upright import Place, Work
+from mechsheet.homework.formula_strips import Place, Work
 from mechsheet.model import Mechanism
 
 _GREEK = {

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 from livesheet.formula.nodes import symbols
 from mechsheet.homework.agreement import DEGREE, POWERS
+from mechsheet.homework.formula_strips import Place
 from mechsheet.homework.headings import around, contains, names_over, plain, says
 from mechsheet.homework.series import Graph, Run, of_table
-from mechsheet.homework.upright import Place
 from mechsheet.model import Dimension, Mechanism
 
 SAME = 1e-6

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 from mechsheet import reference
 from mechsheet.homework.agreement import Reading, gaps
+from mechsheet.homework.expected_values import truth_of
 from mechsheet.homework.inputs import Input
 from mechsheet.homework.judging import Judged
 from mechsheet.homework.summaries import span_of
-from mechsheet.homework.truth import truth_of
 from mechsheet.homework.understanding import Understanding
 
 OTHER = 1e-3

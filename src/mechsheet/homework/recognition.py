@@ -23,12 +23,12 @@ from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import MechanismError
 from mechsheet.homework.agreement import DEGREE, Reading, gaps, likely, reading_of
 from mechsheet.homework.assignments import likely_assignments, modes_of
+from mechsheet.homework.expected_values import Array, Quantity, Truth, all_assemblies, vocabulary
+from mechsheet.homework.formula_strips import Place, Work
 from mechsheet.homework.inputs import Input, inputs_of, single_cells
 from mechsheet.homework.marking_rules import TOLERANCE
 from mechsheet.homework.series import Graph, Run, Series, aligned, columns_of, likely_runs
-from mechsheet.homework.truth import Array, Quantity, Truth, all_assemblies, vocabulary
 from mechsheet.homework.understanding import Understanding, ways
-from mechsheet.homework.upright import Place, Work
 from mechsheet.homework.verdicts import retype
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import solve

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from mechsheet import reference
 from mechsheet.diagnostics import MechanismError
-from mechsheet.homework.truth import Array, Truth, truth_of
+from mechsheet.homework.expected_values import Array, Truth, truth_of
 from mechsheet.homework.understanding import Understanding
 
 COARSE = 2.0

@@ -12,8 +12,8 @@ import numpy as np
 
 from livesheet.engine import Values
 from livesheet.formula.nodes import Call, CellRef, Node, walk
-from mechsheet.homework.truth import Array
-from mechsheet.homework.upright import Place, Strip, Work, references
+from mechsheet.homework.expected_values import Array
+from mechsheet.homework.formula_strips import Place, Strip, Work, references
 
 SHORTEST = 3
 """Cells that make a run: with fewer rows no column is told from another."""

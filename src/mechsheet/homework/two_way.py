@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from mechsheet.homework.expected_values import truth_of
+from mechsheet.homework.formula_strips import Place
 from mechsheet.homework.inputs import Input
 from mechsheet.homework.series import Graph, Run, Series, aligned
-from mechsheet.homework.truth import truth_of
-from mechsheet.homework.upright import Place
 from mechsheet.model import Dimension
 
 if TYPE_CHECKING:

@@ -13,12 +13,12 @@ from livesheet.diagnostics import Fault, WorkbookError
 from mechsheet import reference
 from mechsheet.diagnostics import MechanismError
 from mechsheet.homework.agreement import DEGREE, POWERS, Reading, allowance, likely, reading_of
+from mechsheet.homework.expected_values import Array, Quantity, Truth, truth_of, vocabulary
+from mechsheet.homework.formula_strips import Place, Work
 from mechsheet.homework.headings import Called, aliases_of, called, contains, heading, labels, names_over, tokens
 from mechsheet.homework.inputs import Input, inputs_of, is_length, unread_inputs
 from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, drivers, likely_runs, typed_runs
-from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.two_way import Settings, settings_of, with_setting, without_others
-from mechsheet.homework.upright import Place, Work
 from mechsheet.model import Mechanism
 
 ENOUGH = 2

@@ -15,13 +15,13 @@ from livesheet.formula.nodes import Call, Number, walk
 from mechsheet.homework.agreement import FEWEST, Reading, gaps, most_like, reading_of
 from mechsheet.homework.claims import answers, claimed, exchanged, read_on, rivals
 from mechsheet.homework.counting import as_counted
+from mechsheet.homework.expected_values import Array, Quantity, Truth, truth_of, vocabulary
+from mechsheet.homework.formula_strips import Place, Strip
 from mechsheet.homework.headings import around, contains, label_of, labels, names_over, says
 from mechsheet.homework.inputs import MOST_UNREAD, is_length, single_cells, typed_numbers
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
-from mechsheet.homework.truth import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.understanding import MOVING, Understanding, anything, retyped
-from mechsheet.homework.upright import Place, Strip
 from mechsheet.model import Summary
 
 Verdict: TypeAlias = Literal["right", "in part", "follows", "wrong", "other assembly", "not live", "unclear", "missing"]

@@ -15,10 +15,10 @@ from typing import Literal
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.gear_relations import Tied, next_tied
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.mobility import listed_names, stiff_faults
 from mechsheet.kinematics.newton.chains import MOST_UNKNOWNS, Chain, TooManyUnknownsError, next_chain
-from mechsheet.kinematics.ties import Tied, next_tied
 from mechsheet.model import Driver, FurtherDriver, Mechanism, Rack, Relation
 
 

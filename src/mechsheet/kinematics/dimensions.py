@@ -6,7 +6,7 @@ import math
 from graphlib import TopologicalSorter
 
 from livesheet.formula.nodes import symbols
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import Mechanism
 
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from mechsheet.kinematics.numeric import Array, interpolated, value
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import TIME, Driver, Mechanism
 
 

@@ -12,7 +12,7 @@ from livesheet.formula.nodes import Call, Node, Number, Symbol
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar, Quantity
 
 

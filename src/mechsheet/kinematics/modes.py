@@ -15,7 +15,7 @@ from mechsheet.kinematics.dyads.solved import Solved
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import Mechanism, Words
 
 BETWEEN = 0.1

@@ -25,7 +25,7 @@ from mechsheet.kinematics.newton.picking import listed, turns
 from mechsheet.kinematics.newton.starts import MOST_FOUND
 from mechsheet.kinematics.newton.system import followed
 from mechsheet.kinematics.numeric import Array, evaluate_equation
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import Mechanism, Words
 
 WIDTH = 256

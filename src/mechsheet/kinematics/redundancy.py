@@ -18,16 +18,16 @@ from livesheet import portable
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.build_equations import write_equations, write_stepped
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.lengths import extent
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.places import number, number_places
+from mechsheet.kinematics.points_in_link import number, number_places
 from mechsheet.kinematics.sketched import assemblies
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.kinematics.writing import write_equations, write_stepped
 from mechsheet.model import Joint, Link, Mechanism, Rack, Sketch
 
 HOLDS = 1e-7

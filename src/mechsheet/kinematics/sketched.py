@@ -19,18 +19,18 @@ from livesheet import portable
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import DescriptionWarning
+from mechsheet.kinematics.build_equations import write_equations
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.lengths import extent
 from mechsheet.kinematics.mobility import listed_names
-from mechsheet.kinematics.newton.elsewhere import assembly_doubts
+from mechsheet.kinematics.newton.changed_dimensions import assembly_doubts
 from mechsheet.kinematics.newton.steps import step_doubts
 from mechsheet.kinematics.newton.tracing import way
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.kinematics.writing import write_equations
 from mechsheet.model import Gear, Mechanism, Rack, Relation
 
 FAR, NOWHERE = 0.25, 0.5

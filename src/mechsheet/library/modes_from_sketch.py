@@ -20,7 +20,7 @@ from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism

@@ -19,7 +19,7 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.library.building import told
 from mechsheet.library.recalculation import json_value
 from mechsheet.library.verdicts import verdict

@@ -12,7 +12,7 @@ from livesheet.said import say
 from mechsheet.compiled import Compiled
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import Search
 from mechsheet.library.building import told
 from mechsheet.model import Mechanism

@@ -11,7 +11,7 @@ from .poses import assemblies, solve
 from .rates import by_time, rates
 from .residual import residuals, worst
 from .solution import Solution, reached
-from .wholes import further
+from .whole_mechanism import further
 
 __all__ = [
     "Solution",

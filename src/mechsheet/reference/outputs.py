@@ -11,7 +11,7 @@ from livesheet.formula.nodes import symbols
 from .expressions import column
 from .geometry import Array
 from .solution import Solution, motion_of
-from .wholes import further
+from .whole_mechanism import further
 
 
 def variables(solution: Solution) -> dict[str, Array]:

@@ -101,7 +101,7 @@ class Kind:
     pairs     whether the task is pairs of angles, or a function that gives them
     asked     the rows of what is asked
     figure    the lines of the figure;  curve  the table over a range
-    verdicts  names of what is said of the mechanism that comes out, in order: methods of `sheet/synthesis/does.py`
+    verdicts  names of what is said of the mechanism that comes out, in order (`sheet/synthesis/requirement_checks.py`)
     turns     above 0 where the input link turns fully, a length, over results; "" where it always does
     steps     by how much the input link turns from each point to the next: for the verdict `order`
     beside    the least angle between coupler and output at the points, where they have no input angle: for `at_dead_centre`

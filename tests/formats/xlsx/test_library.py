@@ -21,7 +21,7 @@ from chosen import IN_CI
 from livesheet.formats.xlsx import library
 
 ROOT = Path(__file__).parents[3]
-SOURCE = Path(mechsheet.__file__).parent
+SOURCE = Path(mechsheet.__file__).parent.parent
 EXTENDED = [
     kind
     for kind in vars(library).values()
@@ -77,7 +77,7 @@ print(xlsxwriter.__version__, xlsxwriter.__file__)
 def written(folder, side=None):
     """Bytes of the workbooks by name, and what wrote them; `side` is a folder whose XlsxWriter goes first."""
     folder.mkdir()
-    paths = [*([side] if side else []), SOURCE.parent, ROOT / "tests" / "formats"]
+    paths = [*([side] if side else []), SOURCE, ROOT / "tests" / "formats"]
     run = subprocess.run(
         [sys.executable, "-c", WRITES, str(folder), str(ROOT / "templates" / "four-bar.toml")],
         env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, paths))},

@@ -15,10 +15,10 @@ from livesheet.formula.parser import parse_formula
 from livesheet.formula.printer import print_formula
 from mechsheet import description
 from mechsheet.homework.audit import audit, audited
+from mechsheet.homework.formula_strips import upright
 from mechsheet.homework.marking_rules import asked_of
 from mechsheet.homework.mends.candidates import Surroundings, candidates
 from mechsheet.homework.mends.pairs import pairs
-from mechsheet.homework.upright import upright
 
 LEAST = {"A40": "mu_min", "B40": "=MIN(L9:L33)"}
 

@@ -11,9 +11,9 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.build_equations import standing, write_equations
 from mechsheet.kinematics.driving import at_values
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.kinematics.writing import standing, write_equations
 
 SWEEPS = {"stephenson-iii-output": (-100, 120, 10), "double-butterfly": (100, 160, 4), "planar-3rpr": (1, 9, 0.5)}
 """Wider than those of the templates, so that assemblies exist in some part of them only."""

@@ -18,7 +18,7 @@ from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.reference.geometry import link_places
 from mechsheet.sheet import styles

@@ -3,7 +3,7 @@
 import pytest
 from laid import Laid
 
-from mechsheet.sheet.synthesis.does import DOUBT, NO, YES
+from mechsheet.sheet.synthesis.requirement_checks import DOUBT, NO, YES
 from mechsheet.sheet.synthesis.rows import ROUNDED, USED
 from mechsheet.sheet.synthesis.tables import exact_column
 from synthesis_tasks import description

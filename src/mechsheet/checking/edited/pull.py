@@ -25,7 +25,7 @@ from mechsheet.description.text.rewrite import number_text, with_number, without
 from mechsheet.description.text.source import Source, parse, read_text
 from mechsheet.diagnostics import DescriptionError, MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.library.modes_from_sketch import numbered_anew, with_modes
 from mechsheet.model import Mechanism
 

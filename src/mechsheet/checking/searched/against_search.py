@@ -27,7 +27,7 @@ from mechsheet.checking.searched.tables import judge_tables
 from mechsheet.checking.searched.verdicts import SearchedVerdicts
 from mechsheet.checking.undefined_dimensions import missing_dimensions
 from mechsheet.kinematics.equations import Group
-from mechsheet.kinematics.places import number_places
+from mechsheet.kinematics.points_in_link import number_places
 from mechsheet.kinematics.search import Search
 from mechsheet.sheet.first.verdicts import closes_in_all
 from mechsheet.sheet.plan import MEANING, Plan

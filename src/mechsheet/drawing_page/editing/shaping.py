@@ -33,7 +33,7 @@ from mechsheet.drawing_page.positions import (
 )
 from mechsheet.drawing_page.questions import Impossible
 from mechsheet.drawing_page.reading import Reading, read
-from mechsheet.kinematics.places import number
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.library.modes_from_sketch import with_modes
 
 DIGITS = 5

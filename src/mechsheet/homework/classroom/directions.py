@@ -18,7 +18,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node
 from mechsheet import reference
 from mechsheet.homework.agreement import DEGREE
-from mechsheet.homework.truth import Truth, truth_of
+from mechsheet.homework.expected_values import Truth, truth_of
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Quantity
 
 QUARTER = 90

@@ -25,6 +25,8 @@ from mechsheet.homework.agreement import (
     zeros_of,
 )
 from mechsheet.homework.conventions import in_convention
+from mechsheet.homework.expected_values import Array, Quantity, kind_of, vocabulary
+from mechsheet.homework.formula_strips import Place, Strip, with_formula
 from mechsheet.homework.headings import around, names_over, says
 from mechsheet.homework.inputs import single_cells
 from mechsheet.homework.mends.candidates import Candidate, Surroundings, candidates
@@ -32,10 +34,8 @@ from mechsheet.homework.mends.pairs import pairs
 from mechsheet.homework.mends.trial import Effort, Trial, UntriableError
 from mechsheet.homework.series import Graph, Series
 from mechsheet.homework.summaries import holding, span_of
-from mechsheet.homework.truth import Array, Quantity, kind_of, vocabulary
 from mechsheet.homework.two_way import columns_beside
 from mechsheet.homework.understanding import MOVING
-from mechsheet.homework.upright import Place, Strip, with_formula
 from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, mostly, retype
 
 MOST_FAULTS = 5

@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 
 from livesheet.formula.book import Block, BookSheet, CellStore
 from livesheet.formula.nodes import CellRef, Node, shifted, transform
+from mechsheet.homework.formula_strips import Strip, Work, turned
 from mechsheet.homework.mends.faults import Mend
 from mechsheet.homework.series import Graph, Run
 from mechsheet.homework.two_way import columns_beside
 from mechsheet.homework.understanding import Understanding
-from mechsheet.homework.upright import Strip, Work, turned
 
 MOST_ROWS = 100
 """Rows of a table that is looked at whole."""

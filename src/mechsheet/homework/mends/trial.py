@@ -28,10 +28,10 @@ from livesheet.formula.nodes import (
     children,
     rebuilt,
 )
+from mechsheet.homework.expected_values import Array
+from mechsheet.homework.formula_strips import Place
 from mechsheet.homework.routines import routine_names
 from mechsheet.homework.series import Graph, Series
-from mechsheet.homework.truth import Array
-from mechsheet.homework.upright import Place
 
 MOST_AT_ONCE = 1500
 OF_ONE = 600

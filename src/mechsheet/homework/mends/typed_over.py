@@ -9,9 +9,9 @@ import numpy as np
 
 from livesheet.formula.nodes import Number
 from mechsheet.homework.conventions import in_convention
+from mechsheet.homework.formula_strips import Strip
 from mechsheet.homework.mends.faults import Mend, goals_of, mended_sheet, newly_right
 from mechsheet.homework.series import Series
-from mechsheet.homework.upright import Strip
 from mechsheet.homework.verdicts import Finding, Sheet
 
 FEW = 0.25

@@ -21,7 +21,7 @@ from mechsheet.kinematics.dyads.solved import ONE_ASSEMBLY, Solved, lines_cross
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.kinematics.places import angle_of
+from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.kinematics.poses import Guide, Poses
 from mechsheet.units import LENGTH, NUMBER
 from mechsheet.words.equations import phrase

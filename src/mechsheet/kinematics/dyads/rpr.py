@@ -20,7 +20,7 @@ from mechsheet.kinematics.assur import Dyad
 from mechsheet.kinematics.dyads.solved import Solved, half_turn_unless, known_way, leg, leg_left
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.places import angle_of
+from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.kinematics.poses import Poses
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import phrase

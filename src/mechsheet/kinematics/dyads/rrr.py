@@ -19,7 +19,7 @@ from mechsheet.kinematics.assur import Dyad
 from mechsheet.kinematics.dyads.solved import DEAD, Determinant, Solved, known_way
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.kinematics.places import triangle_closes
+from mechsheet.kinematics.points_in_link import triangle_closes
 from mechsheet.kinematics.poses import Poses
 from mechsheet.units import ANGLE
 from mechsheet.words.equations import phrase

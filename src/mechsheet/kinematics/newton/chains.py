@@ -15,8 +15,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, islice
 
+from mechsheet.kinematics.gear_relations import terms_of
 from mechsheet.kinematics.graph import Graph, Slide
-from mechsheet.kinematics.ties import terms_of
 from mechsheet.model import Relation
 
 Assembly = tuple[str, ...]

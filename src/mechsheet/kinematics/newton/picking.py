@@ -15,9 +15,9 @@ from livesheet.said import say
 from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, difference, entries_of
-from mechsheet.kinematics.newton.beginning import DeadStartError, singular
-from mechsheet.kinematics.newton.carriers import Solution
 from mechsheet.kinematics.newton.leading import leading
+from mechsheet.kinematics.newton.newton_equations import Solution
+from mechsheet.kinematics.newton.singular_start import DeadStartError, singular
 from mechsheet.kinematics.newton.starts import MOST_FOUND, assemblies_in
 from mechsheet.kinematics.newton.system import refined
 from mechsheet.kinematics.numeric import Array

@@ -25,14 +25,14 @@ from livesheet.formula.nodes import Binary as NodeBinary
 from livesheet.formula.nodes import Call, Node, Number, Symbol, renamed, transform
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import Condition, System
+from mechsheet.kinematics.gear_relations import terms_of
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.newton.carriers import Solution, holder
 from mechsheet.kinematics.newton.chains import Binary
 from mechsheet.kinematics.newton.cramer import Cramer, cramer
+from mechsheet.kinematics.newton.newton_equations import Solution, holder
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.rates.motions import Motions, PointRate, Rate
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
-from mechsheet.kinematics.ties import terms_of
 from mechsheet.kinematics.vectors import Vector, dot, minus, negative, turned
 from mechsheet.model import Rack, Relation
 

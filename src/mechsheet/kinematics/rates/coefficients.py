@@ -26,15 +26,15 @@ from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.dyads.solved import Determinant, Solved
 from mechsheet.kinematics.equations import Fit
+from mechsheet.kinematics.gear_relations import Held, Tied, solved_for
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.newton.carriers import Solution
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.newton.coefficients import ChainColumns
+from mechsheet.kinematics.newton.newton_equations import Solution
 from mechsheet.kinematics.newton.rates import Closings, known_pins, without
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Meeting, Motions, PointRate, Rate
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, RateColumns, order_words
-from mechsheet.kinematics.ties import Held, Tied, solved_for
 from mechsheet.kinematics.vectors import Vector, cross, minus, plus, size, times
 from mechsheet.model import POINT_RATES, Mechanism, Words, rate_symbols
 from mechsheet.units import LENGTH, RAD, Unit

@@ -20,10 +20,10 @@ from typing import Protocol, TypeAlias
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
+from mechsheet.kinematics.gear_relations import Tied
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.places import angle_of
+from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.kinematics.poses import Assembly, Poses
-from mechsheet.kinematics.ties import Tied
 from mechsheet.kinematics.vectors import NOWHERE, Vector, minus, plus, times, turned
 
 

@@ -14,7 +14,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol, walk
 from livesheet.formula.printer import print_formula
 from livesheet.formula.spellings import longest_spelling
-from mechsheet.kinematics.places import angle_of
+from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.model import Joint, Link
 from mechsheet.sheet.checks.geometry import base_point, distance, measured_pairs, place
 from mechsheet.sheet.plan import Plan

@@ -13,7 +13,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.ledger import CLOSING
-from mechsheet.kinematics.places import angle_of
+from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.model import Cartesian, Distances, Link, Polar
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.lowering import Assignments

@@ -9,7 +9,7 @@ from livesheet import portable
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.places import angle_of, cartesian, number_places
+from mechsheet.kinematics.points_in_link import angle_of, cartesian, number_places
 from mechsheet.model import Joint, Link, Mechanism
 
 

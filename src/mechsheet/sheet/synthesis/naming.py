@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol, with_symbols
 from livesheet.formula.parser import parse_description
-from mechsheet.kinematics.writing import counts_from_driven
+from mechsheet.kinematics.build_equations import counts_from_driven
 from mechsheet.model import Synthesis
 from mechsheet.sheet.plan import Plan
 

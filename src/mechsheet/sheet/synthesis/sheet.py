@@ -10,9 +10,9 @@ from mechsheet.sheet.notes.mathematics import written
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.synthesis.does import Does, can_be
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.pictures import write_curve_chart, write_figure
+from mechsheet.sheet.synthesis.requirement_checks import Does, can_be
 from mechsheet.sheet.synthesis.rows import (
     HINT_ROW,
     LINE_ROW,

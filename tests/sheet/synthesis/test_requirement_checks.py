@@ -6,9 +6,9 @@ from planned import planned
 
 from livesheet.formula.nodes import CellRef
 from livesheet.formula.printer import print_formula
-from mechsheet.sheet.synthesis.does import DOUBT, YES, Does
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
+from mechsheet.sheet.synthesis.requirement_checks import DOUBT, YES, Does
 from mechsheet.sheet.synthesis.rows import ROUNDED, USED, VALUE
 
 

@@ -21,7 +21,7 @@ from livesheet.formula.nodes import TriangleAngle, symbols
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads.rrr import three_pins, triangle_exists
 from mechsheet.kinematics.dyads.solved import Solved
-from mechsheet.kinematics.places import Place, arm_of, cartesian, number
+from mechsheet.kinematics.points_in_link import Place, arm_of, cartesian, number
 from mechsheet.kinematics.poses import Assembly, Member, Poses
 from mechsheet.model import Sketch
 from mechsheet.units import ANGLE

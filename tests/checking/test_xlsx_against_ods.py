@@ -24,7 +24,7 @@ from mechsheet.checking import check, with_twins
 from mechsheet.checking.inputs import Inputs, OfTheLast
 from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import difference
-from mechsheet.checking.twins import compare_twins
+from mechsheet.checking.xlsx_against_ods import compare_twins
 from mechsheet.cli import main
 from mechsheet.description import load
 from mechsheet.dynamics.solve import solve

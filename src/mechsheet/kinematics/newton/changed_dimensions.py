@@ -14,12 +14,12 @@ import numpy as np
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.build_equations import write_stepped
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations, Group, System
-from mechsheet.kinematics.newton.leaving import led, scales, trends
+from mechsheet.kinematics.newton.lost_assembly import led, scales, trends
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.kinematics.writing import write_stepped
 from mechsheet.model import Mechanism
 
 ALIKE = 1e-3

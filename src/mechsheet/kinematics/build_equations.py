@@ -23,9 +23,10 @@ from mechsheet.kinematics.dyads.lines import solve_prp, solve_rpp
 from mechsheet.kinematics.dyads.rpr import solve_rpr
 from mechsheet.kinematics.dyads.rrp import solve_rrp
 from mechsheet.kinematics.dyads.rrr import solve_rrr
+from mechsheet.kinematics.dyads.rrr_on_driven_pair import member, sketched_mode, solve_within
 from mechsheet.kinematics.dyads.solved import Determinant, Solved
-from mechsheet.kinematics.dyads.within import member, sketched_mode, solve_within
 from mechsheet.kinematics.equations import Equation, Equations, Group, System, assembly_of, validate
+from mechsheet.kinematics.gear_relations import Tied
 from mechsheet.kinematics.graph import Graph, graph_of
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.lengths import largest_given
@@ -34,17 +35,16 @@ from mechsheet.kinematics.mobility import check_mobility
 from mechsheet.kinematics.modes import NeverClosesError, pick_mode
 from mechsheet.kinematics.naming import given_names
 from mechsheet.kinematics.nearest import NOTHING_MEANT, Choice, Meant, Nearest
-from mechsheet.kinematics.newton.carriers import ChainWriter, Solution
 from mechsheet.kinematics.newton.chains import Chain
+from mechsheet.kinematics.newton.newton_equations import ChainWriter, Solution
 from mechsheet.kinematics.newton.picking import pick_assembly, words_of
 from mechsheet.kinematics.newton.steps import settled
 from mechsheet.kinematics.newton.tracing import cannot_follow, cannot_show, way
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.places import angle_of, cartesian, number
+from mechsheet.kinematics.points_in_link import angle_of, cartesian, number
 from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rates.coefficients import Written, add_rates, wanted
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.kinematics.ties import Tied
 from mechsheet.model import FurtherDriver, Mechanism, Quantity, Words
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import phrase, same
