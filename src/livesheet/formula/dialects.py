@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 DialectName: TypeAlias = Literal[
-    "excel", "openformula", "description", "text", "octave", "python", "latex", "numbers", "basic"
+    "excel", "openformula", "description", "text", "octave", "python", "latex", "numbers", "basic", "geogebra"
 ]
 
 MAX_NESTING = 64

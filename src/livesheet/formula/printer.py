@@ -297,6 +297,7 @@ _REWRITES = {
     "description": _with_hypot,
     "octave": plain_degrees,
     "python": real_powers,
+    "geogebra": plain_degrees,
     "latex": pairwise,
     "numbers": pairwise,
     "basic": signs_apart,

@@ -168,7 +168,45 @@ BASIC = Dialect(
 """VBA, and the Basic of LibreOffice, where -x ^ 2 is (-x) ^ 2: what has a sign gets parentheses under a power. Log is the
 natural logarithm. A direction (ATAN2) is a function that the program brings along under its own name."""
 
-WRITTEN: dict[str, Dialect] = {dialect.name: dialect for dialect in (OCTAVE, PYTHON, LATEX, NUMBERS, BASIC)}
+GEOGEBRA = Dialect(
+    "geogebra",
+    {**COMPARISONS, **MATHEMATICS},
+    prefix=60,
+    postfix=0,
+    spelling={"=": "==", "<>": "!="},
+    argument=", ",
+    spaced=frozenset(("+", "-", "*", "/", "^", *COMPARISONS)),
+    calls={
+        "ABS": "abs({0})",
+        "ACOS": "acos({0})",
+        "AND": "({0} && {1})",
+        "ASIN": "asin({0})",
+        "ATAN": "atan({0})",
+        "ATAN2": "atan2({1}, {0})",
+        "COS": "cos({0})",
+        "EXP": "exp({0})",
+        "IF": "If[{0}, {1}, {2}]",
+        "ISNUMBER": "IsDefined[{0}]",
+        "LN": "ln({0})",
+        "MAX": "Max[{0}, {1}]",
+        "MIN": "Min[{0}, {1}]",
+        "MOD": "(({0}) - ({1}) * floor(({0}) / ({1})))",
+        "NA": "?",
+        "NOT": "!({0})",
+        "OR": "({0} || {1})",
+        "PI": "pi",
+        "POWER": "(({0}) ^ ({1}))",
+        "ROUND": "round({0}, {1})",
+        "SIGN": "sgn({0})",
+        "SIN": "sin({0})",
+        "SQRT": "sqrt({0})",
+        "TAN": "tan({0})",
+    },
+    sets_signs_apart=True,
+)
+"""Expressions of GeoGebra, whose atan2 takes y first. What is undefined (?) makes undefined whatever reads it."""
+
+WRITTEN: dict[str, Dialect] = {dialect.name: dialect for dialect in (OCTAVE, PYTHON, LATEX, NUMBERS, BASIC, GEOGEBRA)}
 
 
 def pairwise(node: Node) -> Node:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from mechsheet.exporting import dxf, latex, markdown, octave, python, svg, table, vba
+from mechsheet.exporting import dxf, geogebra, latex, markdown, octave, python, svg, table, vba
 from mechsheet.exporting.job import Kind
 
 _ROWS = (
     Kind("octave", ".m", "arrays, animated drawing and curves: GNU Octave, MATLAB", octave.write, identifier=True),
     Kind("python", ".py", "a numpy module that needs nothing else", python.write, identifier=True),
+    Kind("geogebra", ".ggb", "a construction that moves, with sliders, for GeoGebra", geogebra.write),
     Kind("vba", ".bas", "a module of functions for Excel and LibreOffice", vba.write, identifier=True),
     Kind("latex", ".tex", "the solution as a textbook writes it, for one position", latex.write, positions=True),
     Kind("markdown", ".md", "the same in Markdown", markdown.write, positions=True),

@@ -58,7 +58,7 @@ class Source:
 
     steps    what every symbol that is not given equals at one position, by symbol, in order of solution
     solved   the unknowns that Newton's method finds, as the table calls them
-    closing  the steps that have no number where a group cannot be joined
+    closing  the steps that have no number where a group cannot be joined, by the number of the group
     """
 
     def __init__(self, compiled: Compiled) -> None:
@@ -76,8 +76,12 @@ class Source:
         given = tuple(Symbol(part.symbol) for part in self.parameters())
         for symbol in self.solved:
             self.steps[symbol] = Step(symbol, Call(unknown_key(symbol), given))
-        closing = [lowering.holders[group.closes] for group in equations.groups]
-        self.closing = [name for name in closing if name in self.solved or self.steps[name].missing is not None]
+        closing = {group.number: lowering.holders[group.closes] for group in equations.groups}
+        self.closing = {
+            group: name
+            for group, name in closing.items()
+            if name in self.solved or self.steps[name].missing is not None
+        }
 
     def _steps(self, lowering: Lowering, branches: Mapping[str, AngleBranch]) -> dict[str, Step]:
         derived = {dim.symbol: dim.value for dim in self.mechanism.dimensions if not isinstance(dim.value, float)}
@@ -145,7 +149,7 @@ class Source:
         taken = WINDOWED.format(symbol=symbol)
         wanted = taken if windowed and taken in self.steps else symbol
         own = needed_for([wanted], self.steps)
-        needed = needed_for([wanted, *self.closing], self.steps)
+        needed = needed_for([wanted, *self.closing.values()], self.steps)
         parameters = {parameter.symbol: parameter for parameter in self.parameters()}
         used = [step for name, step in self.steps.items() if name in needed]
         steps, result = tidied(used, wanted, {name: Symbol(name) for name in parameters})
@@ -156,7 +160,7 @@ class Source:
             steps,
             result,
             self.mechanism.shown(self.equations.of(symbol).unit.internal),
-            tuple(name for name in self.closing if name not in own),
+            tuple(name for name in self.closing.values() if name not in own),
         )
 
 

@@ -160,6 +160,10 @@ class Positions:
         fixed = (*texts, caption)
         return Scene((*drawn, *bars, *self._names(row, (*drawn, *bars), fixed), *fixed), self.window)
 
+    def known(self, symbol: str) -> float:
+        """A number of the whole motion that shapes read: one of the list's extremes, or half the window's side."""
+        return float(self._known[symbol])
+
     # --- formulas in numbers -----------------------------------------------------------------------------------------
 
     def _column(self, node: Node) -> Array:

@@ -107,6 +107,7 @@ LIBRARY: dict[str, str] = {
         "{what} boyut alır, bu mekanizmanınkileri ise sentez bulur"
     ),
     "functions in Basic": "Basic fonksiyonları",
+    "constructions for GeoGebra": "GeoGebra çizimleri",
     "workbooks with functions": "fonksiyonlu çalışma kitapları",
     "give the dimensions as numbers (`show --dimensions` prints them); other exports have the synthesis": (
         "boyutları sayı olarak verin (`show --dimensions` yazar); öteki dışa aktarmalarda sentez vardır"
