@@ -157,7 +157,8 @@ class _Reading:
 
     def dimensions_and_links(self) -> None:
         """Dimensions, with those of a synthesis; links and their points; joints."""
-        given, bodies, scope = self._part("dimensions", {}), self._part("links", {}), self.scope
+        bodies, scope = self._part("links", {}), self.scope
+        given = dimensions.spelled_out(self._part("dimensions", {}), scope)
         bare = links.declare(bodies, scope)  # first: a dimension that takes an angle's name is the one to rename
         self.task = synthesis.read(self.data.get("synthesis"), given, scope, (*self.outputs, *self.summary))
         dimensions.declare(given, scope, self.task.units)

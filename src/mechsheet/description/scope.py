@@ -8,10 +8,11 @@ from dataclasses import dataclass, field
 from graphlib import CycleError, TopologicalSorter
 from typing import Any
 
-from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, plain_unit
+from mechsheet.description.kinds import ANGLE, ANY, DEGREES, LENGTH, kind_of, plain_unit
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.description.text.index import Path
+from mechsheet.description.text.measured import EXAMPLES, Measured, home, labels_of, measured, spelled, unit_named
 from mechsheet.description.text.numbers import typed_number
 from mechsheet.diagnostics import FormulaError
 from mechsheet.formula.names import folded, name_fault
@@ -237,8 +238,12 @@ class Scope:
     def quantity(self, value: Any, wanted: str, path: Path, unit: Unit | None = None) -> Quantity:
         """A number or expression over dimensions as the model holds it, in internal units; REPORTED if it is faulty.
 
-        A plain number that is an angle is in `unit`, or in the file's angle unit.
+        A plain number that is an angle is in `unit`, or in the file's angle unit. What is neither angle nor length is in
+        `unit`, too, or has none.
         """
+        own = unit or self.angle_unit
+        plain = {ANGLE: own.symbol, LENGTH: self.length_unit}.get(wanted, unit.text if unit else "1")
+        value = self.plain(value, plain, path)
         if value is BAD:
             return REPORTED
         if not isinstance(value, str):
@@ -251,6 +256,33 @@ class Scope:
         known = all(name in self.numbers for name in symbols(tree))
         return REPORTED if known and self.value(tree, path) is None else tree
 
+    def plain(self, value: Any, unit: str, path: Path) -> Any:
+        """A number with its unit ("2 kN") as the number that it is in `unit`, BAD where it is of another kind; whatever
+        else stands there as it is."""
+        found = measured(value) if isinstance(value, str) else None
+        if found is None:
+            return value
+        number = found.in_unit(unit or "1")
+        if number is None:
+            self._misfit(found, value, unit, path)
+        return BAD if number is None else number
+
+    def _misfit(self, found: Measured, text: str, unit: str, path: Path) -> None:
+        if found.unit in self.units:
+            message = say("{text} is neither a number nor an expression", text=quoted(text))
+            self.report.at(path, message, say("write {new}", new=f'"{found.number}*{found.unit}"'))
+        elif unit_named(found.unit) is None:
+            self.unknown_unit(found.unit, path)
+        elif unit in ("", "1"):
+            self.report.at(path, say("{text} has a unit where a plain number is needed", text=quoted(text)))
+        else:
+            self.report.at(path, say("{text} where {unit} are needed", text=quoted(text), unit=unit))
+
+    def unknown_unit(self, unit: str, path: Path) -> None:
+        """Report it."""
+        message = say("unknown unit {unit}", unit=quoted(unit))
+        self.report.at(path, message, say("units that are known: {units}", units=EXAMPLES))
+
     def number(self, quantity: Quantity) -> float:
         """The value of what `quantity` returned; nan where it is not known."""
         if isinstance(quantity, float):
@@ -259,15 +291,25 @@ class Scope:
         return evaluate(quantity, self.numbers) if known else REPORTED
 
     def unit(self, table: dict[str, Any], path: Path) -> Unit:
-        """The unit of a dimension: degrees, radians, none, or the length unit (the default)."""
+        """The unit of a dimension: the length unit (the default), degrees, radians, none, or a label (`labels_of`)."""
         unit = table.get("unit", self.length_unit)
         choices = ("deg", "rad", "1", self.length_unit)
         if unit is BAD or unit == self.length_unit:
             return unit_of(self.length_unit, self.length_unit)
         if plain_unit(unit) in choices:
             return unit_of(plain_unit(unit), self.length_unit)
-        hint = suggestion(unit, choices, "units")
-        self.report.at((*path, "unit"), say("unknown unit {unit}", unit=quoted(unit)), hint)
+        labels = labels_of(self.length_unit)
+        label = next((label for label in labels if spelled(label) == spelled(unit)), None)
+        if label is not None:
+            return unit_of(label, self.length_unit)
+        value = table.get("value")
+        at_home = home(Measured(repr(value), spelled(unit)), self.length_unit) if isinstance(value, float) else None
+        if at_home is not None:
+            message = say("a number in {unit} is written with its unit behind it", unit=quoted(unit))
+            self.report.at((*path, "unit"), message, say("write {new}", new=f'value = "{value:.12g} {unit}"'))
+        else:
+            hint = suggestion(unit, (*choices, *labels), "units")
+            self.report.at((*path, "unit"), say("unknown unit {unit}", unit=quoted(unit)), hint)
         return NUMBER  # fits everywhere
 
 

@@ -17,6 +17,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, symbol_fault
 from mechsheet.description.text.index import Path
+from mechsheet.description.text.measured import METRES
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.model import (
@@ -35,9 +36,6 @@ from mechsheet.model import (
 )
 from mechsheet.said import say
 from mechsheet.units import Unit, unit_of
-
-METRES = {"mm": 0.001, "cm": 0.01, "dm": 0.1, "m": 1.0}
-"""Length unit -> metres: with these masses are in kg and forces in N."""
 
 
 def read(
@@ -102,6 +100,7 @@ class _Reader:
     ) -> Node | None:
         """A number or an expression over dimensions as a dimension of its own; None where it is faulty."""
         scope = self.scope
+        given = scope.plain(given, unit.text, path)
         if given is BAD:
             return None
         value: Quantity
@@ -304,6 +303,9 @@ class _Reader:
     def _effort(self, symbol: str, given: Any, unit: Unit, path: Path) -> Node | None:
         """A number, or an expression over dimensions, as a cell; one that differs from row to row as it is."""
         scope = self.scope
+        given = scope.plain(given, unit.text, path)
+        if given is BAD:
+            return None
         if given == 0 and not isinstance(given, str):
             return al.ZERO
         if not isinstance(given, str):
