@@ -103,6 +103,6 @@ def _dimension(symbol: str, entry: Any, trees: Mapping[str, Node], scope: Scope)
         label=words(entry.get("label")),
         cell=scope.cell(entry, path),
         tolerance=entry.get("tolerance"),
-        shown=None if derived else entry.get("value"),
+        shown=None if derived or entry["value"] is BAD else entry["value"],
         written=entry.get("formula", "") if derived else "",
     )

@@ -147,7 +147,8 @@ class _Reading:
         self.data = fit(source.data, DESCRIPTION, (), report)
         self.head = self._part("mechanism", {})
         self.scope = scope_of(self.head, report)
-        self.outputs, self.summary = self._part("outputs", {}), self._part("summary", {})
+        self.outputs = further_outputs.spelled_out(self._part("outputs", {}))
+        self.summary = self._part("summary", {})
         self.layout = choice(self._part("workbook", {}), "layout", "sheets")
         self.table: tuple[Dimension, ...] = ()
         self.parts: dict[str, Any] = {}

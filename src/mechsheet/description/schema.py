@@ -293,7 +293,9 @@ LOAD = Table(
 OUTPUT = Table(
     {
         "formula": Key(
-            Text(longest=8000), "an expression over variables and dimensions, or over summaries and dimensions", True
+            Text(longest=8000),
+            "an expression over variables, dimensions and other outputs, or over summaries and dimensions",
+            True,
         ),
         "unit": Key(
             Text(longest=20), 'as for a dimension, or any label but for an angle; "deg": the formula yields radians'
@@ -396,7 +398,8 @@ DESCRIPTION = Table(
         "flywheel": Key(FLYWHEEL, "how large one must be, for whole turns at constant speed"),
         "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
         "outputs": Key(
-            Named(OUTPUT, "output"), "further quantities of every row; of the whole motion where they name summaries"
+            Named(Either((Text(longest=8000), OUTPUT)), "output"),
+            "further quantities of every row; of the whole motion where they name summaries; a text is the formula",
         ),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
         "tolerance": Key(TOLERANCES, "bands that follow from the tolerances of dimensions; needs no keys"),

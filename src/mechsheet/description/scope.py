@@ -80,6 +80,7 @@ class Scope:
     rates      names of angular and sliding velocities and accelerations;  moves: True when the driver has a speed
     of_rates   names of outputs that read rates
     forces     names of joint forces, of the driver's effort and what else masses and loads bring -> what it is
+    force_units  -> what stands behind its numbers
     charted    columns that follow from all rows together: charts may show them
     centers    G3 of a mass centre that is a point of its link -> that point
     """
@@ -104,6 +105,7 @@ class Scope:
     moves: bool = False
     of_rates: set[str] = field(default_factory=set)
     forces: dict[str, str] = field(default_factory=dict)
+    force_units: dict[str, str] = field(default_factory=dict)
     centers: dict[str, str] = field(default_factory=dict)
     charted: dict[str, None] = field(default_factory=dict)
     symbols: Space = field(init=False)
@@ -215,12 +217,13 @@ class Scope:
         shown = unit.to_shown(self.numbers[dimension])
         return f"{shown:.6g}" + ("" if unit == NUMBER else f" {unit.symbol}")
 
-    def fits(self, tree: Node, text: str, wanted: str, path: Path) -> bool:
-        """True unless the expression surely is of another kind than `wanted`."""
+    def fits(self, tree: Node, text: str, wanted: str, path: Path, instead: str = "") -> bool:
+        """True unless the expression surely is of another kind than `wanted`; `instead`: what to do about an angle."""
         kind = kind_of(tree, self.kinds)
         if ANY in (kind, wanted) or kind == wanted:
             return True
         hint = say("expressions compute in radians: leave degrees() out") if kind == DEGREES and wanted == ANGLE else ""
+        hint = instead if kind == ANGLE else hint
         needed = say("an angle") if wanted == ANGLE else say("a length")
         is_now = say("an angle") if kind == ANGLE else say(f"a {kind}")
         self.report.at(

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from mechsheet.description.driving.rates import check_speed, is_rate
-from mechsheet.description.forces.force_names import CENTER, first_key, keys_of
+from mechsheet.description.forces.force_names import CENTER, MOMENTS, POWER, first_key, keys_of
 from mechsheet.description.links import place as read_place
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
@@ -62,6 +62,7 @@ class _Reader:
         self.force_unit, self.mass_unit = self._units(bodies)
         torque = torque_unit(self.force_unit, self.metre, self.scope.length_unit)
         self.force, self.torque = Unit("force", self.force_unit), Unit("moment", torque)
+        self.scope.force_units |= {name: self._unit_of(name, what) for name, what in self.scope.forces.items()}
         masses = [self._mass(link, bodies[link.name]) for link in self.links if self._has_mass(link, bodies)]
         gravity = self._gravity()
         found = [self._load(number, entry) for number, entry in enumerate(loads) if entry is not BAD]
@@ -70,6 +71,14 @@ class _Reader:
             tuple(load for load in found if isinstance(load, Spring)), self.force_unit, self.mass_unit,
         )  # fmt: skip
         return dynamics, tuple(self.cells)
+
+    def _unit_of(self, name: str, what: str) -> str:
+        """What stands behind the numbers of a force, an effort or a mass centre."""
+        if what == POWER:
+            return "W" if self.metre else f"{self.torque.text}/s"
+        if what == CENTER:
+            return self.scope.length_unit
+        return self.torque.text if what in MOMENTS or name.endswith(".m") else self.force.text
 
     def _units(self, bodies: dict[str, Any]) -> tuple[str, str]:
         """The labels of forces and masses."""

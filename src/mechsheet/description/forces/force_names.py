@@ -28,6 +28,7 @@ WEIGHTS = ("mass", "center", "inertia")
 
 POWER, SHAKES = "driver's power", "shaking force"
 CENTER, CENTER_MOVES = "mass centre", "velocity or acceleration of a mass centre"
+MOMENTS = ("couple", "driving torque", "torque of a belt")
 OF_MOTION = (POWER, SHAKES, CENTER_MOVES)
 """What there is only where the driver has a speed."""
 
