@@ -201,7 +201,7 @@ class _Reading:
         """Masses and loads."""
         bodies, loads, scope = self._part("links", {}), self._part("loads", []), self.scope
         force_names.declare(bodies, loads, self.links, self.joints, self.driver, self.further, self.relations, scope)
-        self.masses, cells = dynamics.read(bodies, self._part("dynamics", {}), loads, self.links, scope)
+        self.masses, cells = dynamics.read(bodies, self._part("dynamics", {}), loads, self.links, self.joints, scope)
         self.table = (*self.table, *cells)
 
     def asked(self) -> None:

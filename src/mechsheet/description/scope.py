@@ -61,7 +61,10 @@ class Space:
                 what=other_what if isinstance(other_what, Said) else say(other_what),
                 line=line,
             )
-        self.report.at(path, message, hint or (_CASE if other != name else ""))
+        case = _CASE
+        if path[:1] == other_path[:1] == ("links",) and len(path) == len(other_path) > 2:  # two points
+            case = say('did you mean "{name}"? {case}', name=other, case=_CASE)
+        self.report.at(path, message, hint or (case if other != name else ""))
 
 
 @dataclass(slots=True)

@@ -274,7 +274,9 @@ def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> A
             report.at((*path, key), say("unknown key"), suggestion(key, shape.keys, "keys"))
     for key, rule in shape.keys.items():
         if rule.required and key not in value:
-            report.at((*path, key), say("is missing: {note}", note=say(rule.note)))
+            only = rule.shape.least if isinstance(rule.shape, Integer) and rule.shape.least == rule.shape.most else None
+            hint = say("write {key} = {value} in the first line", key=key, value=only) if only is not None else say("")
+            report.at((*path, key), say("is missing: {note}", note=say(rule.note)), hint)
             result[key] = BAD
     for groups in shape.ways:
         _one_way(value, groups, path, report)

@@ -25,6 +25,7 @@ from mechsheet.model import (
     Dimension,
     Distances,
     Dynamics,
+    Joint,
     Link,
     Load,
     Mass,
@@ -39,21 +40,32 @@ from mechsheet.units import Unit, unit_of
 
 
 def read(
-    bodies: dict[str, Any], given: dict[str, Any], loads: list[Any], links: tuple[Link, ...], scope: Scope
-) -> tuple[Dynamics | None, tuple[Dimension, ...]]:
+    bodies: dict[str, Any], given: dict[str, Any], loads: list[Any], links: tuple[Link, ...], joints: tuple[Joint, ...],
+    scope: Scope,
+) -> tuple[Dynamics | None, tuple[Dimension, ...]]:  # fmt: skip
     """Masses and loads, and the dimensions that they bring; None where there are none."""
     if first_key(bodies, loads) is None or not links:
         if given:
             message = say("no link has a mass and nothing is loaded: there are no forces")
             scope.report.at(("dynamics",), message, say("give links a `mass`, or [[loads]]"))
         return None, ()
-    return _Reader(given, links, scope).read(bodies, loads)
+    return _Reader(given, links, _straight(links, joints), scope).read(bodies, loads)
+
+
+def _straight(links: tuple[Link, ...], joints: tuple[Joint, ...]) -> set[str]:
+    """The links that never turn: sliding joints alone lead from the ground to them."""
+    found = {links[0].name}
+    pairs = [{joint.link, joint.on} for joint in joints if joint.kind == "prismatic"]
+    while grown := {name for pair in pairs if pair & found for name in pair} - found:
+        found |= grown
+    return found
 
 
 @dataclass
 class _Reader:
     given: dict[str, Any]
     links: tuple[Link, ...]
+    straight: set[str]
     scope: Scope
     cells: list[Dimension] = field(default_factory=list)
 
@@ -178,9 +190,10 @@ class _Reader:
         mass = inertia = None
         if "mass" in entry:
             mass = self._cell(f"m_{n}", entry["mass"], Unit("label", self.mass_unit), (*path, "mass"), "mass", 0.0)
-        if "inertia" in entry:
+        assumed = "mass" in entry and "inertia" not in entry and self.scope.moves and link.name not in self.straight
+        if "inertia" in entry or assumed:
             unit = Unit("label", f"{self.mass_unit} {length}²")
-            inertia = self._cell(f"J_{n}", entry["inertia"], unit, (*path, "inertia"), "moment of inertia", 0.0)
+            inertia = self._cell(f"J_{n}", entry.get("inertia", 0), unit, (*path, "inertia"), "moment of inertia", 0.0)
         own = center_symbol(n)
         names = (f"x_{own}", f"y_{own}")
         if "center" in entry:
@@ -194,7 +207,7 @@ class _Reader:
                     count=len(link.points),
                 )
                 self.scope.report.at((*path, "mass"), message, say('write center = "…" or center = [x, y]'))
-        return Mass(link.name, mass, center, inertia)
+        return Mass(link.name, mass, center, inertia, assumed)
 
     def _gravity(self) -> tuple[Node, Node]:
         """Its components; one number points downwards."""

@@ -15,6 +15,7 @@ TEXT: dict[str, str] = {
     "in {text}: ": "{text} içinde: ",
     "in {text}: {message}": "{text} içinde: {message}",
     "{why}": "{why}",
+    'did you mean "{name}"? {case}': '"{name}" mi demek istediniz? {case}',
     'did you mean "{name}"?': '"{name}" mi demek istediniz?',
     # the file
     "there is no such file": "böyle bir dosya yok",
@@ -102,6 +103,7 @@ TEXT: dict[str, str] = {
     "has no value: {name} has none": "değeri yok, çünkü {name} değersiz",
     # what may stand where
     "expected {shape}, found {value}": "{shape} beklenir, bulunan: {value}",
+    "write {key} = {value} in the first line": "ilk satıra {key} = {value} yazın",
     "expected a finite number, found {value}": "sonlu bir sayı beklenir, bulunan: {value}",
     "expected a number from {least:g} on, found {value}": (
         "{least:g} ya da daha büyük bir sayı beklenir, bulunan: {value}"
