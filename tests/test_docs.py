@@ -48,7 +48,7 @@ def test_pages_made_from_the_code_are_up_to_date(name):
 def test_examples_are_toml_and_whole_ones_solve(page, number, text):
     found = tomllib.loads(text)
     if "format" in found:
-        assert solve(loads(text)).groups
+        assert solve(loads(text)).columns  # gears, or an arm alone, have no groups
 
 
 def keys_of(shape: Shape, path: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:

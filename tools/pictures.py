@@ -8,6 +8,7 @@ drawings need matplotlib only, the page of `mechsheet draw` Chromium. Names of p
 from __future__ import annotations
 
 import io
+import re
 import subprocess
 import sys
 import tempfile
@@ -44,16 +45,19 @@ FOOTER = 0.07
 """Part of a page's height, from below."""
 BORDER = 8
 
+PATTERN = re.compile(r"```toml\n(.*?)```", re.DOTALL)
+"""A description of docs/patterns.md."""
+
 Corner = tuple[float, float, float, float]
 """Left, top, right, bottom as parts of what is printed."""
 
 
-def drawing(name: str) -> Image.Image:
-    """A template a sixth of its way into the sweep, where its links stand apart, as its workbook draws it."""
-    mechanism, motion = load(TEMPLATES / f"{name}.toml"), mechsheet.template(name).solve()
-    values = motion[mechanism.driver.symbol][motion.exists]
+def drawing(linkage: mechsheet.Linkage) -> Image.Image:
+    """A linkage a sixth of its way into the sweep, where its links stand apart, as its workbook draws it."""
+    motion = linkage.solve()
+    values = motion[linkage.driver.symbol][motion.exists]
     with tempfile.TemporaryDirectory() as folder:
-        found = plot(mechanism, Path(folder) / "drawing.png", at=float(values[len(values) // 6]))
+        found = plot(linkage, Path(folder) / "drawing.png", at=float(values[len(values) // 6]))
         return Image.open(found).convert("RGB").resize((DRAWN, DRAWN), Image.Resampling.LANCZOS)
 
 
@@ -197,7 +201,10 @@ def filled(task: Path, target: Path, slips: Mapping[str, str]) -> None:
 def wanted(prints: Prints) -> Iterator[tuple[str, Callable[[], Image.Image]]]:
     """Every picture: its name, and what makes it."""
     for template in sorted(TEMPLATES.glob("*.toml")):
-        yield template.stem, lambda name=template.stem: drawing(name)  # type: ignore[misc]
+        yield template.stem, lambda path=template: drawing(mechsheet.load(path))  # type: ignore[misc]
+    for text in PATTERN.findall((ROOT / "docs" / "patterns.md").read_text(encoding="utf-8")):
+        linkage = mechsheet.loads(text)
+        yield f"pattern-{linkage.name}", lambda linkage=linkage: drawing(linkage)  # type: ignore[misc]
     yield "assemblies", assemblies
     yield "opened", prints.opened
     yield "workbook-blocks", lambda: prints.sheet("Mechanism", 150, (0, 0, 0.4, 1))

@@ -23,6 +23,7 @@ from mechsheet.description.grammar import (
     Shape,
     Table,
     Text,
+    WithUnit,
     Words,
     YesNo,
 )
@@ -75,7 +76,7 @@ def keys() -> str:
         NOTE,
         "# Keys of a description\n",
         "Every key that format 1 knows. [The description](description.md) explains them with examples; "
-        "anything else is refused with file, line and key. "
+        'anything else is refused with file, line and key. Where a number is held, it may have its unit: `"20 mm"`. '
         "Editors complete and check them with the schema that `mechsheet schema` prints.\n",
     ]
     _tables("", DESCRIPTION, parts)
@@ -130,6 +131,8 @@ def _held(shape: Shape) -> str:
             return "`true` or `false`"
         case Quantity():
             return "number or expression"
+        case WithUnit():
+            return "number with its unit"
         case Text(choices=choices, names=names):
             return " or ".join(f'`"{choice}"`' for choice in choices) or (f"name of a {names}" if names else "text")
         case Words():

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from importlib import import_module
 from typing import Any
+
+
+def listed(names: Iterable[str]) -> Callable[[], list[str]]:
+    """The `__dir__` of a package: what it offers, and nothing that it needs for itself."""
+    return lambda: sorted(names)
 
 
 def names_of(package: str, homes: Mapping[str, str]) -> Callable[[str], Any]:

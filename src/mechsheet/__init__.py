@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from livesheet.on_demand import names_of
+from livesheet.on_demand import listed, names_of
 
 __version__ = "1.0.0"
 
@@ -23,10 +23,13 @@ if TYPE_CHECKING:
     from mechsheet.homework.classroom.exercise import exercise
     from mechsheet.homework.classroom.marks import Marks, mark
     from mechsheet.library.building import build, compile_workbook
-    from mechsheet.library.linkage import Linkage, Motion, load, loads, template
+    from mechsheet.library.linkage import Linkage, load, loads, template
+    from mechsheet.library.motion import Motion
     from mechsheet.library.recalculation import Result, recalc
     from mechsheet.library.session import Session, open_book
     from mechsheet.library.studying import study
+    from mechsheet.library.tolerances import Band
+    from mechsheet.library.verdicts import Verdict
     from mechsheet.model import Mechanism
     from mechsheet.plotting import plot
 
@@ -46,7 +49,9 @@ _HOMES = {
     "loads": "library.linkage",
     "template": "library.linkage",
     "Linkage": "library.linkage",
-    "Motion": "library.linkage",
+    "Motion": "library.motion",
+    "Verdict": "library.verdicts",
+    "Band": "library.tolerances",
     "MechsheetError": "diagnostics",
     "Mechanism": "model",
     "plot": "plotting",
@@ -60,6 +65,7 @@ _HOMES = {
 
 __all__ = [
     "Audit",
+    "Band",
     "Comparison",
     "Linkage",
     "Marks",
@@ -69,6 +75,7 @@ __all__ = [
     "Report",
     "Result",
     "Session",
+    "Verdict",
     "__version__",
     "audit",
     "build",
@@ -87,3 +94,4 @@ __all__ = [
 ]
 
 __getattr__ = names_of(__name__, _HOMES)
+__dir__ = listed(__all__)

@@ -92,7 +92,11 @@ def of_shape(shape: Any) -> st.SearchStrategy[str]:
         case s.YesNo():
             fitting = st.sampled_from(["true", "false"])
         case s.Quantity():
-            fitting = st.sampled_from(["1", "30", "0", "-2.5", '"a1"', '"a1*2"', '"b"', '"1/a1"', '"theta12"'])
+            fitting = st.sampled_from(
+                ["1", "30", "0", "-2.5", '"a1"', '"b"', '"1/a1"', '"theta12"', '"2 cm"', '"1 N/mm"']
+            )
+        case s.WithUnit():
+            fitting = st.sampled_from(['"20 mm"', '"30°"', '"2 kN"', '"60 rpm"', '"3 px"'])
         case s.Text(choices) if choices:
             fitting = st.sampled_from([f'"{choice}"' for choice in choices])
         case s.Text(_, _, kind):

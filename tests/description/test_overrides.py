@@ -107,7 +107,7 @@ def test_spellings(typed: str, value: float) -> None:
         ("gamma3", "1", 'the dimension "gamma3" is derived from others\n       = change the dimensions in its'),
         ("a1", "65,5", 'expected a number, found "65,5"\n       = write 65.5'),
         ("a1", "−5", 'expected a number, found "−5"\n       = write -5'),
-        ("a1", "3 cm", 'expected a number, found "3 cm"\n       = a plain number in the dimension\'s own unit'),
+        ("a1", "3 N", '"3 N" where cm are needed'),
         ("a1", "", 'expected a number, found ""\n       = a plain number in the dimension\'s own unit'),
         ("a1", "2*", 'a1=2*: in "2*": expected a number, a name, a function or "(", found the end at column 3'),
         ("a1", "2a2", 'found "a2" at column 2\n       = a product is written with "*"'),

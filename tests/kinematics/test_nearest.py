@@ -1,5 +1,6 @@
 """Every sketched point decides: of all assemblies the one is taken that has the points nearest to their sketch."""
 
+import itertools
 from pathlib import Path
 
 import pytest
@@ -170,3 +171,15 @@ def test_an_assembly_that_never_closes_is_not_taken_for_one_that_does():
     assert solve(two_four_bars(f"D = {[*places['D']]}\n", length)).groups[0].mode_value == -1
     with pytest.raises(MechanismError, match="cannot be joined"):  # a clear sketch of the other one
         solve(two_four_bars("B = [64, 56]\n", length))
+
+
+@pytest.mark.parametrize("name", ["watt-i", "stephenson-ii-class-iv", "klann"])
+def test_two_points_of_any_link_say_where_it_is(name):
+    mechanism = load(TEMPLATES[0].parent / f"{name}.toml")
+    true = first_position(mechanism, solve(mechanism))
+    for link in mechanism.links[1:]:
+        for pair in itertools.combinations([point for point in link.points if point not in mechanism.ground.points], 2):
+            again = sketched(name, {point: f"[{true[point][0]:.3g}, {true[point][1]:.3g}]" for point in pair})
+            found = first_position(again, solve(again))
+            for point in link.points:
+                assert found[point] == pytest.approx(true[point], abs=1e-6)

@@ -114,6 +114,12 @@ class Report:
             found.append(say("it carries no description"))
         return found
 
+    def _repr_pretty_(self, printer: Any, _cycle: bool) -> None:
+        """Its lines, for notebooks: what `mechsheet check` prints."""
+        from mechsheet.checking.report_lines import report_lines
+
+        printer.text("\n".join(report_lines(self)))
+
     def as_dict(self) -> dict[str, Any]:
         """The report as JSON data."""
         return {

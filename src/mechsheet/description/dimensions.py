@@ -6,13 +6,34 @@ from collections.abc import Mapping
 from typing import Any
 
 from livesheet.formula.nodes import Node, symbols
+from livesheet.said import say
 from mechsheet.description.asked import synthesis
 from mechsheet.description.kinds import unit_kind
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import REPORTED, Scope, circle_message, cycles, words
 from mechsheet.description.text.index import Path
+from mechsheet.description.text.measured import Measured, home
 from mechsheet.model import Dimension
 from mechsheet.units import Unit
+
+
+def spelled_out(data: dict[str, Any], scope: Scope) -> dict[str, Any]:
+    """The entries with numbers with their unit as tables: `a1 = "2 cm"` as { value = 20, unit = "mm" }."""
+    return {symbol: _spelled_out(entry, ("dimensions", symbol), scope) for symbol, entry in data.items()}
+
+
+def _spelled_out(entry: Any, path: Path, scope: Scope) -> Any:
+    found = entry.get("value") if isinstance(entry, dict) else entry
+    if not isinstance(found, Measured):
+        return entry
+    rest = {key: value for key, value in entry.items() if key != "value"} if isinstance(entry, dict) else {}
+    if "unit" in rest:
+        scope.report.at((*path, "unit"), say("the value says its unit already"), say("take it away"))
+    at_home = home(found, scope.length_unit)
+    if at_home is None:
+        scope.unknown_unit(found.unit, path)
+        return rest | {"value": BAD}
+    return rest | {"value": at_home[0], "unit": at_home[1]}
 
 
 def declare(data: dict[str, Any], scope: Scope, units: Mapping[str, Unit] | None = None) -> None:
@@ -82,6 +103,6 @@ def _dimension(symbol: str, entry: Any, trees: Mapping[str, Node], scope: Scope)
         label=words(entry.get("label")),
         cell=scope.cell(entry, path),
         tolerance=entry.get("tolerance"),
-        shown=None if derived else entry.get("value"),
+        shown=None if derived or entry["value"] is BAD else entry["value"],
         written=entry.get("formula", "") if derived else "",
     )

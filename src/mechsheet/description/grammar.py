@@ -41,7 +41,12 @@ class YesNo:
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """A number in the file's own units, or an expression in quotes."""
+    """A number in the file's own units; in quotes a number with its unit, or an expression."""
+
+
+@dataclass(frozen=True, slots=True)
+class WithUnit:
+    """A number with its unit, in quotes: "20 mm"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,4 +132,6 @@ class Either:
 
 
 # A string: it is recursive.
-Shape: TypeAlias = "Number | Integer | YesNo | Quantity | Text | Words | Items | Named | Table | Kinds | Either"
+Shape: TypeAlias = (
+    "Number | Integer | YesNo | Quantity | WithUnit | Text | Words | Items | Named | Table | Kinds | Either"
+)

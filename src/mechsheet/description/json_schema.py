@@ -21,6 +21,7 @@ from mechsheet.description.grammar import (
     Shape,
     Table,
     Text,
+    WithUnit,
     Words,
     YesNo,
 )
@@ -59,6 +60,8 @@ def _of(shape: Shape) -> Json:
             return {"type": "boolean"}
         case Quantity():
             return {"type": ["number", "string"]}
+        case WithUnit():
+            return {"type": "string", "pattern": "[0-9]"}
         case Text(choices=choices, longest=longest):
             return {"type": "string", "enum": list(choices)} if choices else {"type": "string", "maxLength": longest}
         case Words(longest):

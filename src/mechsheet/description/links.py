@@ -19,6 +19,9 @@ _ROUNDING = 1e-9
 """Distances may miss each other by this part of their size and count as meeting (a point on the line between two)."""
 
 
+_GROUNDS = ("ground", "zemin", "sabit")
+"""What people call the fixed link, and no other."""
+
 LONGEST_NAME = 60
 """Characters of the name of a link."""
 
@@ -43,11 +46,21 @@ def declare(data: dict[str, Any], scope: Scope) -> tuple[Link, ...]:
             scope.report.at(where, message, say("numbers count upwards from the link before, unless `number` is given"))
         numbers.setdefault(last, name)
         links.append(Link(name, last, {}, words(table.get("label"))))
+    _check_ground_is_first(links, scope)
     for link in links[1:]:
         if numbers[link.number] == link.name:
             scope.add_variable(link.angle_symbol, ANGLE, "angle of a link", ("links", link.name))
     _declare_points(data, scope)
     return tuple(links)
+
+
+def _check_ground_is_first(links: list[Link], scope: Scope) -> None:
+    """Report a link that is called the ground behind another one: that one would be fixed, and this one move."""
+    for link in links[1:]:
+        if link.name.lower() in _GROUNDS and links[0].name.lower() not in _GROUNDS:
+            message = say("the first link of the file is the ground, and that is {link}", link=quoted(links[0].name))
+            hint = say("write [links.{name}] before the other links", name=link.name)
+            scope.report.at(("links", link.name), message, hint)
 
 
 def _name_is_good(name: str, path: Path, scope: Scope) -> None:

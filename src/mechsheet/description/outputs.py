@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from livesheet.formula.nodes import Call, Node, Symbol, symbols, transform
+from livesheet.formula.nodes import Call, Node, Symbol, symbols, transform, walk
 from livesheet.said import say
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.driving.rates import known as known_rate
@@ -12,31 +12,36 @@ from mechsheet.description.kinds import ANGLE, LENGTH, label_fault, plain_unit, 
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.requests import coordinates, is_coordinate
-from mechsheet.description.scope import Scope, words
+from mechsheet.description.scope import Scope, circle_message, cycles, words
 from mechsheet.description.text.index import Path
 from mechsheet.model import Driver, Output
 from mechsheet.units import Unit, unit_of
 
+LARGEST_FORMULA = 2000
+"""Parts of a formula that a cell of 8,192 characters surely holds."""
+
+
+def spelled_out(data: dict[str, Any]) -> dict[str, Any]:
+    """The entries in their long form: `height = "W.y"` as { formula = "W.y" }."""
+    return {name: {"formula": entry} if isinstance(entry, str) else entry for name, entry in data.items()}
+
 
 def outputs(data: dict[str, Any], driver: Driver | None, scope: Scope) -> tuple[tuple[Output, ...], tuple[Output, ...]]:
-    """(quantities of every row, quantities of the whole motion): the latter are those whose formulas name summaries."""
-    trees: dict[str, Node] = {}
-    for name, entry in data.items():
-        text = BAD if entry is BAD else entry["formula"]
-        tree = None if text is BAD else scope.parse(text, ("outputs", name, "formula"))
-        if tree is not None:
-            trees[name] = tree
-    for name, tree in trees.items():
-        if scope.summaries.keys() & {*symbols(tree)}:
-            scope.outputs.remove(name)
-            scope.motion_outputs[name] = tree
-    units = {name: _unit(entry, scope) for name, entry in data.items() if entry is not BAD}
-    for name, tree in trees.items():
+    """(quantities of every row, quantities of the whole motion): the latter are those whose formulas name summaries, or
+    outputs that do. Each comes after those that it reads.
+    """
+    trees = _trees(data, scope)
+    _note_motion_outputs(trees, scope)
+    units = {name: _unit(entry, trees.get(name), scope) for name, entry in data.items() if entry is not BAD}
+    for name in trees:
+        scope.kinds.setdefault(name, unit_kind(units[name]))
+    for name in trees:
         if name in scope.outputs:
-            _check_of_row(name, tree, data[name]["formula"], units[name], scope)
+            _check_of_row(name, trees[name], data[name], units[name], scope)
     _note_summaries(units, scope)
     for name in scope.motion_outputs:
-        _check_of_motion(name, trees[name], data[name]["formula"], units[name], scope)
+        _check_of_motion(name, trees[name], data[name], units[name], scope)
+    _write_out(trees, scope)
     made = [_made(name, trees[name], data[name], units[name], scope) for name in trees]
     _show_units(units, driver, scope)
     return (
@@ -45,9 +50,40 @@ def outputs(data: dict[str, Any], driver: Driver | None, scope: Scope) -> tuple[
     )
 
 
-def _unit(entry: dict[str, Any], scope: Scope) -> Unit:
-    word = entry.get("unit", scope.length_unit)
+def _trees(data: dict[str, Any], scope: Scope) -> dict[str, Node]:
+    """The formulas, in the order of the file where none reads a later one."""
+    trees: dict[str, Node] = {}
+    for name, entry in data.items():
+        text = BAD if entry is BAD else entry["formula"]
+        tree = None if text is BAD else scope.parse(text, ("outputs", name, "formula"))
+        if tree is not None:
+            trees[name] = tree
+    order, circles = cycles({name: symbols(tree) for name, tree in trees.items()})
+    for circle in circles:
+        scope.report.at(("outputs", circle[0], "formula"), circle_message(circle, "the outputs"))
+    names = [*trees]
+    in_order = all(each not in names[place:] for place, name in enumerate(names) for each in symbols(trees[name]))
+    return trees if in_order else {name: trees[name] for name in order}
+
+
+def _unit(entry: dict[str, Any], tree: Node | None, scope: Scope) -> Unit:
+    """As the entry says; of one quantity alone its own; else the length unit."""
+    own = _own_unit(tree.name, scope) if isinstance(tree, Symbol) else scope.length_unit
+    word = entry.get("unit", own)
     return unit_of(scope.length_unit if word is BAD else plain_unit(word), scope.length_unit)
+
+
+def _own_unit(name: str, scope: Scope) -> str:
+    """What stands behind the numbers of a quantity."""
+    if scope.kinds.get(name) == ANGLE and name in scope.variables:
+        return scope.angle_unit.symbol
+    of_time = {"v": "/s", "vx": "/s", "vy": "/s", "a": "/s²", "ax": "/s²", "ay": "/s²"}
+    _, dot, part = name.partition(".")
+    if dot and part in of_time:
+        return scope.length_unit + of_time[part]
+    if name in scope.rates:
+        return {"omega": "rad/s", "alpha": "rad/s²"}.get(name[:5], "s")
+    return scope.force_units.get(name, scope.length_unit)
 
 
 def _made(name: str, tree: Node, entry: dict[str, Any], unit: Unit, scope: Scope) -> Output:
@@ -58,17 +94,22 @@ def _made(name: str, tree: Node, entry: dict[str, Any], unit: Unit, scope: Scope
 # --- of every row -----------------------------------------------------------------------------------------------------
 
 
-def _check_of_row(name: str, tree: Node, text: str, unit: Unit, scope: Scope) -> None:
-    """An expression over variables, coordinates, rates and dimensions."""
-    path = ("outputs", name, "formula")
+def _check_of_row(name: str, tree: Node, entry: dict[str, Any], unit: Unit, scope: Scope) -> None:
+    """An expression over variables, coordinates, rates, dimensions and other outputs."""
+    path, text = ("outputs", name, "formula"), entry["formula"]
     names = symbols(tree)
     good = [each in scope.units or _is_known(each, text, path, scope) for each in names]
-    if any(is_rate(each, scope) or each in scope.forces for each in names):
+    if any(is_rate(each, scope) or each in scope.forces or each in scope.of_rates for each in names):
         scope.of_rates.add(name)
-    scope.fits(tree, text, unit_kind(unit), path)
+    scope.fits(tree, text, unit_kind(unit), path, _wants_unit(entry))
     if all(good) and all(each in scope.numbers for each in names):
         scope.value(tree, path)
     _check_label(name, tree, text, unit, scope)
+
+
+def _wants_unit(entry: dict[str, Any]) -> str:
+    """What to write where the formula of an output without a unit is an angle."""
+    return "" if "unit" in entry else say('write unit = "deg" beside the formula: without a unit an output is a length')
 
 
 def _check_label(name: str, tree: Node, text: str, unit: Unit, scope: Scope) -> None:
@@ -81,22 +122,18 @@ def _check_label(name: str, tree: Node, text: str, unit: Unit, scope: Scope) -> 
 
 
 def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
-    """True when a formula's symbol is a variable or a coordinate; reports what else it is."""
+    """True when a formula's symbol is a variable, a coordinate or an output; reports what else it is."""
     where = _where(name, text)
+    if name in scope.outputs:
+        return True
     if name in scope.variables or known_rate(name, path, scope) or is_coordinate(name, path, scope, where):
         return True
     if "." in name or not (scope.complete and scope.solved):
         return False
-    if name in scope.outputs or name in scope.motion_outputs:
-        scope.report.at(
-            path,
-            say(
-                "{where}{name} is an output; only variables and dimensions are allowed", where=where, name=quoted(name)
-            ),
-        )
-        return False
     rates = scope.rates if scope.moves else ()
-    hint = suggestion(name, [*scope.variables, *coordinates(scope), *scope.units, *rates, *scope.forces], "allowed")
+    hint = suggestion(
+        name, [*scope.variables, *coordinates(scope), *scope.units, *scope.outputs, *rates, *scope.forces], "allowed"
+    )
     scope.report.at(path, say("{where}{name} is not a variable or dimension", where=where, name=quoted(name)), hint)
     return False
 
@@ -108,6 +145,28 @@ def _where(name: str, text: str) -> str:
 # --- of the whole motion ----------------------------------------------------------------------------------------------
 
 
+def _note_motion_outputs(trees: dict[str, Node], scope: Scope) -> None:
+    """Those that name a summary, or an output that does: `trees` has each after those that it reads."""
+    for name, tree in trees.items():
+        if (scope.summaries.keys() | scope.motion_outputs.keys()) & {*symbols(tree)}:
+            scope.outputs.remove(name)
+            scope.motion_outputs[name] = tree
+
+
+def _write_out(trees: dict[str, Node], scope: Scope) -> None:
+    """The formulas of the whole motion over summaries and dimensions alone: those of other outputs in their places."""
+    for name in scope.motion_outputs:
+        whole = transform(
+            trees[name],
+            lambda part: trees[part.name] if isinstance(part, Symbol) and part.name in scope.motion_outputs else part,
+        )
+        trees[name] = scope.motion_outputs[name] = whole
+        if sum(1 for _ in walk(whole)) > LARGEST_FORMULA:
+            path = ("outputs", name, "formula")
+            scope.report.at(path, say("with the outputs that it reads, the formula is too long for a cell"))
+            return
+
+
 def _note_summaries(units: dict[str, Unit], scope: Scope) -> None:
     """A summary is of the kind of what it is of."""
     for summary, of in scope.summaries.items():
@@ -117,28 +176,23 @@ def _note_summaries(units: dict[str, Unit], scope: Scope) -> None:
                 scope.kinds.setdefault(summary, own)
 
 
-def _check_of_motion(name: str, tree: Node, text: str, unit: Unit, scope: Scope) -> None:
-    """An expression over summaries and dimensions: what differs from row to row has no place in one number."""
-    path = ("outputs", name, "formula")
-    named = [each for each in symbols(tree) if each in scope.summaries]
+def _check_of_motion(name: str, tree: Node, entry: dict[str, Any], unit: Unit, scope: Scope) -> None:
+    """An expression over summaries, dimensions and other outputs of summaries: what differs from row to row has no place
+    in one number."""
+    path, text = ("outputs", name, "formula"), entry["formula"]
+    whole = scope.summaries.keys() | scope.motion_outputs.keys()
+    named = [each for each in symbols(tree) if each in whole]
     for each in symbols(tree):
-        if each not in scope.units and each not in scope.summaries:
+        if each not in scope.units and each not in whole:
             _refuse(each, named, text, path, scope)
-    scope.fits(tree, text, unit_kind(unit), path)
+    scope.fits(tree, text, unit_kind(unit), path, _wants_unit(entry))
     _check_label(name, tree, text, unit, scope)
 
 
 def _refuse(name: str, named: list[str], text: str, path: Path, scope: Scope) -> None:
     where = _where(name, text)
     known = [*scope.summaries, *scope.units]
-    if name == path[1]:
-        message, hint = say("{name} depends on itself", name=quoted(name)), say("")
-    elif name in scope.motion_outputs:
-        message = say("{name} is an output of summaries, too", name=quoted(name))
-        hint = say("write its formula in its place")
-    elif (
-        name in scope.variables or name in scope.outputs or is_rate(name, scope) or name in scope.forces or "." in name
-    ):
+    if name in scope.variables or name in scope.outputs or is_rate(name, scope) or name in scope.forces or "." in name:
         message = say(
             "{name} differs from row to row, but {others} are numbers of the whole motion",
             name=quoted(name),

@@ -21,6 +21,7 @@ def own_cell(
 
     kind  ANGLE, LENGTH or ANY, which the expression must be;  unit  in which a plain number is written
     """
+    given = scope.plain(given, unit.text, path)
     quantity = scope.quantity(given, kind, path, unit if kind == ANGLE else None)
     if not isinstance(quantity, float):
         return quantity

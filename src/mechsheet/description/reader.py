@@ -148,7 +148,8 @@ class _Reading:
         self.data = fit(source.data, DESCRIPTION, (), report)
         self.head = self._part("mechanism", {})
         self.scope = scope_of(self.head, report)
-        self.outputs, self.summary = self._part("outputs", {}), self._part("summary", {})
+        self.outputs = further_outputs.spelled_out(self._part("outputs", {}))
+        self.summary = self._part("summary", {})
         self.layout = choice(self._part("workbook", {}), "layout", "sheets")
         self.table: tuple[Dimension, ...] = ()
         self.parts: dict[str, Any] = {}
@@ -158,7 +159,8 @@ class _Reading:
 
     def dimensions_and_links(self) -> None:
         """Dimensions, with those of a synthesis; links and their points; joints."""
-        given, bodies, scope = self._part("dimensions", {}), self._part("links", {}), self.scope
+        bodies, scope = self._part("links", {}), self.scope
+        given = dimensions.spelled_out(self._part("dimensions", {}), scope)
         bare = links.declare(bodies, scope)  # first: a dimension that takes an angle's name is the one to rename
         self.task = synthesis.read(self.data.get("synthesis"), given, scope, (*self.outputs, *self.summary))
         dimensions.declare(given, scope, self.task.units)
@@ -200,7 +202,7 @@ class _Reading:
         """Masses and loads."""
         bodies, loads, scope = self._part("links", {}), self._part("loads", []), self.scope
         force_names.declare(bodies, loads, self.links, self.joints, self.driver, self.further, self.relations, scope)
-        self.masses, cells = dynamics.read(bodies, self._part("dynamics", {}), loads, self.links, scope)
+        self.masses, cells = dynamics.read(bodies, self._part("dynamics", {}), loads, self.links, self.joints, scope)
         self.table = (*self.table, *cells)
 
     def asked(self) -> None:

@@ -21,6 +21,7 @@ from mechsheet.description.grammar import (
     Quantity,
     Table,
     Text,
+    WithUnit,
     Words,
     YesNo,
 )
@@ -31,7 +32,10 @@ FORMAT = 1
 PAIR = Items(Quantity(), 2, 2, "[x, y]")
 _LABEL = Key(Words(), "what it is called, in one language or both")
 _CELL = Key(Text(), "the name of its cell in the workbook")
-_UNIT = Key(Text(longest=20), '"deg", "rad", "1" for a plain number, or the length unit (the default)')
+_UNIT = Key(
+    Text(longest=20),
+    'the length unit (the default), "deg", "rad", "1" for a plain number; of forces and masses "N", "N/mm", "kg", "kg m²" …',
+)
 _ANGLE = Key(Quantity(), "direction of the line in the frame of `on`; default 0")
 _SYMBOL = Key(Text(), "the displacement: signed distance from `through` to `point` along the line")
 
@@ -47,7 +51,7 @@ MECHANISM = Table(
 
 DIMENSION = Table(
     {
-        "value": Key(Number(), "an input, in the dimension's own unit"),
+        "value": Key(Either((Number(), WithUnit())), 'an input, in the dimension\'s own unit; or with it: "20 mm"'),
         "formula": Key(Text(longest=8000), "an expression over other dimensions"),
         "synthesis": Key(Text(names="result"), "or a result of [synthesis]"),
         "unit": _UNIT,
@@ -289,7 +293,9 @@ LOAD = Table(
 OUTPUT = Table(
     {
         "formula": Key(
-            Text(longest=8000), "an expression over variables and dimensions, or over summaries and dimensions", True
+            Text(longest=8000),
+            "an expression over variables, dimensions and other outputs, or over summaries and dimensions",
+            True,
         ),
         "unit": Key(
             Text(longest=20), 'as for a dimension, or any label but for an angle; "deg": the formula yields radians'
@@ -379,7 +385,9 @@ DESCRIPTION = Table(
         "format": Key(Integer(FORMAT, FORMAT), "version of this format", True),
         "mechanism": Key(MECHANISM, "what is described", True),
         "synthesis": Key(SYNTHESIS, "a task from which dimensions are found"),
-        "dimensions": Key(Named(Either((Number(), DIMENSION)), "dimension"), "named constants, one cell each"),
+        "dimensions": Key(
+            Named(Either((Number(), WithUnit(), DIMENSION)), "dimension"), "named constants, one cell each"
+        ),
         "links": Key(Named(LINK, "link", 2), "rigid links; the first is the ground", True),
         "joints": Key(Items(JOINT), "sliding joints, gears, belts and racks"),
         "driver": Key(DRIVER, "what is driven, and its values", True),
@@ -390,7 +398,8 @@ DESCRIPTION = Table(
         "flywheel": Key(FLYWHEEL, "how large one must be, for whole turns at constant speed"),
         "assembly": Key(ASSEMBLY, "a rough position, which picks the assembly"),
         "outputs": Key(
-            Named(OUTPUT, "output"), "further quantities of every row; of the whole motion where they name summaries"
+            Named(Either((Text(longest=8000), OUTPUT)), "output"),
+            "further quantities of every row; of the whole motion where they name summaries; a text is the formula",
         ),
         "summary": Key(Named(SUMMARY, "summary"), "one number from a whole sweep"),
         "tolerance": Key(TOLERANCES, "bands that follow from the tolerances of dimensions; needs no keys"),

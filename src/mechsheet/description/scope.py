@@ -14,10 +14,11 @@ from livesheet.formula.nodes import Node, Symbol, children, symbols, transform
 from livesheet.formula.parser import RESERVED, parse_description
 from livesheet.formula.scalar import evaluate
 from livesheet.said import Said, reason, say
-from mechsheet.description.kinds import ANGLE, ANY, DEGREES, kind_of, plain_unit
+from mechsheet.description.kinds import ANGLE, ANY, DEGREES, LENGTH, kind_of, plain_unit
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.description.text.index import Path
+from mechsheet.description.text.measured import EXAMPLES, Measured, home, labels_of, measured, spelled, unit_named
 from mechsheet.description.text.numbers import typed_number
 from mechsheet.model import Quantity, Take, Words
 from mechsheet.units import DEG, NUMBER, Unit, unit_of
@@ -60,7 +61,10 @@ class Space:
                 what=other_what if isinstance(other_what, Said) else say(other_what),
                 line=line,
             )
-        self.report.at(path, message, hint or (_CASE if other != name else ""))
+        case = _CASE
+        if path[:1] == other_path[:1] == ("links",) and len(path) == len(other_path) > 2:  # two points
+            case = say('did you mean "{name}"? {case}', name=other, case=_CASE)
+        self.report.at(path, message, hint or (case if other != name else ""))
 
 
 @dataclass(slots=True)
@@ -79,6 +83,7 @@ class Scope:
     rates      names of angular and sliding velocities and accelerations;  moves: True when the driver has a speed
     of_rates   names of outputs that read rates
     forces     names of joint forces, of the driver's effort and what else masses and loads bring -> what it is
+    force_units  -> what stands behind its numbers
     charted    columns that follow from all rows together: charts may show them
     centers    G3 of a mass centre that is a point of its link -> that point
     """
@@ -103,6 +108,7 @@ class Scope:
     moves: bool = False
     of_rates: set[str] = field(default_factory=set)
     forces: dict[str, str] = field(default_factory=dict)
+    force_units: dict[str, str] = field(default_factory=dict)
     centers: dict[str, str] = field(default_factory=dict)
     charted: dict[str, None] = field(default_factory=dict)
     symbols: Space = field(init=False)
@@ -214,12 +220,13 @@ class Scope:
         shown = unit.to_shown(self.numbers[dimension])
         return f"{shown:.6g}" + ("" if unit == NUMBER else f" {unit.symbol}")
 
-    def fits(self, tree: Node, text: str, wanted: str, path: Path) -> bool:
-        """True unless the expression surely is of another kind than `wanted`."""
+    def fits(self, tree: Node, text: str, wanted: str, path: Path, instead: str = "") -> bool:
+        """True unless the expression surely is of another kind than `wanted`; `instead`: what to do about an angle."""
         kind = kind_of(tree, self.kinds)
         if ANY in (kind, wanted) or kind == wanted:
             return True
         hint = say("expressions compute in radians: leave degrees() out") if kind == DEGREES and wanted == ANGLE else ""
+        hint = instead if kind == ANGLE else hint
         needed = say("an angle") if wanted == ANGLE else say("a length")
         is_now = say("an angle") if kind == ANGLE else say(f"a {kind}")
         self.report.at(
@@ -237,8 +244,12 @@ class Scope:
     def quantity(self, value: Any, wanted: str, path: Path, unit: Unit | None = None) -> Quantity:
         """A number or expression over dimensions as the model holds it, in internal units; REPORTED if it is faulty.
 
-        A plain number that is an angle is in `unit`, or in the file's angle unit.
+        A plain number that is an angle is in `unit`, or in the file's angle unit. What is neither angle nor length is in
+        `unit`, too, or has none.
         """
+        own = unit or self.angle_unit
+        plain = {ANGLE: own.symbol, LENGTH: self.length_unit}.get(wanted, unit.text if unit else "1")
+        value = self.plain(value, plain, path)
         if value is BAD:
             return REPORTED
         if not isinstance(value, str):
@@ -251,6 +262,33 @@ class Scope:
         known = all(name in self.numbers for name in symbols(tree))
         return REPORTED if known and self.value(tree, path) is None else tree
 
+    def plain(self, value: Any, unit: str, path: Path) -> Any:
+        """A number with its unit ("2 kN") as the number that it is in `unit`, BAD where it is of another kind; whatever
+        else stands there as it is."""
+        found = measured(value) if isinstance(value, str) else None
+        if found is None:
+            return value
+        number = found.in_unit(unit or "1")
+        if number is None:
+            self._misfit(found, value, unit, path)
+        return BAD if number is None else number
+
+    def _misfit(self, found: Measured, text: str, unit: str, path: Path) -> None:
+        if found.unit in self.units:
+            message = say("{text} is neither a number nor an expression", text=quoted(text))
+            self.report.at(path, message, say("write {new}", new=f'"{found.number}*{found.unit}"'))
+        elif unit_named(found.unit) is None:
+            self.unknown_unit(found.unit, path)
+        elif unit in ("", "1"):
+            self.report.at(path, say("{text} has a unit where a plain number is needed", text=quoted(text)))
+        else:
+            self.report.at(path, say("{text} where {unit} are needed", text=quoted(text), unit=unit))
+
+    def unknown_unit(self, unit: str, path: Path) -> None:
+        """Report it."""
+        message = say("unknown unit {unit}", unit=quoted(unit))
+        self.report.at(path, message, say("units that are known: {units}", units=EXAMPLES))
+
     def number(self, quantity: Quantity) -> float:
         """The value of what `quantity` returned; nan where it is not known."""
         if isinstance(quantity, float):
@@ -259,15 +297,25 @@ class Scope:
         return evaluate(quantity, self.numbers) if known else REPORTED
 
     def unit(self, table: dict[str, Any], path: Path) -> Unit:
-        """The unit of a dimension: degrees, radians, none, or the length unit (the default)."""
+        """The unit of a dimension: the length unit (the default), degrees, radians, none, or a label (`labels_of`)."""
         unit = table.get("unit", self.length_unit)
         choices = ("deg", "rad", "1", self.length_unit)
         if unit is BAD or unit == self.length_unit:
             return unit_of(self.length_unit, self.length_unit)
         if plain_unit(unit) in choices:
             return unit_of(plain_unit(unit), self.length_unit)
-        hint = suggestion(unit, choices, "units")
-        self.report.at((*path, "unit"), say("unknown unit {unit}", unit=quoted(unit)), hint)
+        labels = labels_of(self.length_unit)
+        label = next((label for label in labels if spelled(label) == spelled(unit)), None)
+        if label is not None:
+            return unit_of(label, self.length_unit)
+        value = table.get("value")
+        at_home = home(Measured(repr(value), spelled(unit)), self.length_unit) if isinstance(value, float) else None
+        if at_home is not None:
+            message = say("a number in {unit} is written with its unit behind it", unit=quoted(unit))
+            self.report.at((*path, "unit"), message, say("write {new}", new=f'value = "{value:.12g} {unit}"'))
+        else:
+            hint = suggestion(unit, (*choices, *labels), "units")
+            self.report.at((*path, "unit"), say("unknown unit {unit}", unit=quoted(unit)), hint)
         return NUMBER  # fits everywhere
 
 

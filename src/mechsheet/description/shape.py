@@ -23,6 +23,7 @@ from mechsheet.description.grammar import (
     Shape,
     Table,
     Text,
+    WithUnit,
     Words,
     YesNo,
 )
@@ -31,10 +32,8 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, alternatives, found, listed, suggestion
 from mechsheet.description.schema import REASONS
 from mechsheet.description.text.index import Path
+from mechsheet.description.text.measured import LARGEST, SMALLEST, measured
 from mechsheet.description.text.numbers import typed_number, with_points
-
-LARGEST, SMALLEST = 1e100, 1e-100
-"""Sizes of numbers that can be multiplied a few times without leaving what a spreadsheet can hold."""
 
 
 def fit(value: Any, shape: Shape, path: Path, report: Report) -> Any:
@@ -51,6 +50,8 @@ def fit(value: Any, shape: Shape, path: Path, report: Report) -> Any:
             return fit(value, next(one for one in shapes if _same_type(value, one)), path, report)
         case Number() | Quantity() | Integer() if not isinstance(value, str):
             return _number(value, shape, path, report)
+        case WithUnit():
+            return measured(value)
         case Text():
             return _text(value, shape, path, report)
         case Words(longest, lines):
@@ -81,6 +82,8 @@ def _same_type(value: Any, shape: Shape) -> bool:
             return number or isinstance(value, str)
         case Text():
             return isinstance(value, str)
+        case WithUnit():
+            return isinstance(value, str) and measured(value) is not None
         case Words():
             return isinstance(value, str | dict)
         case Items():
@@ -93,7 +96,7 @@ def allowed(shape: Shape) -> str:
     """What a shape allows, in words."""
     match shape:
         case Either(shapes):
-            return alternatives([allowed(one) for one in shapes])
+            return alternatives([allowed(one) for one in shapes if not isinstance(one, WithUnit)])
         case Number():
             return say("a number")
         case Integer(least, most):
@@ -120,13 +123,11 @@ def allowed(shape: Shape) -> str:
 
 def _type_hint(value: Any, shape: Shape, path: Path) -> str:
     if isinstance(value, str) and _wants_number(shape) and (number := typed_number(value)):
-        if number.is_angle and isinstance(shape, Either):
-            return say('write {{ value = {number}, unit = "deg" }}', number=number.text)
         return number.hint if number.unit else say("{hint}, without quotes", hint=number.hint)
     match shape:
         case Items(Table() | Kinds()) if isinstance(value, dict):
             return say("write [[{key}]] instead of [{key}]", key=path[-1])
-        case Either((Number(), Table())) if isinstance(value, str):
+        case Either((Number(), WithUnit(), Table())) if isinstance(value, str):
             return say('a derived dimension is written { formula = "…" }')
         case Table(keys) if isinstance(value, str) and "formula" in keys:
             return say('write { formula = "…" }')
@@ -273,7 +274,9 @@ def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> A
             report.at((*path, key), say("unknown key"), suggestion(key, shape.keys, "keys"))
     for key, rule in shape.keys.items():
         if rule.required and key not in value:
-            report.at((*path, key), say("is missing: {note}", note=say(rule.note)))
+            only = rule.shape.least if isinstance(rule.shape, Integer) and rule.shape.least == rule.shape.most else None
+            hint = say("write {key} = {value} in the first line", key=key, value=only) if only is not None else say("")
+            report.at((*path, key), say("is missing: {note}", note=say(rule.note)), hint)
             result[key] = BAD
     for groups in shape.ways:
         _one_way(value, groups, path, report)

@@ -49,7 +49,7 @@ def table_of(source: Source, name: str) -> dict[str, object]:
 def scope_for(source: Source, option: str) -> Scope:
     """The units and dimensions of a description, with their values; what is reported from now on is the option's."""
     scope = scope_of(table_of(source, "mechanism"), Report(source))
-    given = table_of(source, "dimensions")
+    given = dimensions.spelled_out(table_of(source, "dimensions"), scope)
     others = (*table_of(source, "outputs"), *table_of(source, "summary"))
     task = synthesis.read(table_of(source, "synthesis") or None, given, scope, others)
     dimensions.declare(given, scope, task.units)
@@ -69,6 +69,9 @@ def typed_value(text: str, unit: Unit, whose: str, scope: Scope) -> str | None:
     number = typed_number(text)
     if number is not None and not number.unit and not number.why and math.isfinite(float(number.text)):
         return number.text
+    plain = scope.plain(text, unit.text, ())
+    if plain is not text:  # with its unit
+        return None if plain is BAD else number_text(float(f"{plain:.{DIGITS}g}"))
     if number is not None or not text.strip() or _looks_like_one(text, scope):
         understood = number is not None and not number.unit and math.isfinite(float(number.text))
         hint = (

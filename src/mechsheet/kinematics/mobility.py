@@ -66,7 +66,35 @@ def check_mobility(mechanism: Mechanism, graph: Graph) -> None:
         )
         for body in _loose(graph)
     ]
+    if count > drivers:
+        faults += _once_beside_a_like(mechanism)
     raise MobilityError(faults, drivers - count)
+
+
+def _once_beside_a_like(mechanism: Mechanism) -> list[Fault]:
+    """Points that one link alone has and nothing reads, with a name like that of another link's: slips of the pen."""
+    holders: dict[str, list[str]] = {}
+    for one in mechanism.whole_links:
+        for point in one.points:
+            holders.setdefault(point, []).append(one.name)
+    read = {joint.point for joint in mechanism.joints} | {str(joint.through) for joint in mechanism.joints}
+    once = {point: names[0] for point, names in holders.items() if len(names) == 1 and point not in read}
+    found = []
+    for point, link in once.items():
+        meant = next((other for other, names in holders.items() if link not in names and _one_more(point, other)), None)
+        if meant is not None:
+            message = say('the point "{point}" occurs once: nothing is joined there', point=point)
+            hint = say('did you mean "{name}"?', name=meant)
+            found.append(Fault(message, key=f"links.{link}.points.{point}", hint=hint))
+    return found
+
+
+def _one_more(long: str, short: str) -> bool:
+    """Whether a name without one of its letters is another one. A digit is no slip: A0 is beside A on purpose."""
+    return any(
+        (long[:place] + long[place + 1 :]).lower() == short.lower() and not sign.isdigit()
+        for place, sign in enumerate(long)
+    )
 
 
 def _key(graph: Graph, body: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from decimal import Decimal
 from fractions import Fraction
@@ -10,69 +10,22 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
-from livesheet.counted import counted
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.arguments.numbers import number_text, whole_number_given
 from mechsheet.description.overrides import Overrides
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.extras import missing_package
 from mechsheet.model import Mechanism
 
 if TYPE_CHECKING:
     from mechsheet.compiled import Compiled
+    from mechsheet.library.motion import Motion
+    from mechsheet.library.tolerances import Band
+    from mechsheet.library.verdicts import Verdict
 
 Value: TypeAlias = "str | float | Fraction | Decimal | np.number[Any]"
 Values: TypeAlias = Mapping[str, Value]
-
-
-class Motion(Mapping[str, NDArray[np.float64]]):
-    """The columns of a sweep by name, the driver first: `motion["theta13"]`, `motion["C.x"]`.
-
-    Each is an array of one value per row, as in the workbook: degrees for angles, the length unit for lengths, NaN in rows
-    that do not exist. Angles are continuous from row to row. `units` maps each name to "°", "mm", "rad/s", ... or "".
-    """
-
-    def __init__(
-        self,
-        columns: Mapping[str, NDArray[np.float64]],
-        units: Mapping[str, str],
-        exists: NDArray[np.bool_] | None = None,
-    ) -> None:
-        self._columns = dict(columns)
-        self._exists = exists
-        self.units = dict(units)
-
-    def __getitem__(self, name: str) -> NDArray[np.float64]:
-        return self._columns[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._columns)
-
-    def __len__(self) -> int:
-        return len(self._columns)
-
-    @property
-    def exists(self) -> NDArray[np.bool_]:
-        """True in the rows where the linkage can be assembled."""
-        if self._exists is not None:
-            return self._exists
-        return np.asarray(~np.isnan(np.array(list(self._columns.values()))).any(axis=0))
-
-    def frame(self) -> Any:
-        """The columns as a pandas DataFrame, indexed by the driver. Raises MissingProgramError without pandas."""
-        try:
-            import pandas
-        except ImportError as problem:
-            raise missing_package("pandas", "notebook") from problem
-        driver = next(iter(self._columns))
-        return pandas.DataFrame(self._columns).set_index(driver)
-
-    def __repr__(self) -> str:
-        rows = len(next(iter(self._columns.values())))
-        return f"<Motion: {counted(rows, 'row')} of {', '.join(self._columns)}>"
 
 
 @dataclass(frozen=True)
@@ -109,16 +62,32 @@ class Linkage(Mechanism):
     def solve(self) -> Motion:
         """The whole sweep: driver, variables, points and outputs by name; the equations of the workbook, in numpy.
 
-        If the driver has a speed, velocities and accelerations as well: `omega13`, `alpha13`, `s14.v`, `C.v`.
+        If the driver has a speed, velocities and accelerations as well: `omega13`, `alpha13`, `s14.v`, `C.v`; with masses
+        or loads, forces.
 
         Raises MechanismError when the linkage cannot be solved.
         """
-        from mechsheet.compiled.motion import motion_of
+        from mechsheet.library.motion import Motion
 
-        columns, units = motion_of(self._compiled)
-        # at a dead centre there is a position, but there are no rates
-        exists = None if self.driver.speed is None else np.asarray(self._compiled.closed, bool)
-        return Motion(columns, units, exists)
+        return Motion(self._compiled)
+
+    def verdicts(self) -> dict[str, Verdict]:
+        """What is to be said of the motion, by the names of the first sheet's cells: `verdicts()["transmission_1"].value`.
+
+        The first, "verdict", is the line under the title. Raises MechanismError when the linkage cannot be solved.
+        """
+        from mechsheet.library.verdicts import verdicts_of
+
+        return verdicts_of(self)
+
+    def tolerance(self) -> dict[str, Band]:
+        """What the tolerances of the dimensions come to, by output and summary: `tolerance()["swing"].worst`.
+
+        Raises DescriptionError where no dimension has a tolerance or nothing can have a band.
+        """
+        from mechsheet.library.tolerances import bands_of
+
+        return bands_of(self)
 
     def build(
         self,
@@ -148,6 +117,13 @@ class Linkage(Mechanism):
         from mechsheet.plotting import plot
 
         return plot(self, path, at, language, vectors)
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        """Its drawing, for notebooks; where it cannot be solved, its name alone."""
+        try:
+            return {**self.drawing()._repr_mimebundle_(), "text/plain": repr(self)}
+        except MechsheetError:
+            return {"text/plain": repr(self)}
 
     def __repr__(self) -> str:
         return f"<Linkage {self.name}: {len(self.links)} links, driven by {self.driver.symbol}>"

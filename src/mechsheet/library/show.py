@@ -14,6 +14,7 @@ from livesheet.formula.printer import print_formula
 from livesheet.formula.references import cell_name
 from livesheet.workbook import Workbook
 from mechsheet.compiled import Compiled, compiled_of
+from mechsheet.compiled.further import further_of
 from mechsheet.compiled.motion import motion_of
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import FORCES, RATES
@@ -22,7 +23,7 @@ from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.library.building import told
 from mechsheet.library.recalculation import json_value
-from mechsheet.library.verdicts import verdict
+from mechsheet.library.verdicts import DOUBTS, verdict
 from mechsheet.model import TIME, Mechanism, Output, Rack, Relation, Summary, energy_unit, inertia_unit
 from mechsheet.sheet.first.blocks import unit_of_column
 from mechsheet.sheet.plan import MEANING
@@ -75,10 +76,6 @@ def overview_text(mechanism: Mechanism) -> str:
         lines.append(f"over the whole sweep: {', '.join(numbers)}")
     lines.append(verdict(compiled))
     return "\n".join(lines)
-
-
-DOUBTS = ("verdict.about", "verdict.beyond", "verdict.rows.only")
-"""What the first sheet may say of a number beside it."""
 
 
 def _single(compiled: Compiled, single: Summary | Output) -> str:
@@ -248,17 +245,22 @@ def cells_json(mechanism: Mechanism) -> str:
     return json.dumps(sheets, ensure_ascii=False)
 
 
-def variables_of(mechanism: Mechanism) -> dict[str, list[float | None]]:
-    """Driver, variables, points, rates and outputs, row by row, as people read them (degrees); None where there is none."""
-    columns, _ = motion_of(compiled_of(mechanism))
+def variables_of(mechanism: Mechanism, further: bool = False) -> dict[str, list[float | None]]:
+    """Driver, variables, points, rates and outputs, row by row, as people read them (degrees); None where there is none.
+
+    further  whether with every other name that an output may read
+    """
+    compiled = compiled_of(mechanism)
+    columns, _ = motion_of(compiled)
+    columns = further_of(compiled)[0] | columns if further else columns
     return {
         name: [value if math.isfinite(value) else None for value in column.tolist()] for name, column in columns.items()
     }
 
 
 def variables_json(mechanism: Mechanism) -> str:
-    """{"theta13": [...], "C.x": [...]}."""
-    return json.dumps(variables_of(mechanism), ensure_ascii=False)
+    """{"theta13": [...], "C.x": [...]}: every name that an output may read."""
+    return json.dumps(variables_of(mechanism, further=True), ensure_ascii=False)
 
 
 def variables_csv(mechanism: Mechanism) -> str:

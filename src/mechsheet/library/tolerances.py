@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import replace
-from typing import TypedDict
+from dataclasses import asdict, dataclass, replace
 
 from mechsheet.description import Overrides
 from mechsheet.description.reader import with_settings
 from mechsheet.library.building import told
+from mechsheet.library.named import Named
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.first.blocks import shown_unit
@@ -19,7 +19,8 @@ from mechsheet.sheet.table.tolerance import lines_of
 from mechsheet.units import behind_number
 
 
-class Band(TypedDict):
+@dataclass(frozen=True, slots=True)
+class Band:
     """Of one quantity or summary; None for no number (a dead centre, no position).
 
     value       of a summary; None for a quantity, which has one in every row
@@ -35,8 +36,16 @@ class Band(TypedDict):
     shares: dict[str, float | None]
     words: str
 
+    def __str__(self) -> str:
+        unit = behind_number(self.unit)
+        if self.worst is None or self.rss is None:
+            return f": {self.words}"
+        shares = sorted(self.shares.items(), key=lambda pair: -(pair[1] or 0.0))
+        said = ", ".join(f"{dimension} {share:.0%}" for dimension, share in shares if share is not None)
+        return f" ± {self.worst:.3g}{unit} (RSS {self.rss:.3g}{unit}): {said}; {self.words}"
 
-def bands_of(mechanism: Mechanism, file: str = "<text>") -> dict[str, Band]:
+
+def bands_of(mechanism: Mechanism, file: str = "<text>") -> Named[Band]:
     """The bands of a mechanism's [tolerance]; without one of all its outputs and summaries.
 
     file  what messages call its description
@@ -51,7 +60,7 @@ def bands_of(mechanism: Mechanism, file: str = "<text>") -> dict[str, Band]:
         found = compiled.number(spot)
         return None if math.isnan(found) else found
 
-    result: dict[str, Band] = {}
+    result: Named[Band] = Named()
     for line in lines_of(plan):
         if line.kind == "shown":
             continue
@@ -75,18 +84,10 @@ def bands_of(mechanism: Mechanism, file: str = "<text>") -> dict[str, Band]:
 
 def bands_text(mechanism: Mechanism, file: str = "<text>") -> str:
     """The same, one a line: `swing ± 0.28° (RSS 0.156°): a2 66%, a4 20%, a1 9%, a3 5%; 78.9° ± 0.3°; mostly a₂ (66 %)`."""
-    lines = []
-    for name, band in bands_of(mechanism, file).items():
-        unit = behind_number(band["unit"])
-        if band["worst"] is None or band["rss"] is None:
-            lines.append(f"{name}: {band['words']}")
-            continue
-        shares = sorted(band["shares"].items(), key=lambda pair: -(pair[1] or 0.0))
-        said = ", ".join(f"{dimension} {share:.0%}" for dimension, share in shares if share is not None)
-        lines.append(f"{name} ± {band['worst']:.3g}{unit} (RSS {band['rss']:.3g}{unit}): {said}; {band['words']}")
-    return "\n".join(lines)
+    return str(bands_of(mechanism, file))
 
 
 def bands_json(mechanism: Mechanism, file: str = "<text>") -> str:
     """{"swing": {"value": 78.9, "worst": 0.28, "rss": 0.156, "unit": "°", "shares": {"a2": 0.66, ...}, "words": "..."}}."""
-    return json.dumps(bands_of(mechanism, file), ensure_ascii=False, indent=1)
+    found = {name: asdict(band) for name, band in bands_of(mechanism, file).items()}
+    return json.dumps(found, ensure_ascii=False, indent=1)

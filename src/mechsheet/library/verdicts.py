@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
 from livesheet.formula.nodes import Scalar
 from livesheet.said import say
 from mechsheet.compiled import Compiled
+from mechsheet.description.report import listed
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import Search
 from mechsheet.library.building import told
+from mechsheet.library.named import Named
 from mechsheet.model import Mechanism
 from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import MEANING, TOLERANCE
@@ -26,6 +28,33 @@ _LANDS = 1e-6
 
 _DIGITS, _MOST_DIGITS = 6, 15
 """Digits of a number in a line; more only where fewer would say something absurd."""
+
+
+DOUBTS = ("verdict.about", "verdict.beyond", "verdict.rows.only")
+"""What the first sheet may say of a number beside it."""
+
+OF_ROWS = ("verdict.within", "verdict.unsure", "verdict.largest_effort", "verdict.largest_force.words")
+"""What it says of a number that is one of the rows', or known to a step."""
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """One line of the first sheet.
+
+    value, where  the number, and the driver's value where it occurs; None for none
+    words         what is said of it
+    sure          whether the number is that of the motion itself, and not one of the rows that may be missed between them
+    """
+
+    value: float | None
+    where: float | None
+    words: str
+    sure: bool = True
+
+    def __str__(self) -> str:
+        text = "" if self.value is None else f" = {self.value:.10g}"
+        text += "" if self.where is None else f" at {self.where:.10g}"
+        return f"{text}: {self.words}" if self.words else text
 
 
 def verdict(compiled: Compiled) -> str:
@@ -43,6 +72,7 @@ def verdict(compiled: Compiled) -> str:
         shown = {"stop": stop, "last": last}
         said.append(say("the step misses the stop ({stop}): the last row is {last}", **shown))
     said += _undetermined(compiled)
+    said += _without_inertia(compiled)
     said += [
         say(
             "the sketch says nothing about group {group}: mode +1 was taken, {mode}; a point under [assembly] decides",
@@ -78,6 +108,23 @@ def _undetermined(compiled: Compiled) -> list[str]:
     return found
 
 
+def _without_inertia(compiled: Compiled) -> list[str]:
+    """The links with a mass that turn unevenly, and of which nobody has said the moment of inertia."""
+    mechanism = compiled.mechanism
+    masses = mechanism.dynamics.masses if mechanism.dynamics else ()
+    symbols = {link.name: link.angle_symbol for link in mechanism.links}
+    driver = mechanism.driver
+    steady = driver.link if dimension_values(mechanism).get(mechanism.driver_rates[1]) == 0.0 else ""
+    names = [
+        mass.link
+        for mass in masses
+        if mass.assumed and mass.link != steady and np.nanstd(compiled.values[symbols[mass.link]]) > _LANDS
+    ]
+    if not names:
+        return []
+    return [say("no `inertia` of {links}, with a mass that turns: 0 was taken", links=listed(names))]
+
+
 def _missed_stop(mechanism: Mechanism, rows: int) -> tuple[float, float, float] | None:
     """As people read them the stop of the sweep, the last row and the one that would come next, where none is the stop."""
     driver = mechanism.driver
@@ -103,7 +150,7 @@ def _shown(value: object, unit: str, digits: int = _DIGITS) -> str:
     return f"{value:.{digits}g}{behind_number(unit)}" if isinstance(value, float | int) else str(value)
 
 
-def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]]:
+def verdicts_of(mechanism: Mechanism) -> Named[Verdict]:
     """What is to be said, by the names of the first sheet's cells: the value, where it occurs, and the words beside it.
 
     The first is `verdict`, the line under the title; summaries and outputs of them are the last. None stands for a value
@@ -116,13 +163,16 @@ def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]
     compiled = told(mechanism)
     plan = compiled.plan
 
-    def line(value: Scalar, where: Scalar, words: Scalar) -> dict[str, float | str | None]:
+    doubts = tuple(plan.text(key) for key in (*DOUBTS, *OF_ROWS))
+
+    def line(value: Scalar, where: Scalar, words: Scalar) -> Verdict:
         """One line; errors and empty texts are nothing."""
         number, place = (each if isinstance(each, float) else None for each in (value, where))
-        return {"value": number, "where": place, "words": words if isinstance(words, str) else ""}
+        said = words if isinstance(words, str) else ""
+        return Verdict(number, place, said, not any(doubt in said for doubt in doubts))
 
     verdict = plan.at.spots["#verdict"]
-    found = {verdict.name: line(None, None, compiled.value(verdict))}
+    found = Named({verdict.name: line(None, None, compiled.value(verdict))})
     for key in plan.found.entries:
         spot, at = plan.at.spots[f"#{key}"], plan.at.spots.get(f"#{key}_at")
         where = None if at is None else compiled.value(at)
@@ -137,21 +187,17 @@ def verdicts_of(mechanism: Mechanism) -> dict[str, dict[str, float | str | None]
     search = Search(mechanism, compiled.equations, compiled.given)
     for key, numbers in SearchedVerdicts(plan, search).numbers().items():
         name = plan.at.spots[f"#{key}"].name if f"#{key}" in plan.at.spots else key
-        said = found.setdefault(name, line(None, None, None))
-        said["value"] = numbers[0] if numbers else None
+        value = numbers[0] if numbers else None
+        found[name] = replace(found.get(name, line(None, None, None)), value=value)
     return found
 
 
 def verdicts_text(mechanism: Mechanism) -> str:
     """The same, one a line: `transmission_1 = 33.9 at 360: 33.9° … 90°: poor`."""
-    lines = []
-    for name, said in verdicts_of(mechanism).items():
-        text = name if said["value"] is None else f"{name} = {said['value']:.10g}"
-        text += "" if said["where"] is None else f" at {said['where']:.10g}"
-        lines.append(f"{text}: {said['words']}" if said["words"] else text)
-    return "\n".join(lines)
+    return str(verdicts_of(mechanism))
 
 
 def verdicts_json(mechanism: Mechanism) -> str:
-    """{"transmission_1": {"value": 33.9, "where": 360.0, "words": "..."}}."""
-    return json.dumps(verdicts_of(mechanism), ensure_ascii=False, indent=1)
+    """{"transmission_1": {"value": 33.9, "where": 360.0, "words": "...", "sure": true}}."""
+    found = {name: asdict(said) for name, said in verdicts_of(mechanism).items()}
+    return json.dumps(found, ensure_ascii=False, indent=1)

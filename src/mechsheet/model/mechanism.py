@@ -206,12 +206,14 @@ class Mass:
     mass     [kg] or the description's unit;  None for a link that has a moment of inertia alone
     center   one of the link's points by name, or a place in its frame
     inertia  about the mass centre [kg m²]; None where it counts as 0
+    assumed  whether the description does not say the inertia of a link that turns: its cell has 0
     """
 
     link: str
     mass: Node | None
     center: str | Place
     inertia: Node | None
+    assumed: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -119,12 +119,12 @@ def test_show_prints_what_the_search_finds_not_what_the_probes_found():
     """A designer who reads the time ratio from a script gets it exactly; the sheet's is right to its own limits."""
     compiled, _ = built("adjustable-pump")
     shown = verdicts_of(compiled.mechanism)
-    ratio = shown["time_ratio_s15"]["value"]
+    ratio = shown["time_ratio_s15"].value
     sheet = compiled.value(compiled.plan.at.spots["#time_ratio_s15"])
     assert ratio == pytest.approx(2.00873, abs=1e-5)  # the reference, Newton every 0.05 degrees
     assert ratio != sheet
     assert ratio == pytest.approx(sheet, rel=5e-3)
-    assert shown["time_ratio_s15"]["words"]
+    assert shown["time_ratio_s15"].words
 
 
 # --- summaries and the outputs that follow from them -----------------------------------------------------------------------

@@ -85,7 +85,7 @@ def test_a_sweep_that_is_not_whole_is_completed():
         ("1000000", "1e305", ["step: 1e+305 is out of range"]),
         ("1e999", None, ['rows: expected a whole number, found "1e999"']),
         (None, "nan", ['step: expected a number, found "nan"']),
-        (None, "5 mm", ["step: expected a number", "a plain number in the driver's own unit"]),
+        (None, "5 mm", ['step: "5 mm" where ° are needed']),
         (None, "1/0", ["step: has no value: division by zero"]),
         (None, "a2", ['step: "a2" is a length where an angle is needed']),
         (None, "fast", ['step: "fast" is not a dimension']),

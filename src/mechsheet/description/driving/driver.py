@@ -98,9 +98,11 @@ def _turning(data: dict[str, Any], place: Path, links: tuple[Link, ...], ends: E
         return None
     if link == other:
         message = say("the link {link} cannot turn: it is `relative_to` as well", link=quoted(link))
+        hint = say("")
         if link == ground:
             message = say("the link {link} cannot turn: it is the ground", link=quoted(link))
-        scope.report.at((*place, "link"), message)
+            hint = say("the first link of the file is the ground: write the fixed link first")
+        scope.report.at((*place, "link"), message, hint)
         return None
     if link == ground:
         message = say("the link {link} is the ground", link=quoted(link))

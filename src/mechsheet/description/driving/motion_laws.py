@@ -139,7 +139,7 @@ def _duration(given: dict[str, Any], path: Path, scope: Scope) -> Quantity | Non
     duration = given[DURATION]
     if duration is BAD:
         return None
-    quantity = scope.quantity(duration, ANY, path)
+    quantity = scope.quantity(duration, ANY, path, SECONDS)
     seconds = scope.number(quantity)
     if seconds <= 0:
         scope.report.at(path, say("the motion takes {seconds:g} s: it must take more than 0", seconds=seconds))

@@ -16,12 +16,15 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
+from mechsheet.description.text.measured import measured
+from mechsheet.description.text.rewrite import OWN_CELLS
 from mechsheet.model import POINT_RATES, Dimension, Driver, Joint, Law, Link, Quantity, rate_symbols
 from mechsheet.units import RAD, Unit
 
 _SIXTIETH = al.div(al.PI, al.number(30.0))
 _FACTORS: dict[str, Node] = {"deg/s": al.div(al.PI, al.number(180.0)), "rpm": _SIXTIETH}
 _FACTORS |= {"deg/s^2": _FACTORS["deg/s"], "rpm/s": _SIXTIETH}
+assert _FACTORS.keys() == {*OWN_CELLS}
 """Unit -> radians per second (per second) of one of it."""
 
 _WITH_CORNERS = {"ABS": "abs", "SIGN": "sign", "MIN": "min", "MAX": "max", "IF": "where"}
@@ -107,11 +110,12 @@ def motion(data: dict[str, Any], links: tuple[Link, ...], driver: Driver, scope:
         cells += (_cell("acceleration", names[1], 0.0, driver, scope),)
     if speed is None or acceleration is None:
         return None
-    lists = (_listed(key, data.get(key), data, scope) for key in ("speed", "acceleration"))
+    keys: tuple[Key, Key] = ("speed", "acceleration")
+    lists = (_listed(key, data.get(key), data, driver, scope) for key in keys)
     return Motion(speed, acceleration, cells, None, *lists)
 
 
-def _listed(key: str, given: Any, data: dict[str, Any], scope: Scope) -> tuple[Quantity, ...]:
+def _listed(key: Key, given: Any, data: dict[str, Any], driver: Driver, scope: Scope) -> tuple[Quantity, ...]:
     """The speeds or accelerations that are listed; none where they are not."""
     if not isinstance(given, list):
         return ()
@@ -128,7 +132,8 @@ def _listed(key: str, given: Any, data: dict[str, Any], scope: Scope) -> tuple[Q
         if len(given) == 1:
             message = say("has 1 number for {rows} values of the driver", rows=len(values))
         scope.report.at(path, message, say("give one {key} for each of `values`", key=key))
-    return tuple(scope.quantity(each, ANY, (*path, place)) for place, each in enumerate(given))
+    unit = _unit(key, driver, scope)
+    return tuple(scope.quantity(each, ANY, (*path, place), unit) for place, each in enumerate(given))
 
 
 def _unit(key: Key, driver: Driver, scope: Scope) -> Unit:
@@ -151,6 +156,12 @@ def _rate(key: Key, given: Any, name: str, driver: Driver, scope: Scope) -> tupl
         return Symbol(name), ()
     if isinstance(given, dict):
         return _in_unit(key, given, name, driver, scope)
+    if isinstance(given, str) and (found := measured(given)) is not None:
+        if found.unit in _FACTORS and not driver.joint:
+            return _in_unit(key, {"value": found.value, "unit": found.unit}, name, driver, scope)
+        given = scope.plain(given, _unit(key, driver, scope).text, path)
+        if given is BAD:
+            return None, ()
     if not isinstance(given, str):
         return Symbol(name), (_cell(key, name, float(given), driver, scope),)
     tree = scope.parse(given, path)

@@ -14,17 +14,19 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol, symbols
 from livesheet.said import say
 from mechsheet.description.driving.rates import check_speed, is_rate
-from mechsheet.description.forces.force_names import CENTER, first_key, keys_of
+from mechsheet.description.forces.force_names import CENTER, MOMENTS, POWER, first_key, keys_of
 from mechsheet.description.links import place as read_place
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, symbol_fault
 from mechsheet.description.text.index import Path
+from mechsheet.description.text.measured import METRES
 from mechsheet.model import (
     Cartesian,
     Dimension,
     Distances,
     Dynamics,
+    Joint,
     Link,
     Load,
     Mass,
@@ -36,26 +38,34 @@ from mechsheet.model import (
 )
 from mechsheet.units import Unit, unit_of
 
-METRES = {"mm": 0.001, "cm": 0.01, "dm": 0.1, "m": 1.0}
-"""Length unit -> metres: with these masses are in kg and forces in N."""
-
 
 def read(
-    bodies: dict[str, Any], given: dict[str, Any], loads: list[Any], links: tuple[Link, ...], scope: Scope
-) -> tuple[Dynamics | None, tuple[Dimension, ...]]:
+    bodies: dict[str, Any], given: dict[str, Any], loads: list[Any], links: tuple[Link, ...], joints: tuple[Joint, ...],
+    scope: Scope,
+) -> tuple[Dynamics | None, tuple[Dimension, ...]]:  # fmt: skip
     """Masses and loads, and the dimensions that they bring; None where there are none."""
     if first_key(bodies, loads) is None or not links:
         if given:
             message = say("no link has a mass and nothing is loaded: there are no forces")
             scope.report.at(("dynamics",), message, say("give links a `mass`, or [[loads]]"))
         return None, ()
-    return _Reader(given, links, scope).read(bodies, loads)
+    return _Reader(given, links, _straight(links, joints), scope).read(bodies, loads)
+
+
+def _straight(links: tuple[Link, ...], joints: tuple[Joint, ...]) -> set[str]:
+    """The links that never turn: sliding joints alone lead from the ground to them."""
+    found = {links[0].name}
+    pairs = [{joint.link, joint.on} for joint in joints if joint.kind == "prismatic"]
+    while grown := {name for pair in pairs if pair & found for name in pair} - found:
+        found |= grown
+    return found
 
 
 @dataclass
 class _Reader:
     given: dict[str, Any]
     links: tuple[Link, ...]
+    straight: set[str]
     scope: Scope
     cells: list[Dimension] = field(default_factory=list)
 
@@ -64,6 +74,7 @@ class _Reader:
         self.force_unit, self.mass_unit = self._units(bodies)
         torque = torque_unit(self.force_unit, self.metre, self.scope.length_unit)
         self.force, self.torque = Unit("force", self.force_unit), Unit("moment", torque)
+        self.scope.force_units |= {name: self._unit_of(name, what) for name, what in self.scope.forces.items()}
         masses = [self._mass(link, bodies[link.name]) for link in self.links if self._has_mass(link, bodies)]
         gravity = self._gravity()
         found = [self._load(number, entry) for number, entry in enumerate(loads) if entry is not BAD]
@@ -72,6 +83,14 @@ class _Reader:
             tuple(load for load in found if isinstance(load, Spring)), self.force_unit, self.mass_unit,
         )  # fmt: skip
         return dynamics, tuple(self.cells)
+
+    def _unit_of(self, name: str, what: str) -> str:
+        """What stands behind the numbers of a force, an effort or a mass centre."""
+        if what == POWER:
+            return "W" if self.metre else f"{self.torque.text}/s"
+        if what == CENTER:
+            return self.scope.length_unit
+        return self.torque.text if what in MOMENTS or name.endswith(".m") else self.force.text
 
     def _units(self, bodies: dict[str, Any]) -> tuple[str, str]:
         """The labels of forces and masses."""
@@ -102,6 +121,7 @@ class _Reader:
     ) -> Node | None:
         """A number or an expression over dimensions as a dimension of its own; None where it is faulty."""
         scope = self.scope
+        given = scope.plain(given, unit.text, path)
         if given is BAD:
             return None
         value: Quantity
@@ -170,9 +190,10 @@ class _Reader:
         mass = inertia = None
         if "mass" in entry:
             mass = self._cell(f"m_{n}", entry["mass"], Unit("label", self.mass_unit), (*path, "mass"), "mass", 0.0)
-        if "inertia" in entry:
+        assumed = "mass" in entry and "inertia" not in entry and self.scope.moves and link.name not in self.straight
+        if "inertia" in entry or assumed:
             unit = Unit("label", f"{self.mass_unit} {length}²")
-            inertia = self._cell(f"J_{n}", entry["inertia"], unit, (*path, "inertia"), "moment of inertia", 0.0)
+            inertia = self._cell(f"J_{n}", entry.get("inertia", 0), unit, (*path, "inertia"), "moment of inertia", 0.0)
         own = center_symbol(n)
         names = (f"x_{own}", f"y_{own}")
         if "center" in entry:
@@ -186,7 +207,7 @@ class _Reader:
                     count=len(link.points),
                 )
                 self.scope.report.at((*path, "mass"), message, say('write center = "…" or center = [x, y]'))
-        return Mass(link.name, mass, center, inertia)
+        return Mass(link.name, mass, center, inertia, assumed)
 
     def _gravity(self) -> tuple[Node, Node]:
         """Its components; one number points downwards."""
@@ -304,6 +325,9 @@ class _Reader:
     def _effort(self, symbol: str, given: Any, unit: Unit, path: Path) -> Node | None:
         """A number, or an expression over dimensions, as a cell; one that differs from row to row as it is."""
         scope = self.scope
+        given = scope.plain(given, unit.text, path)
+        if given is BAD:
+            return None
         if given == 0 and not isinstance(given, str):
             return al.ZERO
         if not isinstance(given, str):

@@ -17,17 +17,17 @@ from mechsheet.model import (
     FurtherDriver,
     Joint,
     Link,
-    Rack,
     Relation,
     center_symbol,
-    pair_symbol,
 )
+from mechsheet.model.names import joint_forces
 
 WEIGHTS = ("mass", "center", "inertia")
 """Keys of a link that has a mass."""
 
 POWER, SHAKES = "driver's power", "shaking force"
 CENTER, CENTER_MOVES = "mass centre", "velocity or acceleration of a mass centre"
+MOMENTS = ("couple", "driving torque", "torque of a belt")
 OF_MOTION = (POWER, SHAKES, CENTER_MOVES)
 """What there is only where the driver has a speed."""
 
@@ -54,7 +54,7 @@ def declare(
     path = first_key(bodies, loads)
     if path is None:
         return
-    for name, what in _of_joints(links, joints, driver, further, relations).items():
+    for name, what in joint_forces(links, joints, driver, further, relations).items():
         scope.forces[name] = what
         scope.kinds[name] = ANY
         if "." not in name:
@@ -107,46 +107,3 @@ def _declare_masses(bodies: dict[str, Any], links: Collection[Link], scope: Scop
 def _no_point(name: str, message: Said, scope: Scope, hint: str = "") -> None:
     for link in scope.points.get(name, ())[:1]:
         scope.report.at(("links", link, "points", name), message, hint or say("rename it"))
-
-
-def _of_joints(
-    links: tuple[Link, ...],
-    joints: tuple[Joint, ...],
-    driver: Driver | None,
-    further: tuple[FurtherDriver, ...],
-    relations: tuple[Relation, ...],
-) -> dict[str, str]:
-    """Name -> what it is: F34, F34.x and F34.y of every pin, F14.n and F14.c of every slide, the driver's effort."""
-    numbers = {link.name: link.number for link in links}
-    holders: dict[str, list[int]] = {}
-    for link in links:
-        for point in link.points:
-            holders.setdefault(point, []).append(link.number)
-    found: dict[str, str] = {}
-    for owner, *others in holders.values():
-        for other in others:
-            name = pair_symbol("F", owner, other)
-            found |= dict.fromkeys((name, f"{name}.x", f"{name}.y"), "joint force")
-    for joint in joints:
-        name = pair_symbol("F", numbers[joint.on], numbers[joint.link])
-        found |= {f"{name}.n": "normal force"} | ({f"{name}.c": "couple"} if joint.kind == "prismatic" else {})
-        if driver is not None and driver.joint == joint.name:
-            found |= {f"{name}.t": "driving force", f"{name}.work": "driving force"}
-    if driver is not None and driver.link:
-        name = pair_symbol("T", numbers[driver.relative_to or links[0].name], numbers[driver.link])
-        found |= {name: "driving torque", f"{name}.work": "driving torque"}
-    for besides in further:
-        if besides.link:
-            found[pair_symbol("T", numbers[besides.relative_to], numbers[besides.link])] = "driving torque"
-        else:
-            slide = next(joint for joint in joints if joint.name == besides.joint)
-            found[f"{pair_symbol('F', numbers[slide.on], numbers[slide.link])}.t"] = "driving force"
-    slides = {joint.symbol: (joint.on, joint.link) for joint in joints}
-    for relation in relations:
-        if isinstance(relation, Rack):
-            bar = next(side for side in slides[relation.joint] if side != relation.arm)
-            name = pair_symbol("G", numbers[relation.link], numbers[bar])
-        else:
-            name = pair_symbol("G", numbers[relation.on], numbers[relation.link])
-        found |= {name: "tooth force", f"{name}.t": "tooth force", f"{name}.m": "torque of a belt"}
-    return found

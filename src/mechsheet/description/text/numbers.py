@@ -6,8 +6,9 @@ import re
 from dataclasses import dataclass
 
 from livesheet.said import say
-from mechsheet.description.kinds import plain_unit
 from mechsheet.description.quoting import quoted
+from mechsheet.description.text.measured import EXAMPLES, measured, unit_named
+from mechsheet.units import behind_number
 
 MINUS = "−–‒—﹣－"
 """Signs that word processors and web pages write for a minus."""
@@ -34,18 +35,19 @@ class Typed:
     why: str
 
     @property
-    def is_angle(self) -> bool:
-        """Whether degrees stood behind it."""
-        return plain_unit(self.unit) == "deg"
-
-    @property
     def hint(self) -> str:
         """What to write instead."""
         if not self.unit:
             return say("write {new}", new=self.text)
-        if plain_unit(self.unit) in ("deg", "rad"):
-            return say("write {new}: numbers stand without a unit; all angles are in `angle_unit`", new=self.text)
-        return say("write {new}: numbers stand without a unit; all lengths are in `length_unit`", new=self.text)
+        if self.measured is None:
+            return say("units that are known: {units}", units=EXAMPLES)
+        return say("write {new}", new=f'"{self.measured}"')
+
+    @property
+    def measured(self) -> str | None:
+        """The number with its unit as a description takes it, without the quotes; None where the unit is not known."""
+        text = self.text + behind_number(self.unit)
+        return None if unit_named(self.unit) is None or measured(text) is None else text
 
 
 def typed_number(text: str) -> Typed | None:

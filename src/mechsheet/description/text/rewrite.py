@@ -9,7 +9,12 @@ import math
 import re
 
 from mechsheet.description.text.index import Path, Spot, key_text
+from mechsheet.description.text.measured import home, measured
 from mechsheet.description.text.source import Source, parse
+
+SPEEDS = (("driver", "speed"), ("driver", "acceleration"))
+OWN_CELLS = ("deg/s", "rpm", "deg/s^2", "rpm/s")
+"""Units in which a speed or an acceleration of the driver has a cell of its own, beside the one in rad/s."""
 
 _KEY_BEFORE = re.compile(r"""(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')\s*=\s*$""")
 
@@ -41,7 +46,7 @@ def with_value(source: Source, path: Path, value: str) -> Source:
     A plain number above a new key becomes a table with `value`.
     """
     if spot := source.spots.get(path):
-        return _replaced(source, spot.start, spot.end, value)
+        return _replaced(source, spot.start, spot.end, _with_its_unit(source, path, spot, value))
     *around, key = path
     table = source.spots.get(tuple(around))
     line = f"{key_text(str(key))} = {value}"
@@ -56,6 +61,21 @@ def with_value(source: Source, path: Path, value: str) -> Source:
         old = source.text[table.start : table.end]
         return _replaced(source, table.start, table.end, f"{{ value = {old}, {line} }}")
     return _beside(source, tuple(around), line)
+
+
+def _with_its_unit(source: Source, path: Path, spot: Spot, value: str) -> str:
+    """A number in the place of one with its unit ("2 kN"): it is in the unit of the cell, which has to be written where
+    the place does not say it.
+    """
+    old = measured(source.text[spot.start + 1 : spot.end - 1])
+    if old is None or source.text[spot.start] not in "\"'" or value[:1] in "\"'{[":
+        return value
+    if path[0] == "dimensions":
+        head = source.data.get("mechanism")
+        length = str(head.get("length_unit", "mm")) if isinstance(head, dict) else "mm"
+        at_home = home(old, length)
+        return value if at_home is None or at_home[1] == length else f'"{value} {at_home[1]}"'
+    return f'"{value} {old.unit}"' if path in SPEEDS and old.unit in OWN_CELLS else value
 
 
 def _inline_end(text: str, table: Spot, line: str) -> tuple[int, int, str]:

@@ -201,8 +201,9 @@ class _Walk:
     def on_smart(self, word: str, begin: int) -> None:
         content = word[1:-1]
         new = '"' + content.replace("\\", "\\\\").replace('"', '\\"') + '"'
-        if self.expects == "value" and self.keys[:1] == ("dimensions",) and (number := typed_number(content)):
-            new = number.text
+        number = typed_number(content) if self.expects == "value" and self.keys[:1] == ("dimensions",) else None
+        if number is not None:
+            new = _as_taken(number)
         behind = "rest"
         if self.expects == "key":
             self.keys, behind = (*self.keys, content), "equals"
@@ -338,7 +339,7 @@ class _Walk:
                 text=quoted(word),
                 why=number.why or say("not the way in which TOML writes numbers"),
             )
-            self.mend(begin, number.text, message, self.number_hint(number))
+            self.mend(begin, _as_taken(number), message, number.hint)
             return
         if word[0] == "(" and "," in word and word[-1] == ")":
             new = f"[{word[1:-1]}]"
@@ -352,10 +353,10 @@ class _Walk:
             hint = say("write {{ formula = {new} }}", new=new)
         self.mend(begin, new, say("texts and expressions stand in quotes, found {text}", text=quoted(word)), hint)
 
-    def number_hint(self, number: Typed) -> str:
-        if number.is_angle and self.keys[:1] == ("dimensions",) and len(self.keys) == 2:
-            return say('write {{ value = {number}, unit = "deg" }}', number=number.text)
-        return number.hint
+
+def _as_taken(number: Typed) -> str:
+    """A number that was meant as TOML: with its unit in quotes, where that is known."""
+    return f'"{number.measured}"' if number.measured is not None else number.text
 
 
 def _split(dotted: str) -> list[str]:

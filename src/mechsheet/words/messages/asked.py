@@ -90,11 +90,13 @@ ASKED: dict[str, str] = {
         "{name} boyutu türetilmiş; satırdan satıra yalnız bir giriş değişebilir"
     ),
     "{where}{name} is not a variable or dimension": "{where}{name} değişken ya da boyut değil",
-    "{where}{name} is an output; only variables and dimensions are allowed": (
-        "{where}{name} bir çıktı; yalnız değişkenler ve boyutlar olur"
+    "the outputs": "çıktılar",
+    'write unit = "deg" beside the formula: without a unit an output is a length': (
+        'formülün yanına unit = "deg" yazın: birimi olmayan çıktı uzunluktur'
     ),
-    "{name} is an output of summaries, too": "{name} de özetlerin çıktısı",
-    "write its formula in its place": "yerine formülünü yazın",
+    "with the outputs that it reads, the formula is too long for a cell": (
+        "okuduğu çıktılarla birlikte formül bir hücre için çok uzun"
+    ),
     "{name} differs from row to row, but {others} are numbers of the whole motion": (
         "{name} satırdan satıra değişir, oysa {others} bütün hareketin sayılarıdır"
     ),
@@ -458,8 +460,8 @@ ASKED: dict[str, str] = {
         "hızda izin verilen düzgünsüzlük katsayısı, (ω max − ω min)/ω ort"
     ),
     "the result that says it": "onu veren sonuç",
-    "an expression over variables and dimensions, or over summaries and dimensions": (
-        "değişkenler ve boyutlar ya da özetler ve boyutlar üzerine bir ifade"
+    "an expression over variables, dimensions and other outputs, or over summaries and dimensions": (
+        "değişkenler, boyutlar ve başka çıktılar ya da özetler ve boyutlar üzerine bir ifade"
     ),
     "what is looked at over the whole sweep": "bütün hareket boyunca neye bakıldığı",
     "which number is taken": "hangi sayının alındığı",

@@ -35,6 +35,9 @@ CHECKS: dict[str, str] = {
     "  note: {remark}": "  not: {remark}",
     "  note: {message}: skipped": "  not: {message}: atlandı",
     "the step misses the stop ({stop}): the last row is {last}": "adım bitişe ({stop}) denk gelmiyor: son satır {last}",
+    "no `inertia` of {links}, with a mass that turns: 0 was taken": (
+        "{links} için `inertia` verilmemiş, kütlesi dönüyor: 0 alındı"
+    ),
     "undetermined at {place}: {links}": "{place} konumunda belirsiz: {links}",
     "undetermined in {count} positions, the first at {place}: {links}": (
         "{count} konumda belirsiz, ilki {place}: {links}"

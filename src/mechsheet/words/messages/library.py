@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 LIBRARY: dict[str, str] = {
+    "nothing is called {name}": "{name} adlı bir şey yok",
+    "names": "adlar",
     # values and names
     "a {kind} is no value of one cell: {value}": "{kind} türü bir hücrenin değeri olamaz: {value}",
     "one number, for example 66.5": "bir sayı, örneğin 66.5",

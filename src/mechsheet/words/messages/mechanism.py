@@ -4,6 +4,12 @@ from __future__ import annotations
 
 MECHANISM: dict[str, str] = {
     # links and points
+    "the first link of the file is the ground, and that is {link}": "dosyadaki ilk uzuv sabit uzuvdur; o da {link}",
+    "write [links.{name}] before the other links": "[links.{name}] bölümünü öteki uzuvlardan önce yazın",
+    "the first link of the file is the ground: write the fixed link first": (
+        "dosyadaki ilk uzuv sabit uzuvdur: sabit uzvu en başa yazın"
+    ),
+    'the point "{point}" occurs once: nothing is joined there': '"{point}" noktası bir kez geçiyor: orada birleşen yok',
     "the first link is the ground; its number is 1": "ilk uzuv sabit uzuvdur; numarası 1'dir",
     "the number {number} is taken by the link {link}": "{number} numarasını {link} uzvu taşıyor",
     "numbers count upwards from the link before, unless `number` is given": (

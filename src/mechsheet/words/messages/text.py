@@ -15,6 +15,7 @@ TEXT: dict[str, str] = {
     "in {text}: ": "{text} içinde: ",
     "in {text}: {message}": "{text} içinde: {message}",
     "{why}": "{why}",
+    'did you mean "{name}"? {case}': '"{name}" mi demek istediniz? {case}',
     'did you mean "{name}"?': '"{name}" mi demek istediniz?',
     # the file
     "there is no such file": "böyle bir dosya yok",
@@ -89,12 +90,12 @@ TEXT: dict[str, str] = {
     "the decimal sign is a point: write [{items}]": "ondalık işareti noktadır: [{items}] yazın",
     "{sign} (U+{code:04X}) is not the minus sign of a keyboard": "{sign} (U+{code:04X}) klavyedeki eksi işareti değil",
     "the unit {unit} stands behind the number": "sayının arkasında {unit} birimi duruyor",
-    "write {new}: numbers stand without a unit; all lengths are in `length_unit`": (
-        "{new} yazın: sayılar birimsiz yazılır; bütün uzunluklar `length_unit` birimindedir"
-    ),
-    "write {new}: numbers stand without a unit; all angles are in `angle_unit`": (
-        "{new} yazın: sayılar birimsiz yazılır; bütün açılar `angle_unit` birimindedir"
-    ),
+    "units that are known: {units}": "bilinen birimler: {units}",
+    "{text} is neither a number nor an expression": "{text} ne bir sayı ne de bir ifade",
+    "{text} has a unit where a plain number is needed": "{text} birimli, burada birimsiz bir sayı gerekir",
+    "{text} where {unit} are needed": "{text} verilmiş, burada {unit} gerekir",
+    "a number in {unit} is written with its unit behind it": "{unit} birimindeki bir sayı birimiyle birlikte yazılır",
+    "the value says its unit already": "değer birimini kendisi söylüyor",
     "{hint}, without quotes": "{hint}, tırnaksız",
     "expected a number, found {text}": "sayı beklenir, bulunan: {text}",
     "a plain number in {whose} own unit, or an expression": "kendi biriminde bir sayı ya da bir ifade",
@@ -102,6 +103,7 @@ TEXT: dict[str, str] = {
     "has no value: {name} has none": "değeri yok, çünkü {name} değersiz",
     # what may stand where
     "expected {shape}, found {value}": "{shape} beklenir, bulunan: {value}",
+    "write {key} = {value} in the first line": "ilk satıra {key} = {value} yazın",
     "expected a finite number, found {value}": "sonlu bir sayı beklenir, bulunan: {value}",
     "expected a number from {least:g} on, found {value}": (
         "{least:g} ya da daha büyük bir sayı beklenir, bulunan: {value}"
@@ -132,7 +134,6 @@ TEXT: dict[str, str] = {
     "expected at least {least} {what}s, found {found}": "en az {least} {what} beklenir, bulunan: {found}",
     "expected at most {most} {what}s, found {found}": "en çok {most} {what} beklenir, bulunan: {found}",
     "{count}: {names}": "{count}: {names}",
-    'write {{ value = {number}, unit = "deg" }}': '{{ value = {number}, unit = "deg" }} yazın',
     "write [[{key}]] instead of [{key}]": "[{key}] yerine [[{key}]] yazın",
     'a derived dimension is written { formula = "…" }': 'türetilen boyut { formula = "…" } diye yazılır',
     'write { formula = "…" }': '{ formula = "…" } yazın',
