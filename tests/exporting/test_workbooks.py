@@ -254,8 +254,8 @@ def test_an_edited_function_is_found(folder, tmp_path):
         for name in old.namelist():
             content = old.read(name)
             if name == "xl/workbook.xml":
-                assert content.count(b"SQRT(_xlpm.X_^2+_xlpm.Y_^2)") == 1
-                content = content.replace(b"SQRT(_xlpm.X_^2+_xlpm.Y_^2)", b"SQRT(_xlpm.Y_^2+_xlpm.X_^2)")
+                assert content.count(b"SQRT(_xlpm.X_1^2+_xlpm.Y_1^2)") == 1
+                content = content.replace(b"SQRT(_xlpm.X_1^2+_xlpm.Y_1^2)", b"SQRT(_xlpm.Y_1^2+_xlpm.X_1^2)")
             new.writestr(name, content)
     result = CliRunner().invoke(main, ["check", str(edited)])
     assert result.exit_code == 1
