@@ -36,7 +36,7 @@ from mechsheet.formula.nodes import (
 )
 from mechsheet.formula.printer import print_formula
 from mechsheet.formula.references import area_name
-from mechsheet.homework.routines import with_routines
+from mechsheet.library.routines import with_routines
 
 Array: TypeAlias = NDArray[np.float64]
 Place: TypeAlias = tuple[str, int, int]

@@ -28,10 +28,10 @@ from mechsheet.formula.nodes import (
     children,
     rebuilt,
 )
-from mechsheet.homework.routines import routine_names
 from mechsheet.homework.series import Graph, Series
 from mechsheet.homework.truth import Array
 from mechsheet.homework.upright import Place
+from mechsheet.library.routines import routine_names
 
 MOST_AT_ONCE = 1500
 OF_ONE = 600
