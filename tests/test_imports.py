@@ -124,10 +124,8 @@ ALLOWED["homework"] = {
     "sheet.notes.mathematics",
     "plotting",
     "arguments",
-    # the routines of the text's appendix are those that exports write
-    "exporting.functions",
-    "exporting.lambdas",
-    "exporting.routines",
+    # the functions of the text's appendix, and those of a module of Basic
+    "library.routines",
 }
 # designs by the thousand: the equations printed as numpy; what a summary is, and which loops there are, the sheet says;
 # the axes of its picture are those of every curve

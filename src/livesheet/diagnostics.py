@@ -21,7 +21,8 @@ class Fault:
     source   the line itself, shown under the message
     hint     the near miss, or the list of what is allowed
     about    what it is about, where programs ask: "function" of a function that is not known, "volatile" of one that gives
-             another value at every recalculation; else ""
+             another value at every recalculation, "routine" of one that a file calls and does not define, and that is known;
+             else ""
     """
 
     message: str
@@ -31,6 +32,11 @@ class Fault:
     source: str = ""
     hint: str = ""
     about: str = ""
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether something is not computed as it is meant: what changes by itself is, and what is known, too."""
+        return self.about not in ("volatile", "routine")
 
     def __str__(self) -> str:
         place = self.file + (f":{self.line}" if self.line is not None else "")

@@ -27,7 +27,7 @@ def test_allowed(name):
 
 @pytest.mark.parametrize(
     ("symbol", "name"),
-    [("r", "r_"), ("K", "K_"), ("a1", "a_1"), ("a_1", "a_1"), ("A.x", "A_x"), ("lc", "lc_"), ("Z1S1", "Z1S_1")],
+    [("r", "r_1"), ("K", "K_1"), ("a1", "a_1"), ("a_1", "a_1"), ("A.x", "A_x"), ("lc", "lc_1"), ("Z1S1", "Z1S_1")],
 )
 def test_safe_variant(symbol, name):
     assert safe_name(symbol, set()) == name
@@ -35,5 +35,11 @@ def test_safe_variant(symbol, name):
 
 
 def test_the_variant_may_be_taken():
-    assert safe_name("r", {"r_"}) == "_r"
-    assert safe_name("r", {"r_", "_r"}) == "r_2"
+    assert safe_name("r", {"r_1"}) == "r_2"
+
+
+def test_a_word_comes_before_a_number():
+    assert safe_name("e", set(), "offset") == "e_1"  # OFFSET is a function
+    assert safe_name("e", set(), "eccentricity") == "eccentricity"
+    assert safe_name("e", {"eccentricity"}, "eccentricity") == "e_1"
+    assert safe_name("a1", set(), "crank") == "a_1"

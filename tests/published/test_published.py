@@ -170,4 +170,4 @@ def test_cells_of_the_fivelink_carry_the_texts_names(tmp_path):
         if symbol in printed["dimensions"]:
             assert found == printed["dimensions"][symbol], name
     assert cells["SabitUzuv"] == pytest.approx(printed["A0B0"], abs=5e-5)
-    assert cells["Alfa1"] == pytest.approx(printed["alpha1_deg"], abs=5e-8)
+    assert cells["Alfa1"] == pytest.approx(printed["alpha1_rad"], abs=5e-8)

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 from ..diagnostics import Fault
-from .nodes import MAX_COLUMNS, MAX_ROWS, Node, Scalar, shifted
+from .nodes import MAX_COLUMNS, MAX_ROWS, CellRef, Node, Scalar, shifted
 
 Kind: TypeAlias = Literal["fill", "array", "spill"]
 
@@ -345,9 +345,17 @@ class Book:
         return found
 
     def name_like(self, name: str) -> DefinedName | None:
-        """The name that a symbol stands for where it could not be a name itself: `a_1` for a1, `r_` for r."""
+        """The name that a symbol stands for where it could not be a name itself: that of the cell beside which it stands
+        (`crank` for a), or `a_1` for a1."""
         plain = name.replace("_", "").casefold()
-        return next((defined for defined in self.names if defined.name.replace("_", "").casefold() == plain), None)
+        beside = (defined for defined in self.names if self._left_of(defined.formula) == name)
+        alike = (defined for defined in self.names if defined.name.replace("_", "").casefold() == plain)
+        return next(beside, None) or next(alike, None)
+
+    def _left_of(self, node: Node) -> Scalar:
+        """What stands to the left of a cell, unless a formula computes it."""
+        sheet = self.sheet(node.sheet or "") if isinstance(node, CellRef) and node.col else None
+        return sheet.constants.get(node.row, node.col - 1) if sheet and isinstance(node, CellRef) else None
 
 
 class BookBuilder:

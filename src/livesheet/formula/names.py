@@ -69,10 +69,14 @@ def name_fault(name: str) -> str:
     return ""
 
 
-def safe_name(symbol: str, taken: Collection[str]) -> str:
-    """A legal cell name like `symbol` (a1 becomes a_1, r becomes r_) that differs from all of `taken` (folded names)."""
+def safe_name(symbol: str, taken: Collection[str], word: str = "") -> str:
+    """A legal cell name like `symbol` (a1 becomes a_1, r becomes r_1) that differs from all of `taken` (folded names).
+
+    word  what to call it rather than with a number behind it, if that is legal and free
+    """
     plain = unicodedata.normalize("NFC", symbol).replace(".", "_")
     plain = re.sub(r"[^\w.]", "_", plain) or "_"
-    candidates = [plain, re.sub(r"(?<=[^\W\d])(\d+)$", r"_\1", plain), f"{plain}_", f"_{plain}"]
-    further = (f"{plain}_{number}" for number in count(2))
+    candidates = [plain, re.sub(r"(?<=[^\W\d])(\d+)$", r"_\1", plain)]
+    candidates += [word] if word.upper() not in FUNCTIONS else []
+    further = (f"{plain}_{number}" for number in count(1))
     return next(name for name in chain(candidates, further) if not name_fault(name) and folded(name) not in taken)

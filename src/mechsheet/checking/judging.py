@@ -30,6 +30,7 @@ from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError, MissingProgramError
 from mechsheet.library.building import build
 from mechsheet.library.changed import load
+from mechsheet.library.routines import with_routines
 from mechsheet.model import Mechanism
 
 
@@ -106,6 +107,8 @@ def _check_built(mechanism: Mechanism, shown: str, work: _Work) -> Report:
 def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | None = None) -> Report:
     """Judge a workbook; `file` is the description that it should have been built from, if there is one."""
     work.say("recalculating")
+    form = functions_in(book)
+    book = with_routines(book)
     stored, values = judge_stored(book, work.rules)
     if work.baseline is not None:
         stored = work.baseline.accept(Path(shown), stored)
@@ -122,7 +125,7 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | No
         if file is not None:
             changed = stale(text, path, file)
         work.say("looking for edits")
-        expected = expected_for(text, inside(shown), functions_in(book))
+        expected = expected_for(text, inside(shown), form)
         found = edits_of(book, expected)
         edits = found.edits
         work.say("solving")

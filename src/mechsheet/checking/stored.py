@@ -126,7 +126,7 @@ class Stored:
     @property
     def doubts(self) -> tuple[Fault, ...]:
         """What cannot be computed as it is meant; what changes by itself is computed as it is meant."""
-        return tuple(fault for fault in self.remarks if fault.about != "volatile")
+        return tuple(fault for fault in self.remarks if fault.doubtful)
 
     def own(self) -> list[Difference]:
         """The differences that follow from no other."""

@@ -86,7 +86,7 @@ def _remarked(stored: Stored, doubtful: str) -> Iterator[tuple[str, Outcome]]:
     from mechsheet.checking.stored import COMPUTE_ANEW
 
     for fault, places in grouped(stored.remarks):
-        kind = "skipped" if fault.about == "volatile" else doubtful
+        kind = doubtful if fault.doubtful else "skipped"
         yield fault.message, (kind, fault.message, remark_line(fault, places))
     if stored.nothing_stored:
         yield "stored values", (doubtful, "no value is stored: nothing was compared", "")

@@ -106,7 +106,7 @@ def _recalculate(
     elif output is None:
         for name, value in result.named().items():
             click.echo(f"{name} = {value}")
-    if strict and any(fault.about != "volatile" for fault in result.remarks):
+    if strict and any(fault.doubtful for fault in result.remarks):
         sys.exit(1)
 
 
@@ -133,9 +133,10 @@ def _judged(file: Path, tell: Callable[[str], None], rules: Rules, baseline: Bas
     from livesheet.formats import read
     from mechsheet.checking import Report
     from mechsheet.checking.stored import judge_stored
+    from mechsheet.library.routines import with_routines
 
     tell("recalculating")
-    stored, _ = judge_stored(read(file), rules)
+    stored, _ = judge_stored(with_routines(read(file)), rules)
     if baseline is not None:
         stored = baseline.accept(file, stored)
     return Report(readable_name(file), (stored.comparison(),), stored=stored)

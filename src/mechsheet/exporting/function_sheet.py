@@ -145,23 +145,26 @@ def _table(
         angle = in_degrees(source, symbol)
         value = calls[function.key](driver)
         value = Call("DEGREES", (value,)) if angle else value
-        kind = function.routine.unit.kind
-        style = styles.decimals(styles.COLUMN, places(plan, kind))
+        style = styles.decimals(styles.COLUMN, places(plan, function.routine.unit.kind))
         fills.append(Fill(FIRST, col, value, style, rows=count))
-        found = CellRef(FIRST, col)
-        wanted = Call("INDEX", (plan.at.column(symbol, ""), number))
-        gap: Node = Binary("-", found, wanted)
-        if kind == "angle":
-            turn = Number(360.0) if angle else Binary("*", Number(2.0), Call("PI"))
-            gap = Binary("-", gap, Binary("*", turn, Call("ROUND", (Binary("/", gap, turn), Number(0.0)))))
-        both = Call("ISNUMBER", (Binary("+", found, wanted),))
-        alike = Binary("=", Call("ISNUMBER", (found,)), Call("ISNUMBER", (wanted,)))
-        # a function has no value where any group comes apart; the table goes on with what does not depend on it
-        apart = Binary("<>", Call("INDEX", (plan.at.column("#status", ""), number)), Text(plan.text("status.ok")))
-        fine = Call("OR", (apart, alike))
-        checked = Call("IF", (both, Call("ABS", (gap,)), Call("IF", (fine, Number(0.0), Call("NA")))))
+        checked = difference(plan, source, symbol, CellRef(FIRST, col), number)
         at = behind + col - 2
         fills.append(Fill(FIRST, at, checked, styles.INNER, rows=count))
         area = RangeRef(CellRef(FIRST, at), CellRef(FIRST + count - 1, at))
         fills.append(Fill(DIFFERENCE_ROW, col, Call("MAX", (area,)), SMALL))
     return fills
+
+
+def difference(plan: Plan, source: Source, symbol: str, found: Node, number: Node) -> Node:
+    """How far a value, as people read it, is from that of the table of positions in the row of that number, turns aside."""
+    wanted = Call("INDEX", (plan.at.column(symbol, ""), number))
+    gap: Node = Binary("-", found, wanted)
+    if source.equations.of(symbol).unit.kind == "angle":
+        turn = Number(360.0) if in_degrees(source, symbol) else Binary("*", Number(2.0), Call("PI"))
+        gap = Binary("-", gap, Binary("*", turn, Call("ROUND", (Binary("/", gap, turn), Number(0.0)))))
+    both = Call("ISNUMBER", (Binary("+", found, wanted),))
+    alike = Binary("=", Call("ISNUMBER", (found,)), Call("ISNUMBER", (wanted,)))
+    # a function has no value where any group comes apart; the table goes on with what does not depend on it
+    apart = Binary("<>", Call("INDEX", (plan.at.column("#status", ""), number)), Text(plan.text("status.ok")))
+    fine = Call("OR", (apart, alike))
+    return Call("IF", (both, Call("ABS", (gap,)), Call("IF", (fine, Number(0.0), Call("NA")))))

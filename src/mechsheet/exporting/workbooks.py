@@ -6,7 +6,7 @@ the sweep beside the table of positions, and a line on the first sheet that says
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from livesheet.formula.names import folded
@@ -18,6 +18,9 @@ from mechsheet.exporting.basic import function_names, module
 from mechsheet.exporting.function_sheet import LIST_TITLE, functions_sheet
 from mechsheet.exporting.functions import TABLE_KEY, Function, functions_of, in_degrees, main_table, variable_key
 from mechsheet.exporting.lambdas import modes_read, named_functions
+from mechsheet.exporting.lesson import chain_of
+from mechsheet.exporting.lesson_sheet import TITLE as LESSON_TITLE
+from mechsheet.exporting.lesson_sheet import lesson_sheet
 from mechsheet.exporting.refusing import refuse_synthesis
 from mechsheet.exporting.routines import Source
 from mechsheet.exporting.vba import introduction
@@ -25,7 +28,6 @@ from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import TableRequest, Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 from mechsheet.units import Unit
 
@@ -102,7 +104,7 @@ def functions_workbook(compiled: Compiled, form: str) -> Workbook:
     taken = {folded(name.name) for name in compiled.layout.names}
     functions = functions_of(source, compiled.mechanism.language, taken)
     names = function_names(functions) if form == "basic" else {function.key: function.name for function in functions}
-    work = _Work(compiled.plan, source, form, {function.key: function for function in functions}, names)
+    work = _Work(compiled, source, form, {function.key: function for function in functions}, names)
     return with_typed_constants(work.workbook(compiled.layout))
 
 
@@ -113,13 +115,20 @@ def in_sheets(compiled: Compiled) -> Compiled:
     return Compiled(replace(compiled.mechanism, layout="sheets"))
 
 
+def _free_title(title: Words, sheets: Sequence[Sheet], language: str) -> str:
+    """The title, with a number where a sheet has it."""
+    taken, base = {sheet.title.casefold() for sheet in sheets}, title.of(language)
+    return next(name for name in (base, f"{base} 2", f"{base} 3") if name.casefold() not in taken)
+
+
 class _Work:
     """The workbook while it is being changed."""
 
     def __init__(
-        self, plan: Plan, source: Source, form: str, functions: dict[str, Function], names: dict[str, str]
+        self, compiled: Compiled, source: Source, form: str, functions: dict[str, Function], names: dict[str, str]
     ) -> None:
-        self.plan = plan
+        self.compiled = compiled
+        self.plan = plan = compiled.plan
         self.source = source
         self.form = form
         self.functions = functions
@@ -139,12 +148,13 @@ class _Work:
         sheets += [
             self.table(sheet, tables[id(sheet)]) if id(sheet) in tables else sheet for sheet in workbook.sheets[1:]
         ]
-        taken = {sheet.title.casefold() for sheet in sheets}
-        base = LIST_TITLE.of(language)
-        title = next(name for name in (base, f"{base} 2", f"{base} 3") if name.casefold() not in taken)
+        title = _free_title(LIST_TITLE, sheets, language)
         calls = {function.key: self.call(function, title) for function in functions if not function.basic}
         listed = functions_sheet(plan, self.source, functions, self.names, calls, title)
         sheets.insert(self.tables_from + len(plan.mechanism.tables), listed)
+        if chain := chain_of(self.compiled):
+            its_title = _free_title(LESSON_TITLE, sheets, language)
+            sheets.insert(self.tables_from, lesson_sheet(plan, self.source, chain, self.names, its_title))
         modules: tuple[Module, ...] = ()
         if self.form == "basic":
             opening = introduction(self.source, tuple(functions), language)

@@ -36,7 +36,7 @@ from livesheet.formula.nodes import (
 )
 from livesheet.formula.printer import print_formula
 from livesheet.formula.references import area_name
-from mechsheet.homework.routines import with_routines
+from mechsheet.library.routines import with_routines
 
 Array: TypeAlias = NDArray[np.float64]
 Place: TypeAlias = tuple[str, int, int]

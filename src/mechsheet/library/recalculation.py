@@ -106,9 +106,10 @@ def recalc(path: str | Path, settings: Mapping[str, Any] | None = None) -> Resul
     """
     from livesheet.engine import evaluate
     from livesheet.formats import read
+    from mechsheet.library.routines import with_routines
 
     path = Path(path)
-    book = read(path)
+    book = with_routines(read(path))
     changes: dict[Place, Scalar] = {}
     faults: list[Fault] = []
     for name, value in (settings or {}).items():

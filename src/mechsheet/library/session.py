@@ -41,9 +41,10 @@ def open_book(path: str | Path) -> Session:
     >>> book["Positions!F4:F364"].max()                     # doctest: +SKIP
     """
     from livesheet.formats import read
+    from mechsheet.library.routines import with_routines
 
     path = Path(path)
-    return Session(read(path), path)
+    return Session(with_routines(read(path)), path)
 
 
 class Session:

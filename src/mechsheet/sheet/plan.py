@@ -29,6 +29,7 @@ from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.first.classification import Classification, classification
+from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.synthesis.planning import plan_rows
 from mechsheet.sheet.synthesis.rows import Rows
 from mechsheet.sheet.table.averaged import with_averaged
@@ -343,9 +344,10 @@ def _plan_names_and_blocks(plan: Plan) -> None:
         _block(plan, "bands", [*mechanism.bands.quantities, *mechanism.bands.summaries])
     _block(plan, "verdicts", plan.found.entries)
     _block(plan, "derived", [dim.symbol for dim in derived] + [eq.symbol for eq in plan.equations.constants])
-    for dim in mechanism.dimensions:
-        if block_of(dim) != "synthesis":
-            _place_dimension(plan, dim, taken)
+    placed = [dim for dim in mechanism.dimensions if block_of(dim) != "synthesis"]
+    names = names_of_dimensions(mechanism, placed, taken, kept_names(mechanism, [*plan.found.entries, *shown]))
+    for dim in placed:
+        _place_dimension(plan, dim, names[dim.symbol], taken)
     _place_synthesis(plan, taken)
     for equation in plan.equations.constants:
         row = plan.blocks["derived"].rows[equation.symbol]
@@ -407,9 +409,8 @@ def _place_bands(plan: Plan, taken: set[str]) -> None:
         _spot(plan, f"#band {symbol}", row, False, safe_name(f"band_{symbol}", taken), taken)
 
 
-def _place_dimension(plan: Plan, dim: Dimension, taken: set[str]) -> None:
+def _place_dimension(plan: Plan, dim: Dimension, name: str, taken: set[str]) -> None:
     block = plan.blocks[block_of(dim) or ("dimensions" if dim.symbol in plan.blocks["dimensions"].rows else "derived")]
-    name = dim.cell or safe_name(dim.symbol, taken)
     _spot(plan, dim.symbol, block.rows[dim.symbol], dim.unit.in_degrees, name, taken)
 
 

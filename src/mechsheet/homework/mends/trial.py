@@ -30,8 +30,8 @@ from livesheet.formula.nodes import (
 )
 from mechsheet.homework.expected_values import Array
 from mechsheet.homework.formula_strips import Place
-from mechsheet.homework.routines import routine_names
 from mechsheet.homework.series import Graph, Series
+from mechsheet.library.routines import routine_names
 
 MOST_AT_ONCE = 1500
 OF_ONE = 600

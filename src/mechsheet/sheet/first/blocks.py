@@ -68,9 +68,9 @@ def shown_unit(plan: Plan, symbol: str) -> str:
     return unit_of_column(plan, symbol).text
 
 
-def value_style(plan: Plan, kind: str) -> Style:
-    """The style of a result of this kind: one decimal more than the tolerances justify for lengths."""
-    return styles.decimals(styles.RESULT, places(plan, kind) + (1 if kind == "length" else 0))
+def value_style(plan: Plan, unit: Unit) -> Style:
+    """The style of a result in this unit: one decimal more than the tolerances justify for lengths."""
+    return styles.decimals(styles.RESULT, places(plan, unit.kind, unit.symbol) + (1 if unit.kind == "length" else 0))
 
 
 def input_validation(plan: Plan, area: Area, symbol: str) -> Validation:

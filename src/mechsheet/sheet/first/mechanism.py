@@ -176,7 +176,7 @@ def _from_synthesis(writer: Writer, dim: Dimension, row: int) -> None:
     value: Node = dim.value if not isinstance(dim.value, float) else Text("")
     value = Call("DEGREES", (value,)) if dim.unit.in_degrees else value
     solved = formula("IF(_unsolved>0,NA(),value)", value=value)
-    writer.formula(row, VALUE, plan.at.bind(solved, plan.main), value_style(plan, dim.unit.kind))
+    writer.formula(row, VALUE, plan.at.bind(solved, plan.main), value_style(plan, dim.unit))
 
 
 def _label(plan: Plan, dim: Dimension) -> str:
@@ -191,13 +191,13 @@ def _derived(writer: Writer) -> None:
         if not isinstance(dim.value, float) and dim.symbol in rows:
             row = rows[dim.symbol]
             writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim) or dim.written)
-            _result(writer, row, dim.value, dim.unit.in_degrees, value_style(plan, dim.unit.kind))
+            _result(writer, row, dim.value, dim.unit.in_degrees, value_style(plan, dim.unit))
     for equation in plan.equations.constants:
         row = rows[equation.symbol]
         unit = plan.mechanism.shown(equation.unit)
         writer.line(row, rich(equation.symbol), unit.text, equation.label.of(plan.language))
         tolerance = equation.symbol == plan.equations.tolerance
-        style = styles.numbered(styles.RESULT, "0.0E+00") if tolerance else value_style(plan, equation.unit.kind)
+        style = styles.numbered(styles.RESULT, "0.0E+00") if tolerance else value_style(plan, equation.unit)
         value = gated_tolerance(equation.says) if tolerance else equation.expression
         _result(writer, row, value, unit.in_degrees, style)
 
@@ -352,7 +352,7 @@ def _position(writer: Writer) -> None:
         rows[driver.symbol],
         VALUE,
         _at_position(plan, plan.at.column(driver.symbol, plan.main)),
-        value_style(plan, driver.unit.kind),
+        value_style(plan, driver.unit),
     )
     writer.line(rows["status"], plan.text("head.status"), "", "")
     said = _at_position(plan, plan.at.column("#status", plan.main))
@@ -379,7 +379,7 @@ def _variables(writer: Writer) -> None:
         node = _at_position(plan, plan.at.column(symbol, plan.main))
         rate = styles.decimals(styles.RESULT, places_of(plan, unit))
         as_is = unit.per or symbol in plan.shown_forces
-        style = rate if as_is else value_style(plan, unit.kind)
+        style = rate if as_is else value_style(plan, unit)
         if symbol in plan.band_places:
             style = styles.decimals(styles.RESULT, plan.band_places[symbol])
         writer.formula(row, VALUE, node, style)

@@ -16,6 +16,7 @@ from mechsheet.sheet.plan import MEANING, ROW_COUNT, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
+from mechsheet.units import ANGLE
 
 
 def write_summaries(writer: Writer) -> None:
@@ -44,7 +45,7 @@ def _write(writer: Writer, summary: Summary) -> None:
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     _said(writer, row, words)
     unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
-    style = styles.decimals(styles.RESULT, places_of(plan, unit)) if unit.per else value_style(plan, unit.kind)
+    style = styles.decimals(styles.RESULT, places_of(plan, unit)) if unit.per else value_style(plan, unit)
     if plan.mechanism.bands and summary.symbol in plan.mechanism.bands.summaries and summary.of in plan.band_places:
         style = styles.decimals(styles.RESULT, plan.band_places[summary.of])
     value, where = _of(plan, summary)
@@ -55,7 +56,7 @@ def _write(writer: Writer, summary: Summary) -> None:
         writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), no_number, styles.WARN))
     writer.formula(row, VALUE, _where_it_closes(plan, value), style)
     if where is not None:
-        writer.formula(row, TOLERANCE, _where_it_closes(plan, where), value_style(plan, "angle"))
+        writer.formula(row, TOLERANCE, _where_it_closes(plan, where), value_style(plan, ANGLE))
 
 
 def _where_it_closes(plan: Plan, value: Node) -> Node:
@@ -87,9 +88,7 @@ def _write_output(writer: Writer, output: Output) -> None:
     row = plan.blocks["summary"].rows[output.symbol]
     writer.line(row, rich(output.symbol), plan.mechanism.shown(output.unit).text, None)
     _said(writer, row, _with_part(plan, output_words(plan, output)))
-    writer.formula(
-        row, VALUE, _where_it_closes(plan, over_summaries(plan, output)), value_style(plan, output.unit.kind)
-    )
+    writer.formula(row, VALUE, _where_it_closes(plan, over_summaries(plan, output)), value_style(plan, output.unit))
 
 
 def summary_words(plan: Plan, summary: Summary) -> str:

@@ -21,6 +21,7 @@ from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.drawing.charts import remarkable_points
 from mechsheet.sheet.first.classification import FourBar, classification
+from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.plan import SHEETS, VALUE, VERDICT_ROW, Block, Plan, TableColumn
 from mechsheet.sheet.table.averaged import with_averaged
@@ -192,12 +193,12 @@ def _block(plan: PagePlan, key: str, entries: Iterable[str]) -> None:
 def _name_places(plan: PagePlan, modes: list[str]) -> None:
     """A place and a name for everything on top, whether the page's own formulas read names or not."""
     mechanism, rows = plan.mechanism, {key: block.rows for key, block in plan.blocks.items()}
-    cells = {dim.symbol: dim.cell for dim in mechanism.dimensions}
-    cells |= {each.symbol: each.cell for each in mechanism.motion_numbers}
-    taken = {folded(cell) for cell in cells.values() if cell}
+    cells = {each.symbol: each.cell for each in mechanism.motion_numbers}
+    taken = {folded(each.cell) for each in (*mechanism.dimensions, *mechanism.motion_numbers) if each.cell}
+    names = names_of_dimensions(mechanism, mechanism.dimensions, taken, kept_names(mechanism, rows["verdicts"]))
     for dim in mechanism.dimensions:
         row = rows["derived" if dim.derived else "dimensions"][dim.symbol]
-        _place(plan, dim.symbol, row, dim.unit.in_degrees, cells[dim.symbol] or dim.symbol, taken)
+        _place(plan, dim.symbol, row, dim.unit.in_degrees, names[dim.symbol], taken)
     for equation in plan.equations.constants:
         degrees = mechanism.shown(equation.unit).in_degrees
         _place(plan, equation.symbol, rows["derived"][equation.symbol], degrees, equation.symbol, taken)

@@ -26,7 +26,7 @@ from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.wrapping import height_of, label_lines
-from mechsheet.units import Unit, turn
+from mechsheet.units import ANGLE, LENGTH, Unit, turn
 
 SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 """Columns of the top; the meaning has three of the table's columns."""
@@ -197,19 +197,19 @@ class Top:
                 label = dim.label.of(plan.language) if dim.label else given_words(plan, dim) or dim.written
                 self.line(rows[dim.symbol], rich(dim.symbol), dim.unit.text, label)
                 rate = styles.decimals(styles.RESULT, places_of(plan, dim.unit))
-                style = rate if dim.unit.per else value_style(plan, dim.unit.kind)
+                style = rate if dim.unit.per else value_style(plan, dim.unit)
                 self._result(rows[dim.symbol], dim.value, dim.unit.in_degrees, style)
         for key, tree in plan.lengths.items():
             words = plan.text("page.length", name=key.removeprefix("#"))
             self.line(rows[key], key.removeprefix("#"), plan.mechanism.length_unit, words)
-            self._result(rows[key], tree, False, value_style(plan, "length"))
+            self._result(rows[key], tree, False, value_style(plan, LENGTH))
         for equation in plan.equations.constants:
             row = rows[equation.symbol]
             self.line(
                 row, rich(equation.symbol), plan.mechanism.shown(equation.unit).text, equation.label.of(plan.language)
             )
             small = equation.symbol == plan.equations.tolerance
-            style = styles.numbered(styles.RESULT, "0.0E+00") if small else value_style(plan, equation.unit.kind)
+            style = styles.numbered(styles.RESULT, "0.0E+00") if small else value_style(plan, equation.unit)
             self._result(row, equation.expression, plan.at.spots[equation.symbol].degrees, style)
 
     def _verdicts(self) -> None:
@@ -289,7 +289,7 @@ class Top:
         self.line(row, loop.name, plan.mechanism.length_unit, words)
         self.comments.append(Comment(row, SYMBOL, plan.text("notes.use.grashof")))
         value = excess_of(shortest, longest, total)
-        self.fill(row, VALUE, value, value_style(plan, "length"))
+        self.fill(row, VALUE, value, value_style(plan, LENGTH))
 
     def _length(self, key: str, length: Node) -> Node:
         """A length without the bars that its sign does not need; one that is no dimension has a cell."""
@@ -316,7 +316,7 @@ class Top:
         self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=words))
         self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=self.cell("#rows_closed"), least=least)
-        self.fill(row, VALUE, value, value_style(plan, "angle"))
+        self.fill(row, VALUE, value, value_style(plan, ANGLE))
 
     def _line_under_the_title(self) -> None:
         """Whether it closes in the rows of the table, its type, its transmission; or that an input is none."""
@@ -384,7 +384,7 @@ class Top:
         row = plan.blocks["summary"].rows[symbol]
         self.line(row, rich(symbol), unit.text, plan.text("page.take.rows", label=label))
         found = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"), value=value)
-        self.fill(row, VALUE, found, value_style(plan, unit.kind))
+        self.fill(row, VALUE, found, value_style(plan, unit))
 
     def _taken(self, summary: Summary) -> Node:
         """Over the rows in which the quantity has a value."""

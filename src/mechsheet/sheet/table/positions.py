@@ -41,8 +41,8 @@ from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.bands import HEADINGS, ROOT, WORST
 from mechsheet.sheet.table.status import status
+from mechsheet.units import DEG, Unit
 from mechsheet.units import NUMBER as NUMBER_UNIT
-from mechsheet.units import Unit
 
 GROUP_ROW, SYMBOL_ROW, FORMULA_ROW = range(HEADING_ROWS)
 COLUMNS_OF_A_PAGE = 19
@@ -253,7 +253,7 @@ def places_of(plan: Plan, unit: Unit) -> int:
     dynamics = plan.mechanism.dynamics
     if unit.kind == "moment" and dynamics and unit.symbol == f"{dynamics.force_unit} {plan.mechanism.length_unit}":
         return decimals_of(STEP / (dynamics.metre or 1.0))  # N mm has three decimals fewer than N m
-    return places(plan, "number" if unit.per and unit.kind == "angle" else unit.kind)
+    return places(plan, "number" if unit.per and unit.kind == "angle" else unit.kind, unit.symbol)
 
 
 _LENGTHS = re.compile(r"(1/)?(.*?)(²|\^\d+)?")
@@ -268,11 +268,14 @@ def _power_of_length(unit: Unit, length: str) -> int:
     return -power if found[1] else power
 
 
-def places(plan: Plan, kind: str) -> int:
-    """Decimals that the tolerances justify: with +-0.1 mm one; without tolerances a step finer than 1e-3 of the size."""
+def places(plan: Plan, kind: str, symbol: str = "") -> int:
+    """Decimals that the tolerances justify: with +-0.1 mm one; without tolerances a step finer than 1e-3 of the size.
+
+    symbol  of the unit, where it may be another one than the mechanism's
+    """
     tolerances = [dim.tolerance for dim in plan.mechanism.dimensions if dim.tolerance and dim.unit.kind == "length"]
     if kind == "angle":
-        return 2 if plan.mechanism.angle_unit.in_degrees else 4
+        return 2 if (symbol or plan.mechanism.angle_unit.symbol) == DEG.symbol else 4
     if kind in ("number", "moment", "power"):
         return 4
     if kind == "force":

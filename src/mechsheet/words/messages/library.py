@@ -15,6 +15,9 @@ LIBRARY: dict[str, str] = {
     "expected a finite number, found {value!s:.60}": "sonlu bir sayı beklenir, bulunan: {value!s:.60}",
     "expected a whole number, found {found:g}": "bir tam sayı beklenir, bulunan: {found:g}",
     "{number} is no number that a cell can hold": "{number} bir hücrenin tutabileceği bir sayı değil",
+    "{names}: computed as the textbook's functions, as this file gives no other definition": (
+        "{names}: bu dosya başka bir tanım vermediğinden ders kitabının fonksiyonları olarak hesaplandı"
+    ),
     "expected a mapping of values": "adlarıyla değerler beklenir",
     '{"a1": 65}: the dimension, and its value in its own unit': '{"a1": 65}: boyut ve kendi birimindeki değeri',
     'no sheet is called "{name}"': '"{name}" adlı sayfa yok',

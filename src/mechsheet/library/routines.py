@@ -15,17 +15,13 @@ from copy import copy
 from functools import lru_cache
 from typing import Literal, TypeAlias
 
+from livesheet.diagnostics import Fault
 from livesheet.engine import evaluate
 from livesheet.formula.book import Block, Book, BookSheet, DefinedName
 from livesheet.formula.functions import FUNCTIONS
 from livesheet.formula.names import folded
 from livesheet.formula.nodes import Call, Node, Number, calls
-from mechsheet.compiled import Compiled
-from mechsheet.description import Overrides, loads
-from mechsheet.description.templates import template_text
-from mechsheet.exporting.functions import functions_of
-from mechsheet.exporting.lambdas import named_functions
-from mechsheet.exporting.routines import Source
+from livesheet.said import say
 
 PUMP = "adjustable-pump"
 """The mechanism that the text has a routine of its own for."""
@@ -37,7 +33,7 @@ Language: TypeAlias = Literal["en", "tr"]
 
 
 def with_routines(book: Book) -> Book:
-    """The book with the routines that its formulas call and that nothing in it defines."""
+    """The book with the routines that its formulas call and that nothing in it defines, and a remark that says which."""
     defined = {folded(one.name) for one in book.names}
     called = {name for sheet in book.sheets for name in _called(sheet) if folded(name) not in defined}
     known = {name: language for name in sorted(called) if (language := _language(name)) is not None}
@@ -45,7 +41,14 @@ def with_routines(book: Book) -> Book:
         return book
     whole = _named(book, known, defined)
     others = _of_another_meaning(whole, known)
-    return _named(book, {name: known[name] for name in known if name not in others}, defined) if others else whole
+    meant = {name: known[name] for name in known if name not in others}
+    if not meant:
+        return book
+    found = _named(book, meant, defined) if others else whole
+    names = ", ".join(_routines(language)[_plain(name)][0] for name, language in meant.items())
+    message = say("{names}: computed as the textbook's functions, as this file gives no other definition", names=names)
+    found.remarks = [*book.remarks, Fault(message, file=book.source, about="routine")]
+    return found
 
 
 def _called(sheet: BookSheet) -> Iterator[str]:
@@ -70,6 +73,13 @@ def _plain(name: str) -> str:
 @lru_cache(maxsize=2)
 def _routines(language: Language) -> dict[str, tuple[str, Node]]:
     """Plain name -> (name, LAMBDA) of all routines of a language; configurations of the pump are those of its sketch."""
+    from mechsheet.compiled import Compiled
+    from mechsheet.description import Overrides, loads
+    from mechsheet.description.templates import template_text
+    from mechsheet.exporting.functions import functions_of
+    from mechsheet.exporting.lambdas import named_functions
+    from mechsheet.exporting.routines import Source
+
     mechanism = loads(template_text(PUMP), PUMP, Overrides(language=language))
     compiled = Compiled(mechanism)
     functions = functions_of(Source(compiled), language)
