@@ -42,13 +42,13 @@ ALLOWED = {
     "kinematics": {"portable", "model", "formula", "units", "words"},
     # forces, from what is solved already; kinematics knows nothing of them
     "dynamics": {"portable", "model", "formula", "kinematics", "units", "words"},
-    "sheet": {"portable", "model", "formula", "kinematics", "synthesis", "units", "words"},
+    # what a mechanism looks like, once for all who draw it
+    "shapes": {"portable", "model", "formula", "kinematics", "units", "words"},
+    "sheet": {"portable", "model", "formula", "kinematics", "shapes", "synthesis", "units", "words"},
     # formats know the workbook as data (sheet/workbook.py), nothing of how it came about
     "formats": {"formula", "sheet.workbook"},
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
     "compiled": {"model", "formula", "kinematics", "dynamics", "sheet", "engine"},
-    # what a mechanism looks like, once for all who draw it
-    "shapes": {"portable", "model", "formula", "kinematics", "sheet", "compiled", "units", "words"},
     # plotting draws the list of shapes, and the curves of the workbook at positions that the engine computes
     "plotting": {
         "shapes",
@@ -136,7 +136,6 @@ ALLOWED["drawing_page"] = {
     "description",
     "kinematics",
     "compiled",
-    "sheet.drawing.outlines",
     "shapes",
     "plotting",
     "checking",

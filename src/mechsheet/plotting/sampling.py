@@ -22,7 +22,7 @@ from mechsheet.kinematics.numeric import Array, runs_of
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
 from mechsheet.said import say
-from mechsheet.sheet.drawing.points import moving_points
+from mechsheet.shapes.points import moving_points
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
 from mechsheet.units import behind_number

@@ -112,11 +112,21 @@ class Sheet:
         self.taken = Boxes(np.vstack([self.taken.middles, at]), np.vstack([self.taken.halves, half]))
 
     def place(
-        self, texts: tuple[str, ...], size: float, at: Array, beside: float, needed: bool
+        self, texts: tuple[str, ...], size: float, at: Array, beside: float, needed: bool, before: Array | None = None
     ) -> tuple[str, Array] | None:
-        """Which of the texts, longer ones first, has room, and where its middle is; None where none has."""
+        """Which of the texts, longer ones first, has room, and where its middle is; None where none has.
+
+        before  how far from its place the first text stood a moment ago: it stays there where that is free
+        """
         least, best = math.inf, (texts[0], at, np.zeros(2))
         lines, paths, taken = self.lines.near(at), self.paths.near(at), self.taken.near(at)
+        if before is not None and np.isfinite(before).all():
+            middle, half = at + before, half_box(texts[0], size)
+            box = Boxes(middle[None], half[None])
+            inside = bool((np.abs(middle) + half <= 1.0).all())
+            if inside and not covered(box, taken).any() and not crossed(box, lines).any():
+                self.take(middle, half)
+                return texts[0], middle
         for text in texts:
             half = half_box(text, size)
             for ring in RINGS:  # farther ones only where no near one is free

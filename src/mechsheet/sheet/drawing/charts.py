@@ -16,8 +16,8 @@ import numpy as np
 from mechsheet import portable
 from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.rates.coefficients import free_points
-from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, Mechanism, rate_symbols
+from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, rate_symbols
+from mechsheet.shapes.points import remarkable_points
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.first.blocks import shown_unit
@@ -151,28 +151,6 @@ def _shared(plan: Plan, symbols: Sequence[str], sizes: Mapping[str, float]) -> l
         else:
             groups.append([symbol])
     return [tuple(group) for group in groups]
-
-
-def tracing_points(mechanism: Mechanism) -> tuple[str, ...]:
-    """Points of a single moving link (coupler points); without any, the moving joints."""
-    points = dict.fromkeys(point for link in mechanism.links for point in link.points)
-    return free_points(mechanism) or tuple(point for point in points if point not in mechanism.ground.points)
-
-
-def remarkable_points(mechanism: Mechanism) -> tuple[str, ...]:
-    """Traced points whose paths are neither circles about a fixed pin nor straight guides."""
-    fixed = set(mechanism.ground.points)
-    plain_paths = {joint.point for joint in mechanism.joints if mechanism.ground.name == joint.on}
-    for link in mechanism.links[1:]:
-        if fixed & set(link.points):
-            plain_paths |= set(link.points)
-    return tuple(point for point in tracing_points(mechanism) if point not in plain_paths)
-
-
-def traced_points(plan: Plan, requests: Sequence[ChartRequest]) -> tuple[str, ...]:
-    """Points whose paths are drawn behind the mechanism: those that have a chart, else those that deserve one."""
-    asked = dict.fromkeys(point for request in requests for point in request.paths)
-    return tuple(asked) or tracing_points(plan.mechanism)
 
 
 # --- curves ------------------------------------------------------------------------------------------------------

@@ -6,8 +6,9 @@ from dataclasses import replace
 
 from mechsheet.formula import algebra as al
 from mechsheet.model import ChartRequest
+from mechsheet.shapes.colors import INK
 from mechsheet.sheet import styles
-from mechsheet.sheet.drawing.frames import CHART_X, CHART_Y, HIDDEN_AXIS, INK, NAME, Frame, Page, write_frame
+from mechsheet.sheet.drawing.frames import CHART_X, CHART_Y, HIDDEN_AXIS, NAME, Frame, Page, write_frame
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Anchor, Chart, Series, SeriesRef
