@@ -287,7 +287,7 @@ def _arrow(found: Shapes, force: Force, kind: Kind, most: Node, units: str = "")
     if force.kind in VECTORS:
         part = al.mul(shown(kind), part)
     way = times(al.div(al.mul(al.number(LONGEST), HALF), most), force.parts)
-    tip, ahead = plus(force.at, way), times(sized(HEAD), unit(force.parts))
+    tip, ahead = plus(force.at, way), times(al.div(sized(HEAD), force.strength), force.parts)
     shaft, head = Frame(force.at, way, NOWHERE), Frame(tip, ahead, turned(ahead))
     yield Shape(force.kind, force.name, COLORS[kind], 1.75, shaft, SHAFT, size=part)
     yield Shape(force.kind, force.name, COLORS[kind], 0.5, head, ARROW_HEAD, fill=COLORS[kind], size=part)

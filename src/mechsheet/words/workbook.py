@@ -280,6 +280,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "drawing.across.x": ("across, x", "enine, x"),
     "drawing.across.y": ("across, y", "enine, y"),
     "drawing.number": ("place", "yer"),
+    "drawing.column": ("column", "sütun"),
     "drawing.markers": ("Marked in the charts", "Grafiklerde işaretlenenler"),
     "drawing.shapes": ("Shapes", "Şekiller"),
     "drawing.rail": ("guide of {symbol}", "{symbol} kızağı"),

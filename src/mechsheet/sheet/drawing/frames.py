@@ -167,6 +167,11 @@ class Page:
         self.col += 1
         return Area(self.first, self.col - 1, self.first + self.samples - 1, self.col - 1)
 
+    def apart(self) -> None:
+        """Leave a column free: LibreOffice takes long columns side by side as one, and reports a circle where some of them
+        read what follows from others."""
+        self.col += 1
+
     def over_motion(self, name: str, function: str, nodes: Sequence[Node]) -> Node:
         """The least or the largest (`LEAST`, `MOST`) of trees over symbols in all rows in which they exist.
 
@@ -191,7 +196,7 @@ class Page:
         for area in areas:
             corners = ((area.first_row, area.first_col), (area.last_row, area.last_col))
             found.append(over_rows(function, RangeRef(*(CellRef(row, col, True, True) for row, col in corners))))
-        return self._together(name, function.removesuffix("IFS"), found)
+        return self.together(name, function.removesuffix("IFS"), found)
 
     def _sweep(self, name: str, node: Node) -> Area:
         if node not in self._swept:
@@ -214,8 +219,8 @@ class Page:
         found = over_rows(function, self.table_column(spot))
         return Call("RADIANS", (found,)) if spot.degrees else found
 
-    def _together(self, name: str, take: str, parts: Sequence[Node]) -> Node:
-        """The least or largest of parts; of many in cells of their own."""
+    def together(self, name: str, take: str, parts: Sequence[Node]) -> Node:
+        """The least or largest of parts (MIN, MAX); of many in cells of their own."""
         chunks = chunks_of(list(dict.fromkeys(parts)))
         if len(chunks) == 1:
             return chunks[0][0] if len(chunks[0]) == 1 else al.nested(take, chunks[0])

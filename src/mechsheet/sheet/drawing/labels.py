@@ -9,32 +9,32 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import count
 from typing import TypeAlias
 
 import numpy as np
 
-from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, RangeRef
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import Mechanism
-from mechsheet.shapes.forms import Kind, Shapes
+from mechsheet.shapes.forms import Kind
 from mechsheet.shapes.positions import Positions
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import NUMBER_STYLE, Page
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.workbook import Cell
 
-MOST = 37
-"""Positions for which places are looked for: every ten degrees of a turn."""
+MOST = 73
+"""Positions for which places are looked for: every five degrees of a turn."""
 
 DIGITS = 3
 
 NONE = "–"
 """Where there is no room for a name."""
 
-Way: TypeAlias = Node | float | str
-"""How far along one axis: a formula, a number, or `NONE`."""
+Way: TypeAlias = float | str
+"""How far along one axis [half windows], or `NONE`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,38 +45,51 @@ class _Solved:
     values: Mapping[str, Array]
 
 
-def columns_beside(page: Page, found: Shapes, vectors: Collection[Kind]) -> list[tuple[Way, Way]]:
-    """Of each name how far from its place it stands in x and in y [half windows]: numbers, or what a column with a row for
-    each position that was looked at has."""
+@dataclass(frozen=True, slots=True)
+class Beside:
+    """How far from their places names stand.
+
+    ways   of each name two numbers, or where they are not the same in all positions the first of its two columns of `table`
+    table  a row for each position that was looked at;  row  which of them belongs to the position shown, counted from 1
+    """
+
+    ways: Sequence[tuple[Way, Way] | int]
+    table: RangeRef
+    row: Node
+
+
+def places_beside(page: Page, vectors: Collection[Kind]) -> Beside:
+    """Of all names of the list."""
     plan = page.plan
-    values = plan.nominal
-    solved = _Solved(plan.mechanism, plan.equations.equations, plan.given[plan.mechanism.driver.symbol], values)
+    driver = plan.given[plan.mechanism.driver.symbol]
     rows = np.unique(np.linspace(0, plan.rows - 1, min(MOST, plan.rows)).astype(int))
-    places = np.round(Positions(solved, vectors).beside(rows.tolist(), page.letters), DIGITS) + 0.0
+    positions = Positions(_Solved(plan.mechanism, plan.equations.equations, driver, plan.nominal), vectors)
+    places = np.round(positions.beside(rows.tolist(), page.letters), DIGITS) + 0.0
+    by_name = [places[:, index] for index in range(places.shape[1])]
+    alike = [len(np.unique(each, axis=0)) == 1 for each in by_name]
+    columns = count(1, 2)
+    ways: list[tuple[Way, Way] | int] = [
+        (_or_none(each[0, 0]), _or_none(each[0, 1])) if same else next(columns)
+        for each, same in zip(by_name, alike, strict=True)
+    ]
+    return Beside(ways, *_table(page, [each for each, same in zip(by_name, alike, strict=True) if not same], len(rows)))
+
+
+def _table(page: Page, names: Sequence[Array], count: int) -> tuple[RangeRef, Node]:
+    """Two columns for each name, and which row of them belongs to the position shown."""
+    plan, first, left = page.plan, page.first, page.col
     position = plan.at.cell("#position", page.title, None)
-    number: Node = position
-    if len(rows) < plan.rows:
-        step = (plan.rows - 1) / (len(rows) - 1)
-        number = formula("ROUND(position/step,0)", position=position, step=step)
-    return [_beside(page, name.text, places[:, index], number) for index, name in enumerate(found.names)]
+    row: Node = formula("position+1", position=position)
+    if count < plan.rows:
+        row = formula("ROUND(position/step,0)+1", position=position, step=(plan.rows - 1) / (count - 1))
+    for places in names:
+        for axis, column in zip("xy", places.T.tolist(), strict=True):
+            page.cells.append(Cell(first - 1, page.col, axis, styles.HEAD))
+            page.cells += [Cell(at, page.col, _or_none(place), NUMBER_STYLE) for at, place in enumerate(column, first)]
+            page.col += 1
+    corners = (first, left), (first + count - 1, page.col - 1)
+    return RangeRef(*(CellRef(at, col, True, True) for at, col in corners)), row
 
 
-def _beside(page: Page, name: str, places: Array, number: Node) -> tuple[Way, Way]:
-    """Of one name: `places` (rows, 2)."""
-    if len(np.unique(places, axis=0)) == 1:
-        x, y = (NONE if math.isnan(place) else place for place in places[0].tolist())
-        return x, y
-    x, y = (
-        _column(page, f"{axis} {name}", column, number) for axis, column in zip("xy", places.T.tolist(), strict=True)
-    )
-    return x, y
-
-
-def _column(page: Page, head: str, places: Sequence[float], number: Node) -> Node:
-    first, col = page.first, page.col
-    page.col += 1
-    page.cells.append(Cell(first - 1, col, head, styles.HEAD))
-    for row, place in enumerate(places, first):
-        page.cells.append(Cell(row, col, NONE if math.isnan(place) else place, NUMBER_STYLE))
-    column = RangeRef(CellRef(first, col, True, True), CellRef(first + len(places) - 1, col, True, True))
-    return formula("INDEX(column,number)", column=column, number=al.add(number, al.ONE))
+def _or_none(place: float) -> float | str:
+    return NONE if math.isnan(place) else place

@@ -57,7 +57,7 @@ from mechsheet.sheet.drawing.frames import (
     longest_bar,
     write_frame,
 )
-from mechsheet.sheet.drawing.labels import columns_beside
+from mechsheet.sheet.drawing.labels import places_beside
 from mechsheet.sheet.over_rows import LEAST as SMALLEST
 from mechsheet.sheet.over_rows import MOST
 from mechsheet.sheet.plan import ArrowKind
@@ -118,10 +118,10 @@ class Listed:
         self._extremes()
         self.frame = self._window()
         self._quantities(page.plan.text("drawing.quantities"))
-        corners = self._places()
+        corners, named = self._places()
         self._series = self._corners(corners)
         paths = self._paths()
-        names = list(self._names())
+        names = list(self._names(named))
         bars = [each for number, scale in enumerate(found.scales) for each in self._bar(scale, number)]
         caption = besides()
         back, front = self._marks()
@@ -159,12 +159,12 @@ class Listed:
                 radii = dict.fromkeys(radius for _, radius in self.found.around)
                 parts = [
                     way(
-                        page.over_motion("XY"[axis], function, [p[axis] for p, r in self.found.around if r == radius]),
+                        page.over_motion("xy"[axis], function, [p[axis] for p, r in self.found.around if r == radius]),
                         page.in_row(radius),
                     )
                     for radius in radii
                 ]
-                both.append((al.smallest if function == SMALLEST else al.largest)(parts) if parts else al.ZERO)
+                both.append(page.together("xy"[axis], function.removesuffix("IFS"), parts) if parts else al.ZERO)
             ends.append((both[0], both[1]))
         low = room_of_bars(len(self.found.scales))
         frame = write_frame(page, text("drawing.frame"), ends[0], ends[1], MARGIN, below=low, arrows=self._tips)
@@ -178,6 +178,7 @@ class Listed:
         middle  of the window, were it not moved down by `raised` half sides
         """
         page = self.page
+        page.apart()
         kinds: dict[str, list[Node]] = {}
         for shape in self.found.shapes:
             if not isinstance(shape, Shape) or shape.path != SHAFT or shape.frame is None:
@@ -215,7 +216,7 @@ class Listed:
             page.put(NAME, page.plan.text("drawing.size" if part in sizes else "drawing.part"))
             bound = self.bound(part)
             cell = page.formula(FIRST, formula("IFERROR(part,0)", part=bound) if part in sizes else bound)
-            self.known[part] = cell
+            self.known[part] = replace(cell, row_abs=False)
             page.row += 1
 
     def _nodes(self) -> Iterator[Node]:
@@ -245,7 +246,7 @@ class Listed:
         point, _, axis = name.rpartition(".")
         if spots[name].column and not (axis in ("x", "y") and point in self._marked):
             page.put(NAME, rich(name), styles.SYMBOL)
-            self.known[symbol] = page.formula(FIRST, page.at_position(name))
+            self.known[symbol] = replace(page.formula(FIRST, page.at_position(name)), row_abs=False)
             page.row += 1
 
     def bound(self, node: Node) -> Node:
@@ -273,8 +274,8 @@ class Listed:
 
     # --- places and corners --------------------------------------------------------------------------------------
 
-    def _places(self) -> list[_Corner]:
-        """The points, then the frames of all forms; returned are the corners that lie in them."""
+    def _places(self) -> tuple[list[_Corner], list[int]]:
+        """The points, then the frames of all forms; returned are the corners that lie in them, and the places of names."""
         page, text = self.page, self.page.plan.text
         heads = [
             "x",
@@ -301,11 +302,14 @@ class Listed:
                 number = self._place(shape.frame.origin, shape.name, _vectors(shape)[1:], shape.size)
                 found += [_Corner(shape.name, a, b, number) for a, b in shape.path]
             self._rows[index] = start, len(found) - 1
-        for col, row, axis in ((CHART_X, FIRST, "x"), (CHART_Y, SECOND, "y")):
-            here = page.cell(row, self.first_place, anchored=False)
-            node = self.frame.chart_x(here) if axis == "x" else self.frame.chart_y(here)
-            self._filled(col, node, self.first_place, page.row - 1)
-        return found
+        by_origin = {(at, size): number for (at, _, _, size), number in reversed(self._numbers.items())}
+        named = [by_origin.get((each.at, each.size)) or self._place(each.at, each.text, size=each.size)
+                 for each in self.found.names]  # fmt: skip
+        self.last_place = page.row - 1
+        for col, row, chart in ((CHART_X, FIRST, self.frame.chart_x), (CHART_Y, SECOND, self.frame.chart_y)):
+            node = chart(page.cell(row, self.first_place, anchored=False))
+            self._filled(col, node, self.first_place, self.last_place)
+        return found, named
 
     def _place(
         self, at: Vector, name: Rich | str, vectors: Sequence[Vector] = (NOWHERE, NOWHERE), size: Node | None = None
@@ -318,20 +322,24 @@ class Listed:
             self._numbers[key] = number = len(self._numbers) + 1
             page.put(NAME, name, styles.LABEL if isinstance(name, str) else styles.SYMBOL)
             for col, node in zip((FIRST, SECOND), at, strict=True):
-                bound = self.bound(node)
-                if size is not None:
-                    bound = formula("IF(size<least,NA(),at)", size=self.bound(size), least=LEAST, at=bound)
-                cell = page.formula(col, bound)
+                cell = page.formula(col, self._if_large(node, size))
                 if isinstance(node, Symbol):
-                    self.known.setdefault(node, cell)
+                    self.known.setdefault(node, replace(cell, row_abs=False))
             for col, node in zip((SIXTH, SEVENTH, EIGHTH, NINTH), (*along, *across), strict=True):
                 if not al.is_zero(node):
-                    cell = page.formula(col, self.bound(node))
+                    cell = page.formula(col, self._if_large(node, size))
                     if not isinstance(node, Symbol) and al.value_of(node) is None:
-                        self.known.setdefault(node, cell)
+                        self.known.setdefault(node, replace(cell, row_abs=False))
             page.put(NUMBER, float(number), styles.decimals(styles.INNER, 0))
             page.row += 1
         return self._numbers[key]
+
+    def _if_large(self, node: Node, size: Node | None) -> Node:
+        """A tree at the position shown; of an arrow #N/A while it is too small to be drawn."""
+        bound = self.bound(node)
+        if size is None:
+            return bound
+        return formula("IF(size<least,NA(),bound)", size=self.bound(size), least=LEAST, bound=bound)
 
     def _filled(self, col: int, node: Node, first: int, last: int) -> None:
         row, self.page.row = self.page.row, first
@@ -341,7 +349,6 @@ class Listed:
     def _corners(self, corners: Sequence[_Corner]) -> dict[int, Series]:
         """The block of corners, and by the shape's number the line through its own."""
         page, text = self.page, self.page.plan.text
-        last_place = page.row - 1
         page.section(text("drawing.shapes"), ["a", "b", "X", "Y", "", "", "", "", text("drawing.number")])
         start, name = page.row, ""
         for corner in corners:
@@ -358,7 +365,7 @@ class Listed:
                  (("a", FIRST), ("b", SECOND), ("number", NUMBER))}  # fmt: skip
         for col, along, across in ((CHART_X, SIXTH, EIGHTH), (CHART_Y, SEVENTH, NINTH)):
             columns = {
-                key: page.column_of(each, self.first_place, last_place)
+                key: page.column_of(each, self.first_place, self.last_place)
                 for key, each in (("place", col), ("along", along), ("across", across))
             }
             node = formula(
@@ -395,6 +402,7 @@ class Listed:
     def _paths(self) -> list[Series]:
         """The paths of points: two sweep columns each."""
         page, found = self.page, []
+        page.apart()
         for shape in self.found.shapes:
             if isinstance(shape, Shape) and shape.kind == "path":
                 (at,) = shape.corners
@@ -423,37 +431,37 @@ class Listed:
             front.append(replace(disc, marker_size=size, marker_line=inside, marker_fill=inside))
         return (*front, *back), (*back, *front)
 
-    def _names(self) -> Iterator[Series]:
+    def _names(self, places: Sequence[int]) -> Iterator[Series]:
         """Names beside their places; where each stands is chosen for the positions of the description's own dimensions."""
         page, text = self.page, self.page.plan.text
-        places = columns_beside(page, self.found, self._vectors)
-        heads = ["x", "y", "X", "Y", text("drawing.name.x"), text("drawing.name.y"), text("drawing.name.text")]
-        page.section(text("drawing.names"), heads)
+        beside = places_beside(page, self._vectors)
+        heads = [text("drawing.name.x"), text("drawing.name.y"), "X", "Y", text("drawing.name.text")]
+        page.section(text("drawing.names"), [*heads, "", "", text("drawing.column"), text("drawing.number")])
         start = page.row
-        for name, beside in zip(self.found.names, places, strict=True):
+        for name, place, ways in zip(self.found.names, places, beside.ways, strict=True):
             page.put(NAME, name.text)
-            for col, node in zip((FIRST, SECOND), name.at, strict=True):
-                bound = self.bound(node)
-                if name.size is not None:
-                    bound = formula("IF(size<least,NA(),at)", size=self.bound(name.size), least=LEAST, at=bound)
-                page.formula(col, bound)
-            for col, place in zip((SIXTH, SEVENTH), beside, strict=True):
-                if isinstance(place, float | str):
-                    page.put(col, place, NUMBER_STYLE)
-                else:
-                    page.formula(col, place)
+            if isinstance(ways, int):
+                page.put(NINTH, float(ways), styles.decimals(styles.INNER, 0))
+                holes = {"table": beside.table, "row": beside.row, "column": page.cell(NINTH, anchored=False)}
+                page.formula(FIRST, formula("INDEX(table,row,column)", **holes))
+                page.formula(SECOND, formula("INDEX(table,row,column+1)", **holes))
+            else:
+                page.put(FIRST, ways[0], NUMBER_STYLE)
+                page.put(SECOND, ways[1], NUMBER_STYLE)
             words: str | CellRef = name.text
             if name.value is not None:
-                words = page.named(page.formula(EIGHTH, self._with_value(name), styles.INNER))
+                words = page.named(page.formula(SIXTH, self._with_value(name), styles.INNER))
+            page.put(NUMBER, float(place), styles.decimals(styles.INNER, 0))
             x, y = page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y)
             yield Series(words, x, y, show_name=True, label_side="center", in_legend=False)
             page.row += 1
-        if page.row == start:
-            return
-        for col, place, way, to in ((CHART_X, FIRST, SIXTH, "x"), (CHART_Y, SECOND, SEVENTH, "y")):
-            here, beside_it = (page.cell(each, start, anchored=False) for each in (place, way))
-            chart = self.frame.chart_x(here) if to == "x" else self.frame.chart_y(here)
-            self._filled(col, formula("IFERROR(chart+beside,NA())", chart=chart, beside=beside_it), start, page.row - 1)
+        for col, way in ((CHART_X, FIRST), (CHART_Y, SECOND)):
+            node = formula(
+                "IFERROR(INDEX(place,number)+beside,NA())", place=page.column_of(col, self.first_place, self.last_place),
+                number=page.cell(NUMBER, start, anchored=False), beside=page.cell(way, start, anchored=False),
+            )  # fmt: skip
+            if page.row > start:
+                self._filled(col, node, start, page.row - 1)
 
     def _with_value(self, name: Name) -> Node:
         """`name = 12.3 N`."""
