@@ -3,10 +3,10 @@
 import math
 
 import pytest
-from mechsheet.shapes.outlines import corners, number_places
 
 from mechsheet.formula.nodes import Symbol
 from mechsheet.model import Cartesian, Distances, Link, Polar
+from mechsheet.shapes.outlines import corners, number_places
 
 ENDS = {"A": Cartesian(1.0, 2.0), "B": Polar(Symbol("r"), 0.4)}
 

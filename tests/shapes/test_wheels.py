@@ -1,11 +1,11 @@
 """Belts and gears in the drawing: whose circles they join, how large these are, and each circle once."""
 
 import pytest
-from mechsheet.shapes.wheels import wheels_of
 from planned import planned
 
 from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.shapes.wheels import wheels_of
 
 TRAIN = """
 format = 1

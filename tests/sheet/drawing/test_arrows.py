@@ -3,8 +3,6 @@
 import numpy as np
 import pytest
 from laid import Laid, template_text
-from mechsheet.shapes.forms import BAR_RISE, BAR_ROOM, EDGE, LEAST, room_of_bars
-from mechsheet.shapes.loads import COLORS, LONGEST
 
 from in_line import IN_LINE
 from mechsheet import loads
@@ -12,6 +10,8 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage
+from mechsheet.shapes.forms import BAR_RISE, BAR_ROOM, EDGE, LEAST, room_of_bars
+from mechsheet.shapes.loads import COLORS, LONGEST
 from mechsheet.sheet.first.mechanism import controls
 
 OUTPUTS = "".join(

@@ -1,7 +1,7 @@
-"""Names in the workbook's drawing: none lies on another, on a link, on an arrow or on a ring, in 25 positions of the motion."""
+"""Names in the workbook's drawing: none lies on another, a link, an arrow or a ring, in 25 positions of the motion."""
 
 import math
-from itertools import combinations
+from itertools import combinations, pairwise
 from pathlib import Path
 
 import numpy as np
@@ -84,7 +84,7 @@ class Drawn:
 
 
 def _dots(points):
-    for start, end in zip(points[:-1], points[1:], strict=True):
+    for start, end in pairwise(points):
         if np.isfinite(start).all() and np.isfinite(end).all():
             count = int(np.ceil(np.hypot(*(end - start)) / NEAR)) + 1
             yield start + (end - start) * np.linspace(0, 1, count)[:, None]

@@ -1,16 +1,15 @@
 """Where names stand beside their places, chosen as for pictures when the workbook is laid out.
 
 For the positions of the description's own dimensions, or so many of them, places are looked for that lie on no line, ring or
-other name; a name stays where it was in the position before as long as it covers nothing there.
+other name; a name stays where it was in the position before as long as it covers nothing there. So a list of changes says
+all: from which position on which name stands where.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from itertools import count
-from typing import TypeAlias
 
 import numpy as np
 
@@ -22,6 +21,7 @@ from mechsheet.shapes.forms import Kind
 from mechsheet.shapes.positions import Positions
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import NUMBER_STYLE, Page
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.workbook import Cell
 
@@ -33,9 +33,6 @@ DIGITS = 3
 NONE = "–"
 """Where there is no room for a name."""
 
-Way: TypeAlias = float | str
-"""How far along one axis [half windows], or `NONE`."""
-
 
 @dataclass(frozen=True, slots=True)
 class _Solved:
@@ -45,51 +42,44 @@ class _Solved:
     values: Mapping[str, Array]
 
 
-@dataclass(frozen=True, slots=True)
-class Beside:
-    """How far from their places names stand.
+def ways_beside(page: Page, vectors: Collection[Kind], name: CellRef) -> tuple[Node, Node]:
+    """How far from its place the name with the number in a cell stands in x and in y [half windows].
 
-    ways   of each name two numbers, or where they are not the same in all positions the first of its two columns of `table`
-    table  a row for each position that was looked at;  row  which of them belongs to the position shown, counted from 1
+    The changes are sorted by  number rows + position,  so that one look-up finds the last before the position shown.
     """
-
-    ways: Sequence[tuple[Way, Way] | int]
-    table: RangeRef
-    row: Node
-
-
-def places_beside(page: Page, vectors: Collection[Kind]) -> Beside:
-    """Of all names of the list."""
-    plan = page.plan
-    driver = plan.given[plan.mechanism.driver.symbol]
-    rows = np.unique(np.linspace(0, plan.rows - 1, min(MOST, plan.rows)).astype(int))
-    positions = Positions(_Solved(plan.mechanism, plan.equations.equations, driver, plan.nominal), vectors)
-    places = np.round(positions.beside(rows.tolist(), page.letters), DIGITS) + 0.0
-    by_name = [places[:, index] for index in range(places.shape[1])]
-    alike = [len(np.unique(each, axis=0)) == 1 for each in by_name]
-    columns = count(1, 2)
-    ways: list[tuple[Way, Way] | int] = [
-        (_or_none(each[0, 0]), _or_none(each[0, 1])) if same else next(columns)
-        for each, same in zip(by_name, alike, strict=True)
-    ]
-    return Beside(ways, *_table(page, [each for each, same in zip(by_name, alike, strict=True) if not same], len(rows)))
-
-
-def _table(page: Page, names: Sequence[Array], count: int) -> tuple[RangeRef, Node]:
-    """Two columns for each name, and which row of them belongs to the position shown."""
     plan, first, left = page.plan, page.first, page.col
-    position = plan.at.cell("#position", page.title, None)
-    row: Node = formula("position+1", position=position)
-    if count < plan.rows:
-        row = formula("ROUND(position/step,0)+1", position=position, step=(plan.rows - 1) / (count - 1))
-    for places in names:
-        for axis, column in zip("xy", places.T.tolist(), strict=True):
-            page.cells.append(Cell(first - 1, page.col, axis, styles.HEAD))
-            page.cells += [Cell(at, page.col, _or_none(place), NUMBER_STYLE) for at, place in enumerate(column, first)]
-            page.col += 1
-    corners = (first, left), (first + count - 1, page.col - 1)
-    return RangeRef(*(CellRef(at, col, True, True) for at, col in corners)), row
+    changes = _changes(plan, vectors, page.letters)
+    heads = (plan.text("drawing.change"), plan.text("drawing.name.x"), plan.text("drawing.name.y"))
+    page.cells += [Cell(first - 1, col, head, styles.HEAD) for col, head in enumerate(heads, left)]
+    for row, (number, position, *ways) in enumerate(changes, first):
+        page.cells.append(Cell(row, left, float(number * plan.rows + position), styles.decimals(styles.INNER, 0)))
+        for col, way in enumerate(ways, left + 1):
+            page.cells.append(Cell(row, col, NONE if math.isnan(way) else way, NUMBER_STYLE))
+    page.col += len(heads)
+    keys, x, y = (
+        RangeRef(CellRef(first, col, True, True), CellRef(first + max(0, len(changes) - 1), col, True, True))
+        for col in range(left, page.col)
+    )
+    shown = plan.at.cell("#position", page.title, None)
+    found = formula("MATCH(name*rows+MIN(shown,rows-1),keys,1)", name=name, rows=plan.rows, shown=shown, keys=keys)
+    return formula("INDEX(column,found)", column=x, found=found), formula("INDEX(column,found)", column=y, found=found)
 
 
-def _or_none(place: float) -> float | str:
-    return NONE if math.isnan(place) else place
+def _changes(plan: Plan, vectors: Collection[Kind], letters: float) -> list[tuple[int, int, float, float]]:
+    """(number of a name, counted from 1; position from which on; how far in x and in y), sorted; NaN where there is no room.
+
+    Between two positions that were looked at the nearer one counts.
+    """
+    driver = plan.given[plan.mechanism.driver.symbol]
+    rows = np.unique(np.linspace(0, plan.rows - 1, min(MOST, plan.rows)).astype(int)).tolist()
+    positions = Positions(_Solved(plan.mechanism, plan.equations.equations, driver, plan.nominal), vectors)
+    places = np.round(positions.beside(rows, letters), DIGITS) + 0.0
+    found = []
+    for index in range(places.shape[1]):
+        before = None
+        for number, (x, y) in enumerate(places[:, index].tolist()):
+            if str((x, y)) != before:  # NaN is NaN
+                start = (rows[number - 1] + rows[number] + 1) // 2 if number else 0
+                found.append((index + 1, start, x, y))
+            before = str((x, y))
+    return found

@@ -57,7 +57,7 @@ from mechsheet.sheet.drawing.frames import (
     longest_bar,
     write_frame,
 )
-from mechsheet.sheet.drawing.labels import places_beside
+from mechsheet.sheet.drawing.labels import ways_beside
 from mechsheet.sheet.over_rows import LEAST as SMALLEST
 from mechsheet.sheet.over_rows import MOST
 from mechsheet.sheet.plan import ArrowKind
@@ -140,7 +140,8 @@ class Listed:
     def _extremes(self) -> None:
         """The least and the largest of the motion, each in a cell."""
         page = self.page
-        page.section(page.plan.text("drawing.over_motion"))
+        if self.found.extremes:
+            page.section(page.plan.text("drawing.over_motion"))
         for extreme in self.found.extremes:
             function = SMALLEST if extreme.take == "min" else MOST
             name = page.plan.text(f"drawing.{extreme.take}", number=len(page.known) + 1)
@@ -206,6 +207,7 @@ class Listed:
         """What the formulas read of the tables, and what several of them have in common."""
         page, nodes = self.page, list(dict.fromkeys(self._nodes()))
         page.section(title)
+        start = page.row
         for name in dict.fromkeys(name for node in nodes for name in symbols(node)):
             self._need(name)
         sized = [each for each in (*self.found.shapes, *self.found.names) if not isinstance(each, Mark)]
@@ -217,6 +219,9 @@ class Listed:
             bound = self.bound(part)
             cell = page.formula(FIRST, formula("IFERROR(part,0)", part=bound) if part in sizes else bound)
             self.known[part] = replace(cell, row_abs=False)
+            page.row += 1
+        if page.row == start:  # nothing below the heading
+            page.put(NAME, page.plan.text("drawing.only_points"))
             page.row += 1
 
     def _nodes(self) -> Iterator[Node]:
@@ -434,34 +439,30 @@ class Listed:
     def _names(self, places: Sequence[int]) -> Iterator[Series]:
         """Names beside their places; where each stands is chosen for the positions of the description's own dimensions."""
         page, text = self.page, self.page.plan.text
-        beside = places_beside(page, self._vectors)
+        if not places:
+            return
         heads = [text("drawing.name.x"), text("drawing.name.y"), "X", "Y", text("drawing.name.text")]
-        page.section(text("drawing.names"), [*heads, "", "", text("drawing.column"), text("drawing.number")])
+        page.section(text("drawing.names"), [*heads, "", "", text("drawing.name"), text("drawing.number")])
         start = page.row
-        for name, place, ways in zip(self.found.names, places, beside.ways, strict=True):
+        for number, (name, place) in enumerate(zip(self.found.names, places, strict=True), 1):
             page.put(NAME, name.text)
-            if isinstance(ways, int):
-                page.put(NINTH, float(ways), styles.decimals(styles.INNER, 0))
-                holes = {"table": beside.table, "row": beside.row, "column": page.cell(NINTH, anchored=False)}
-                page.formula(FIRST, formula("INDEX(table,row,column)", **holes))
-                page.formula(SECOND, formula("INDEX(table,row,column+1)", **holes))
-            else:
-                page.put(FIRST, ways[0], NUMBER_STYLE)
-                page.put(SECOND, ways[1], NUMBER_STYLE)
             words: str | CellRef = name.text
             if name.value is not None:
                 words = page.named(page.formula(SIXTH, self._with_value(name), styles.INNER))
-            page.put(NUMBER, float(place), styles.decimals(styles.INNER, 0))
+            for col, count in ((NINTH, number), (NUMBER, place)):
+                page.put(col, float(count), styles.decimals(styles.INNER, 0))
             x, y = page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y)
             yield Series(words, x, y, show_name=True, label_side="center", in_legend=False)
             page.row += 1
-        for col, way in ((CHART_X, FIRST), (CHART_Y, SECOND)):
+        ways = ways_beside(page, self._vectors, page.cell(NINTH, start, anchored=False))
+        for col, chart_col, way in ((FIRST, CHART_X, ways[0]), (SECOND, CHART_Y, ways[1])):
+            self._filled(col, way, start, page.row - 1)
+            origins = page.column_of(chart_col, self.first_place, self.last_place)
             node = formula(
-                "IFERROR(INDEX(place,number)+beside,NA())", place=page.column_of(col, self.first_place, self.last_place),
-                number=page.cell(NUMBER, start, anchored=False), beside=page.cell(way, start, anchored=False),
+                "IFERROR(INDEX(origins,number)+beside,NA())", origins=origins,
+                number=page.cell(NUMBER, start, anchored=False), beside=page.cell(col, start, anchored=False),
             )  # fmt: skip
-            if page.row > start:
-                self._filled(col, node, start, page.row - 1)
+            self._filled(chart_col, node, start, page.row - 1)
 
     def _with_value(self, name: Name) -> Node:
         """`name = 12.3 N`."""
