@@ -22,7 +22,7 @@ WIDE = 0.66
 """How wide most letters are, in heights of the text; those that are wider or narrower have widths of their own."""
 
 WIDTHS = {
-    **dict.fromkeys("mwMW", 0.98), **dict.fromkeys("₀₁₂₃₄₅₆₇₈₉²³", 0.42), **dict.fromkeys(" .,;:|'!ilj°()", 0.36)
+    **dict.fromkeys("mwMW", 0.98), **dict.fromkeys("₀₁₂₃₄₅₆₇₈₉ₙ²³", 0.42), **dict.fromkeys(" .,;:|'!ilj°()", 0.36)
 }  # fmt: skip
 
 TALL, DEEP = 0.74, 0.98

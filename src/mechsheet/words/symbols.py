@@ -20,9 +20,6 @@ _DOTS = {"v": "\u0307", "a": "\u0308"}
 _DISPLACEMENT = re.compile(r"s[0-9_]*")
 
 _FORCE = re.compile(r"([FT])([0-9]+|[0-9]+_[0-9]+)\.(x|y|n|c|t|work)")
-_SLIDE = {"n": "N", "c": "C", "t": "P"}
-"""Normal force, couple and driving force of a slide."""
-
 _PASS = re.compile(r" (n|[0-9]+)$")
 """Behind the symbol of a quantity within a pass of Newton's method."""
 _SHAKING = {"shaking.x": ("F", "s,x"), "shaking.y": ("F", "s,y"), "shaking.m": ("M", "s")}
@@ -37,7 +34,7 @@ _PARTS = re.compile(r"([^\W\d_]+)_?(.*)", re.DOTALL)
 def parts(symbol: str) -> tuple[str, str]:
     """(letter, subscript): theta13 -> (θ, 13), a2 -> (a, 2), C.x -> (x, C), phi_2 -> (φ, 2), A0B0 stays whole.
 
-    theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x), F34.x -> (F, 34,x), F14.n -> (N, 14),
+    theta13.d -> (θ′, 13), C.x.dd -> (x″, C), s14.v -> (ṡ, 14), C.vx -> (v, C,x), F34.x -> (F, 34,x), F14.n -> (F, 14,n),
     T12² -> (T², 12)
     """
     if symbol.startswith(("Σ|", "√Σ")):
@@ -54,7 +51,7 @@ def parts(symbol: str) -> tuple[str, str]:
     if force:
         letter, numbers, part = force.groups()
         numbers = numbers.replace("_", ",")
-        return _SLIDE.get(part, letter), f"{numbers},{part}" if part in ("x", "y") else numbers + "*" * (part == "work")
+        return letter, numbers + "*" if part == "work" else f"{numbers},{part}"
     whole, dot, order = symbol.rpartition(".")
     if dot and order in _PRIMES:
         letter, subscript = parts(whole)
@@ -97,10 +94,12 @@ _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 def plain(symbol: str) -> str:
-    """The symbol where no formatting is possible (chart titles): θ₁₃, T₁₂*, x_C."""
+    """The symbol where no formatting is possible (chart titles): θ₁₃, T₁₂*, F₁₄ₙ, x_C."""
     letter, subscript = parts(symbol)
     if not subscript:
         return letter
     if subscript.rstrip("*").isdigit():
         return letter + subscript.translate(_SUBSCRIPTS)
+    if subscript.removesuffix(",n").isdigit():
+        return letter + subscript.replace(",n", "ₙ").translate(_SUBSCRIPTS)
     return f"{letter}_{subscript}"

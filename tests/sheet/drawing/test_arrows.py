@@ -77,7 +77,7 @@ def test_the_hodograph_is_the_end_of_the_velocity(laid):
 KINDS = (
     {"v_C": ("C.vx", "C.vy")},
     {"a_C": ("C_ax", "C_ay")},
-    {"F₂₃": ("F23.x", "F23.y"), "F₃₄": ("F34.x", "F34.y"), "F₁₂": ("F12.x", "F12.y"), "N₁₄": (None, "F14.n")},
+    {"F₂₃": ("F23.x", "F23.y"), "F₃₄": ("F34.x", "F34.y"), "F₁₂": ("F12.x", "F12.y"), "F₁₄ₙ": (None, "F14.n")},
 )
 
 
