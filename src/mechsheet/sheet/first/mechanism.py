@@ -130,7 +130,6 @@ def _legend(writer: Writer) -> None:
     text = writer.plan.text
     writer.put(LEGEND_ROW, SYMBOL, text("legend.input"), styles.numbered(styles.INPUT, "@"))
     writer.put(LEGEND_ROW, VALUE, text("legend.result"), styles.RESULT)
-    writer.put(LEGEND_ROW, MEANING, text("legend.missing"), styles.LEGEND)
 
 
 # --- blocks ------------------------------------------------------------------------------------------------------
