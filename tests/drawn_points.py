@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mechsheet.sheet.drawing.points import moving_points, pins_of
+from mechsheet.shapes.points import moving_points, pins_of
 
 
 def fitted(found, true):

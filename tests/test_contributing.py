@@ -103,6 +103,7 @@ def test_turkish_words_stand_in_one_place():
         "formula/names.py",
         "formats/ods/values.py",
         "cli/streams.py",
+        "shapes/names.py",  # letters that reach below the line
         "library/routines.py",  # names of the routines that a Turkish text brings along, and how they are folded
     )
     found = modules_with(r"[ğışİŞĞ]")

@@ -36,6 +36,8 @@ ALLOWED = {
     "kinematics": {"livesheet.portable", "model", "livesheet.formula", "units", "words"},
     # forces, from what is solved already; kinematics knows nothing of them
     "dynamics": {"livesheet.portable", "model", "livesheet.formula", "kinematics", "units", "words"},
+    # what a mechanism looks like, once for all who draw it
+    "shapes": {"livesheet.portable", "model", "livesheet.formula", "kinematics", "units", "words"},
     "sheet": {
         "livesheet.portable",
         "livesheet.workbook",
@@ -43,6 +45,7 @@ ALLOWED = {
         "model",
         "livesheet.formula",
         "kinematics",
+        "shapes",
         "synthesis",
         "units",
         "words",
@@ -58,8 +61,6 @@ ALLOWED = {
         "livesheet.evaluation",
         "livesheet.engine",
     },
-    # what a mechanism looks like, once for all who draw it
-    "shapes": {"livesheet.portable", "model", "livesheet.formula", "kinematics", "sheet", "compiled", "units", "words"},
     # plotting draws the list of shapes, and the curves of the workbook at positions that the engine computes
     "plotting": {
         "shapes",
@@ -152,7 +153,6 @@ ALLOWED["drawing_page"] = {
     "description",
     "kinematics",
     "compiled",
-    "sheet.drawing.outlines",
     "shapes",
     "plotting",
     "checking",

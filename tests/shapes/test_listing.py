@@ -11,9 +11,10 @@ from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.model import Link
-from mechsheet.shapes.loads import COIL_ASIDE, FORCE_COLOR, LONGEST, NARROWEST, SPRING_COLOR, WIDEST
-from mechsheet.shapes.positions import EDGE, Positions, there
-from mechsheet.sheet.drawing.shapes import link_color
+from mechsheet.shapes.colors import FORCE, SPRING, link_color
+from mechsheet.shapes.forms import EDGE
+from mechsheet.shapes.loads import COIL_ASIDE, LONGEST, NARROWEST, WIDEST
+from mechsheet.shapes.positions import Positions, there
 from mechsheet.words.equations import link_words
 
 folder = Path(__file__).parents[2] / "templates"
@@ -120,7 +121,7 @@ def test_arrows_stay_in_the_window(suspension):
 
 def test_no_link_has_the_colour_of_a_force_or_a_spring():
     links = {link_color(Link(f"l{number}", number, {}), "l2") for number in range(1, 40)}
-    assert not links & {FORCE_COLOR, SPRING_COLOR}
+    assert not links & {FORCE, SPRING}
 
 
 @pytest.mark.parametrize(

@@ -28,8 +28,8 @@ from mechsheet.kinematics.search import edges
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Link, Mechanism
 from mechsheet.shapes.forms import Shape
+from mechsheet.shapes.outlines import corners, direction_of, through_of
 from mechsheet.shapes.positions import Positions
-from mechsheet.sheet.drawing.outlines import corners, direction_of, through_of
 from mechsheet.words.equations import link_words
 from mechsheet.words.workbook import Language, words
 

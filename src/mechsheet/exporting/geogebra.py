@@ -28,8 +28,9 @@ from mechsheet.kinematics.vectors import Vector
 from mechsheet.plotting.sampling import sample
 from mechsheet.shapes.forms import HALF, Mark, Shape
 from mechsheet.shapes.positions import Positions
-from mechsheet.sheet.symbols import GREEK, parts, plain
-from mechsheet.sheet.table.status import links_of
+from mechsheet.words.equations import body_words
+from mechsheet.words.symbols import GREEK, parts, plain
+from mechsheet.words.workbook import words
 
 WIDTH, HEIGHT = 1000, 700
 """The view [pixels]; of it SLIDERS at the left are for sliders."""
@@ -350,7 +351,7 @@ class Construction:
 
     def _said(self) -> _Element:
         """What is said of a position: the variables in degrees and lengths, or which links cannot be joined."""
-        plan, equations = self.positions.plan, self.source.equations
+        equations, language = self.source.equations, self.mechanism.language
         lines = []
         for symbol in self.source.variables():
             if equations.of(symbol).role == "variable":
@@ -363,8 +364,9 @@ class Construction:
             if group.number not in self.source.closing:
                 continue
             holder = self.source.closing[group.number]
-            words = one_line(plan.text("status.open", links=links_of(plan, group)))
-            said = f'If[IsDefined[{self._text(self._form(holder))}], {said}, "{words}"]'
+            links = ", ".join(body_words(self.mechanism, name).of(language) for name in group.links)
+            open_ = one_line(words(language, "status.open", links=links)).replace('"', "'")
+            said = f'If[IsDefined[{self._text(self._form(holder))}], {said}, "{open_}"]'
         place = f'<absoluteScreenLocation x="{WIDTH - 220}" y="40"/>\n'
         shown = f'<show object="true" label="false"/>\n{_color("404040")}{place}'
         return _Element(self._take("said"), said, "text", shown)

@@ -262,8 +262,7 @@ def _without_result(program: Program, name: str) -> list[str]:
 
 def _picture(program: Program, name: str) -> list[str]:
     mechanism = program.mechanism
-    plan = plan_of(mechanism, program.equations)
-    found = shapes_of(plan, program.equations)
+    found = shapes_of(mechanism, program.equations)
     known = {extreme.symbol: f"motion({number})" for number, extreme in enumerate(found.extremes, 1)}
     drawn = replace(program, names=program.names | known | {HALF.name: "h"})
     around = [end((x, y), (radius, radius)) for (x, y), radius in found.around for end in (plus, minus)]
@@ -290,7 +289,7 @@ def _picture(program: Program, name: str) -> list[str]:
         *(line for kind, places in marks.items() for line in _tracks(drawn, _MARKS[kind], places)),
         f"animate(shapes, paths, pins, dots, find(exists), middle, h, {title}, '{name}');",
     ]
-    for number, request in enumerate(chart_requests(plan), 1):
+    for number, request in enumerate(chart_requests(plan_of(mechanism, program.equations)), 1):
         lines.append(_curves(program, request, number, name))
     return lines
 

@@ -23,7 +23,7 @@ from mechsheet.kinematics.driving import given_at, place_of, rates_at
 from mechsheet.kinematics.numeric import Array, runs_of
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
-from mechsheet.sheet.drawing.points import moving_points
+from mechsheet.shapes.points import moving_points
 from mechsheet.sheet.plan import STATUS
 from mechsheet.sheet.symbols import plain
 from mechsheet.units import behind_number

@@ -5,8 +5,8 @@ from __future__ import annotations
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Link, Mechanism
-from mechsheet.sheet.drawing.points import pins_of
-from mechsheet.sheet.drawing.shapes import link_color
+from mechsheet.shapes.colors import link_color
+from mechsheet.shapes.points import pins_of
 from mechsheet.words.equations import link_words
 from mechsheet.words.workbook import words
 

@@ -11,7 +11,6 @@ from livesheet import portable
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.vectors import Vector, minus, plus, size, times, turned
-from mechsheet.sheet.quoted import formula
 
 Kind: TypeAlias = Literal[
     "link", "ground", "slide", "cylinder", "gear", "belt", "rack", "spring", "damper", "load", "torque", "weight", "mass",
@@ -98,13 +97,53 @@ class Extreme:
 
 @dataclass(frozen=True, slots=True)
 class Scale:
-    """How long arrows of a kind are: the largest, `most`, is `longest` half windows long."""
+    """How long arrows of a kind are: the largest, `most`, is `longest` half windows long.
+
+    shown  1 where its bar is drawn, 0 where the kind is hidden
+    """
 
     kind: Kind
-    most: Symbol
+    most: Node
     longest: float
     unit: str
     color: str
+    shown: Node = al.ONE
+
+
+def shown(kind: Kind) -> Symbol:
+    """1 where arrows of a kind are drawn, 0 where they are hidden."""
+    return Symbol(f"#shown {kind}")
+
+
+# --- the window ------------------------------------------------------------------------------------------------------
+
+MARGIN = 1.3
+"""How much larger than everything in all positions the window is; supports, guides and names need room."""
+
+EDGE = 0.93
+"""Where arrows end at the latest, from the middle of the window [half windows]; their names need room, too."""
+
+LEFT, BOTTOM = -0.95, -0.95
+"""Where the scale bar of lengths starts."""
+
+BAR_START, BAR_RISE = -0.36, 0.09
+"""Where the scale bars of arrows begin, beside that of lengths, and how far one stands above the other."""
+
+BAR_ROOM = 0.24
+"""What the lowest scale bar with its label, and above the bars a support or the end of a rail need [half windows]."""
+
+CAPTION_AT = (-0.97, 0.93)
+
+LETTERS, CAPTION = 9.0, 11.0
+"""Heights of names and of the caption [points]."""
+
+PIN, POINT = 0.025, 0.0167
+"""Radii of a ring at a revolute joint and of a dot."""
+
+
+def room_of_bars(count: int) -> float:
+    """What stays free at the lower edge, so that no scale bar of so many lies on a link [half windows]."""
+    return BAR_ROOM + BAR_RISE * (count - 1) if count else 0.0
 
 
 # --- vectors ---------------------------------------------------------------------------------------------------------
@@ -146,6 +185,34 @@ ROUND: Path = arc(0.0, 360.0, 24)
 QUARTERS: Path = ((0.0, 0.0), *arc(0.0, 90.0, 6), (0.0, 0.0), *arc(180.0, 270.0, 6), (0.0, 0.0))
 """With `ROUND` about it the mark of a mass centre."""
 
+
+BLOCK_LENGTH, BLOCK_HEIGHT = 0.075, 0.045
+"""Half the sides of a sliding block."""
+
+BLOCK: Path = tuple(
+    (a * BLOCK_LENGTH, b * BLOCK_HEIGHT) for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))
+)  # fmt: skip
+
+SUPPORT_DEPTH = 0.075
+
+
+def comb(length: float, strokes: int, depth: float, lean: float, start: float = 0.0) -> Path:
+    """A base line along +a with strokes to the side of -b: ground. One line that goes back on itself."""
+    path: list[tuple[float, float]] = []
+    for n in range(strokes):
+        at = start + length * n / (strokes - 1)
+        path += [(at, 0.0), (at - lean, -depth), (at, 0.0)]
+    return tuple(path)
+
+
+def _support() -> Path:
+    """A triangle under the pin on a hatched line."""
+    half = 0.05
+    hatch = tuple((a, b - SUPPORT_DEPTH) for a, b in comb(0.13, 5, 0.025, 0.025, -0.065))
+    return ((0.0, 0.0), (-half, -SUPPORT_DEPTH), (half, -SUPPORT_DEPTH), (0.0, 0.0), (-half, -SUPPORT_DEPTH), *hatch)
+
+
+SUPPORT = _support()
 
 SHAFT: Path = ((0.0, 0.0), (1.0, 0.0))
 ARROW_HEAD: Path = ((-0.75, -0.4), (0.25, 0.0), (-0.75, 0.4), (-0.75, -0.4))
@@ -208,7 +275,7 @@ def telescope(
     way = minus(ends[1], ends[0])
     distance = size(way)
     least, most = found.extreme("min", distance), found.extreme("max", distance)
-    barrel = formula("MAX(part*least,other*most)", part=PULLED_IN, least=least, other=PUSHED_OUT, most=most)
+    barrel = al.call("MAX", al.mul(al.number(PULLED_IN), least), al.mul(al.number(PUSHED_OUT), most))
     ahead = unit(way)
     middle = plus(ends[0], times(al.div(barrel, al.TWO), ahead))
     yield Shape(kind, name, colors[1], 3.0, corners=(middle, ends[1]))

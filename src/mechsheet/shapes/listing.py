@@ -10,10 +10,16 @@ from livesheet.formula.nodes import Node, Symbol
 from livesheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.vectors import Vector, dot, minus, plus, size, times, together, turned
-from mechsheet.model import Joint, Rack
+from mechsheet.model import Joint, Mechanism, Rack
+from mechsheet.shapes.colors import INK, PATHS, SERIES
 from mechsheet.shapes.described import Described
 from mechsheet.shapes.forms import (
+    BLOCK,
+    BLOCK_HEIGHT,
     HALF,
+    PIN,
+    POINT,
+    SUPPORT,
     WHEEL,
     Frame,
     Kind,
@@ -23,42 +29,40 @@ from mechsheet.shapes.forms import (
     Shape,
     Shapes,
     along,
+    comb,
     place_of,
     sized,
     telescope,
     unit,
 )
 from mechsheet.shapes.loads import acting, loaded_points
-from mechsheet.sheet import styles
-from mechsheet.sheet.drawing.charts import chart_requests, traced_points
-from mechsheet.sheet.drawing.drawing import PATH_COLORS
-from mechsheet.sheet.drawing.frames import INK
-from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, line_end, through_of
-from mechsheet.sheet.drawing.points import moving_points
-from mechsheet.sheet.drawing.shapes import BLOCK, BLOCK_HEIGHT, PAD, SUPPORT, comb
-from mechsheet.sheet.drawing.wheels import ALIKE, TEETH, TOOTH, WIDTH, Belt, axis_between, wheels_of
-from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.symbols import plain
+from mechsheet.shapes.outlines import block_has_line, corners, direction_of, line_end, through_of
+from mechsheet.shapes.points import moving_points, traced_points
+from mechsheet.shapes.wheels import ALIKE, Belt, axis_between, wheels_of
 from mechsheet.words import pictures
+from mechsheet.words.symbols import plain
 
-PIN, POINT = 0.025, 0.0167
-"""Radii of a ring at a revolute joint and of a dot, in half windows."""
+PAD = 0.13
+"""How far a guide reaches beyond the stroke, in half windows."""
 
 BORE = 0.033
 """Half the width of a cylinder, in half windows."""
 
+WIDTH = 1.25
+"""Of the lines of wheels, belts and racks [points]."""
+
+TEETH, TOOTH = 24, 0.014
+"""Of a rack: how many, and half their height in half windows."""
+
 RACK: Path = tuple((step / (2 * TEETH), TOOTH if step % 2 else -TOOTH) for step in range(2 * TEETH + 1))
 
 
-def shapes_of(plan: Plan, equations: Equations, vectors: Collection[Kind] = ()) -> Shapes:
+def shapes_of(mechanism: Mechanism, equations: Equations, vectors: Collection[Kind] = ()) -> Shapes:
     """The list of a mechanism; `vectors`: which of `VECTORS` are wanted."""
-    mechanism = plan.mechanism
     known, found = Described(mechanism, equations), Shapes()
-    springs, loads = acting(known, found, plan, vectors)
-    traced = traced_points(plan, chart_requests(plan))
-    for index, point in enumerate(traced):
-        color = PATH_COLORS[index % len(PATH_COLORS)]
+    springs, loads = acting(known, found, vectors)
+    for index, point in enumerate(traced_points(mechanism)):
+        color = PATHS[index % len(PATHS)]
         found.shapes.append(Shape("path", plain(point), color, 1.0, corners=(place_of(point),)))
     cylinders = [joint for joint in mechanism.sliding if is_cylinder(known, joint)]
     guides = [_Guide(known, found, joint) for joint in mechanism.sliding if joint not in cylinders]
@@ -205,11 +209,11 @@ def _belt(known: Described, belt: Belt, side: float) -> Shape:
     way = minus(place_of(other.axis), place_of(one.axis))
     radii = one.radius, al.mul(al.number(belt.crossed), other.radius)
     cosine = al.div(al.sub(*radii), size(way))
-    sine = formula("side*SQRT(MAX(0,1-c^2))", side=side, c=cosine)
+    sine = al.mul(al.number(side), al.sqrt(al.call("MAX", al.ZERO, al.sub(al.ONE, al.square(cosine)))))
     out = plus(times(cosine, unit(way)), times(sine, turned(unit(way))))
     places = tuple(plus(place_of(wheel.axis), times(r, out)) for wheel, r in zip(belt.wheels, radii, strict=True))
     name = known.text("drawing.belt", link=known.called(other.link))
-    return Shape("belt", name, styles.SERIES[0], WIDTH, corners=places)
+    return Shape("belt", name, SERIES[0], WIDTH, corners=places)
 
 
 def _rack(known: Described, found: Shapes, rack: Rack) -> Shape:

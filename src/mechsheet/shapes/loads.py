@@ -11,9 +11,25 @@ from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
+from mechsheet.kinematics.equations import JOINT_FORCES
+from mechsheet.kinematics.points_in_link import angle_of, cartesian, polar
 from mechsheet.kinematics.vectors import NOWHERE, Vector, minus, plus, size, times, together, turned
-from mechsheet.model import Dynamics, Link, Load, Mass, Spring, center_symbol, torque_unit
+from mechsheet.model import (
+    Cartesian,
+    Distances,
+    Dynamics,
+    Link,
+    Load,
+    Mass,
+    Mechanism,
+    Polar,
+    Spring,
+    center_symbol,
+    pair_symbol,
+    torque_unit,
+)
 from mechsheet.model import Place as GivenPlace
+from mechsheet.shapes.colors import ACCELERATION, FORCE, INK, SPRING, VELOCITY
 from mechsheet.shapes.described import Described
 from mechsheet.shapes.forms import (
     ARROW_HEAD,
@@ -32,18 +48,15 @@ from mechsheet.shapes.forms import (
     Shapes,
     along,
     place_of,
+    shown,
     sized,
     telescope,
     unit,
 )
-from mechsheet.sheet.checks.geometry import place
-from mechsheet.sheet.drawing.arrows import pair_of, points_of_forces
-from mechsheet.sheet.drawing.frames import INK
-from mechsheet.sheet.drawing.outlines import direction_of
-from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.symbols import plain
+from mechsheet.shapes.outlines import direction_of
+from mechsheet.shapes.points import points_with_rates
 from mechsheet.words import pictures
+from mechsheet.words.symbols import plain
 
 LONGEST = 0.36
 """How long the longest arrow of a kind is, in half windows."""
@@ -60,28 +73,26 @@ CENTRE = 0.022
 COIL_ASIDE, DAMPER_BORE = 0.045, 0.014
 """Half the widths of a spring and of a damper, in half windows."""
 
-FORCE_COLOR, SPRING_COLOR = "E6007E", "546E7A"
-"""No link has these colours."""
-
-COLORS: dict[Kind, str] = {"velocity": "0070C0", "acceleration": "C00000", "force": FORCE_COLOR}
+COLORS: dict[Kind, str] = {"velocity": VELOCITY, "acceleration": ACCELERATION, "force": FORCE}
 
 
 @dataclass(frozen=True, slots=True)
 class Force:
-    """A force that is drawn: as what, under which name, where, and its components."""
+    """A force that is drawn: as what, under which name, where, its components, and its size."""
 
     kind: Kind
     name: str
     text: str
     at: Vector
     parts: Vector
+    strength: Node
 
 
 VECTORS: tuple[Kind, ...] = ("velocity", "acceleration", "force")
 """Kinds of arrows that are drawn where they are asked for; forces are those of joints."""
 
 
-def acting(known: Described, found: Shapes, plan: Plan, vectors: Collection[Kind]) -> tuple[list[Shape], list[Shape]]:
+def acting(known: Described, found: Shapes, vectors: Collection[Kind]) -> tuple[list[Shape], list[Shape]]:
     """Springs and dampers; and what lies on all else: marks of mass centres, arrows. Their names are written down."""
     dynamics = known.mechanism.dynamics
     behind: list[Shape] = []
@@ -97,15 +108,11 @@ def acting(known: Described, found: Shapes, plan: Plan, vectors: Collection[Kind
                     forces.append(_weight(known, dynamics, mass))
         forces += [_load(known, load) for load in dynamics.loads if load.force is not None]
         before += _torques(known, found, dynamics)
-    force_unit = dynamics.force_unit if dynamics is not None else ""
     rates: tuple[tuple[Kind, str], ...] = (("velocity", "/s"), ("acceleration", "/s²"))
     for kind, per in rates:
         if kind in vectors:
-            arrows = _of_points(known, plan, kind)
-            before += _arrows(found, arrows, kind, f"{known.mechanism.length_unit}{per}", bar=True)
-    if "force" in vectors:
-        forces += _joint_forces(known, plan)
-    before += _arrows(found, forces, "force", force_unit, bar="force" in vectors)
+            before += _of_points(known, found, kind, f"{known.mechanism.length_unit}{per}")
+    before += _forces(known, found, forces, list(_joint_forces(known)) if "force" in vectors else [])
     return behind, before
 
 
@@ -120,10 +127,34 @@ def _place(known: Described, link: Link, given: str | GivenPlace) -> Vector:
     """A point of a link, or a place in its frame."""
     if isinstance(given, str):
         return place_of(given or next(iter(link.points)))
-    u, v = place(Link(link.name, link.number, {**link.points, "#": given}), "#")
     pose = known.equations.poses[link.name]
     ahead = along(pose.angle)
+    u, v = _in_link(known, link, given)
     return together([(pose.x, pose.y), times(u, ahead), times(v, turned(ahead))])
+
+
+def _in_link(known: Described, link: Link, given: GivenPlace) -> Vector:
+    """A place in the frame of its link."""
+    match given:
+        case Cartesian(x, y):
+            place = cartesian(al.as_node(x), al.as_node(y))
+        case Polar(r, angle):
+            place = polar(al.as_node(r), angle_of(angle))
+        case Distances():
+            return _by_distances(known, link, given)
+    return place.u, place.v
+
+
+def _by_distances(known: Described, link: Link, given: Distances) -> Vector:
+    """Where two circles about points of the link meet: along the line from one to the other, and then across it."""
+    places = known.equations.poses[link.name].places
+    way = minus(places[given.second], places[given.first])
+    b, c = al.as_node(given.first_distance), al.as_node(given.second_distance)
+    length = size(way)
+    reach = al.div(al.sub(al.add(al.square(b), al.square(length)), al.square(c)), al.mul(al.TWO, length))
+    aside = al.sqrt(al.call("MAX", al.ZERO, al.sub(al.square(b), al.square(reach))))
+    across = al.neg(aside) if given.side == "right" else aside
+    return together([places[given.first], times(reach, unit(way)), times(across, turned(unit(way)))])
 
 
 # --- springs ---------------------------------------------------------------------------------------------------------
@@ -136,10 +167,10 @@ def _spring(known: Described, found: Shapes, spring: Spring) -> Iterator[Shape]:
     way = minus(ends[1], ends[0])
     if not al.is_zero(spring.damping):
         called = pictures.DAMPER.of(language).format(name=name)
-        yield from telescope(found, "damper", called, ends, (SPRING_COLOR, SPRING_COLOR), DAMPER_BORE)
+        yield from telescope(found, "damper", called, ends, (SPRING, SPRING), DAMPER_BORE)
     if not al.is_zero(spring.stiffness):
         frame = Frame(ends[0], way, times(sized(COIL_ASIDE), turned(unit(way))))
-        yield Shape("spring", pictures.SPRING.of(language).format(name=name), SPRING_COLOR, 1.5, frame, COIL)
+        yield Shape("spring", pictures.SPRING.of(language).format(name=name), SPRING, 1.5, frame, COIL)
     found.names.append(Name(name, plus(ends[0], times(al.number(0.5), way)), beside=COIL_ASIDE))
 
 
@@ -164,7 +195,7 @@ def _weight(known: Described, dynamics: Dynamics, mass: Mass) -> Force:
     link = known.links[mass.link]
     name = pictures.WEIGHT.of(known.mechanism.language).format(link=known.called(link))
     weight = times(mass.mass or al.ZERO, dynamics.gravity)
-    return Force("weight", name, "", _place(known, link, mass.center), weight)
+    return Force("weight", name, "", _place(known, link, mass.center), weight, size(weight))
 
 
 # --- forces and torques ----------------------------------------------------------------------------------------------
@@ -178,7 +209,7 @@ def _load(known: Described, load: Load) -> Force:
         ahead = along(known.equations.poses[link.name].angle)
         parts = plus(times(parts[0], ahead), times(parts[1], turned(ahead)))
     name = pictures.LOAD.of(known.mechanism.language).format(name=plain(load.name))
-    return Force("load", name, plain(load.name), _place(known, link, load.point), parts)
+    return Force("load", name, plain(load.name), _place(known, link, load.point), parts, size(load.force or parts))
 
 
 def _torques(known: Described, found: Shapes, dynamics: Dynamics) -> Iterator[Shape]:
@@ -192,13 +223,11 @@ def _torques(known: Described, found: Shapes, dynamics: Dynamics) -> Iterator[Sh
         middle, away = _turning(known, known.links[load.link])
         part = al.div(torque, most)
         strength = al.call("ABS", part)
-        radius = formula(
-            "half*(least+more*strength)", half=HALF, least=NARROWEST, more=WIDEST - NARROWEST, strength=strength
-        )
+        radius = al.mul(HALF, al.add(al.number(NARROWEST), al.mul(al.number(WIDEST - NARROWEST), strength)))
         frame = Frame(middle, times(radius, away), times(al.mul(al.call("SIGN", part), radius), turned(away)))
         name = pictures.LOAD.of(known.mechanism.language).format(name=plain(load.name))
-        yield Shape("torque", name, FORCE_COLOR, 1.75, frame, BOW, size=strength)
-        yield Shape("torque", name, FORCE_COLOR, 0.5, frame, BOW_HEAD, fill=FORCE_COLOR, size=strength)
+        yield Shape("torque", name, FORCE, 1.75, frame, BOW, size=strength)
+        yield Shape("torque", name, FORCE, 0.5, frame, BOW_HEAD, fill=FORCE, size=strength)
         at = plus(middle, times(radius, away))
         found.names.append(Name(plain(load.name), at, torque, units, strength))
 
@@ -214,7 +243,7 @@ def _turning(known: Described, link: Link) -> tuple[Vector, Vector]:
     return (middle if others else places[0]), (al.ZERO, al.ONE)
 
 
-def _of_points(known: Described, plan: Plan, kind: Kind) -> list[Force]:
+def _of_points(known: Described, found: Shapes, kind: Kind, units: str) -> Iterator[Shape]:
     """The velocities or accelerations of the points that have any, by their derivatives."""
     omega, alpha = map(Symbol, known.mechanism.driver_rates)
 
@@ -222,42 +251,77 @@ def _of_points(known: Described, plan: Plan, kind: Kind) -> list[Force]:
         once, twice = Symbol(f"{place}.d"), Symbol(f"{place}.dd")
         if kind == "velocity":
             return al.mul(once, omega)
-        return formula("twice*omega^2+once*alpha", twice=twice, once=once, omega=omega, alpha=alpha)
+        return al.add(al.mul(twice, al.square(omega)), al.mul(once, alpha))
 
-    return [
-        Force(kind, plain(f"{point}.{kind[0]}"), plain(f"{point}.{kind[0]}"), place_of(point),
-              (part(f"{point}.x"), part(f"{point}.y")))
-        for point in plan.moving_points
-    ]  # fmt: skip
+    arrows = []
+    for point in points_with_rates(known.mechanism, known.equations):
+        symbol = f"{point}.{kind[0]}"
+        parts = part(f"{point}.x"), part(f"{point}.y")
+        arrows.append(Force(kind, plain(symbol), plain(symbol), place_of(point), parts, Symbol(symbol)))
+    if arrows:
+        most = found.extreme("max", *(each.strength for each in arrows))
+        found.scales.append(Scale(kind, most, LONGEST, units, COLORS[kind], shown(kind)))
+        for arrow in arrows:
+            yield from _arrow(found, arrow, kind, most)
 
 
-def _joint_forces(known: Described, plan: Plan) -> Iterator[Force]:
+def _forces(known: Described, found: Shapes, loads: Sequence[Force], joints: Sequence[Force]) -> Iterator[Shape]:
+    """External forces and weights, and those of joints, on one scale."""
+    dynamics = known.mechanism.dynamics
+    units = dynamics.force_unit if dynamics is not None else ""
+    mosts: list[Node] = []
+    if loads:
+        mosts.append(found.extreme("max", *(each.strength for each in loads)))
+    if joints:
+        mosts.append(al.mul(shown("force"), found.extreme("max", *(each.strength for each in joints))))
+    most = al.largest(mosts) if mosts else al.ZERO
+    if joints:
+        found.scales.append(Scale("force", most, LONGEST, units, COLORS["force"], shown("force")))
+    for force in (*loads, *joints):
+        yield from _arrow(found, force, "force", most, units)
+
+
+def _arrow(found: Shapes, force: Force, kind: Kind, most: Node, units: str = "") -> Iterator[Shape]:
+    """A straight arrow, of the scale of a kind; where its size has a unit, it is written beside an external force."""
+    part = al.div(force.strength, most)
+    if force.kind in VECTORS:
+        part = al.mul(shown(kind), part)
+    way = times(al.div(al.mul(al.number(LONGEST), HALF), most), force.parts)
+    tip, ahead = plus(force.at, way), times(al.div(sized(HEAD), force.strength), force.parts)
+    shaft, head = Frame(force.at, way, NOWHERE), Frame(tip, ahead, turned(ahead))
+    yield Shape(force.kind, force.name, COLORS[kind], 1.75, shaft, SHAFT, size=part)
+    yield Shape(force.kind, force.name, COLORS[kind], 0.5, head, ARROW_HEAD, fill=COLORS[kind], size=part)
+    if force.text:
+        found.names.append(Name(force.text, tip, force.strength if force.kind == "load" else None, units, part))
+
+
+def _joint_forces(known: Described) -> Iterator[Force]:
     """At a pin the force of its first link on each other one, at a slide the normal force on its link."""
     mechanism = known.mechanism
     pins = points_of_forces(mechanism)
     slides = {f"{pair_of(mechanism, joint.on, joint.link)}.n": joint for joint in mechanism.joints}
-    for name in plan.held_columns:
+    columns = {column.symbol for column in known.equations.columns}
+    for name in known.equations.forces(*JOINT_FORCES):
+        if name not in columns:
+            continue
         if name in pins:
-            yield Force("force", plain(name), plain(name), place_of(pins[name]), place_of(name))
+            yield Force("force", plain(name), plain(name), place_of(pins[name]), place_of(name), Symbol(name))
         elif name in slides:  # of teeth the place is no point of the drawing
-            across = turned(along(direction_of(mechanism, slides[name])))
-            yield Force("force", plain(name), plain(name), place_of(slides[name].point), times(Symbol(name), across))
+            parts = times(Symbol(name), turned(along(direction_of(mechanism, slides[name]))))
+            strength = al.call("ABS", Symbol(name))
+            yield Force("force", plain(name), plain(name), place_of(slides[name].point), parts, strength)
 
 
-def _arrows(found: Shapes, forces: Sequence[Force], kind: Kind, units: str, bar: bool) -> Iterator[Shape]:
-    """Straight arrows of one scale; with their values, where no scale bar says how large they are."""
-    if not forces:
-        return
-    most = found.extreme("max", *(size(force.parts) for force in forces))
-    if bar:
-        found.scales.append(Scale(kind, most, LONGEST, units, COLORS[kind]))
-    for force in forces:
-        strength = size(force.parts)
-        part = al.div(strength, most)
-        way = times(formula("longest*half/most", longest=LONGEST, half=HALF, most=most), force.parts)
-        tip, ahead = plus(force.at, way), times(sized(HEAD), unit(force.parts))
-        shaft, head = Frame(force.at, way, NOWHERE), Frame(tip, ahead, turned(ahead))
-        yield Shape(force.kind, force.name, COLORS[kind], 1.75, shaft, SHAFT, size=part)
-        yield Shape(force.kind, force.name, COLORS[kind], 0.5, head, ARROW_HEAD, fill=COLORS[kind], size=part)
-        if force.text:
-            found.names.append(Name(force.text, tip, None if bar else strength, units, part))
+def points_of_forces(mechanism: Mechanism) -> dict[str, str]:
+    """The point at which each joint force acts, by its symbol."""
+    at: dict[str, list[str]] = {}
+    for link in mechanism.links:
+        for point in link.points:
+            at.setdefault(point, []).append(link.name)
+    return {pair_of(mechanism, owner, other): point for point, (owner, *others) in at.items() for other in others}
+
+
+def pair_of(mechanism: Mechanism, one: str, other: str) -> str:
+    """The symbol of the force of one link on another."""
+    numbers = {link.name: link.number for link in mechanism.links}
+    return pair_symbol("F", numbers[one], numbers[other])

@@ -22,17 +22,16 @@ WIDE = 0.66
 """How wide most letters are, in heights of the text; those that are wider or narrower have widths of their own."""
 
 WIDTHS = {
-    **dict.fromkeys("mwMW", 0.98), **dict.fromkeys("₀₁₂₃₄₅₆₇₈₉²³", 0.42), **dict.fromkeys(" .,;:|'!ilj°()", 0.36)
+    **dict.fromkeys("mwMW", 0.98), **dict.fromkeys("₀₁₂₃₄₅₆₇₈₉ₙ²³", 0.42), **dict.fromkeys(" .,;:|'!ilj°()", 0.36)
 }  # fmt: skip
 
-TALL = 0.74
-"""How high the letters of a text are over its whole height."""
+TALL, DEEP = 0.74, 0.98
+"""How high the letters of a text are over its whole height; where some go below the line."""
+
+BELOW = frozenset("_,;gjpqyçşĞÇŞμ")
 
 PAD = 0.008
 """What stays free around a text."""
-
-FARTHEST = 0.8
-"""From a place to the edge of a box that belongs to it, in half windows, with a long text."""
 
 DIRECTIONS = 24
 GAPS = (0.034, 0.055, 0.085, 0.125, 0.175, 0.24)
@@ -55,9 +54,9 @@ class Boxes:
     middles: Array
     halves: Array
 
-    def near(self, at: Array) -> Boxes:
-        """Those that may come near to a place."""
-        there = (np.abs(self.middles - at) <= self.halves + FARTHEST).all(axis=1)
+    def near(self, at: Array, reach: Array) -> Boxes:
+        """Those that come so near to a place."""
+        there = (np.abs(self.middles - at) <= self.halves + reach).all(axis=1)
         return Boxes(self.middles[there], self.halves[there])
 
 
@@ -69,17 +68,18 @@ class Lines:
     ends: Array
     widths: Array
 
-    def near(self, at: Array) -> Lines:
-        """Those that may come near to a place."""
-        middle, half = (self.starts + self.ends) / 2, np.abs(self.ends - self.starts) / 2
-        there = (np.abs(middle - at) <= half + FARTHEST).all(axis=1)
+    def near(self, at: Array, reach: Array) -> Lines:
+        """Those that come so near to a place."""
+        middle, half = (self.starts + self.ends) / 2, np.abs(self.ends - self.starts) / 2 + self.widths[:, None]
+        there = (np.abs(middle - at) <= half + reach).all(axis=1)
         return Lines(self.starts[there], self.ends[there], self.widths[there])
 
 
 def half_box(text: str, size: float) -> Array:
     """Half the sides of a text's box; `size` in points."""
     wide = sum(WIDTHS.get(letter, WIDE) for letter in text)
-    return np.array([wide * size / POINTS / 2 + PAD, TALL * size / POINTS / 2 + PAD])
+    high = DEEP if BELOW & set(text) else TALL
+    return np.array([wide * size / POINTS / 2 + PAD, high * size / POINTS / 2 + PAD])
 
 
 def crossed(boxes: Boxes, lines: Lines) -> Array:
@@ -112,15 +112,28 @@ class Sheet:
         self.taken = Boxes(np.vstack([self.taken.middles, at]), np.vstack([self.taken.halves, half]))
 
     def place(
-        self, texts: tuple[str, ...], size: float, at: Array, beside: float, needed: bool
+        self, texts: tuple[str, ...], size: float, at: Array, beside: float, needed: bool, before: Array | None = None
     ) -> tuple[str, Array] | None:
-        """Which of the texts, longer ones first, has room, and where its middle is; None where none has."""
+        """Which of the texts, longer ones first, has room, and where its middle is; None where none has.
+
+        before  how far from its place the first text stood a moment ago: it stays there where that is free
+        """
         least, best = math.inf, (texts[0], at, np.zeros(2))
-        lines, paths, taken = self.lines.near(at), self.paths.near(at), self.taken.near(at)
+        if before is not None and np.isfinite(before).all():
+            middle, half = at + before, half_box(texts[0], size)
+            box = Boxes(middle[None], half[None])
+            inside = bool((np.abs(middle) + half <= 1.0).all())
+            taken, lines = self.taken.near(middle, half), self.lines.near(middle, half)
+            if inside and not covered(box, taken).any() and not crossed(box, lines).any():
+                self.take(middle, half)
+                return texts[0], middle
         for text in texts:
             half = half_box(text, size)
             for ring in RINGS:  # farther ones only where no near one is free
-                middles = at + _ways(half, beside)[ring]
+                ways = _ways(half, beside)[ring]
+                reach = np.abs(ways).max(axis=0) + half
+                taken, lines, paths = self.taken.near(at, reach), self.lines.near(at, reach), self.paths.near(at, reach)
+                middles = at + ways
                 boxes = Boxes(middles, np.broadcast_to(half, middles.shape))
                 hidden = OVER_NAME * covered(boxes, taken) + OVER_LINE * crossed(boxes, lines)
                 hidden += OUTSIDE * (np.abs(middles) + half > 1.0).any(axis=1)

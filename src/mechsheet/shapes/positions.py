@@ -19,30 +19,40 @@ from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.vectors import Vector
 from mechsheet.model import Mechanism
-from mechsheet.shapes.forms import ARROWS, HALF, LEAST, Kind, Mark, Scale, Shape
+from mechsheet.shapes.colors import INK
+from mechsheet.shapes.forms import (
+    ARROWS,
+    BAR_RISE,
+    BAR_START,
+    BOTTOM,
+    CAPTION,
+    CAPTION_AT,
+    EDGE,
+    HALF,
+    LEAST,
+    LEFT,
+    LETTERS,
+    MARGIN,
+    Kind,
+    Mark,
+    Scale,
+    Shape,
+    room_of_bars,
+    shown,
+)
 from mechsheet.shapes.listing import shapes_of
+from mechsheet.shapes.loads import VECTORS
 from mechsheet.shapes.names import POINTS, Boxes, Lines, Sheet, half_box
-from mechsheet.sheet.drawing.arrows import BAR_RISE, BAR_ROOM, BAR_START
-from mechsheet.sheet.drawing.drawing import MARGIN
-from mechsheet.sheet.drawing.frames import BOTTOM, INK, LEFT
-from mechsheet.sheet.plan import plan_of
-from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.table.status import links_of
 from mechsheet.units import behind_number
-
-EDGE = 0.93
-"""Where arrows end at the latest, from the middle of the window [half windows]; their names need room, too."""
+from mechsheet.words.equations import body_words
+from mechsheet.words.symbols import plain
+from mechsheet.words.workbook import words
 
 FITTED = 8
 """How often a window is made larger for arrows, which grow with it, each time by less than half as much."""
 
-LETTERS, CAPTION = 9.0, 11.0
-"""Heights of names and of the caption [points]."""
-
 RING = 1.5
 """Width of the line of a ring [points]."""
-
-CAPTION_AT = (-0.97, 0.93)
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,10 +149,9 @@ class Positions:
 
     def __init__(self, compiled: Solved, vectors: Collection[Kind] = ()) -> None:
         self.compiled = compiled
-        self.plan = plan_of(compiled.mechanism, compiled.equations)  # no workbook is laid out for it
-        self.list = shapes_of(self.plan, compiled.equations, vectors)
+        self.list = shapes_of(compiled.mechanism, compiled.equations, vectors)
         self.rows = len(compiled.driver)
-        self._known: dict[str, Any] = dict(compiled.values)
+        self._known: dict[str, Any] = {**compiled.values, **{shown(kind).name: 1.0 for kind in VECTORS}}
         self._seen: dict[Any, Any] = {}
         self._places: dict[int, Array] = {}
         for extreme in self.list.extremes:
@@ -154,11 +163,14 @@ class Positions:
 
     def at(self, row: int) -> Scene:
         """A position."""
-        drawn = [self._item(index, shape, row) for index, shape in enumerate(self.list.shapes)]
+        drawn, fixed = self._without_names(row)
+        return Scene((*drawn, *self._names(row, drawn, fixed), *fixed), self.window)
+
+    def _without_names(self, row: int) -> tuple[tuple[Item, ...], tuple[Label, ...]]:
+        """What is drawn, and the texts that have places of their own, the caption last."""
         bars, texts = self._bars
-        caption = self._caption(row)
-        fixed = (*texts, caption)
-        return Scene((*drawn, *bars, *self._names(row, (*drawn, *bars), fixed), *fixed), self.window)
+        drawn = [self._item(index, shape, row) for index, shape in enumerate(self.list.shapes)]
+        return (*drawn, *bars), (*texts, self._caption(row))
 
     def known(self, symbol: str) -> float:
         """A number of the whole motion that shapes read: one of the list's extremes, or half the window's side."""
@@ -206,13 +218,13 @@ class Positions:
         low, high = (np.where(np.isfinite(end), end, 0.0) for end in (low, high))
         middle, sides = (low + high) / 2, high - low
         above = 1 - 1 / MARGIN
-        below = BAR_ROOM + BAR_RISE * (len(self.list.scales) - 1) if self.list.scales else 0.0
-        raised = max(0.0, below - above) / 2
+        raised = max(0.0, room_of_bars(len(self.list.scales)) - above) / 2
         half = least = max(sides[0], sides[1] * (1 - above) / (1 - above - raised)) * MARGIN / 2 or 1.0
         arrows = [shape for shape in self.list.shapes if isinstance(shape, Shape) and shape.kind in ARROWS]
         for _ in range(FITTED):
             self._known[HALF.name] = half
-            far = [np.abs(self._corners(shape) - middle) for shape in arrows]
+            seen = middle - (0.0, raised * half)
+            far = [np.abs(self._corners(shape) - seen) for shape in arrows]
             half = max([least, *(float(np.fmax.reduce(each, axis=None, initial=0.0)) / EDGE for each in far)])
         self._known[HALF.name] = half
         self._seen.clear()  # what follows from the size of the window
@@ -241,7 +253,7 @@ class Positions:
         half = self.window.half
         length = longest(half / 2)
         corners = [(LEFT, BOTTOM), (LEFT + length / half, BOTTOM)]
-        bars = [Stroke("scale", self.plan.text("drawing.bar"), self._in_window(corners), INK, 2.0)]
+        bars = [Stroke("scale", self._text("drawing.bar"), self._in_window(corners), INK, 2.0)]
         text = f"{length:.10g} {self.compiled.mechanism.length_unit}".rstrip()
         texts = [self._label("scale", text, (LEFT + length / half / 2, BOTTOM + 0.07), LETTERS)]
         for number, scale in enumerate(self.list.scales):
@@ -252,15 +264,18 @@ class Positions:
         return tuple(bars), tuple(texts)
 
     def _bar(self, scale: Scale, height: float) -> tuple[Stroke, Label] | None:
-        most = float(self._known[scale.most.name])
+        most = float(self._column(scale.most)[0])
         if not most > 0:
             return None
         amount = longest(most)
         end = BAR_START + amount / most * scale.longest
         corners = self._in_window([(BAR_START, height), (end, height)])
-        line = Stroke("scale", self.plan.text("drawing.bar"), corners, scale.color, 2.0)
+        line = Stroke("scale", self._text("drawing.bar"), corners, scale.color, 2.0)
         text = f"{amount:.10g} {scale.unit}".rstrip()
         return line, self._label("scale", text, (end + 0.02, height), LETTERS, middle=False)
+
+    def _text(self, key: str, **parts: object) -> str:
+        return words(self.compiled.mechanism.language, key, **parts)
 
     def _in_window(self, places: Sequence[tuple[float, float]]) -> Array:
         window = self.window
@@ -278,7 +293,9 @@ class Positions:
         for group in self.compiled.equations.groups:
             if not math.isfinite(self.compiled.values[group.closes][row]):
                 key = "undetermined" if group.only_undetermined else "newton" if group.system is not None else "open"
-                text += f" – {self.plan.text(f'status.{key}', links=links_of(self.plan, group))}"
+                mechanism = self.compiled.mechanism
+                links = ", ".join(body_words(mechanism, name).of(mechanism.language) for name in group.links)
+                text += f" – {self._text(f'status.{key}', links=links)}"
                 break
         return self._label("caption", text, CAPTION_AT, CAPTION, middle=False)
 
@@ -286,21 +303,46 @@ class Positions:
 
     def _names(self, row: int, drawn: Sequence[Item], fixed: Sequence[Label]) -> Iterator[Label]:
         """The names where there is room; those of points first."""
+        for name, (at, *_), found in zip(self.list.names, self._named, self._placed(row, drawn, fixed), strict=True):
+            text, beside = found or (name.text, np.full(2, math.nan))
+            x, y = (at[row] + beside * self.window.half).tolist()
+            yield Label("name", text, x, y, LETTERS)
+
+    def _placed(
+        self, row: int, drawn: Sequence[Item], fixed: Sequence[Label], letters: float = LETTERS,
+        before: Array | None = None,
+    ) -> Iterator[tuple[str, Array] | None]:  # fmt: skip
+        """What each name says and how far from its place its middle is; with places `before`, each says all or nothing."""
         sheet = self.sheet(drawn)
         for label in fixed:
-            half = half_box(label.text, label.size)
+            half = half_box(label.text, label.size * letters / LETTERS)
             sheet.take(self._of_window(label) + np.array([0.0 if label.middle else half[0], 0.0]), half)
-        for name, (at, size, amount) in zip(self.list.names, self._named, strict=True):
-            there = np.isfinite(at[row]).all() and (size is None or size[row] >= LEAST)
-            texts = (
-                [name.text]
-                if amount is None
-                else [f"{name.text} = {in_digits(amount[row])} {name.unit}".rstrip(), name.text]
-            )
+        for index, (name, (at, size, amount)) in enumerate(zip(self.list.names, self._named, strict=True)):
+            if not np.isfinite(at[row]).all() or (size is not None and not size[row] >= LEAST):
+                yield None
+                continue
+            whole = name.text if amount is None else f"{name.text} = {in_digits(amount[row])} {name.unit}".rstrip()
+            texts = (whole,) if before is not None else tuple(dict.fromkeys((whole, name.text)))
             place = (at[row] - (self.window.x, self.window.y)) / self.window.half
-            found = sheet.place(tuple(texts), LETTERS, place, name.beside, name.needed) if there else None
-            text, middle = found or (name.text, np.full(2, math.nan))
-            yield self._label("name", text, tuple(middle.tolist()), LETTERS)
+            was = None if before is None else before[index]
+            found = sheet.place(texts, letters, place, name.beside, name.needed, was)
+            yield None if found is None else (found[0], found[1] - place)
+
+    def beside(self, rows: Sequence[int], letters: float = LETTERS) -> Array:
+        """How far from its place each name stands in some rows, one after another, (rows, names, 2) [half windows].
+
+        A name stays where it was in the row before as long as it can, also while there is nothing to name; NaN: no room.
+        """
+        found = np.full((len(rows), len(self.list.names), 2), math.nan)
+        before = found[0].copy()
+        for number, row in enumerate(rows):
+            drawn, fixed = self._without_names(row)
+            for index, place in enumerate(self._placed(row, drawn, fixed, letters, before)):
+                if place is not None:
+                    before[index] = place[1]
+                if place is not None or not np.isfinite(self._named[index][0][row]).all():
+                    found[number, index] = before[index]
+        return found
 
     @cached_property
     def _named(self) -> list[tuple[Array, Array | None, Array | None]]:

@@ -10,7 +10,7 @@ from mechsheet.model import Mechanism
 from mechsheet.sheet.checks.checks import Checks, checks_sheet
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.drawing.charts import chart_requests, charts_of, traced_points, with_room
+from mechsheet.sheet.drawing.charts import chart_requests, charts_of, with_room
 from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.first.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.notes.notes import notes_sheet
@@ -36,7 +36,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     checks, extremes = Checks(plan), Extremes(plan)
     tolerance = Tolerance(plan)
     requests = chart_requests(plan)
-    drawing = drawing_of(plan, traced_points(plan, requests), requests)
+    drawing = drawing_of(plan, requests)
     sheets = (
         with_room(
             mechanism_sheet(plan, checks, extremes, tolerance, charts_of(plan, requests, drawing), controls(plan))

@@ -26,6 +26,7 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.period import Periods
 from mechsheet.kinematics.rates.sensitivity import NO_BANDS, Sensitivities, toleranced
 from mechsheet.kinematics.sweep import sweep
+from mechsheet.kinematics.terms import only_rounding
 from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.first.classification import Classification, classification
@@ -163,6 +164,11 @@ class Plan:
     def nominal(self) -> dict[str, Array]:
         """Every symbol's values over the rows with the dimensions and modes as described, NaN where there is none."""
         return sweep(self.mechanism, self.equations.equations, self.given)
+
+    @cached_property
+    def only_rounding(self) -> dict[str, float]:
+        """Quantities that are nothing but rounding with the dimensions as described: how large their terms are."""
+        return only_rounding(self.equations.equations, self.nominal)
 
     @cached_property
     def banded(self) -> dict[str, Banded]:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import replace
 
 from livesheet.workbook import Dash, Style
+from mechsheet.shapes import colors
 
 INK, QUIET, RULE = "1F2933", "6B7280", "C5CBD3"
 INPUT_FILL, DERIVED_FILL, HEAD_FILL, BAND_FILL, ROW_FILL = "FFF7D6", "F1F3F5", "1F4E79", "D6E4F0", "FFE7A3"
 INPUT_INK = "0B4FA8"
 GOOD_FILL, WARN_FILL, BAD_FILL, NONE_FILL = "DDF1DD", "FFE9B8", "F9D4D0", "E3E5E8"
-SERIES = ("1F4E79", "C8501E", "2E8B57", "7B3FA0", "B8860B", "00838F", "AD1457", "5D4037")
+SERIES = colors.SERIES
 """Colours of curves, in order."""
 DASHES: tuple[Dash, ...] = ("solid", "dash", "dot")
 """Lines of curves, in order: some of the colours are of one grey in print."""

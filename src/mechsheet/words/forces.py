@@ -73,10 +73,10 @@ FORCES: dict[str, tuple[str, str]] = {
         "sarı hücrelerdedir. Hız 0 ise kuvvetler statiktir.",
     ),
     "notes.assumptions.forces": (
-        "F34 is the force of link 3 on link 4; a pin belongs to the link that comes first in the description. N14 is the "
-        "normal force of a slide, to the left of its line, C14 its couple. Torques are positive counter-clockwise.",
-        "F34, 3 numaralı uzvun 4 numaralı uzva kuvvetidir; mafsal, tanımda önce gelen uzvundur. N14 kayar mafsalın normal "
-        "kuvvetidir, doğrunun soluna doğru; C14 kuvvet çiftidir. Momentler saat yönünün tersine pozitiftir.",
+        "F34 is the force of link 3 on link 4; a pin belongs to the link that comes first in the description. F14,n is the "
+        "normal force of a slide, to the left of its line, F14,c its couple. Torques are positive counter-clockwise.",
+        "F34, 3 numaralı uzvun 4 numaralı uzva kuvvetidir; mafsal, tanımda önce gelen uzvundur. F14,n kayar mafsalın normal "
+        "kuvvetidir, doğrunun soluna doğru; F14,c kuvvet çiftidir. Momentler saat yönünün tersine pozitiftir.",
     ),
     "notes.assumptions.rigid": (
         "Links are rigid; there is no friction, no clearance, no impact. The motion is given, the effort is what it needs.",

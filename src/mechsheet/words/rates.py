@@ -28,12 +28,7 @@ RATES: dict[str, tuple[str, str]] = {
     "arrows.velocity": ("Velocities", "Hızlar"),
     "arrows.acceleration": ("Accelerations", "İvmeler"),
     "arrows.forces": ("Joint forces", "Mafsal kuvvetleri"),
-    "arrows.velocity.shown": ("Velocities at the position shown", "Gösterilen konumdaki hızlar"),
-    "arrows.acceleration.shown": ("Accelerations at the position shown", "Gösterilen konumdaki ivmeler"),
-    "arrows.forces.shown": ("Joint forces at the position shown", "Gösterilen konumdaki mafsal kuvvetleri"),
-    "arrows.largest": ("largest", "en büyük"),
     "arrows.room": ("room taken", "aldığı yer"),
-    "arrows.scale": ("half windows by unit", "birim başına yarım pencere"),
     "notes.use.arrows": (
         "Arrows in the drawing are true to scale, each kind with a bar of its own; a 0 in show_… hides a kind.",
         "Çizimdeki oklar ölçeklidir, her türün kendi ölçek çubuğu vardır; show_… hücresine 0 yazılırsa o tür gizlenir.",

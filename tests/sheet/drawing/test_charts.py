@@ -5,12 +5,13 @@ from copy import copy
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from livesheet.formats.house_style import MARGIN_END
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
-from mechsheet.sheet.drawing.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_requests, driver_axis
+from mechsheet.sheet.drawing.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_requests, driver_axis, value_axis
 from mechsheet.sheet.first.mechanism import CHARTS
 from mechsheet.sheet.layout import lay_out
 
@@ -211,3 +212,43 @@ def test_the_first_sheet_can_be_read_on_paper(name):
     assert max(cell.row for cell in sheet.cells) <= setup.area.last_row
     right = max((c.anchor.col - CHARTS) * COLUMN_WIDTH + c.anchor.dx + c.anchor.width for c in sheet.charts)
     assert right <= (setup.area.last_col + 1 - CHARTS) * COLUMN_WIDTH
+
+
+BALANCED = """
+format = 1
+[mechanism]
+name = "balanced"
+[links.ground]
+points = { A0 = [0, 0] }
+[links.crank]
+points = { A0 = [0, 0], A = [100, 0] }
+mass = 3
+center = CENTER
+[driver]
+link = "crank"
+start = 0
+stop = 360
+step = 15
+[dynamics]
+gravity = 9.81
+"""
+
+
+def requested(center, more=""):
+    _, plan = laid(BALANCED.replace("CENTER", center) + more)
+    return plan, {request.y: request for request in chart_requests(plan) if "T12" in request.y}
+
+
+def test_a_balanced_torque_is_a_line_at_zero():
+    """What rounding leaves of an effort has an axis as large as the terms that cancel."""
+    plan, found = requested('["300*(0.1 + 0.2) - 90", 0]')
+    assert 0 < np.nanmax(np.abs(plan.nominal["T12"])) < 1e-15
+    axis = value_axis(plan, found["T12", "T12.work"])
+    assert (axis.low, axis.high) == (-1.0, 1.0)
+
+
+def test_an_effort_that_is_the_same_in_every_row_has_no_chart():
+    load = '[[loads]]\nname = "M"\nlink = "crank"\ntorque = "{}"\n'
+    assert not requested("[0, 0]", load.format("5"))[1]
+    assert not requested("[0, 0]")[1]
+    assert requested("[0, 0]", load.format("5*theta12"))[1]

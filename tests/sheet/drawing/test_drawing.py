@@ -16,7 +16,7 @@ from livesheet.formula.nodes import CellRef, ErrorValue
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
-from mechsheet.sheet.drawing.charts import chart_requests, traced_points
+from mechsheet.sheet.drawing.charts import chart_requests
 from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.drawing.frames import SAMPLES
 from mechsheet.sheet.layout import lay_out
@@ -34,7 +34,7 @@ class Laid:
         self.mechanism = loads(text)
         self.workbook, self.plan = lay_out(self.mechanism, solve(self.mechanism))
         requests = chart_requests(self.plan)
-        self.drawing = drawing_of(self.plan, traced_points(self.plan, requests), requests)
+        self.drawing = drawing_of(self.plan, requests)
         self.book = compile_book(book_of(self.workbook))
         self.titles = [sheet.title for sheet in self.workbook.sheets]
         self.live = Live(self.book)

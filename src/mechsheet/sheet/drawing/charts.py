@@ -8,7 +8,7 @@ The driver's axis is fixed, since its rows are: steps of 15, 30 or 45 degrees wh
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -17,8 +17,8 @@ from livesheet import portable
 from livesheet.workbook import Anchor, Area, Axis, Chart, Column, Dash, PrintSetup, Series, SeriesRef, Sheet
 from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.rates.coefficients import free_points
-from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, Mechanism, rate_symbols
+from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, rate_symbols
+from mechsheet.shapes.points import remarkable_points
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.first.blocks import shown_unit
@@ -90,13 +90,14 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     for equation in plan.equations.columns:
         if equation.role == "variable" and equation.symbol != driver and not _stands_still(columns[equation.symbol]):
             (angles if equation.unit.kind == "angle" else displacements).append(equation.symbol)
-    outputs = [output.symbol for output in mechanism.outputs if not _stands_still(columns[output.symbol])]
-    rates = [name for name in _rates(plan) if not _stands_still(columns[name])]
+    still = {symbol for symbol, column in columns.items() if _stands_still(column)} | plan.only_rounding.keys()
+    outputs = [output.symbol for output in mechanism.outputs if output.symbol not in still]
+    rates = [name for name in _rates(plan) if name not in still]
     sizes = {symbol: float(np.max(np.abs(column), initial=0.0)) for symbol, column in columns.items()}
     requests = []
     for symbols in (angles, displacements, outputs, rates):
         requests += [ChartRequest(x=across(plan), y=group) for group in _shared(plan, symbols, sizes)]
-    requests += _of_forces(plan, sizes)
+    requests += _of_forces(plan, still)
     paths = remarkable_points(mechanism)
     if paths:
         requests.append(ChartRequest(paths=paths))
@@ -117,14 +118,19 @@ def _rates(plan: Plan) -> list[str]:
     return [eq.symbol for eq in plan.equations.columns if eq.role == "rate" and eq.symbol not in hidden]
 
 
-def _of_forces(plan: Plan, sizes: Mapping[str, float]) -> list[ChartRequest]:
-    """The driver's effort, found both ways; the joint forces that are not always 0."""
+def _of_forces(plan: Plan, still: Collection[str]) -> list[ChartRequest]:
+    """The driver's effort, found both ways; the joint forces. One that stays the same has no chart of its own, but an effort
+    that is balanced has: a line at 0."""
     if not plan.efforts:
         return []
-    forces = [name for name in plan.equations.equations.forces(*JOINT_FORCES) if sizes[name] > 0]
+    forces = [name for name in plan.equations.equations.forces(*JOINT_FORCES) if name not in plan.only_rounding]
     groups = [forces[start : start + MOST_CURVES] for start in range(0, len(forces), MOST_CURVES)]
     stored = ((ENERGY,),) if plan.mechanism.flywheel else ()
-    return [ChartRequest(x=across(plan), y=names) for names in (plan.efforts, *stored, *map(tuple, groups))]
+    return [
+        ChartRequest(x=across(plan), y=names)
+        for names in (plan.efforts, *stored, *map(tuple, groups))
+        if not {*names} <= {*still} or {*names} <= {*plan.only_rounding}
+    ]
 
 
 def _probe(plan: Plan) -> dict[str, Array]:
@@ -151,28 +157,6 @@ def _shared(plan: Plan, symbols: Sequence[str], sizes: Mapping[str, float]) -> l
         else:
             groups.append([symbol])
     return [tuple(group) for group in groups]
-
-
-def tracing_points(mechanism: Mechanism) -> tuple[str, ...]:
-    """Points of a single moving link (coupler points); without any, the moving joints."""
-    points = dict.fromkeys(point for link in mechanism.links for point in link.points)
-    return free_points(mechanism) or tuple(point for point in points if point not in mechanism.ground.points)
-
-
-def remarkable_points(mechanism: Mechanism) -> tuple[str, ...]:
-    """Traced points whose paths are neither circles about a fixed pin nor straight guides."""
-    fixed = set(mechanism.ground.points)
-    plain_paths = {joint.point for joint in mechanism.joints if mechanism.ground.name == joint.on}
-    for link in mechanism.links[1:]:
-        if fixed & set(link.points):
-            plain_paths |= set(link.points)
-    return tuple(point for point in tracing_points(mechanism) if point not in plain_paths)
-
-
-def traced_points(plan: Plan, requests: Sequence[ChartRequest]) -> tuple[str, ...]:
-    """Points whose paths are drawn behind the mechanism: those that have a chart, else those that deserve one."""
-    asked = dict.fromkeys(point for request in requests for point in request.paths)
-    return tuple(asked) or tracing_points(plan.mechanism)
 
 
 # --- curves ------------------------------------------------------------------------------------------------------
@@ -242,8 +226,18 @@ def value_axis(plan: Plan, request: ChartRequest) -> Axis:
     where curves are far from 0."""
     units = list(dict.fromkeys(shown_unit(plan, symbol) for symbol in request.y))
     names = ", ".join(plain(symbol) for symbol in request.y)
-    low, high = request.y_ends if any(end is not None for end in request.y_ends) else _nearer_than_zero(plan, request.y)
+    given = any(end is not None for end in request.y_ends)
+    low, high = request.y_ends if given else _round_zero(plan, request.y) or _nearer_than_zero(plan, request.y)
     return Axis(f"{names} [{', '.join(units)}]" if units != [""] else names, low, high)
+
+
+def _round_zero(plan: Plan, symbols: Sequence[str]) -> Ends | None:
+    """The ends of an axis on which rounding is a line at 0: as large as the terms that cancel. None for other curves."""
+    sizes = [plan.only_rounding.get(symbol, 0.0) for symbol in symbols]
+    if not all(size > 0 for size in sizes):
+        return None
+    end = 10.0 ** math.floor(float(portable.log10(max(sizes))))
+    return -end, end
 
 
 def _nearer_than_zero(plan: Plan, symbols: Sequence[str]) -> Ends:

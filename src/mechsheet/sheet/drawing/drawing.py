@@ -10,46 +10,29 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from livesheet import portable
-from livesheet.formula import algebra as al
-from livesheet.formula.nodes import CellRef, Node, Symbol, symbols, transform
-from livesheet.formula.scalar import evaluate
+from livesheet.formula.nodes import Symbol
 from livesheet.workbook import Anchor, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
-from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.model import ChartRequest, Joint
+from mechsheet.model import ChartRequest
+from mechsheet.shapes.colors import INK
+from mechsheet.shapes.forms import CAPTION, CAPTION_AT
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.drawing.arrows import arrows_of, room_of_bars
 from mechsheet.sheet.drawing.frames import (
     CHART_X,
     CHART_Y,
     FIRST,
     HIDDEN_AXIS,
-    INK,
     NAME,
-    NINTH,
+    NUMBER,
     SWEEP,
-    Frame,
     Page,
+    stride_of,
     write_frame,
 )
 from mechsheet.sheet.drawing.hodographs import hodograph_chart
-from mechsheet.sheet.drawing.name_places import place_names
-from mechsheet.sheet.drawing.outlines import block_has_line, corners, direction_of, through_of
-from mechsheet.sheet.drawing.points import PointCells, label, marks, moving_points, names_of, pins_of, write_points
-from mechsheet.sheet.drawing.shapes import (
-    Guide,
-    block,
-    guide_base,
-    link_color,
-    outline,
-    rail,
-    slot,
-    support,
-    write_guide,
-)
-from mechsheet.sheet.drawing.wheels import Wheels, racks
-from mechsheet.sheet.plan import VALUE, Plan
+from mechsheet.sheet.drawing.listed import Listed, PointCells
+from mechsheet.sheet.over_rows import LEAST, MOST
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.units import behind_number
@@ -57,11 +40,8 @@ from mechsheet.units import behind_number
 SIZE = 480
 """Pixels of a drawing and of a chart of paths: square."""
 
-MARGIN, PATH_MARGIN = 1.3, 1.15
-"""How much larger than all positions together the windows are; supports, guides and names need room around a drawing."""
-
-PATH_COLORS = ("8FAFCB", "E0A98F", "93C7A6", "BFA0CF", "D9BE7E", "80BFC6", "D58FAC", "AD9A92")
-"""Paths behind the drawing: the colours of curves, paler."""
+PATH_MARGIN = 1.15
+"""How much larger than all of a path its window is."""
 
 DRAWING_INNER = (0.01, 0.01, 0.98, 0.98)
 PATH_INNER = (0.08, 0.12, 0.85, 0.85)
@@ -86,41 +66,37 @@ class Drawing:
     shown: Mapping[str, SeriesRef]
 
 
-def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartRequest]) -> Drawing:
-    """The sheet "Drawing" with its charts. `traced`: points whose paths are drawn behind the mechanism."""
-    page, text = Page(plan), plan.text
+def drawing_of(plan: Plan, requests: Sequence[ChartRequest]) -> Drawing:
+    """The sheet "Drawing" with its charts."""
+    page, text = Page(plan, plan.at.titles["drawing"], stride=stride_of(plan)), plan.text
     page.put(NAME, text("drawing.title"), styles.TITLE)
     page.row += 1
     page.put(NAME, text("drawing.note"), styles.SUBTITLE)
     page.row += 1
-    wheels = Wheels(page, dimension_values(plan.mechanism))
-    frame = _frame(page, text("drawing.frame"), _all_points(plan), MARGIN, wheels, room_of_bars(plan))
-    for key, cell in (("x", frame.x), ("y", frame.y), ("half", frame.half)):
-        plan.window[key] = Spot(page.title, cell.row, cell.col)
-    cells = write_points(page, frame)
-    guides = _guides(page, frame, cells)
-    shown = _shown(page, requests, cells)
-    place_names(page, cells, guides)
-    first, last = marks(page, cells)
-    toothed = _toothed(page, frame, cells, guides, wheels)
-    behind = [*first, *_traces(page, frame, traced, PATH_COLORS, 1.0), *toothed, *_shapes(page, cells, guides)]
-    before = [*frame.series, _caption(page), *last, *arrows_of(page, frame, cells)]
-    names = names_of(page, cells)[: max(0, MOST_SERIES - len(behind) - len(before))]
-    series = [*behind, *names, *before]
-    title = plan.mechanism.title.of(plan.language)
-    chart = Chart(
-        "", Anchor(0, 0, SIZE, SIZE), tuple(series), HIDDEN_AXIS, HIDDEN_AXIS, legend="", inner=DRAWING_INNER,
-        name="drawing", alt_text=text("drawing.alt", title=title),
-    )  # fmt: skip
-    paths = {request: _path_chart(page, request, cells) for request in requests if request.paths}
+    listed = Listed(page, lambda: caption(page))
+    half = listed.frame.half
+    plan.window["half"] = Spot(page.title, half.row, half.col)
+    shown = _shown(page, requests, listed.points)
+    paths = {request: _path_chart(page, request, listed.points) for request in requests if request.paths}
     for request in requests:
         if request.hodographs:
             paths[request] = hodograph_chart(page, request, SIZE, PATH_INNER)
-    return Drawing(_sheet(page), chart, paths, cells, shown)
+    return Drawing(_sheet(page), chart_of(plan, listed.series, SIZE), paths, listed.points, shown)
+
+
+def chart_of(plan: Plan, series: Sequence[Series], size: int) -> Chart:
+    """The drawing; of very many series the last names are left out."""
+    names = [each for each in series if each.show_name and isinstance(each.name, str)]
+    left_out = names[len(names) - max(0, len(series) - MOST_SERIES) :] if len(series) > MOST_SERIES else []
+    title = plan.mechanism.title.of(plan.language)
+    return Chart(
+        "", Anchor(0, 0, size, size), tuple(each for each in series if each not in left_out), HIDDEN_AXIS, HIDDEN_AXIS,
+        legend="", inner=DRAWING_INNER, name="drawing", alt_text=plan.text("drawing.alt", title=title),
+    )  # fmt: skip
 
 
 def _sheet(page: Page) -> Sheet:
-    columns = [Column(NAME, NAME, 26.0), Column(FIRST, NINTH, 12.0), Column(NINTH + 1, NINTH + 1, 3.0)]
+    columns = [Column(NAME, NAME, 26.0), Column(FIRST, NUMBER, 12.0), Column(NUMBER + 1, NUMBER + 1, 3.0)]
     if page.col > SWEEP:
         columns.append(Column(SWEEP, page.col - 1, 11.0))
     return Sheet(
@@ -130,64 +106,6 @@ def _sheet(page: Page) -> Sheet:
 
 
 # --- what is shown -----------------------------------------------------------------------------------------------
-
-
-def _all_points(plan: Plan) -> tuple[str, ...]:
-    """Every point that moves, and the fixed pins."""
-    fixed = tuple(point for point in plan.mechanism.ground.points if point in pins_of(plan.mechanism))
-    return moving_points(plan.mechanism) + fixed
-
-
-def _frame(
-    page: Page, title: str, names: Sequence[str], margin: float, wheels: Wheels | None = None, below: float = 0.0
-) -> Frame:
-    """A window around the points at all positions of the sweep, and the wheels about them; `below` see `write_frame`."""
-    moving = [name for name in names if name in moving_points(page.plan.mechanism)]
-    fixed = [name for name in names if name not in moving]
-    page.section(page.plan.text("drawing.reach"), [page.plan.text("drawing.from"), page.plan.text("drawing.to")])
-    extremes = []
-    for axis in ("x", "y"):
-        constants = tuple(page.at_position(f"{name}.{axis}") for name in fixed)
-        low, high = page.extremes(axis, [f"{name}.{axis}" for name in moving])
-        lows, highs = ([low], [high]) if moving else ([], [])  # a disk alone turns
-        for name in names if wheels is not None else ():
-            for radius in wheels.around(name) if wheels is not None else ():
-                ends = (page.at_position(f"{name}.{axis}"),) * 2 if name in fixed else (low, high)
-                lows.append(al.sub(ends[0], radius))
-                highs.append(al.add(ends[1], radius))
-        extremes.append((al.smallest((*lows, *constants)), al.largest((*highs, *constants))))
-    return write_frame(page, title, extremes[0], extremes[1], margin, below=below)
-
-
-def _guides(page: Page, frame: Frame, cells: Mapping[str, PointCells]) -> list[Guide]:
-    """The lines of the sliding joints, after the angles and displacements that they need."""
-    mechanism = page.plan.mechanism
-    if not mechanism.sliding:
-        return []
-    wanted = {joint.symbol: joint.symbol for joint in mechanism.sliding}
-    lines = [(joint, through_of(mechanism, joint), direction_of(mechanism, joint)) for joint in mechanism.sliding]
-    for _, (x, y), direction in lines:
-        wanted |= {name: name for node in (x, y, direction) for name in symbols(node)}
-    known = {f"{point}.{axis}": getattr(place, axis) for point, place in cells.items() for axis in ("x", "y")}
-    page.section(page.plan.text("drawing.quantities"), [page.plan.text("drawing.inner.unit")])
-    for name in wanted:
-        if name not in known:
-            page.put(NAME, rich(name), styles.SYMBOL)
-            known[name] = page.formula(FIRST, page.at_position(name))
-            page.row += 1
-
-    def bound(node: Node) -> Node:
-        return transform(node, lambda part: known[part.name] if isinstance(part, Symbol) else part)
-
-    text = page.plan.text
-    page.section(text("drawing.reach"), [text("drawing.from"), text("drawing.to")])
-    reaches = [page.extremes(plain(joint.symbol), [joint.symbol]) for joint, _, _ in lines]
-    heads = [text("drawing.direction"), "cos", "X", "Y", "sin", text("drawing.from"), text("drawing.to")]
-    page.section(text("drawing.guides"), heads)
-    return [
-        write_guide(page, frame, joint, (bound(x), bound(y)), bound(direction), known[joint.symbol], reach)
-        for (joint, (x, y), direction), reach in zip(lines, reaches, strict=True)
-    ]
 
 
 def _shown(page: Page, requests: Sequence[ChartRequest], cells: Mapping[str, PointCells]) -> dict[str, SeriesRef]:
@@ -208,103 +126,30 @@ def _shown(page: Page, requests: Sequence[ChartRequest], cells: Mapping[str, Poi
         page.section(plan.text("drawing.markers"))
     for name in missing:
         page.put(NAME, rich(name), styles.SYMBOL)
-        page.formula(FIRST, page.indexed(plan.at.spots[name]))
+        page.formula(FIRST, page.indexed(name))
         found[name] = page.reference(page.row, FIRST)
         page.row += 1
     return found
 
 
-def _traces(page: Page, frame: Frame, names: Sequence[str], colors: Sequence[str], width: float) -> list[Series]:
-    """The paths of points in a frame: two sweep columns each."""
-    found = []
-    for index, name in enumerate(names):
-        x = page.column(f"X {plain(name)}", frame.chart_x(page.read(f"{name}.x")))
-        y = page.column(f"Y {plain(name)}", frame.chart_y(page.read(f"{name}.y")))
-        refs = SeriesRef(page.title, x), SeriesRef(page.title, y)
-        found.append(Series(plain(name), *refs, line=colors[index % len(colors)], width=width))
-    return found
-
-
-# --- the shapes --------------------------------------------------------------------------------------------------
-
-
-def _shapes(page: Page, cells: Mapping[str, PointCells], guides: Sequence[Guide]) -> list[Series]:
-    """From back to front: rails and supports, slots, links, blocks."""
-    plan, text = page.plan, page.plan.text
-    mechanism = plan.mechanism
-    dimensions = dimension_values(mechanism)
-    driven = mechanism.driver.link or _joint(plan, mechanism.driver.joint).link
-    links = {link.name: link for link in mechanism.links}
-    ground = mechanism.ground
-    page.section(text("drawing.shapes"), ["", "", "X", "Y"])
-    found = []
-    for guide in guides:
-        if guide.joint.on == ground.name:
-            below = portable.cos(evaluate(direction_of(mechanism, guide.joint), dimensions)) >= -1e-9
-            found.append(rail(page, text("drawing.rail", symbol=plain(guide.joint.symbol)), guide, below))
-    for name in ground.points:
-        if name in pins_of(mechanism):
-            found.append(support(page, text("drawing.support", point=plain(name)), cells[name]))
-    for guide in guides:
-        if guide.joint.on != ground.name:
-            owner = guide.joint.link if block_has_line(mechanism, guide.joint) else guide.joint.on
-            name = text("drawing.slot", symbol=plain(guide.joint.symbol))
-            color = link_color(links[owner], driven)
-            found.append(slot(page, name, guide, guide_base(page, guide, cells), color))
-    for link in mechanism.whole_links[1:]:
-        if len(link.points) > 1:
-            name = link.label.of(plan.language) if link.label else link.name
-            found.append(outline(page, name, cells, corners(link, dimensions), link_color(link, driven)))
-    for guide in guides:
-        joint = guide.joint
-        name = text("drawing.block", symbol=plain(joint.symbol))
-        if block_has_line(mechanism, joint):
-            found.append(block(page, name, guide.x, guide.y, guide, link_color(links[joint.on], driven)))
-            continue
-        at = cells[joint.point]
-        if joint.kind == "prismatic":
-            found.append(block(page, name, at.chart_x, at.chart_y, guide, link_color(links[joint.link], driven)))
-        else:  # a massless block, smaller, so that it is seen inside another one at the same point
-            found.append(block(page, name, at.chart_x, at.chart_y, guide, INK, 0.7))
-    return found
-
-
-def _toothed(
-    page: Page, frame: Frame, cells: Mapping[str, PointCells], guides: Sequence[Guide], wheels: Wheels
-) -> list[Series]:
-    """Wheels, belts and racks."""
-    mechanism = page.plan.mechanism
-    if not mechanism.relations:
-        return []
-    driven = mechanism.driver.link or _joint(page.plan, mechanism.driver.joint).link
-    colors = {link.name: link_color(link, driven) for link in mechanism.links}
-    return [*wheels.series(frame, cells, colors), *racks(page, frame, guides, cells, colors)]
-
-
-def _joint(plan: Plan, name: str) -> Joint:
-    return next(joint for joint in plan.mechanism.joints if joint.name == name)
-
-
-def _caption(page: Page) -> Series:
+def caption(page: Page) -> Series:
     """The driver's value in the upper left corner; a position that does not exist says so."""
     plan, text = page.plan, page.plan.text
     driver = plan.mechanism.driver
-    row = plan.blocks["position"].rows[driver.symbol]
-    value = CellRef(row, VALUE, True, True, plan.main)
+    value, said = page.indexed(driver.symbol), page.indexed("#status")
     after = behind_number(driver.unit.text)
-    said = page.indexed(plan.at.spots["#status"])
     note = formula(
         'IFERROR(IF(said=ok,""," – "&said),nothing)',
-        said=said, ok=text("status.ok"), nothing=f" – {text('drawing.nothing')}",
+        said=said, ok=plan.ok, nothing=f" – {text('drawing.nothing')}",
     )  # fmt: skip
     words = joined(f"{plain(driver.symbol)} = ", formula("ROUND(value,3)", value=value), after, note)
     page.section(text("drawing.caption"), ["", "", "X", "Y"])
     cell = page.formula(NAME, words, styles.INNER)
-    page.put(CHART_X, -0.97, styles.INNER)
-    page.put(CHART_Y, 0.93, styles.INNER)
-    series = label(page, page.named(cell), page.row, CHART_X, CHART_Y)
+    for col, place in zip((CHART_X, CHART_Y), CAPTION_AT, strict=True):
+        page.put(col, place, styles.INNER)
+    x, y = page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y)
     page.row += 1
-    return Series(series.name, series.x, series.y, show_name=True, label_side="right", label_size=11.0, in_legend=False)
+    return Series(page.named(cell), x, y, show_name=True, label_side="right", label_size=CAPTION, in_legend=False)
 
 
 def _path_chart(page: Page, request: ChartRequest, cells: Mapping[str, PointCells]) -> Chart:
@@ -312,8 +157,18 @@ def _path_chart(page: Page, request: ChartRequest, cells: Mapping[str, PointCell
     plan = page.plan
     names = ", ".join(plain(point) for point in request.paths)
     title = request.title.of(plan.language) if request.title else plan.text("chart.path", points=names)
-    frame = _frame(page, plan.text("drawing.path.frame", points=names), request.paths, PATH_MARGIN)
-    series = _traces(page, frame, request.paths, styles.SERIES, 1.75)
+    places = [[Symbol(f"{point}.{axis}") for point in request.paths] for axis in ("x", "y")]
+    ends = [
+        (page.over_motion(names, LEAST, of_axis), page.over_motion(names, MOST, of_axis)) for of_axis in places
+    ]  # fmt: skip
+    frame = write_frame(page, plan.text("drawing.path.frame", points=names), ends[0], ends[1], PATH_MARGIN)
+    series = []
+    for index, point in enumerate(request.paths):
+        x, y = (
+            SeriesRef(page.title, page.column(f"{head} {plain(point)}", chart(page.read(f"{point}.{axis}"))))
+            for head, axis, chart in (("X", "x", frame.chart_x), ("Y", "y", frame.chart_y))
+        )
+        series.append(Series(plain(point), x, y, line=styles.SERIES[index % len(styles.SERIES)], width=1.75))
     for index, point in enumerate(request.paths):
         page.put(NAME, rich(point), styles.SYMBOL)
         page.formula(CHART_X, frame.chart_x(cells[point].x))

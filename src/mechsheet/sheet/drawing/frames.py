@@ -12,23 +12,25 @@ the size is.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, symbols, transform, walk
 from livesheet.workbook import Area, Axis, Cell, Content, Fill, Series, SeriesRef, Style
+from mechsheet.shapes.colors import INK
+from mechsheet.shapes.forms import BOTTOM, LEFT, LETTERS
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.gaps import chunks_of
-from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.quoted import ALL, formula, joined
+from mechsheet.sheet.quoted import formula, joined
 
-NAME, FIRST, SECOND, CHART_X, CHART_Y, SIXTH, SEVENTH, EIGHTH, NINTH = range(9)
-"""Columns: what it is, its own numbers, and its place in the chart; four more where there is more to say."""
+NAME, FIRST, SECOND, CHART_X, CHART_Y, SIXTH, SEVENTH, EIGHTH, NINTH, NUMBER = range(10)
+"""Columns: what it is, its own numbers, and its place in the chart; five more where there is more to say."""
 
-SWEEP = NINTH + 2
+SWEEP = NUMBER + 2
 """First of the columns that follow the table of positions."""
 
 SAMPLES = 721
@@ -38,24 +40,32 @@ COARSEST = math.radians(1)
 """A path leaves no more than this out between two positions, however many turns the sweep has."""
 
 NUMBER_STYLE = styles.decimals(styles.INNER, 4)
-INK, QUIET = "404040", "9AA0A6"
-
 HIDDEN_AXIS = Axis(low=-1.0, high=1.0, step=0.5, visible=False, gridlines=False)
 
 
 class Page:
-    """Collects the cells of the sheet; `row` is the next free row of the left part, `col` the next free sweep column."""
+    """Collects cells; `row` is the next free row of the left part, `col` the next free sweep column.
 
-    def __init__(self, plan: Plan) -> None:
+    left     the column in which the left part begins
+    letters  how high names in the drawing are, were it as large as that of the first sheet [points]
+    known    what symbols of the list of shapes stand for that are no quantities of the mechanism
+    """
+
+    letters = LETTERS
+
+    def __init__(self, plan: Plan, title: str, left: int = 0, row: int = 0, stride: int = 1) -> None:
         self.plan = plan
-        self.title = plan.at.titles["drawing"]
+        self.title = title
+        self.left = left
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
-        self.row = 0
-        self.col = SWEEP
-        self.stride = stride_of(plan)
+        self.row = row
+        self.col = left + SWEEP
+        self.stride = stride
         self.first = plan.at.first
         self.samples = math.ceil((plan.rows - 1) / self.stride) + 1
+        self._swept: dict[Node, Area] = {}
+        self.known: dict[str, Node] = {}
         if self.stride > 1:
             self._numbers()
 
@@ -64,67 +74,91 @@ class Page:
     def put(self, col: int, content: Content, style: Style = styles.LABEL) -> None:
         """A constant in the present row; an empty text is no cell."""
         if content != "":
-            self.cells.append(Cell(self.row, col, content, style))
+            self.cells.append(Cell(self.row, self.left + col, content, style))
 
-    def formula(self, col: int, node: Node, style: Style = NUMBER_STYLE, row: int | None = None) -> CellRef:
-        """A formula in the present row, or another; its address."""
-        row = self.row if row is None else row
-        self.fills.append(Fill(row, col, node, style))
-        return CellRef(row, col, True, True)
+    def formula(self, col: int, node: Node, style: Style = NUMBER_STYLE, rows: int = 1) -> CellRef:
+        """A formula in the present row, or filled down from there; the address of the first."""
+        self.fills.append(Fill(self.row, self.left + col, node, style, rows=rows))
+        return self.cell(col)
+
+    def cell(self, col: int, row: int | None = None, anchored: bool = True) -> CellRef:
+        """The address of a cell of the left part, in the present row or another."""
+        return CellRef(self.row if row is None else row, self.left + col, anchored, True)
+
+    def column_of(self, col: int, first: int, last: int) -> RangeRef:
+        """Cells of the left part below each other."""
+        return RangeRef(self.cell(col, first), self.cell(col, last))
 
     def section(self, title: str, heads: Sequence[str] = ()) -> None:
         """A heading across the columns, after an empty row."""
         self.row += 1
         self.put(NAME, title, styles.SECTION)
-        for col in range(FIRST, NINTH + 1):
+        for col in range(FIRST, NUMBER + 1):
             head = heads[col - FIRST] if col - FIRST < len(heads) else ""
             self.put(col, head or None, styles.SECTION)
         self.row += 1
 
     def reference(self, first_row: int, col: int, last_row: int | None = None) -> SeriesRef:
         """Cells of a column as a chart reads them."""
+        col += self.left
         return SeriesRef(self.title, Area(first_row, col, first_row if last_row is None else last_row, col))
 
     def named(self, cell: CellRef) -> CellRef:
         """A cell of this sheet as a chart on another one names it."""
         return CellRef(cell.row, cell.col, True, True, self.title)
 
-    # --- the sweep -------------------------------------------------------------------------------------------
+    # --- the motion ------------------------------------------------------------------------------------------
 
     def read(self, symbol: str) -> Node:
         """The quantity (internal units) in the row of the table that a row of a sweep column stands for.
 
         Taken from where people read it: there it is #N/A in rows that do not exist.
         """
-        spot = self.plan.at.spots[symbol]
+        if symbol in self.known:
+            return self.known[symbol]
+        spot = self.plan.at.spots.get(symbol)
+        if spot is None:
+            return self.in_row(self.plan.plain[symbol])
         if not spot.column:
             return self.plan.at.reference(symbol, self.title, None)
-        cell: Node = CellRef(self.first, spot.col, sheet=spot.sheet)
+        cell: Node = CellRef(self.first, spot.col, sheet=self._sheet(spot))
         if self.stride > 1:
-            number = CellRef(self.first, SWEEP, col_abs=True)
-            cell = formula("INDEX(column,number+1)", column=self.column_at(spot), number=number)
+            number = CellRef(self.first, self.left + SWEEP, col_abs=True)
+            cell = formula("INDEX(column,number+1)", column=self.table_column(spot), number=number)
         return Call("RADIANS", (cell,)) if spot.degrees else cell
+
+    def in_row(self, node: Node) -> Node:
+        """A tree over symbols in the row that a row of a sweep column stands for."""
+        return transform(node, lambda part: self.read(part.name) if isinstance(part, Symbol) else al.tidied(part))
+
+    def indexed(self, symbol: str) -> Node:
+        """What stands in a column of the table in the row of the position shown."""
+        position = self.plan.at.cell("#position", self.title, None)
+        column = self.table_column(self.plan.at.spots[symbol])
+        return formula("INDEX(column,position+1)", column=column, position=position)
 
     def at_position(self, symbol: str) -> Node:
         """The quantity (internal units) in the row of the position shown; #N/A where it does not exist."""
         spot = self.plan.at.spots[symbol]
         if not spot.column:
             return self.plan.at.reference(symbol, self.title, None)
-        cell = self.indexed(spot)
-        return Call("RADIANS", (cell,)) if spot.degrees else cell
+        return Call("RADIANS", (self.indexed(symbol),)) if spot.degrees else self.indexed(symbol)
 
-    def indexed(self, spot: Spot) -> Node:
-        """What stands in a column of the table in the row of the position shown."""
-        position = self.plan.at.reference("#position", self.title, None)
-        return formula("INDEX(column,position+1)", column=self.column_at(spot), position=position)
-
-    def column_at(self, spot: Spot) -> RangeRef:
+    def table_column(self, spot: Spot) -> RangeRef:
         """A whole column of the table."""
-        plan = self.plan
+        sheet = self._sheet(spot)
         return RangeRef(
-            CellRef(plan.at.first, spot.col, True, True, spot.sheet),
-            CellRef(plan.at.last, spot.col, True, True, spot.sheet),
+            CellRef(self.plan.at.first, spot.col, True, True, sheet),
+            CellRef(self.last_row, spot.col, True, True, sheet),
         )
+
+    def _sheet(self, spot: Spot) -> str | None:
+        return None if spot.sheet == self.title else spot.sheet
+
+    @property
+    def last_row(self) -> int:
+        """The last row of the table that is looked at."""
+        return self.plan.at.last
 
     def column(self, head: str, node: Node) -> Area:
         """A new sweep column."""
@@ -133,41 +167,79 @@ class Page:
         self.col += 1
         return Area(self.first, self.col - 1, self.first + self.samples - 1, self.col - 1)
 
-    def extremes(self, name: str, symbols: Sequence[str]) -> tuple[Node, Node]:
-        """Smallest and largest of columns over the rows that exist, a row of cells for each stretch of them."""
-        found: list[tuple[CellRef, CellRef]] = []
-        for number in range(1, STRETCHES + 1):
-            rows = [
-                self.plan.at.bind(
-                    formula(f"INDEX(column,_first_{number}):INDEX(column,_last_{number})", column=Symbol(ALL + symbol)),
-                    self.title,
-                )
-                for symbol in symbols
-            ]
-            for part in chunks_of(rows):
-                self.put(NAME, self.plan.text("drawing.stretch", axis=name, number=number))
-                low, high = (
-                    self.formula(col, self.plan.at.bind(formula(
-                        'IF(_stretches<number,"",found)', number=number, found=Call(way, tuple(part))
-                    ), self.title))
-                    for col, way in ((FIRST, "MIN"), (SECOND, "MAX"))
-                )  # fmt: skip
-                found.append((low, high))
-                self.row += 1
-        if not found:
-            return al.ZERO, al.ZERO
-        lows, highs = (RangeRef(found[0][side], found[-1][side]) for side in (0, 1))
-        return formula("MIN(lows)", lows=lows), formula("MAX(highs)", highs=highs)
+    def apart(self) -> None:
+        """Leave a column free: LibreOffice takes long columns side by side as one, and reports a circle where some of them
+        read what follows from others."""
+        self.col += 1
+
+    def over_motion(self, name: str, function: str, nodes: Sequence[Node]) -> Node:
+        """The least or the largest (`LEAST`, `MOST`) of trees over symbols in all rows in which they exist.
+
+        What has a column in the table is taken from there; the rest that moves gets sweep columns.
+        """
+        other = MOST if function == LEAST else LEAST
+        found: list[Node] = []
+        areas: list[Area] = []
+        for node in nodes:
+            match node:
+                case Symbol(symbol) if self._in_table(symbol):
+                    found.append(self._over(function, symbol))
+                case Call("ABS", (Symbol(symbol),)) if function == MOST and self._in_table(symbol):
+                    found += [self._over(function, symbol), al.neg(self._over(other, symbol))]
+                case _ if self.moves(node):
+                    area = self._sweep(name, node)
+                    if areas and areas[-1].last_col == area.first_col - 1:  # one range of columns side by side
+                        area = replace(area, first_col=areas.pop().first_col)
+                    areas.append(area)
+                case _:
+                    found.append(self.in_row(node))
+        for area in areas:
+            corners = ((area.first_row, area.first_col), (area.last_row, area.last_col))
+            found.append(over_rows(function, RangeRef(*(CellRef(row, col, True, True) for row, col in corners))))
+        return self.together(name, function.removesuffix("IFS"), found)
+
+    def _sweep(self, name: str, node: Node) -> Area:
+        if node not in self._swept:
+            self._swept[node] = self.column(name, self.in_row(node))
+        return self._swept[node]
+
+    def _in_table(self, symbol: str) -> bool:
+        spot = self.plan.at.spots.get(symbol)
+        return spot is not None and spot.column
+
+    def moves(self, node: Node) -> bool:
+        """Whether a tree over symbols, or over cells already, reads a column of the table."""
+        plain = self.plan.plain
+        if any(isinstance(part, CellRef) and not part.row_abs for part in walk(node)):
+            return True
+        return any(self._in_table(name) or (name in plain and self.moves(plain[name])) for name in symbols(node))
+
+    def _over(self, function: str, symbol: str) -> Node:
+        spot = self.plan.at.spots[symbol]
+        found = over_rows(function, self.table_column(spot))
+        return Call("RADIANS", (found,)) if spot.degrees else found
+
+    def together(self, name: str, take: str, parts: Sequence[Node]) -> Node:
+        """The least or largest of parts (MIN, MAX); of many in cells of their own."""
+        chunks = chunks_of(list(dict.fromkeys(parts)))
+        if len(chunks) == 1:
+            return chunks[0][0] if len(chunks[0]) == 1 else al.nested(take, chunks[0])
+        first = self.row
+        for chunk in chunks:
+            self.put(NAME, name)
+            self.formula(FIRST, al.nested(take, chunk))
+            self.row += 1
+        return Call(take, (self.column_of(FIRST, first, self.row - 1),))
 
     def _numbers(self) -> None:
         """The table's row numbers that the sweep columns look at; the last one always."""
-        heading = CellRef(self.first - 1, SWEEP, True, True)
+        heading = CellRef(self.first - 1, self.left + SWEEP, True, True)
         number = formula(
             "MIN(stride*(ROW()-ROW(heading)-1),last)", stride=self.stride, heading=heading, last=self.plan.rows - 1
         )
         style = styles.decimals(styles.INNER, 0)
-        self.cells.append(Cell(self.first - 1, SWEEP, self.plan.text("head.number"), styles.HEAD))
-        self.fills.append(Fill(self.first, SWEEP, number, style, rows=self.samples))
+        self.cells.append(Cell(self.first - 1, self.left + SWEEP, self.plan.text("head.number"), styles.HEAD))
+        self.fills.append(Fill(self.first, self.left + SWEEP, number, style, rows=self.samples))
         self.col += 1
 
 
@@ -187,8 +259,8 @@ def stride_of(plan: Plan) -> int:
 class Frame:
     """The square window of a chart: its middle and half its side, and the scale bar in its lower left corner."""
 
-    x: CellRef
-    y: CellRef
+    x: Node
+    y: Node
     half: CellRef
     series: tuple[Series, ...]
 
@@ -210,6 +282,7 @@ def write_frame(
     *,
     unit: str | None = None,
     below: float = 0.0,
+    arrows: Callable[[tuple[Node, Node], float], list[Node]] | None = None,
 ) -> Frame:
     """The rows of a frame around everything between the least and the most of x and of y.
 
@@ -218,32 +291,30 @@ def write_frame(
     more than the margin leaves, everything stands higher, and a window around something high is larger.
     """
     text = page.plan.text
-    page.section(title, [text("drawing.from"), text("drawing.to"), "", text("drawing.middle")])
     above = 1 - 1 / margin
-    raised = max(0.0, below - above) / 2
-    half_side = CellRef(page.row + 2, FIRST, True, True)  # written below
-    middles, sizes = [], []
+    raised = round(max(0.0, below - above) / 2, 3)
+    page.section(title, [text("drawing.from"), text("drawing.to"), "", text("drawing.middle")])
+    middles: list[Node] = []
+    sizes = []
     for name, (low, high) in (("x", x), ("y", y)):
         page.put(NAME, name)
         a, b = page.formula(FIRST, low), page.formula(SECOND, high)
-        middle, size = al.div(al.add(a, b), al.TWO), al.sub(b, a)
-        if name == "y" and raised:
-            middle = al.sub(middle, al.mul(_rounded(raised), half_side))
-            size = al.mul(_rounded((1 - above) / (1 - above - raised)), size)
-        middles.append(page.formula(CHART_Y, middle))
-        sizes.append(size)
+        middles.append(page.formula(CHART_Y, al.div(al.add(a, b), al.TWO)))
+        sizes.append(al.sub(b, a))
         page.row += 1
+    if raised:
+        sizes[1] = al.mul(al.number(round((1 - above) / (1 - above - raised), 3)), sizes[1])
+    room = arrows((middles[0], middles[1]), raised) if arrows is not None else []
     page.put(NAME, text("drawing.half"))
     size = al.nested("MAX", sizes)
-    half = page.formula(FIRST, formula("IF(size>0,part*size,1)", size=size, part=margin / 2))
+    least = formula("IF(size>0,part*size,1)", size=size, part=margin / 2)
+    half = page.formula(FIRST, al.nested("MAX", [least, *room]) if room else least)
+    if raised:
+        lower = al.sub(middles[1], al.mul(al.number(raised), half))
+        middles[1] = page.formula(CHART_Y, lower)
     page.row += 1
     series = _scale_bar(page, half, page.plan.mechanism.length_unit if unit is None else unit)
     return Frame(middles[0], middles[1], half, series)
-
-
-def _rounded(value: float) -> Node:
-    """A share of the window as a short number in a formula."""
-    return al.number(round(value, 3))
 
 
 def longest_bar(room: Node) -> Node:
@@ -283,7 +354,3 @@ def _scale_bar(page: Page, half: CellRef, unit: str) -> tuple[Series, ...]:
         line=INK, width=2.0, in_legend=False,
     )  # fmt: skip
     return bar, name
-
-
-LEFT, BOTTOM = -0.95, -0.95
-"""Where the scale bar starts in the window."""

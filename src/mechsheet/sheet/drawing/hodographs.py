@@ -7,8 +7,9 @@ from dataclasses import replace
 from livesheet.formula import algebra as al
 from livesheet.workbook import Anchor, Chart, Series, SeriesRef
 from mechsheet.model import ChartRequest
+from mechsheet.shapes.colors import INK
 from mechsheet.sheet import styles
-from mechsheet.sheet.drawing.frames import CHART_X, CHART_Y, HIDDEN_AXIS, INK, NAME, Frame, Page, write_frame
+from mechsheet.sheet.drawing.frames import CHART_X, CHART_Y, HIDDEN_AXIS, NAME, Frame, Page, write_frame
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.symbols import plain, rich
 

@@ -17,9 +17,9 @@ from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations
 from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.model import Mechanism
+from mechsheet.shapes.points import remarkable_points
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
-from mechsheet.sheet.drawing.charts import remarkable_points
 from mechsheet.sheet.first.classification import FourBar, classification
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered

@@ -1,0 +1,509 @@
+"""The list of shapes in cells: quantities at the position shown, places, corners, names; each block the same columns filled
+down.
+
+    places    a point, or the frame of a form: its origin (x, y), where that is in the chart (X, Y), and its two vectors
+    corners   of every shape, one a row: a of the first vector and b of the second from the origin of the place with that
+              number,  X = X(place) + (a along.x + b across.x) / half
+
+What the formulas of places have in common, and what they read of the tables, stands above them in cells of its own.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Symbol, Unary, symbols, transform, walk
+from livesheet.workbook import Rich, Series, SeriesRef
+from mechsheet.kinematics.vectors import NOWHERE, Vector
+from mechsheet.shapes.colors import INK
+from mechsheet.shapes.forms import (
+    ARROWS,
+    BAR_RISE,
+    BAR_START,
+    BOTTOM,
+    EDGE,
+    HALF,
+    LEAST,
+    MARGIN,
+    SHAFT,
+    Kind,
+    Mark,
+    Name,
+    Scale,
+    Shape,
+    place_of,
+    room_of_bars,
+    shown,
+)
+from mechsheet.shapes.listing import shapes_of
+from mechsheet.sheet import styles
+from mechsheet.sheet.checks.gaps import chunks_of
+from mechsheet.sheet.drawing.frames import (
+    CHART_X,
+    CHART_Y,
+    EIGHTH,
+    FIRST,
+    NAME,
+    NINTH,
+    NUMBER,
+    NUMBER_STYLE,
+    SECOND,
+    SEVENTH,
+    SIXTH,
+    Frame,
+    Page,
+    longest_bar,
+    write_frame,
+)
+from mechsheet.sheet.drawing.labels import ways_beside
+from mechsheet.sheet.over_rows import LEAST as SMALLEST
+from mechsheet.sheet.over_rows import MOST
+from mechsheet.sheet.plan import ArrowKind
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.symbols import rich
+
+KINDS: dict[ArrowKind, Kind] = {"velocity": "velocity", "acceleration": "acceleration", "forces": "force"}
+"""What the list of shapes calls the arrows that a cell of the first sheet hides."""
+
+COSTLY = ("SQRT", "COS", "SIN", "ABS", "MAX")
+"""Functions whose values have a cell of their own where several formulas read them."""
+
+DIGITS = 3
+"""Of a value beside the name of a force."""
+
+DISC = {"pin": (6, "FFFFFF"), "point": (3, INK)}
+"""How large a disc inside its ring is [points], and its colour."""
+
+
+@dataclass(frozen=True, slots=True)
+class PointCells:
+    """A point at the position shown: its coordinates, and its place in the drawing."""
+
+    x: CellRef
+    y: CellRef
+    chart_x: CellRef
+    chart_y: CellRef
+
+
+@dataclass(frozen=True, slots=True)
+class _Corner:
+    """A row of the block of corners: the shape's name, (a, b), and the number of a place."""
+
+    name: str
+    a: float
+    b: float
+    place: int
+
+
+class Listed:
+    """A list of shapes, written on a page from its present row on.
+
+    frame   the window;  points  the cells of every point;  series  what the chart draws, from back to front
+    """
+
+    def __init__(self, page: Page, besides: Callable[[], Series]) -> None:
+        plan = page.plan
+        self._vectors: list[Kind] = [KINDS[kind] for kind in plan.arrows]
+        found = shapes_of(plan.mechanism, plan.equations.equations, self._vectors)
+        self.page, self.found = page, found
+        self.known: dict[Node, Node] = {}
+        self._numbers: dict[tuple[Vector, Vector, Vector, Node | None], int] = {}
+        self.points: dict[str, PointCells] = {}
+        self._rows: dict[int, tuple[int, int]] = {}
+        self._marked = [_point_at(shape.at) for shape in found.shapes if isinstance(shape, Mark)]
+        self._switches()
+        self._extremes()
+        self.frame = self._window()
+        self._quantities(page.plan.text("drawing.quantities"))
+        corners, named = self._places()
+        self._series = self._corners(corners)
+        paths = self._paths()
+        names = list(self._names(named))
+        bars = [each for number, scale in enumerate(found.scales) for each in self._bar(scale, number)]
+        caption = besides()
+        back, front = self._marks()
+        last = max((n for n, shape in enumerate(found.shapes) if isinstance(shape, Mark)), default=0)
+        behind = [self._series[n] for n, _ in enumerate(found.shapes) if n in self._series and n < last]
+        before = [self._series[n] for n, _ in enumerate(found.shapes) if n in self._series and n > last]
+        self.series = (*back, *paths, *behind, *names, *self.frame.series, caption, *front, *before, *bars)
+
+    # --- what formulas read --------------------------------------------------------------------------------------
+
+    def _switches(self) -> None:
+        plan = self.page.plan
+        for kind in plan.arrows:
+            self.page.known[shown(KINDS[kind]).name] = plan.at.cell(f"#show_{kind}", self.page.title, None)
+
+    def _extremes(self) -> None:
+        """The least and the largest of the motion, each in a cell."""
+        page = self.page
+        if self.found.extremes:
+            page.section(page.plan.text("drawing.over_motion"))
+        for extreme in self.found.extremes:
+            function = SMALLEST if extreme.take == "min" else MOST
+            name = page.plan.text(f"drawing.{extreme.take}", number=len(page.known) + 1)
+            node = page.over_motion(name, function, extreme.of)
+            page.put(NAME, name)
+            page.known[extreme.symbol] = page.formula(FIRST, node)
+            page.row += 1
+
+    def _window(self) -> Frame:
+        """Around everything in all positions; larger where arrows that are shown would leave it."""
+        page, text = self.page, self.page.plan.text
+        ends = []
+        for axis in (0, 1):
+            both = []
+            for function, way in ((SMALLEST, al.sub), (MOST, al.add)):
+                radii = dict.fromkeys(radius for _, radius in self.found.around)
+                parts = [
+                    way(
+                        page.over_motion("xy"[axis], function, [p[axis] for p, r in self.found.around if r == radius]),
+                        page.in_row(radius),
+                    )
+                    for radius in radii
+                ]
+                both.append(page.together("xy"[axis], function.removesuffix("IFS"), parts) if parts else al.ZERO)
+            ends.append((both[0], both[1]))
+        low = room_of_bars(len(self.found.scales))
+        frame = write_frame(page, text("drawing.frame"), ends[0], ends[1], MARGIN, below=low, arrows=self._tips)
+        page.known[HALF.name] = frame.half
+        return frame
+
+    def _tips(self, middle: Vector, raised: float) -> list[Node]:
+        """How large half the side must be so that no arrow ends beyond EDGE: the tip of one at (x, y) lies at
+        x + half p, so  half >= (x - xm) / (EDGE - p)  and  half >= (xm - x) / (EDGE + p).
+
+        middle  of the window, were it not moved down by `raised` half sides
+        """
+        page = self.page
+        page.apart()
+        kinds: dict[str, list[Node]] = {}
+        for shape in self.found.shapes:
+            if not isinstance(shape, Shape) or shape.path != SHAFT or shape.frame is None:
+                continue
+            for axis, (at, way, centre) in enumerate(zip(shape.frame.origin, shape.frame.along, middle, strict=True)):
+                part = transform(way, lambda node: al.ONE if node == HALF else al.tidied(node))
+                part = al.add(part, al.number(raised * axis))
+                holes = {"at": at, "centre": centre, "part": part, "edge": EDGE}
+                parts = kinds.setdefault(shape.kind, [])
+                parts += [formula("(at-centre)/(edge-part)", **holes), formula("(centre-at)/(edge+part)", **holes)]
+        found = []
+        for kind, parts in kinds.items():
+            nodes = [al.nested("MAX", chunk) for chunk in chunks_of([page.in_row(part) for part in parts])]
+            most = page.over_motion(page.plan.text("arrows.room"), MOST, nodes)
+            switch = page.known.get(f"#shown {kind}")
+            page.put(NAME, page.plan.text("arrows.room"))
+            cell = page.formula(FIRST, formula("IFERROR(most,0)", most=most))
+            page.row += 1
+            found.append(cell if switch is None else formula("IF(switch=1,cell,0)", switch=switch, cell=cell))
+        return found
+
+    # --- quantities ----------------------------------------------------------------------------------------------
+
+    def _quantities(self, title: str) -> None:
+        """What the formulas read of the tables, and what several of them have in common."""
+        page, nodes = self.page, list(dict.fromkeys(self._nodes()))
+        page.section(title)
+        start = page.row
+        for name in dict.fromkeys(name for node in nodes for name in symbols(node)):
+            self._need(name)
+        sized = [each for each in (*self.found.shapes, *self.found.names) if not isinstance(each, Mark)]
+        sizes = {each.size for each in sized if each.size is not None}
+        counts = Counter(part for node in nodes for part in set(walk(node)) if _is_costly(part) or part in sizes)
+        parts = [part for part, count in counts.items() if count > 1 or part in sizes]
+        for part in sorted(parts, key=lambda each: sum(1 for _ in walk(each))):
+            page.put(NAME, page.plan.text("drawing.size" if part in sizes else "drawing.part"))
+            bound = self.bound(part)
+            cell = page.formula(FIRST, formula("IFERROR(part,0)", part=bound) if part in sizes else bound)
+            self.known[part] = replace(cell, row_abs=False)
+            page.row += 1
+        if page.row == start:  # nothing below the heading
+            page.put(NAME, page.plan.text("drawing.only_points"))
+            page.row += 1
+
+    def _nodes(self) -> Iterator[Node]:
+        for shape in self.found.shapes:
+            if isinstance(shape, Mark):
+                yield from shape.at
+            elif shape.kind != "path":
+                vectors = shape.corners if shape.frame is None else _vectors(shape)
+                yield from (node for vector in vectors for node in vector)
+                if shape.size is not None:
+                    yield shape.size
+        for name in self.found.names:
+            yield from (*name.at, *(node for node in (name.value, name.size) if node is not None))
+        for scale in self.found.scales:
+            yield scale.most
+
+    def _need(self, name: str) -> None:
+        """A row for a quantity of the table, and for those that one without a cell is found from; points have rows below."""
+        page, spots = self.page, self.page.plan.at.spots
+        symbol = Symbol(name)
+        if symbol in self.known or name in page.known:
+            return
+        if name not in spots:
+            for below in symbols(page.plan.plain[name]):
+                self._need(below)
+            return
+        point, _, axis = name.rpartition(".")
+        if spots[name].column and not (axis in ("x", "y") and point in self._marked):
+            page.put(NAME, rich(name), styles.SYMBOL)
+            self.known[symbol] = replace(page.formula(FIRST, page.at_position(name)), row_abs=False)
+            page.row += 1
+
+    def bound(self, node: Node) -> Node:
+        """A tree over symbols as a formula at the position shown."""
+        if node in self.known:
+            return self.known[node]
+        match node:
+            case Symbol():
+                return self._bound_symbol(node)
+            case Call(name, args):
+                return Call(name, tuple(map(self.bound, args)))
+            case Unary(op, operand):
+                return Unary(op, self.bound(operand))
+            case Binary(op, left, right):
+                return Binary(op, self.bound(left), self.bound(right))
+        return node
+
+    def _bound_symbol(self, symbol: Symbol) -> Node:
+        page = self.page
+        if symbol.name in page.known:
+            return page.known[symbol.name]
+        if symbol.name not in page.plan.at.spots:
+            return self.bound(page.plan.plain[symbol.name])
+        return page.at_position(symbol.name)
+
+    # --- places and corners --------------------------------------------------------------------------------------
+
+    def _places(self) -> tuple[list[_Corner], list[int]]:
+        """The points, then the frames of all forms; returned are the corners that lie in them, and the places of names."""
+        page, text = self.page, self.page.plan.text
+        heads = [
+            "x",
+            "y",
+            "X",
+            "Y",
+            *(text(f"drawing.{key}") for key in ("along.x", "along.y", "across.x", "across.y")),
+        ]
+        page.section(text("drawing.places"), [*heads, text("drawing.number")])
+        self.first_place = page.row
+        for point in self._marked:
+            row = page.row
+            self._place(place_of(point), rich(point))
+            x, y, chart_x, chart_y = (page.cell(col, row) for col in (FIRST, SECOND, CHART_X, CHART_Y))
+            self.points[point] = PointCells(x, y, chart_x, chart_y)
+        found: list[_Corner] = []
+        for index, shape in enumerate(self.found.shapes):
+            if isinstance(shape, Mark) or shape.kind == "path":
+                continue
+            start = len(found)
+            if shape.frame is None:
+                found += [_Corner(shape.name, 0.0, 0.0, self._place(at, shape.name)) for at in shape.corners]
+            else:
+                number = self._place(shape.frame.origin, shape.name, _vectors(shape)[1:], shape.size)
+                found += [_Corner(shape.name, a, b, number) for a, b in shape.path]
+            self._rows[index] = start, len(found) - 1
+        by_origin = {(at, size): number for (at, _, _, size), number in reversed(self._numbers.items())}
+        named = [by_origin.get((each.at, each.size)) or self._place(each.at, each.text, size=each.size)
+                 for each in self.found.names]  # fmt: skip
+        self.last_place = page.row - 1
+        for col, row, chart in ((CHART_X, FIRST, self.frame.chart_x), (CHART_Y, SECOND, self.frame.chart_y)):
+            node = chart(page.cell(row, self.first_place, anchored=False))
+            self._filled(col, node, self.first_place, self.last_place)
+        return found, named
+
+    def _place(
+        self, at: Vector, name: Rich | str, vectors: Sequence[Vector] = (NOWHERE, NOWHERE), size: Node | None = None
+    ) -> int:  # fmt: skip
+        """The number of a place, in a row of its own where there is none yet."""
+        page = self.page
+        along, across = vectors
+        key = at, along, across, size
+        if key not in self._numbers:
+            self._numbers[key] = number = len(self._numbers) + 1
+            page.put(NAME, name, styles.LABEL if isinstance(name, str) else styles.SYMBOL)
+            for col, node in zip((FIRST, SECOND), at, strict=True):
+                cell = page.formula(col, self._if_large(node, size))
+                if isinstance(node, Symbol):
+                    self.known.setdefault(node, replace(cell, row_abs=False))
+            for col, node in zip((SIXTH, SEVENTH, EIGHTH, NINTH), (*along, *across), strict=True):
+                if not al.is_zero(node):
+                    cell = page.formula(col, self._if_large(node, size))
+                    if not isinstance(node, Symbol) and al.value_of(node) is None:
+                        self.known.setdefault(node, replace(cell, row_abs=False))
+            page.put(NUMBER, float(number), styles.decimals(styles.INNER, 0))
+            page.row += 1
+        return self._numbers[key]
+
+    def _if_large(self, node: Node, size: Node | None) -> Node:
+        """A tree at the position shown; of an arrow #N/A while it is too small to be drawn."""
+        bound = self.bound(node)
+        if size is None:
+            return bound
+        return formula("IF(size<least,NA(),bound)", size=self.bound(size), least=LEAST, bound=bound)
+
+    def _filled(self, col: int, node: Node, first: int, last: int) -> None:
+        row, self.page.row = self.page.row, first
+        self.page.formula(col, node, rows=last - first + 1)
+        self.page.row = row
+
+    def _corners(self, corners: Sequence[_Corner]) -> dict[int, Series]:
+        """The block of corners, and by the shape's number the line through its own."""
+        page, text = self.page, self.page.plan.text
+        page.section(text("drawing.shapes"), ["a", "b", "X", "Y", "", "", "", "", text("drawing.number")])
+        start, name = page.row, ""
+        for corner in corners:
+            page.put(NAME, corner.name if corner.name != name else "")
+            name = corner.name
+            for col, part in ((FIRST, corner.a), (SECOND, corner.b)):
+                if part:
+                    page.put(col, round(part, 6), NUMBER_STYLE)
+            page.put(NUMBER, float(corner.place), styles.decimals(styles.INNER, 0))
+            page.row += 1
+        if not corners:
+            return {}
+        holes = {key: page.cell(col, start, anchored=False) for key, col in
+                 (("a", FIRST), ("b", SECOND), ("number", NUMBER))}  # fmt: skip
+        for col, along, across in ((CHART_X, SIXTH, EIGHTH), (CHART_Y, SEVENTH, NINTH)):
+            columns = {
+                key: page.column_of(each, self.first_place, self.last_place)
+                for key, each in (("place", col), ("along", along), ("across", across))
+            }
+            node = formula(
+                "IFERROR(INDEX(place,number)+(a*INDEX(along,number)+b*INDEX(across,number))/half,NA())",
+                half=self.frame.half, **columns, **holes,
+            )  # fmt: skip
+            self._filled(col, node, start, page.row - 1)
+        return self._lines(start)
+
+    def _lines(self, start: int) -> dict[int, Series]:
+        """A line for each shape; the tip of an arrow goes on from its shaft, the mark of a mass centre from its ring."""
+        found: dict[int, Series] = {}
+        before = -1
+        for index, (first, last) in self._rows.items():
+            shape = self.found.shapes[index]
+            assert isinstance(shape, Shape)
+            goes_on = before in found and before == index - 1 and self._belongs(shape, self.found.shapes[before])
+            if goes_on:
+                line = found.pop(before)
+                x, y = (replace(ref, area=replace(ref.area, last_row=start + last)) for ref in (line.x, line.y))
+                found[index] = replace(line, x=x, y=y)
+            else:
+                x, y = (self.page.reference(start + first, col, start + last) for col in (CHART_X, CHART_Y))
+                found[index] = Series(shape.name, x, y, line=shape.color, width=shape.width, in_legend=False)
+            before = index
+        return found
+
+    @staticmethod
+    def _belongs(shape: Shape, before: Shape | Mark) -> bool:
+        return (shape.kind, shape.name) == (before.kind, before.name) and shape.kind in (*ARROWS, "mass")
+
+    # --- what else is drawn --------------------------------------------------------------------------------------
+
+    def _paths(self) -> list[Series]:
+        """The paths of points: two sweep columns each."""
+        page, found = self.page, []
+        page.apart()
+        for shape in self.found.shapes:
+            if isinstance(shape, Shape) and shape.kind == "path":
+                (at,) = shape.corners
+                x = page.column(f"X {shape.name}", self.frame.chart_x(page.in_row(at[0])))
+                y = page.column(f"Y {shape.name}", self.frame.chart_y(page.in_row(at[1])))
+                refs = SeriesRef(page.title, x), SeriesRef(page.title, y)
+                found.append(Series(shape.name, *refs, line=shape.color, width=shape.width, in_legend=False))
+        return found
+
+    def _marks(self) -> tuple[tuple[Series, ...], tuple[Series, ...]]:
+        """Rings at the revolute joints, dots at other points: to be drawn first, and again last.
+
+        Excel draws the last series on top, LibreOffice the first, and without borders round markers: a ring is a light disc
+        on a dark one, and both stand at both ends of the chart's series.
+        """
+        back, front = [], []
+        for kind, (size, inside) in DISC.items():
+            marks = [shape for shape in self.found.shapes if isinstance(shape, Mark) and shape.kind == kind]
+            if not marks:
+                continue
+            first, last = (self.points[_point_at(mark.at)].x.row for mark in (marks[0], marks[-1]))
+            x, y = (self.page.reference(first, col, last) for col in (CHART_X, CHART_Y))
+            name = self.page.plan.text("drawing.points")
+            disc = Series(name, x, y, marker="circle", marker_size=size + 3, in_legend=False)
+            back.append(replace(disc, marker_line=INK, marker_fill=INK))
+            front.append(replace(disc, marker_size=size, marker_line=inside, marker_fill=inside))
+        return (*front, *back), (*back, *front)
+
+    def _names(self, places: Sequence[int]) -> Iterator[Series]:
+        """Names beside their places; where each stands is chosen for the positions of the description's own dimensions."""
+        page, text = self.page, self.page.plan.text
+        if not places:
+            return
+        heads = [text("drawing.name.x"), text("drawing.name.y"), "X", "Y", text("drawing.name.text")]
+        page.section(text("drawing.names"), [*heads, "", "", text("drawing.name"), text("drawing.number")])
+        start = page.row
+        for number, (name, place) in enumerate(zip(self.found.names, places, strict=True), 1):
+            page.put(NAME, name.text)
+            words: str | CellRef = name.text
+            if name.value is not None:
+                words = page.named(page.formula(SIXTH, self._with_value(name), styles.INNER))
+            for col, count in ((NINTH, number), (NUMBER, place)):
+                page.put(col, float(count), styles.decimals(styles.INNER, 0))
+            x, y = page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y)
+            yield Series(words, x, y, show_name=True, label_side="center", in_legend=False)
+            page.row += 1
+        ways = ways_beside(page, self._vectors, page.cell(NINTH, start, anchored=False))
+        for col, chart_col, way in ((FIRST, CHART_X, ways[0]), (SECOND, CHART_Y, ways[1])):
+            self._filled(col, way, start, page.row - 1)
+            origins = page.column_of(chart_col, self.first_place, self.last_place)
+            node = formula(
+                "IFERROR(INDEX(origins,number)+beside,NA())", origins=origins,
+                number=page.cell(NUMBER, start, anchored=False), beside=page.cell(col, start, anchored=False),
+            )  # fmt: skip
+            self._filled(chart_col, node, start, page.row - 1)
+
+    def _with_value(self, name: Name) -> Node:
+        """`name = 12.3 N`."""
+        value = self.bound(name.value or al.ZERO)
+        rounded = formula("ROUND(value,digits-1-INT(LOG10(ABS(value))))", value=value, digits=DIGITS)
+        words = joined(f"{name.text} = ", rounded, f" {name.unit}" if name.unit else "")
+        return formula("IFERROR(words,name)", words=words, name=name.text)
+
+    def _bar(self, scale: Scale, number: int) -> list[Series]:
+        """A scale bar, 1, 2 or 5 times a power of ten long."""
+        page, text = self.page, self.page.plan.text
+        most, switch = self.bound(scale.most), self.bound(scale.shown)
+        page.put(NAME, text("drawing.bar"))
+        room = longest_bar(most)
+        length = page.formula(FIRST, formula("IF(AND(switch=1,most>0),room,NA())", switch=switch, most=most, room=room))
+        height = BOTTOM + BAR_RISE * number
+        start = page.row
+        page.put(CHART_X, BAR_START, NUMBER_STYLE)
+        page.put(CHART_Y, height, NUMBER_STYLE)
+        page.row += 1
+        words = joined(formula("ROUND(length,12)", length=length), f" {scale.unit}" if scale.unit else "")
+        label = page.formula(FIRST, formula('IFERROR(words,"")', words=words), styles.INNER)
+        end = formula("start+length/most*longest", start=BAR_START, length=length, most=most, longest=scale.longest)
+        page.formula(CHART_X, end)
+        page.put(CHART_Y, height, NUMBER_STYLE)
+        page.row += 1
+        x, y = (page.reference(start, col, page.row - 1) for col in (CHART_X, CHART_Y))
+        bar = Series(text("drawing.bar"), x, y, line=scale.color, width=2.0, in_legend=False)
+        at = page.reference(page.row - 1, CHART_X), page.reference(page.row - 1, CHART_Y)
+        return [bar, Series(page.named(label), *at, show_name=True, label_side="right", in_legend=False)]
+
+
+def _point_at(at: Vector) -> str:
+    """The point whose place is at."""
+    return at[0].name.rpartition(".")[0] if isinstance(at[0], Symbol) else ""
+
+
+def _vectors(shape: Shape) -> tuple[Vector, ...]:
+    """Of a shape's frame."""
+    return () if shape.frame is None else (shape.frame.origin, shape.frame.along, shape.frame.across)
+
+
+def _is_costly(node: Node) -> bool:
+    return isinstance(node, Call) and node.name in COSTLY and any(True for _ in symbols(node))
