@@ -54,11 +54,11 @@ def test_joined(parts, expected):
 
 @pytest.fixture
 def at():
-    places = Addresses("names", {}, 3, 9)
+    places = Addresses({}, 3, 9)
     places.spots["a1"] = Spot("Main", 5, 1, name="a_1")
     places.spots["beta"] = Spot("Main", 6, 1, degrees=True, name="beta")
     places.spots["#count"] = Spot("Main", 7, 1)
-    places.spots["theta"] = Spot("Table", 3, 4, column=True, degrees=True)
+    places.spots["theta"] = Spot("Table", 3, 4, 7, degrees=True)
     return places
 
 

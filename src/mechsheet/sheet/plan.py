@@ -273,6 +273,11 @@ class Plan:
         return self.text("status.ok")
 
     @property
+    def named(self) -> bool:
+        """Whether formulas read cells by their names."""
+        return self.mechanism.references == "names"
+
+    @property
     def main(self) -> str:
         """Title of the first sheet."""
         return self.at.titles["mechanism"]
@@ -296,7 +301,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
     values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)
-    at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
+    at = Addresses(titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
     found_of_bands = found_bands(mechanism, equations)
     assignments = with_averaged(
         mechanism, with_bands(mechanism, with_energy(mechanism, lowered(mechanism, equations)), found_of_bands)
@@ -423,7 +428,7 @@ def _place_synthesis(plan: Plan, taken: set[str]) -> None:
     def place(symbol: str, row: int, col: int, degrees: bool, wanted: str) -> None:
         name = safe_name(wanted, taken)
         taken.add(folded(name))
-        plan.at.spots[symbol] = Spot(title, row, col, degrees=degrees, name=name)
+        plan.at.spots[symbol] = Spot(title, row, col, 0, degrees, name, plan.named)
         plan.names.append(Name(name, title, row, col))
 
     plan.synthesis = plan_rows(plan.mechanism, task, bool(plan.found.four_bars), place)
@@ -431,7 +436,7 @@ def _place_synthesis(plan: Plan, taken: set[str]) -> None:
 
 def _spot(plan: Plan, symbol: str, row: int, degrees: bool, name: str, taken: set[str], col: int = VALUE) -> None:
     taken.add(folded(name))
-    plan.at.spots[symbol] = Spot(plan.main, row, col, degrees=degrees, name=name)
+    plan.at.spots[symbol] = Spot(plan.main, row, col, 0, degrees, name, plan.named)
     plan.names.append(Name(name, plan.main, row, col))
 
 
@@ -463,7 +468,7 @@ def _plan_columns(plan: Plan) -> None:
     _plan_iterations(plan)
     plan.rates += _columns_beside(plan, "rates", RATES)
     if plan.rates:
-        plan.at.spots["#rates"] = Spot(plan.at.titles["rates"], plan.at.first, RATES_STATUS, column=True)
+        plan.at.spots["#rates"] = Spot(plan.at.titles["rates"], plan.at.first, RATES_STATUS, plan.rows)
     plan.forces += _columns_beside(plan, "forces", FORCES)
     plan.bands += _columns_beside(plan, "tolerance", BANDS)
 
@@ -479,7 +484,7 @@ def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[Table
         group = 0 if equation.symbol in first else equation.group
         inner = equation.role in INNER
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
-        plan.at.spots[equation.symbol] = Spot(plan.at.titles[key], plan.at.first, col, column=True)
+        plan.at.spots[equation.symbol] = Spot(plan.at.titles[key], plan.at.first, col, plan.rows)
     return columns
 
 
@@ -493,7 +498,7 @@ def _plan_iterations(plan: Plan) -> None:
         passes = system.passes if system else 0
         block = BLOCKS * equation.group + (int(number) if number.isdecimal() else passes + 1)
         plan.iterations.append(TableColumn(col, equation.symbol, "equation", block, True, equation))
-        plan.at.spots[equation.symbol] = Spot(title, plan.at.first, col, column=True)
+        plan.at.spots[equation.symbol] = Spot(title, plan.at.first, col, plan.rows)
     if found:
         _place_starts(plan, title)
 
@@ -505,7 +510,7 @@ def _place_starts(plan: Plan, title: str) -> None:
         system = group.system
         if system is None:
             continue
-        plan.at.spots[f"#needed_{group.number}"] = Spot(title, first, col, column=True)
+        plan.at.spots[f"#needed_{group.number}"] = Spot(title, first, col, plan.rows)
         columns = start_columns(plan.equations, system)
         plan.at.spots[f"#start_{group.number}"] = Spot(title, first, col + 2)
         col += 2 + columns.width
@@ -527,4 +532,4 @@ def _add_column(
     inner = equation is not None and equation.role in INNER
     col = len(plan.columns)
     plan.columns.append(TableColumn(col, symbol, kind, group, inner, equation))
-    plan.at.spots[symbol] = Spot(plan.table, plan.at.first, col, column=True, degrees=degrees)
+    plan.at.spots[symbol] = Spot(plan.table, plan.at.first, col, plan.rows, degrees)

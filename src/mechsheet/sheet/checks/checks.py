@@ -96,7 +96,7 @@ class Checks:
     def _places(self) -> None:
         """Where other sheets find what is here."""
         spots = self.plan.at.spots
-        spots["#begun"] = Spot(self.title, self.first, COUNT_COL, column=True)
+        spots["#begun"] = Spot(self.title, self.first, COUNT_COL, self.plan.rows)
         spots["#typed"] = Spot(self.title, TYPED_ROW, VALUE)
         spots["#rounding"] = Spot(self.title, ROUNDING_ROW, VALUE)
         for index in range(len(self.reasons)):
@@ -105,7 +105,7 @@ class Checks:
             spots[f"#dead_{index}"] = Spot(self.title, self.dead_row + index, VALUE)
         for index, check in enumerate(self.checks):
             if check.kind == "margin":
-                spots[f"#least_{check.group}"] = Spot(self.title, self.first, DATA + index, column=True)
+                spots[f"#least_{check.group}"] = Spot(self.title, self.first, DATA + index, self.plan.rows)
             if check.kind == "crossing":
                 spots[f"#crossed_{check.group}"] = Spot(self.title, self.most_row, DATA + index)
                 spots[f"#crossed_at_{check.group}"] = Spot(self.title, self.at_row, DATA + index)

@@ -98,7 +98,7 @@ def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     further = (equation for equation in equations.columns if equation.role in (*RATES, *FORCES))
     kept |= {name for equation in further for name in equation.reads if name.endswith((".x", ".y"))}
     page = with_averaged(mechanism, lowered(mechanism, equations, kept, drawn))
-    at = Addresses(mechanism.references, titles, 0, 0)
+    at = Addresses(titles, 0, 0)
     plan = PagePlan(
         mechanism, page, language, at, len(values), [float(value) for value in values], classification(mechanism, page),
         page=page, drawn=drawn,
@@ -221,7 +221,7 @@ def _place(
     name = wish if folded(wish) in taken else safe_name(wish, taken)
     taken.add(folded(name))
     plan.names.append(Name(name, plan.main, row, col))
-    plan.at.spots[symbol] = Spot(plan.main, row, col, degrees=degrees, name=name)
+    plan.at.spots[symbol] = Spot(plan.main, row, col, 0, degrees, name, plan.named)
 
 
 # --- the table -------------------------------------------------------------------------------------------------------
@@ -247,4 +247,4 @@ def _plan_table(plan: PagePlan) -> None:
     plan.columns += columns
     for column in columns:
         shown = degrees.get(column.symbol, False)
-        plan.at.spots[column.symbol] = Spot(plan.main, plan.at.first, column.col, column=True, degrees=shown)
+        plan.at.spots[column.symbol] = Spot(plan.main, plan.at.first, column.col, plan.rows, shown)

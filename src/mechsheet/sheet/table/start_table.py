@@ -44,7 +44,7 @@ class StartTable:
     def _spot(self, symbol: str) -> Spot:
         """A column of the table; what is given stands there as it stands where it comes from."""
         degrees = symbol in self.columns.given and self.plan.at.spots[symbol].degrees
-        return Spot(self.title, self.first, self.place[symbol], column=True, degrees=degrees)
+        return Spot(self.title, self.first, self.place[symbol], FIRST_PASSES + 1, degrees)
 
     def _at(self, own: dict[str, Spot]) -> Addresses:
         """All places, columns of other tables in the row at which the start values were found."""
@@ -53,7 +53,7 @@ class StartTable:
             for name, spot in self.plan.at.spots.items()
         }
         at = self.plan.at
-        return Addresses(at.references, at.titles, at.first, at.last, spots | own)
+        return Addresses(at.titles, at.first, at.last, spots | own)
 
     def write(self) -> None:
         """Its headings and all its columns, and the start values."""
