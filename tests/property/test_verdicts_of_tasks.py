@@ -37,9 +37,9 @@ def verdicts(kind, seed, **further):
     session, spots = typed(asked, mechanism)
     found = {}
     for key, spot in spots.items():
-        if key.startswith("#") and spot.sheet == spots[mechanism.synthesis.inputs[0]].sheet and spot.col == VALUE:
+        if key.startswith("does "):
             mark = session.get(cell_address(spot.sheet, spot.row, ROUNDED))
-            found[key[1:]] = mark, session.get(address(spot))
+            found[key.removeprefix("does ")] = mark, session.get(address(spot))
     assert found.keys() >= set(verdicts_of(mechanism.synthesis, four_bar=True)), (
         "a name of another sheet's has taken one"
     )
@@ -54,7 +54,7 @@ def first_sheet(asked):
     if not all(math.isfinite(values[symbol]) for symbol in mechanism.synthesis.ends):
         return None
     session, spots = typed(asked, mechanism)
-    line = spots["#task"]
+    line = spots["task"]
     number, words = (session.get(cell_address(line.sheet, line.row, col)) for col in (VALUE, MEANING))
     title = session.get(cell_address(line.sheet, VERDICT_ROW, SYMBOL))
     return number, words, title, {name: values[symbol] for name, symbol in mechanism.synthesis.results.items()}

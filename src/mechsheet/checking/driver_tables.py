@@ -143,7 +143,7 @@ class _Judge:
     def _start(self, symbol: str) -> float:
         """The angle [rad] near which all columns start; see `CellFormula.start`."""
         plan, branch = self.plan, self.cell.windows[symbol]
-        said, spot = plan.at.spots["#status"], plan.at.spots[symbol]
+        said, spot = plan.places.status, plan.at.spots[symbol]
         first = next(
             (row for row in range(plan.rows) if self.values.get(said.sheet, said.row + row, said.col) == plan.ok), None
         )

@@ -157,7 +157,7 @@ def _table(
         both = Call("ISNUMBER", (Binary("+", found, wanted),))
         alike = Binary("=", Call("ISNUMBER", (found,)), Call("ISNUMBER", (wanted,)))
         # a function has no value where any group comes apart; the table goes on with what does not depend on it
-        apart = Binary("<>", Call("INDEX", (plan.at.column("#status", ""), number)), Text(plan.text("status.ok")))
+        apart = Binary("<>", Call("INDEX", (plan.places.status.whole(), number)), Text(plan.text("status.ok")))
         fine = Call("OR", (apart, alike))
         checked = Call("IF", (both, Call("ABS", (gap,)), Call("IF", (fine, Number(0.0), Call("NA")))))
         at = behind + col - 2

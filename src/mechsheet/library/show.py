@@ -84,7 +84,7 @@ DOUBTS = ("verdict.about", "verdict.beyond", "verdict.rows.only")
 def _single(compiled: Compiled, single: Summary | Output) -> str:
     """`mu_min = 33.89 °`: a summary, or an output of summaries, as the first sheet has it."""
     plan = compiled.plan
-    spot = plan.at.spots[f"#summary {single.symbol}"]
+    spot = plan.places.summaries[single.symbol]
     value, said = compiled.value(spot), str(compiled.value(replace(spot, col=MEANING)))
     if not isinstance(value, float):
         without = plan.text("verdict.boundless") in said

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from placed import places_of
 from swept import four_bar, swept
 
 from mechsheet.checking.searched.against_search import against_search
@@ -45,7 +46,7 @@ def changed(text, **values):
 def shown(mechanism, name):
     """The value of a summary, and its words."""
     compiled = compiled_of(mechanism)
-    spot = compiled.plan.at.spots[f"#summary {name}"]
+    spot = places_of(compiled.plan)[f"summary {name}"]
     return compiled.value(spot), str(compiled.value(replace(spot, col=MEANING)))
 
 
@@ -120,7 +121,7 @@ def test_a_study_says_the_same(rows, more):
         changes = {name: float(found.columns[name][number]) for name in designs.varied}
         compiled = compiled_of(changed(mechanism.text, **changes, **designs.modes))
         for summary in mechanism.summaries:
-            words = compiled.value(replace(compiled.plan.at.spots[f"#summary {summary.symbol}"], col=MEANING))
+            words = compiled.value(replace(places_of(compiled.plan)[f"summary {summary.symbol}"], col=MEANING))
             if "rows only" in words:  # its three probes have not found a limit, which a study finds by halving
                 continue
             assert (SAID in str(words)) == (f"{summary.symbol}{SAID}" in str(remarks[number])), (changes, words)

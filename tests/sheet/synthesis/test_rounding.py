@@ -64,9 +64,9 @@ def test_a_full_turn_that_rounding_loses_is_amber_with_the_exact_margin(asked, m
 def test_that_what_is_asked_is_not_reached_then_is_amber_likewise():
     sheet = Sheet(CRANK_ROCKER)
     assert sheet.said("meets") == (DOUBT, "rounded, it does not reach what is asked; exact it does")
-    assert sheet.spot("#synthesis") == "rounded, it does not reach what is asked; exact it does"
+    assert sheet.spot("synthesis") == "rounded, it does not reach what is asked; exact it does"
     turkish = Sheet(CRANK_ROCKER, "tr")
-    assert turkish.spot("#synthesis") == "yuvarlanınca istenene ulaşamıyor; tam boylarla ulaşıyor"
+    assert turkish.spot("synthesis") == "yuvarlanınca istenene ulaşamıyor; tam boylarla ulaşıyor"
 
 
 @pytest.mark.parametrize("asked", [FUNCTION, GUIDANCE], ids=["function", "guidance"])

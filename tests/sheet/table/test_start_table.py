@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from laid import Laid, template_text
+from placed import places_of
 
 import mechsheet
 from chosen import ALL, IN_CI, ITERATED, first, part
@@ -41,7 +42,7 @@ class Followed:
         self.way = [each for each in equations.all if each.symbol in names or each in equations.constants]
         self.modes = {group.mode: float(group.mode_value) for group in equations.groups}
         begin = [sheet.plan.at.spots[in_pass(name, 0)] for name in (*system.unknowns, system.residual)]
-        status = sheet.plan.at.spots["#status"]
+        status = places_of(sheet.plan)["status"]
         sheet.only(
             *((spot.sheet, spot.row, spot.col) for spot in begin),
             *((status.sheet, status.row + row, status.col) for row in range(sheet.plan.rows)),

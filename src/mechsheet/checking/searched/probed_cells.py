@@ -43,7 +43,7 @@ class Searched:
         self.sheet = "" if extremes == plan.main else moves.now(extremes)  # a page has no probes
         blocks = [plan.blocks[key] for key in ("verdicts", "summary") if key in plan.blocks]
         rows = [(plan.main, row) for block in blocks for row in block.rows.values()]
-        rows.append((plan.main, plan.at.spots["#verdict"].row))
+        rows.append((plan.main, plan.places.verdict.row))
         for line in lines_of(plan):
             if line.summary and line.summary.take.ways:
                 rows += [(plan.at.titles["tolerance"], line.row + part) for part in (0, 1)]

@@ -49,13 +49,13 @@ def judge_summaries(values: Any, judged: SearchedVerdicts, tally: Tally) -> None
 
 
 def _number(values: Any, plan: Plan, symbol: str) -> float:
-    spot = plan.at.spots[f"#summary {symbol}"]
+    spot = plan.places.summaries[symbol]
     found = values.get(spot.sheet, spot.row, spot.col)
     return found if isinstance(found, float) else math.nan
 
 
 def _where(plan: Plan, symbol: str) -> str:
-    spot = plan.at.spots[f"#summary {symbol}"]
+    spot = plan.places.summaries[symbol]
     return f"{cell_address(spot.sheet, spot.row, spot.col)} ({symbol})"
 
 
@@ -65,7 +65,7 @@ def _judge(values: Any, judged: SearchedVerdicts, tally: Tally, summary: Summary
     if not judged.search.count:
         tally.note(math.inf if math.isfinite(number) else 0.0, where, number, "no number")
         return
-    spot = plan.at.spots[f"#summary {summary.symbol}"]
+    spot = plan.places.summaries[summary.symbol]
     words = values.get(spot.sheet, spot.row, MEANING)
     if math.isnan(number) and isinstance(words, str) and plan.text("verdict.boundless") in words:
         tally.note(0.0 if _grows(judged, summary) else math.inf, where, "grows without bound", "an extreme")

@@ -92,7 +92,7 @@ class Limits:
         names = self.plan.names
         name = safe_name(f"limit_{number}", {folded(each.name) for each in names})
         names.append(Name(name, self.probes.title, cell.row, cell.col))
-        self.plan.at.spots[f"#limit_{number}"] = Spot(self.probes.title, cell.row, cell.col, name=name, named=self.plan.named)
+        self.plan.at.spots[f"#limit_{number}"] = Spot(self.probes.title, cell.row, cell.col, name=name)
 
     def of_stretch(self, number: int, work: int) -> CellRef:
         """A cell of a stretch, counted from 1."""

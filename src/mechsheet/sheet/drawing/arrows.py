@@ -219,7 +219,7 @@ def _scale(
     of_arrows  the cells with the largest of each arrow, and with the room that they take
     """
     text = page.plan.text
-    shown = page.plan.at.cell(f"#show_{kind}", page.title, None)
+    shown = page.plan.places.arrows[kind].cell
     page.put(NAME, text("arrows.scale"))
     scale = page.formula(FIRST, formula(
         "IF(AND(shown=1,MAX(sizes)>0),MIN(longest/MAX(sizes),1/MAX(rooms)),NA())", shown=shown, sizes=of_arrows[0],

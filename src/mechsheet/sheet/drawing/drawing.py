@@ -292,7 +292,7 @@ def _caption(page: Page) -> Series:
     row = plan.blocks["position"].rows[driver.symbol]
     value = CellRef(row, VALUE, True, True, plan.main)
     after = behind_number(driver.unit.text)
-    said = page.indexed(plan.at.spots["#status"])
+    said = page.indexed(plan.places.status)
     note = formula(
         'IFERROR(IF(said=ok,""," – "&said),nothing)',
         said=said, ok=text("status.ok"), nothing=f" – {text('drawing.nothing')}",

@@ -14,13 +14,14 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.gaps import chunks_of
-from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.workbook import Area, Axis, Cell, Content, Fill, Series, SeriesRef, Style
@@ -115,8 +116,10 @@ class Page:
 
     def indexed(self, spot: Spot) -> Node:
         """What stands in a column of the table in the row of the position shown."""
-        position = self.plan.at.reference("#position", self.title, None)
-        return formula("INDEX(column,position+1)", column=self.column_at(spot), position=position)
+        position = there(self.plan.places.position).cell
+        return self.plan.at.bind(
+            formula("INDEX(column,position+1)", column=spot.whole(), position=position), self.title
+        )
 
     def column_at(self, spot: Spot) -> RangeRef:
         """A whole column of the table."""
@@ -136,19 +139,18 @@ class Page:
     def extremes(self, name: str, symbols: Sequence[str]) -> tuple[Node, Node]:
         """Smallest and largest of columns over the rows that exist, a row of cells for each stretch of them."""
         found: list[tuple[CellRef, CellRef]] = []
-        for number in range(1, STRETCHES + 1):
-            rows = [
-                self.plan.at.bind(
-                    formula(f"INDEX(column,_first_{number}):INDEX(column,_last_{number})", column=Symbol(ALL + symbol)),
-                    self.title,
-                )
-                for symbol in symbols
-            ]
+        bind, searched = self.plan.at.bind, self.plan.searched
+        for number, stretch in enumerate(searched.stretches, 1):
+            part_of = partial(
+                formula, "INDEX(column,first):INDEX(column,last)", first=stretch.first.cell, last=stretch.last.cell
+            )
+            rows = [bind(part_of(column=Symbol(ALL + symbol)), self.title) for symbol in symbols]
             for part in chunks_of(rows):
                 self.put(NAME, self.plan.text("drawing.stretch", axis=name, number=number))
                 low, high = (
-                    self.formula(col, self.plan.at.bind(formula(
-                        'IF(_stretches<number,"",found)', number=number, found=Call(way, tuple(part))
+                    self.formula(col, bind(formula(
+                        'IF(stretches<number,"",found)', stretches=searched.count.cell, number=number,
+                        found=Call(way, tuple(part)),
                     ), self.title))
                     for col, way in ((FIRST, "MIN"), (SECOND, "MAX"))
                 )  # fmt: skip

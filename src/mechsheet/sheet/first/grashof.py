@@ -16,13 +16,13 @@ SAME = 1e-9
 micrometre in a kilometre, and far more than sums of lengths that were computed are off by rounding."""
 
 
-def excess_of(shortest: Node, longest: Node, total: Node) -> Node:
+def excess_of(plan: Plan, shortest: Node, longest: Node, total: Node) -> Node:
     """Shortest + longest - the other two: below 0 some link turns fully (Grashof), 0 at a change point. #N/A where an
     input cannot be.
     """
     return formula(
-        "IF(_inputs>0,NA(),IF(ABS(2*(shortest+longest)-total)<=same*longest,0,2*(shortest+longest)-total))",
-        shortest=shortest, longest=longest, total=total, same=SAME,
+        "IF(wrong>0,NA(),IF(ABS(2*(shortest+longest)-total)<=same*longest,0,2*(shortest+longest)-total))",
+        wrong=plan.places.inputs.cell, shortest=shortest, longest=longest, total=total, same=SAME,
     )  # fmt: skip
 
 

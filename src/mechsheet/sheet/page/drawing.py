@@ -13,10 +13,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text, Unary, symbols, transform
+from mechsheet.formula.nodes import Call, CellRef, Node, Symbol, Text, Unary, symbols, transform
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.model import ChartRequest, Joint, Link
 from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.degrees import degrees_together
 from mechsheet.sheet.drawing.drawing import DRAWING_INNER, PATH_COLORS
@@ -26,6 +27,7 @@ from mechsheet.sheet.drawing.points import moving_points, pins_of
 from mechsheet.sheet.drawing.shapes import link_color
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan, traced_points
+from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Anchor, Area, Cell, Chart, Column, Content, Fill, Series, SeriesRef
@@ -105,10 +107,6 @@ class PageDrawing:
 
     # --- the row that is drawn --------------------------------------------------------------------------------
 
-    def _table_column(self, symbol: str, last: int) -> RangeRef:
-        spot = self.plan.at.spots[symbol]
-        return RangeRef(CellRef(spot.row, spot.col, True, True), CellRef(last, spot.col, True, True))
-
     def _quantity(self, symbol: str) -> CellRef:
         """A quantity of the table in the row that is drawn, as people read it."""
         if symbol not in self.shown:
@@ -118,9 +116,12 @@ class PageDrawing:
         return self.shown[symbol]
 
     def _indexed(self, symbol: str) -> Node:
-        column = self._table_column(symbol, self.plan.last_looked_at)
-        position = self.plan.at.cell("#position", self.plan.main, None)
-        return formula("INDEX(column,position+1)", column=column, position=position)
+        return self._drawn(self.plan.at.spots[symbol])
+
+    def _drawn(self, spot: Spot) -> Node:
+        plan = self.plan
+        position = plan.at.bind(there(plan.places.position).cell, plan.main)
+        return formula("INDEX(column,position+1)", column=plan.filled(spot), position=position)
 
     def _needed(self) -> None:
         """Every angle and displacement that a corner reads has a row, before the others are written."""
@@ -145,7 +146,7 @@ class PageDrawing:
             spot = at.spots[part.name]
             if not spot.column:
                 return at.reference(part.name, self.plan.main, None)
-            cell: Node = self._indexed(part.name) if part.name.endswith((".x", ".y")) else self._quantity(part.name)
+            cell: Node = self._drawn(spot) if part.name.endswith((".x", ".y")) else self._quantity(part.name)
             return Call("RADIANS", (cell,)) if spot.degrees else cell
 
         return al.tidied(transform(node, change))
@@ -183,7 +184,7 @@ class PageDrawing:
             symbol = f"{point}.{axis}"
             pivot = self._pivot(point)
             if symbol in at.spots and at.spots[symbol].column:
-                column = self._table_column(symbol, plan.last_looked_at)
+                column = plan.filled(plan.at.spots[symbol])
                 lows.append(over_rows(LEAST, column))
                 highs.append(over_rows(MOST, column))
             elif pivot is not None:
@@ -239,7 +240,7 @@ class PageDrawing:
     def _ends(self, symbol: str) -> tuple[CellRef, CellRef, CellRef]:
         """Least, middle and largest of an angle, as people read it."""
         if symbol not in self.swings:
-            column = self._table_column(symbol, self.plan.last_looked_at)
+            column = self.plan.filled(self.plan.at.spots[symbol])
             self._text(NAME, rich(symbol))
             low, high = self._formula(X, over_rows(LEAST, column)), self._formula(Y, over_rows(MOST, column))
             self.swings[symbol] = low, self._formula(MIDDLE, formula("(low+high)/2", low=low, high=high)), high
@@ -255,7 +256,7 @@ class PageDrawing:
             lows.append(value)
             highs.append(value)
             return
-        column = self._table_column(bare.name, self.plan.last_looked_at)
+        column = self.plan.filled(self.plan.at.spots[bare.name])
         ends = [over_rows(way, column) for way in (LEAST, MOST)]
         if sign < 0:
             ends = [al.neg(end) for end in reversed(ends)]
@@ -351,7 +352,7 @@ class PageDrawing:
             return None
         x, y = (self._at_position(node) for node in through_of(mechanism, joint))
         direction = self._at_position(direction_of(mechanism, joint))
-        column = self._table_column(joint.symbol, plan.last_looked_at)
+        column = plan.filled(spot)
         moving = joint.on != mechanism.ground.name
         base = line_end(joint, mechanism)
         name = plan.text("drawing.slot" if moving else "drawing.rail", symbol=plain(joint.symbol))
@@ -420,7 +421,7 @@ class PageDrawing:
         self.row += 1
 
         def extents(axis: str) -> tuple[list[Node], list[Node]]:
-            columns = [self._table_column(f"{point}.v{axis}", plan.last_looked_at) for point in request.hodographs]
+            columns = [plan.filled(plan.at.spots[f"{point}.v{axis}"]) for point in request.hodographs]
             least, most = ([over_rows(way, column) for column in columns] for way in (LEAST, MOST))
             return [al.ZERO, *least], [al.ZERO, *most]
 
@@ -483,7 +484,7 @@ class PageDrawing:
         plan = self.plan
         driver = plan.mechanism.driver
         value = formula("ROUND(value,3)", value=self._quantity(driver.symbol))
-        said = self._indexed("#status")
+        said = self._drawn(plan.places.status)
         words: Node = joined(f"{plain(driver.symbol)} = ", value, behind_number(driver.unit.text), "  ", said)
         nothing: Node = Text(plan.text("drawing.nothing"))
         cell = self._formula(NAME, formula("IFERROR(words,nothing)", words=words, nothing=nothing))

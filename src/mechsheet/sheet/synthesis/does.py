@@ -10,6 +10,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.first.grashof import named
 from mechsheet.sheet.first.transmission import POOR
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.naming import MODE
@@ -90,7 +91,8 @@ class Does:
             condition = formula(test, value=number, **over)
             said = formula("IF(condition,reason,said)", condition=condition, reason=reason, said=said)
         if key not in (INPUTS, UNSOLVED):
-            said = formula("IF(_unsolved>0,none,IFERROR(said,nothing))", said=said, none="–", nothing="–")
+            said = formula("IF(unsolved>0,none,IFERROR(said,nothing))", unsolved=there(page.plan.places.unsolved).cell,
+                           said=said, none="–", nothing="–")  # fmt: skip
         page.formula_across(row, USED, MEANING, said, styles.VERDICT)
         bad, poor = (
             formula(f"IFERROR({test},{otherwise})", value=number, **over)
@@ -270,7 +272,7 @@ class Does:
         rounding keeps the input link from turning fully."""
         page, plan = self.page, self.page.plan
         loop = plan.found.four_bars[0]
-        excess = plan.at.cell(f"#grashof_{loop.group}", page.title, None)
+        excess = plan.places.excess(loop.group).cell
         row = plan.blocks["verdicts"].rows[f"grashof_{loop.group}"]
         said = CellRef(row, FIRST_SHEET_WORDS, True, True, plan.main)
         opened, change = (

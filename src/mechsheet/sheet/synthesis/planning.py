@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from mechsheet.model import Dimension, Mechanism, Synthesis
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.synthesis.rows import BOTH_CHARTS, CHART_ROWS, FIRST_ROW, LINE_ROW, SYMBOL, VALUE, Rows
 from mechsheet.synthesis.kinds import kind_of
 
@@ -20,8 +21,8 @@ GRASHOF = "grashof"
 WINDOW = ("x", "y", "half")
 """The middle of the figure and half its side."""
 
-Place = Callable[[str, int, int, bool, str], None]
-"""Gives a symbol its cell: (symbol, row, column, in degrees, wanted name)."""
+Place = Callable[[int, int, bool, str], Spot]
+"""Gives a name to a cell: (row, column, in degrees, wanted name)."""
 
 
 def verdicts_of(task: Synthesis, four_bar: bool) -> tuple[str, ...]:
@@ -29,8 +30,11 @@ def verdicts_of(task: Synthesis, four_bar: bool) -> tuple[str, ...]:
     return (INPUTS, UNSOLVED, *(key for key in kind_of(task).verdicts if four_bar or key != GRASHOF))
 
 
-def plan_rows(mechanism: Mechanism, task: Synthesis, four_bar: bool, place: Place) -> Rows:
-    """The rows of the sheet; every input and step of the task, and what is said of it, gets its cell.
+def plan_rows(
+    mechanism: Mechanism, task: Synthesis, four_bar: bool, place: Place
+) -> tuple[Rows, dict[str, Spot], Spot, Spot]:
+    """The rows of the sheet; every input and step of the task, and what is said of it, gets its cell: the cells of these by
+    their symbols, that of the line under the title, and that of `UNSOLVED`.
 
     four_bar  whether the first sheet says of a loop what kind of four-bar it is
     """
@@ -48,14 +52,14 @@ def plan_rows(mechanism: Mechanism, task: Synthesis, four_bar: bool, place: Plac
     rows.block("figure", (*WINDOW, *_numbers(sum(len(line.vertices) for line in kind.figure(task)))))
     if curve is not None:
         rows.block("curve", _numbers(curve.rows))
+    spots = {}
     for block, symbols in (("task", task.inputs), ("solution", task.steps)):
         for symbol in symbols:
             dim = by_symbol[symbol]
-            place(symbol, rows.of[block, symbol], VALUE, dim.unit.in_degrees, dim.cell or symbol)
-    place("#synthesis", LINE_ROW, SYMBOL, False, "synthesis")
-    for key in verdicts:
-        place(f"#{key}", rows.of["does", key], VALUE, False, key)
-    return rows
+            spots[symbol] = place(rows.of[block, symbol], VALUE, dim.unit.in_degrees, dim.cell or symbol)
+    line = place(LINE_ROW, SYMBOL, False, "synthesis")
+    said = {key: place(rows.of["does", key], VALUE, False, key) for key in verdicts}
+    return rows, spots, line, said[UNSOLVED]
 
 
 def _numbers(count: int) -> tuple[str, ...]:

@@ -48,8 +48,8 @@ def part_of(quantity: str, part: str) -> str:
 
 
 def tolerance_symbol(dimension: str) -> str:
-    """Where a dimension's tolerance stands, as people read it."""
-    return f"#tolerance {dimension}"
+    """The symbol of a dimension's tolerance, which is as people read it."""
+    return f"tolerance {dimension}"
 
 
 @dataclass(frozen=True, slots=True)

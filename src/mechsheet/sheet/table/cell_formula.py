@@ -157,7 +157,7 @@ class CellFormula:
         """The angle [rad] near which all columns start: that of the table of positions in the first row that exists, carried
         back to the first row; with no such row what it is with the dimensions as described."""
         plan, window = self.plan, self.windows[symbol]
-        row = formula("MATCH(ok,said,0)", ok=plan.ok, said=plan.at.column("#status", self.title))
+        row = formula("MATCH(ok,said,0)", ok=plan.ok, said=plan.places.status.whole(self.title))
         angle = self._there(symbol, row)
         if window.slope:
             there = self._there(self.driver.symbol, row)

@@ -213,7 +213,9 @@ class Helpers:
         plan = self.plan
         turns: Node | None = None
         if may_leave_out(plan):
-            turns = formula("AND(_whole=2,COUNT(column)=rows)", column=self.column, rows=self.of_rows)
+            turns = formula(
+                "AND(whole=2,COUNT(column)=rows)", whole=plan.searched.whole.cell, column=self.column, rows=self.of_rows
+            )
         return mean_of_motion(plan.mechanism.driver, self.column, [(self.column, NUMBERS)], turns)
 
     def _wraps(self) -> CellRef | None:
@@ -225,7 +227,8 @@ class Helpers:
             return self._line("wraps", "0")
         of, column = self.table.summary.of, self.column
         meet = ends_meet(self.plan, of, self.found.unit(of), column, (column.start, column.end))
-        return self._line("wraps", "IFERROR(IF(AND(COUNT(column)=rows,meet),_whole,0),0)", rows=self.of_rows, meet=meet)
+        return self._line("wraps", "IFERROR(IF(AND(COUNT(column)=rows,meet),whole,0),0)", rows=self.of_rows, meet=meet,
+                          whole=self.plan.searched.whole.cell)  # fmt: skip
 
     def _extreme(self, way: Way, wraps: CellRef | None, style: Style) -> CellRef:
         """The rows of the smallest or largest value; the last of them has it."""
