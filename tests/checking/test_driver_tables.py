@@ -15,7 +15,7 @@ from mechsheet.description import Overrides, loads
 from mechsheet.engine import evaluate
 from mechsheet.exporting.workbooks import functions_workbook
 from mechsheet.formula.nodes import Binary, Number, transform
-from mechsheet.sheet.table.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
+from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 
 TEMPLATES = Path(__file__).parents[2] / "templates"
 

@@ -16,8 +16,7 @@ from mechsheet.reference.synthesis import functions, guidance
 from mechsheet.reference.synthesis.results import Given, crank_of, pairs
 from mechsheet.sheet.plan import MEANING, SYMBOL, VERDICT_ROW
 from mechsheet.sheet.synthesis.does import NO
-from mechsheet.sheet.synthesis.planning import verdicts_of
-from mechsheet.sheet.synthesis.rows import ROUNDED, VALUE
+from mechsheet.sheet.task_rows import ROUNDED, VALUE, verdicts_of
 from mechsheet.synthesis.kinds import KINDS
 from synthesis_tasks import description, task
 

@@ -3,9 +3,9 @@
 from dataclasses import fields
 
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.synthesis.rows import VALUE
-from mechsheet.sheet.table.bands import ROOT, WORST
+from mechsheet.sheet.columns.bands import ROOT, WORST
 from mechsheet.sheet.table.tolerance import lines_of
+from mechsheet.sheet.task_rows import VALUE
 
 
 def places_of(plan):

@@ -13,7 +13,7 @@ from mechsheet.exporting.kinds import KINDS
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
 from mechsheet.reference import solve as refer
-from mechsheet.sheet.table.lowering import lowered
+from mechsheet.sheet.columns.lowering import lowered
 
 HEAD = """
 format = 1

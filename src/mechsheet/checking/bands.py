@@ -23,8 +23,8 @@ from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.rates.sensitivity import by_symbol, toleranced
 from mechsheet.model import WAYS
+from mechsheet.sheet.columns.bands import ROOT, WORST, part_of, tolerance_symbol
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.table.bands import ROOT, WORST, part_of, tolerance_symbol
 from mechsheet.sheet.table.tolerance import Line, lines_of
 
 EIGHT = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}

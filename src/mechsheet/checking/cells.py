@@ -14,8 +14,8 @@ from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import ErrorValue, Scalar, shifted
 from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.lengths import is_length
+from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.table.requested import tables_of
 from mechsheet.units import turn
 
 Compared = Literal["value", "error", "nothing"]

@@ -28,11 +28,11 @@ from mechsheet.formula.references import cell_address
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import runs_of, without_jumps
 from mechsheet.kinematics.sweep import DISTINCT, distinct, poses_in, sweep
+from mechsheet.sheet.asked.cell_formula import CellFormula
+from mechsheet.sheet.asked.requested import tables_of
+from mechsheet.sheet.asked.summary_table import SummaryTable
+from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW, Table
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.table.cell_formula import CellFormula
-from mechsheet.sheet.table.requested import tables_of
-from mechsheet.sheet.table.summary_table import SummaryTable
-from mechsheet.sheet.table.two_way import FIRST, HEAD_ROW, Table
 
 Mask = NDArray[np.bool_]
 

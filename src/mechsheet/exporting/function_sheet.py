@@ -11,8 +11,8 @@ from mechsheet.exporting.routines import Source
 from mechsheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
 from mechsheet.model import Words
 from mechsheet.sheet import styles
-from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.workbook import Area, Cell, Column, Conditional, Fill, Merge, PrintSetup, Sheet

@@ -23,9 +23,9 @@ from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import TableRequest, Words
 from mechsheet.said import say
 from mechsheet.sheet import styles
+from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.table.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 from mechsheet.sheet.workbook import Area, Cell, Conditional, Fill, Module, Sheet, Workbook
 from mechsheet.units import Unit
 

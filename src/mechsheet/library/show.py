@@ -23,9 +23,9 @@ from mechsheet.library.building import told
 from mechsheet.library.recalculation import json_value
 from mechsheet.library.verdicts import verdict
 from mechsheet.model import TIME, Mechanism, Output, Rack, Relation, Summary, energy_unit, inertia_unit
-from mechsheet.sheet.first.blocks import unit_of_column
+from mechsheet.sheet.columns.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.plan import MEANING
-from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
+from mechsheet.sheet.shown import unit_of_column
 from mechsheet.sheet.workbook import Workbook
 from mechsheet.synthesis.writing import says
 from mechsheet.units import NUMBER, behind_number, unit_of

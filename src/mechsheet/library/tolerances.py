@@ -12,9 +12,9 @@ from mechsheet.description.reader import with_settings
 from mechsheet.library.building import told
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.first.blocks import shown_unit
+from mechsheet.sheet.columns.bands import ROOT, WORST
 from mechsheet.sheet.plan import MEANING
-from mechsheet.sheet.table.bands import ROOT, WORST
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.table.tolerance import lines_of
 from mechsheet.units import behind_number
 

@@ -16,8 +16,8 @@ from mechsheet.kinematics.search import Search
 from mechsheet.library.building import told
 from mechsheet.model import Mechanism
 from mechsheet.said import say
-from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import MEANING, TOLERANCE
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.units import behind_number
 from mechsheet.words.messages import text_in
 

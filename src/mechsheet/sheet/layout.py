@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism
+from mechsheet.sheet.asked.requested import table_sheets
 from mechsheet.sheet.checks.checks import Checks, checks_sheet
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.checks.keyed import hand_in, handed_out
@@ -21,7 +22,6 @@ from mechsheet.sheet.table.forces import forces_sheet
 from mechsheet.sheet.table.iterations import iterations_sheet
 from mechsheet.sheet.table.positions import positions_sheet
 from mechsheet.sheet.table.rates import rates_sheet
-from mechsheet.sheet.table.requested import table_sheets
 from mechsheet.sheet.table.tolerance import Tolerance
 from mechsheet.sheet.workbook import Cell, Column, Properties, Sheet, Workbook
 

@@ -27,15 +27,14 @@ from mechsheet.kinematics.rates.sensitivity import NO_BANDS, Sensitivities, tole
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
-from mechsheet.sheet.first.classification import Classification, classification
+from mechsheet.sheet.classification import Classification, classification
+from mechsheet.sheet.columns.averaged import with_averaged
+from mechsheet.sheet.columns.bands import Banded, found_bands, sizes, tolerance_symbol, with_bands
+from mechsheet.sheet.columns.flywheel import MEAN, with_energy
+from mechsheet.sheet.columns.lowering import Assignment, Assignments, in_pass, lowered
+from mechsheet.sheet.columns.start_columns import start_columns
 from mechsheet.sheet.places import Checked, Places, Searched, Starts, there
-from mechsheet.sheet.synthesis.planning import plan_rows
-from mechsheet.sheet.synthesis.rows import Rows
-from mechsheet.sheet.table.averaged import with_averaged
-from mechsheet.sheet.table.bands import Banded, found_bands, sizes, tolerance_symbol, with_bands
-from mechsheet.sheet.table.flywheel import MEAN, with_energy
-from mechsheet.sheet.table.lowering import Assignment, Assignments, in_pass, lowered
-from mechsheet.sheet.table.start_columns import start_columns
+from mechsheet.sheet.task_rows import Rows, plan_rows
 from mechsheet.sheet.workbook import Name
 from mechsheet.synthesis.kinds import kind_of
 from mechsheet.words.workbook import Language, words
@@ -43,8 +42,8 @@ from mechsheet.words.workbook import Language, words
 ROW_COUNT = Symbol("#rows")
 """`Places.rows` by its key: see `checks/keyed`."""
 
-SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
-"""Columns of the blocks on the first sheet."""
+SYMBOL, VALUE, UNIT, TOLERANCE, MEANING, MARGIN, CHARTS = range(7)
+"""Columns of the blocks on the first sheet, the narrow one beside them, and the first one of the charts."""
 
 VERDICT_ROW, LEGEND_ROW = 1, 2
 """Rows of the first sheet under its title: what is to be said of the mechanism, and what the colours mean."""

@@ -13,9 +13,9 @@ from mechsheet.compiled import Compiled
 from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import load
 from mechsheet.formula.nodes import ErrorValue
-from mechsheet.sheet.table.requested import tables_of
+from mechsheet.sheet.asked.requested import tables_of
+from mechsheet.sheet.asked.two_way import FIRST
 from mechsheet.sheet.table.tolerance import lines_of
-from mechsheet.sheet.table.two_way import FIRST
 
 HOEKEN = Path(__file__).parents[3] / "templates/hoeken.toml"
 

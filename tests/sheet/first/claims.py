@@ -22,8 +22,8 @@ from mechsheet.kinematics.rates.sensitivity import toleranced
 from mechsheet.kinematics.search import TURN
 from mechsheet.sheet.checks.geometry import distance
 from mechsheet.sheet.checks.limits import STRETCHES
-from mechsheet.sheet.first.grashof import named
 from mechsheet.sheet.first.verdicts import closes_in_all
+from mechsheet.sheet.grashof import named
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.symbols import plain
 from mechsheet.words.equations import link_words

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from mechsheet.formula.scalar import evaluate
-from mechsheet.sheet.first.blocks import input_validation
+from mechsheet.sheet.shown import input_validation
 from mechsheet.sheet.workbook import Area
 
 PLAN = SimpleNamespace(equations=SimpleNamespace(positive={"a1"}), text=lambda key, **parts: (key, *parts.values()))

@@ -9,9 +9,9 @@ from mechsheet.compiled.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
 from mechsheet.engine import evaluate
+from mechsheet.sheet.asked.two_way import FIRST
 from mechsheet.sheet.page.layout import lay_out_page
 from mechsheet.sheet.plan import VALUE
-from mechsheet.sheet.table.two_way import FIRST
 from mechsheet.studies.designs import Designs
 
 FOUR_BAR = """

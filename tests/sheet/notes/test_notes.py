@@ -9,7 +9,7 @@ from laid import ROOT, TEMPLATES, Laid, template_text
 from chosen import some
 from mechsheet.formula.nodes import Binary, Call, CellRef, Number, Previous, RangeRef, Symbol, Text, walk
 from mechsheet.formula.parser import parse_description
-from mechsheet.sheet.notes.mathematics import written
+from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.notes.notes import EQUATION, MEANING, PLACE, SYMBOL, WIDTHS
 from mechsheet.sheet.workbook import Rich
 from mechsheet.words.workbook import WORDS

@@ -8,8 +8,7 @@ from mechsheet.formula.nodes import CellRef
 from mechsheet.formula.printer import print_formula
 from mechsheet.sheet.synthesis.does import DOUBT, YES, Does
 from mechsheet.sheet.synthesis.page import Page
-from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
-from mechsheet.sheet.synthesis.rows import ROUNDED, USED, VALUE
+from mechsheet.sheet.task_rows import INPUTS, ROUNDED, UNSOLVED, USED, VALUE
 
 
 @pytest.fixture(scope="module")

@@ -4,8 +4,8 @@ import pytest
 from laid import Laid
 
 from mechsheet.sheet.synthesis.does import DOUBT, NO, YES
-from mechsheet.sheet.synthesis.rows import ROUNDED, USED
 from mechsheet.sheet.synthesis.tables import exact_column
+from mechsheet.sheet.task_rows import ROUNDED, USED
 from synthesis_tasks import description
 
 CRANK_ROCKER = {"kind": "dead-centres", "psi": 59.1, "a1": 25.6, "phi": 166.4, "a2": 11.51, "round": 1}

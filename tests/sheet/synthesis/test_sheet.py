@@ -3,8 +3,7 @@
 import pytest
 from laid import Laid, template_text
 
-from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
-from mechsheet.sheet.synthesis.rows import REMARK, USED
+from mechsheet.sheet.task_rows import INPUTS, REMARK, UNSOLVED, USED
 from mechsheet.words.synthesis import STEPS
 
 TEXT = template_text("crank-rocker-swing")

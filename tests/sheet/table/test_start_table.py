@@ -14,8 +14,8 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.newton.leading import leading
 from mechsheet.kinematics.newton.system import CLOSED, refined
 from mechsheet.kinematics.numeric import evaluate_equation
+from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.plan import MEANING
-from mechsheet.sheet.table.lowering import in_pass
 from random_mechanisms import Grower
 
 CHANGES = 150 if ALL else 40 if IN_CI else 16

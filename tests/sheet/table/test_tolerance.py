@@ -15,8 +15,8 @@ from mechsheet.diagnostics import MechanismError
 from mechsheet.engine import evaluate
 from mechsheet.formula.printer import print_formula
 from mechsheet.model import Tolerances
+from mechsheet.sheet.columns.bands import ROOT, WORST
 from mechsheet.sheet.plan import MEANING
-from mechsheet.sheet.table.bands import ROOT, WORST
 from mechsheet.sheet.table.tolerance import lines_of
 
 TEMPLATES = Path(__file__).parents[3] / "templates"

@@ -14,8 +14,8 @@ from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Scalar
 from mechsheet.formula.references import cell_address
 from mechsheet.said import say
+from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.plan import TOLERANCE, VALUE
-from mechsheet.sheet.table.requested import tables_of
 
 Key = tuple[str | int, ...]
 """Where a value belongs: ("dimensions", "a2"), ("tolerance", "a2"), ("mode", "mode_1"), ("driver", "start"),

@@ -19,12 +19,12 @@ from mechsheet.checking.searched.against_search import against_search
 from mechsheet.formula.book import Book
 from mechsheet.formula.nodes import Direction, Scalar, Symbol
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.asked.requested import tables_of
+from mechsheet.sheet.asked.summary_table import SummaryTable
+from mechsheet.sheet.asked.two_way import FIRST
+from mechsheet.sheet.columns.lowering import FITS
 from mechsheet.sheet.plan import BLOCKS, Plan
-from mechsheet.sheet.table.lowering import FITS
-from mechsheet.sheet.table.requested import tables_of
-from mechsheet.sheet.table.summary_table import SummaryTable
 from mechsheet.sheet.table.tolerance import lines_of
-from mechsheet.sheet.table.two_way import FIRST
 
 Find = Callable[[str, int, int], Scalar]
 """The value of a cell by sheet, row and column."""

@@ -17,8 +17,8 @@ from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.model import Output, Summary
-from mechsheet.sheet.first.blocks import unit_of_column
 from mechsheet.sheet.plan import MEANING, Plan
+from mechsheet.sheet.shown import unit_of_column
 
 EXACT, ABOUT = 1e-4, 5e-2
 """So much of its range a value may be off; and where the sheet marks it as about right."""

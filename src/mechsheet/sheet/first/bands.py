@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.sheet import styles
-from mechsheet.sheet.first.blocks import Writer, shown_unit
+from mechsheet.sheet.columns.bands import ROOT, WORST, part_of
+from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE
 from mechsheet.sheet.quoted import ALL, formula, joined
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.bands import ROOT, WORST, part_of
 from mechsheet.sheet.table.tolerance import Line, Tolerance, shown_line
 from mechsheet.units import behind_number
 

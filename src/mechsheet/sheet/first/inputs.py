@@ -145,8 +145,3 @@ def red_where_wrong(plan: Plan, nowhere: Node | None) -> list[Conditional]:
     if nowhere is not None:
         rules.append(red(plan.blocks["position"].rows["position"], nowhere))
     return rules
-
-
-def while_inputs_can_be(plan: Plan, value: Node) -> Node:
-    """A value that asks nothing of the inputs by itself; #N/A where one of them cannot be."""
-    return formula("IF(wrong>0,NA(),value)", wrong=plan.places.inputs.cell, value=value)

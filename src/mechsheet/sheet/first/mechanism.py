@@ -9,17 +9,20 @@ from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
+from mechsheet.sheet.columns.bands import tolerance_symbol
+from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.first.bands import band_here, write_bands
-from mechsheet.sheet.first.blocks import MEANING_WIDTH, Writer, input_validation, shown_unit, value_style
+from mechsheet.sheet.first.blocks import MEANING_WIDTH, Writer, value_style
 from mechsheet.sheet.first.given import given_words, words_of
-from mechsheet.sheet.first.inputs import while_inputs_can_be
 from mechsheet.sheet.first.summaries import write_summaries
 from mechsheet.sheet.first.verdicts import write_verdicts
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import (
+    CHARTS,
     DRIVER,
     INPUT_BLOCKS,
     LEGEND_ROW,
+    MARGIN,
     MEANING,
     SYMBOL,
     TOLERANCE,
@@ -29,10 +32,10 @@ from mechsheet.sheet.plan import (
     Plan,
 )
 from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.shown import input_validation, shown_unit
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.bands import tolerance_symbol
-from mechsheet.sheet.table.lowering import in_pass
 from mechsheet.sheet.table.positions import places, places_of
+from mechsheet.sheet.table.status import while_inputs_can_be
 from mechsheet.sheet.table.tolerance import Tolerance
 from mechsheet.sheet.workbook import (
     Anchor,
@@ -46,12 +49,6 @@ from mechsheet.sheet.workbook import (
     Validation,
 )
 from mechsheet.sheet.wrapping import ROW_HEIGHT
-
-MARGIN = MEANING + 1
-"""The narrow column between the blocks and the charts."""
-
-CHARTS = MARGIN + 1
-"""The first column of the charts."""
 
 MOST_OF_CONTROL = 30_000
 """The highest number that a scroll bar or spin button reaches."""

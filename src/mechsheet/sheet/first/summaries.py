@@ -8,10 +8,11 @@ from mechsheet.model import WAYS, Output, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
 from mechsheet.sheet.checks.same_angle import same_angle
-from mechsheet.sheet.first.blocks import Writer, shown_unit, unit_of_column, value_style
+from mechsheet.sheet.first.blocks import Writer, value_style
 from mechsheet.sheet.over_rows import first_row, last_row, mean_of_rows
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
+from mechsheet.sheet.shown import shown_unit, unit_of_column
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.workbook import Area, Conditional

@@ -18,12 +18,11 @@ from mechsheet.sheet.checks.efforts import AGREES
 from mechsheet.sheet.checks.extremes import Extremes, about, about_turns, where_bounded
 from mechsheet.sheet.checks.gaps import misfits_of
 from mechsheet.sheet.checks.limits import LIMITS
+from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs, task
 from mechsheet.sheet.first.blocks import Writer
-from mechsheet.sheet.first.classification import FourBar
-from mechsheet.sheet.first.grashof import excess_of, in_summary, named, turning_types, type_of
-from mechsheet.sheet.first.transmission import acute, from_to, poor_limit, some_poor
+from mechsheet.sheet.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.over_rows import but_first, but_last
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW, Plan
@@ -31,6 +30,7 @@ from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.start_table import assemblies_lost
+from mechsheet.sheet.transmission import acute, from_to, poor_limit, some_poor
 from mechsheet.sheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.units import behind_number
 from mechsheet.units import turn as whole_turn

@@ -14,7 +14,7 @@ from mechsheet.formula.derivatives import derivative
 from mechsheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.kinematics.closures import Loop, Vector
 from mechsheet.model import rate_symbols
-from mechsheet.sheet.notes.mathematics import Part, written
+from mechsheet.sheet.mathematics import Part, written
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.workbook import Rich

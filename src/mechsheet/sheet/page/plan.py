@@ -17,12 +17,12 @@ from mechsheet.model import Mechanism
 from mechsheet.said import say
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
+from mechsheet.sheet.classification import FourBar, classification
+from mechsheet.sheet.columns.averaged import with_averaged
 from mechsheet.sheet.drawing.charts import remarkable_points
-from mechsheet.sheet.first.classification import FourBar, classification
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.places import Places
 from mechsheet.sheet.plan import SHEETS, UNIT, VALUE, VERDICT_ROW, Block, Plan, TableColumn
-from mechsheet.sheet.table.averaged import with_averaged
 from mechsheet.sheet.workbook import Name
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.workbook import words

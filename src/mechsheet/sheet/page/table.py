@@ -11,20 +11,19 @@ from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.driving import by_time, driver_after, rows_before, time_after
-from mechsheet.sheet.first.blocks import shown_unit
-from mechsheet.sheet.first.inputs import while_inputs_can_be
-from mechsheet.sheet.notes.mathematics import written
+from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.page.plan import PagePlan
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.quoted import SHOWN, formula
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import (
     group_headings,
     places,
     places_of,
 )
-from mechsheet.sheet.table.status import first_open, links_of, undetermined
+from mechsheet.sheet.table.status import first_open, links_of, undetermined, while_inputs_can_be
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style, plain_text
 from mechsheet.units import SECONDS
 

@@ -10,20 +10,21 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.model import WAYS, Summary, Synthesis
 from mechsheet.sheet import styles
+from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.first import inputs, task
-from mechsheet.sheet.first.blocks import input_validation, unit_of_column, value_style
-from mechsheet.sheet.first.classification import FourBar
+from mechsheet.sheet.first.blocks import value_style
 from mechsheet.sheet.first.given import given_words
-from mechsheet.sheet.first.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.first.transmission import angle_words, poor_limit, some_poor
+from mechsheet.sheet.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, over_rows
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.shown import input_validation, unit_of_column
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
+from mechsheet.sheet.transmission import angle_words, poor_limit, some_poor
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit, turn

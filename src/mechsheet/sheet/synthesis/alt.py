@@ -26,10 +26,10 @@ from itertools import cycle
 
 from mechsheet.formula.nodes import Call, CellRef, Node
 from mechsheet.sheet import styles
-from mechsheet.sheet.first.transmission import POOR
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.naming import Naming
+from mechsheet.sheet.transmission import POOR
 from mechsheet.sheet.workbook import (
     Anchor,
     Area,

@@ -7,18 +7,17 @@ from collections.abc import Mapping, Sequence
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, RangeRef, Text
 from mechsheet.sheet import styles
-from mechsheet.sheet.first.grashof import named
-from mechsheet.sheet.first.transmission import POOR
+from mechsheet.sheet.grashof import named
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.naming import MODE
 from mechsheet.sheet.synthesis.page import Page
-from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
-from mechsheet.sheet.synthesis.rows import LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.sensitivity import largest
 from mechsheet.sheet.synthesis.tables import MU, curve_columns, exact_column, has_points, sensitivity_columns
+from mechsheet.sheet.task_rows import INPUTS, LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, UNSOLVED, USED, VALUE
+from mechsheet.sheet.transmission import POOR
 from mechsheet.sheet.workbook import Area, Conditional
 from mechsheet.units import behind_number
 

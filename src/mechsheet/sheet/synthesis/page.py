@@ -9,7 +9,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.synthesis.naming import MODE, Naming
-from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, USED, VALUE, Rows
+from mechsheet.sheet.task_rows import MEANING, REMARK, ROUNDED, SYMBOL, USED, VALUE, Rows
 from mechsheet.sheet.workbook import Area, Cell, Chart, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.synthesis.kinds import kind_of
 

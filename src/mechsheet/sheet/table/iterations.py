@@ -12,9 +12,9 @@ from mechsheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.equations import Group, System
 from mechsheet.kinematics.newton.system import SETTLED
 from mechsheet.sheet import styles
+from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.plan import BLOCKS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.table.lowering import in_pass
 from mechsheet.sheet.table.positions import FORMULA_ROW, SYMBOL_ROW
 from mechsheet.sheet.table.rates import sheet_beside
 from mechsheet.sheet.table.start_table import StartTable

@@ -17,16 +17,15 @@ from mechsheet.formula.nodes import (
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses
+from mechsheet.sheet.columns.bands import HEADINGS, ROOT, WORST
 from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.driving import by_time, driver_after, rows_before, time_after
-from mechsheet.sheet.first.inputs import while_inputs_can_be
-from mechsheet.sheet.notes.mathematics import written
+from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.bands import HEADINGS, ROOT, WORST
-from mechsheet.sheet.table.status import status
+from mechsheet.sheet.table.status import status, while_inputs_can_be
 from mechsheet.sheet.workbook import (
     Area,
     Cell,

@@ -15,11 +15,11 @@ from mechsheet.kinematics.newton.leaving import STEADY, trends
 from mechsheet.kinematics.newton.system import FIRST_PASSES, LED, SETTLED
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses, Spot
+from mechsheet.sheet.columns.start_columns import begun, start_columns
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import FORMULA_ROW, GROUP_ROW, SYMBOL_ROW, places_of
-from mechsheet.sheet.table.start_columns import begun, start_columns
 from mechsheet.sheet.workbook import Area, Cell, Content, Fill, Merge, Style
 from mechsheet.units import DEG
 

@@ -33,6 +33,11 @@ def status(plan: Plan) -> Node:
     return formula("INDEX(reasons,first_open)", reasons=plan.checked.reasons, first_open=first_open(tests))
 
 
+def while_inputs_can_be(plan: Plan, value: Node) -> Node:
+    """A value that asks nothing of the inputs by itself; #N/A where one of them cannot be."""
+    return formula("IF(wrong>0,NA(),value)", wrong=plan.places.inputs.cell, value=value)
+
+
 def first_open(closing: Sequence[Node]) -> Node:
     """The number of the first group that is open, from 1; one more than there are where all close.
 

@@ -16,12 +16,12 @@ from mechsheet.formula.nodes import CellRef, Node, RangeRef, Symbol
 from mechsheet.model import WAYS, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.columns.bands import QUANTITIES, ROOT, WORST, part_of
 from mechsheet.sheet.over_rows import MOST, first_row, last_row, mean_of_rows, over_rows
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import RATES_DRIVER, RATES_STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.bands import QUANTITIES, ROOT, WORST, part_of
 from mechsheet.sheet.table.positions import style_of
 from mechsheet.sheet.table.rates import sheet_beside
 from mechsheet.sheet.workbook import Cell, Fill, Sheet, Style

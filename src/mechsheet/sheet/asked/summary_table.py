@@ -15,18 +15,18 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, transform
 from mechsheet.model import WAYS, Dimension, Quantity, Summary, TableRequest, Way
 from mechsheet.sheet import styles
+from mechsheet.sheet.asked.cell_formula import Blocks, CellFormula, helper_blocks
+from mechsheet.sheet.asked.two_way import CORNER_ROW, FIRST, HEAD_ROW, NAME_ROW, Body, Table, bracketed
 from mechsheet.sheet.checks import rivals
 from mechsheet.sheet.checks.extremes import SETTLED
 from mechsheet.sheet.checks.parabolas import BESIDE, PROBES, vertex_of
 from mechsheet.sheet.driving import driver_at
-from mechsheet.sheet.first.blocks import input_validation, shown_unit
 from mechsheet.sheet.over_rows import ENDS, NUMBERS, ends_meet, may_leave_out, mean_of_motion
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
 from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.shown import input_validation, shown_unit
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.cell_formula import Blocks, CellFormula, helper_blocks
 from mechsheet.sheet.table.positions import places
-from mechsheet.sheet.table.two_way import CORNER_ROW, FIRST, HEAD_ROW, NAME_ROW, Body, Table, bracketed
 from mechsheet.sheet.workbook import Area, Axis, Cell, Column, Conditional, Fill, Style
 
 

@@ -1,13 +1,51 @@
-"""Where the cells of a synthesis stand: called while the workbook is planned, so that formulas everywhere find them."""
+"""Where the cells of a synthesis stand, before any of them is written."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, field
 
 from mechsheet.model import Dimension, Mechanism, Synthesis
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.synthesis.rows import BOTH_CHARTS, CHART_ROWS, FIRST_ROW, LINE_ROW, SYMBOL, VALUE, Rows
 from mechsheet.synthesis.kinds import kind_of
+
+TITLE_ROW, LINE_ROW, HINT_ROW = range(3)
+
+FIRST_ROW = 4
+"""The row of the first block's heading."""
+
+SYMBOL, VALUE, UNIT, ROUNDED, USED, MEANING, REMARK = range(7)
+"""Columns. Equations stand across ROUNDED to MEANING; the remarks beside them, under the charts."""
+
+CHARTS = REMARK
+"""The column of the charts, which stand beside the task, one below the other: so the sheet is as wide as a page."""
+
+CHART_ROWS, BOTH_CHARTS = 19, 32
+"""Rows that the figure covers, and it with the curve below it."""
+
+
+@dataclass
+class Rows:
+    """Rows by block and entry.
+
+    heads  block -> the row of its heading;  of: (block, entry) -> its row
+    """
+
+    heads: dict[str, int] = field(default_factory=dict)
+    of: dict[tuple[str, str], int] = field(default_factory=dict)
+    next_row: int = FIRST_ROW
+
+    def block(self, key: str, entries: tuple[str, ...], head_rows: int = 1) -> None:
+        """Reserve rows for a block: its heading, its entries, one empty row."""
+        self.heads[key] = self.next_row
+        for index, entry in enumerate(entries):
+            self.of[key, entry] = self.next_row + head_rows + index
+        self.next_row += head_rows + len(entries) + 1
+
+    def not_before(self, row: int) -> None:
+        """The next block begins at this row or below it."""
+        self.next_row = max(self.next_row, row)
+
 
 INPUTS = "task_inputs"
 """The first verdict: the number of the first input that cannot be, 0 where all can."""

@@ -5,9 +5,9 @@ from __future__ import annotations
 from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.model import TableRequest
 from mechsheet.said import say
+from mechsheet.sheet.asked.summary_table import SummaryTable
+from mechsheet.sheet.asked.two_way import Table
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.table.summary_table import SummaryTable
-from mechsheet.sheet.table.two_way import Table
 from mechsheet.sheet.workbook import Sheet
 
 

@@ -14,10 +14,10 @@ from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import MAX_COLUMNS, Call, CellRef, Node, Symbol
 from mechsheet.kinematics.angle_branch import WINDOWED, branches_of, reading_taken, taken_near
 from mechsheet.sheet import styles
+from mechsheet.sheet.asked.expansion import LIMITS, definitions, expand, needed, varying
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.expansion import LIMITS, definitions, expand, needed, varying
 from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.workbook import Cell, Fill
 from mechsheet.units import ANGLE, Unit

@@ -29,8 +29,8 @@ from mechsheet.kinematics.rates.sensitivity import (
 )
 from mechsheet.model import Mechanism
 from mechsheet.said import say
+from mechsheet.sheet.columns.lowering import Assignment, Assignments, guarded
 from mechsheet.sheet.quoted import SHOWN, formula
-from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded
 from mechsheet.units import LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from mechsheet.formula.nodes import Node
-from mechsheet.sheet.first.classification import FourBar
+from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.words.equations import link_words

@@ -13,7 +13,7 @@ from mechsheet.description import loads
 from mechsheet.engine import compile_book
 from mechsheet.formula.nodes import ErrorValue
 from mechsheet.sheet import styles
-from mechsheet.sheet.table.two_way import FIRST, HEAD_ROW
+from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW
 
 ROOT = Path(__file__).parents[3]
 

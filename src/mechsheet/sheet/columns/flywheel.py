@@ -11,8 +11,8 @@ from dataclasses import replace
 
 from mechsheet.formula.nodes import Node, Previous, Symbol
 from mechsheet.model import ENERGY, Mechanism, energy_unit
+from mechsheet.sheet.columns.lowering import Assignment, Assignments
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.table.lowering import Assignment, Assignments
 from mechsheet.units import Unit
 from mechsheet.words.equations import phrase
 

@@ -16,7 +16,7 @@ from mechsheet.formula.book import BookBuilder
 from mechsheet.formula.nodes import Call, CellRef, ErrorValue, Symbol, walk
 from mechsheet.formula.printer import print_formula
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.table.lowering import angle_by_sides, lowered, sine_side
+from mechsheet.sheet.columns.lowering import angle_by_sides, lowered, sine_side
 
 NA = ErrorValue("#N/A")
 FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
