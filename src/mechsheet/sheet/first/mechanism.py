@@ -66,7 +66,7 @@ def mechanism_sheet(
     controls: tuple[Control, ...],
 ) -> Sheet:
     """The sheet, with the charts and controls that others have made for it."""
-    writer = Writer(plan)
+    writer = Writer(plan, plan.main)
     mechanism = plan.mechanism
     writer.put(0, 0, mechanism.title.of(plan.language), styles.TITLE)
     source = mechanism.source.of(plan.language)

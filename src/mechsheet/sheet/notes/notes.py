@@ -7,6 +7,7 @@ from mechsheet.formula.references import cell_name, column_letters
 from mechsheet.kinematics.equations import BANDS, FORCES, RATES
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.columns.lowering import Assignment
 from mechsheet.sheet.first.given import words_of
 from mechsheet.sheet.mathematics import Part, symbol_parts, written
@@ -14,7 +15,7 @@ from mechsheet.sheet.notes.loops import LoopRates
 from mechsheet.sheet.plan import HIDDEN, STATUS, Plan
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.positions import column_unit, group_title, mathematics
-from mechsheet.sheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
+from mechsheet.sheet.workbook import Cell, Column, Content, PrintSetup, Rich, Sheet, Style
 from mechsheet.sheet.wrapping import wrapped_lines
 from mechsheet.units import DEG, NUMBER
 from mechsheet.words.equations import body_words, link_words
@@ -70,7 +71,7 @@ def notes_sheet(plan: Plan) -> Sheet:
     page.links()
     page.equations()
     return Sheet(
-        plan.at.titles["notes"],
+        page.title,
         tuple(page.cells),
         columns=tuple(Column(col, col, width) for col, width in enumerate(WIDTHS)),
         row_heights=tuple(sorted(page.heights.items())),
@@ -81,14 +82,11 @@ def notes_sheet(plan: Plan) -> Sheet:
     )
 
 
-class _Page:
+class _Page(Cells):
     """The sheet, line by line."""
 
     def __init__(self, plan: Plan) -> None:
-        self.plan = plan
-        self.cells: list[Cell] = []
-        self.merges: list[Merge] = []
-        self.heights: dict[int, float] = {}
+        super().__init__(plan, plan.at.titles["notes"])
         self.row = 0
 
     def text(self, key: str, **parts: object) -> str:
@@ -101,7 +99,7 @@ class _Page:
         """A line of cells, as high as its longest text needs."""
         lines = 1
         for col, content in contents.items():
-            self.cells.append(Cell(self.row, col, content, style))
+            self.put(self.row, col, content, style)
             lines = max(lines, wrapped_lines(content, WIDTHS[col]))
         if lines > 1:
             self.heights[self.row] = LINE * lines + 4
@@ -109,8 +107,8 @@ class _Page:
 
     def across(self, text: str, style: Style) -> None:
         """A text over all columns."""
-        self.cells.append(Cell(self.row, SYMBOL, text, style))
-        self.merges.append(Merge(Area(self.row, SYMBOL, self.row, PLACE)))
+        self.put(self.row, SYMBOL, text, style)
+        self.merge(self.row, SYMBOL, PLACE)
         lines = wrapped_lines(text, sum(WIDTHS))
         self.heights[self.row] = max(LINE * lines + (4 if lines > 1 else 0), style.size * 1.6)
         self.row += 1
@@ -183,9 +181,9 @@ class _Page:
         """A sample of each colour beside its meaning."""
         self.heading(self.text("colours"))
         for key, style in COLOURS:
-            self.cells.append(Cell(self.row, SYMBOL, self.text(f"sample.{key}"), styles.centred(style)))
-            self.cells.append(Cell(self.row, UNIT, self.text(f"colour.{key}"), styles.NOTE_TEXT))
-            self.merges.append(Merge(Area(self.row, UNIT, self.row, PLACE)))
+            self.put(self.row, SYMBOL, self.text(f"sample.{key}"), styles.centred(style))
+            self.put(self.row, UNIT, self.text(f"colour.{key}"), styles.NOTE_TEXT)
+            self.merge(self.row, UNIT, PLACE)
             self.row += 1
 
     def links(self) -> None:
@@ -335,8 +333,8 @@ class _Page:
 
     def _group(self, title: str) -> None:
         for col in range(PLACE + 1):
-            self.cells.append(Cell(self.row, col, title if col == SYMBOL else None, styles.HEAD_LEFT))
-        self.merges.append(Merge(Area(self.row, SYMBOL, self.row, PLACE)))
+            self.put(self.row, col, title if col == SYMBOL else None, styles.HEAD_LEFT)
+        self.merge(self.row, SYMBOL, PLACE)
         self.row += 1
 
     def _dimensions(self) -> None:

@@ -10,6 +10,7 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.model import WAYS, Summary, Synthesis
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.first import inputs, task
@@ -25,7 +26,7 @@ from mechsheet.sheet.shown import input_validation, unit_of_column
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.transmission import angle_words, poor_limit, some_poor
-from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
+from mechsheet.sheet.workbook import Area, Comment, Conditional, Content, Fill, Merge, Style, Validation
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit, turn
 
@@ -35,7 +36,7 @@ SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 SOURCE = replace(styles.SUBTITLE, name="", valign="center", indent=1)
 
 
-class Top:
+class Top(Cells):
     """Collects the cells of the top; the table, the drawing and the charts have their own.
 
     room     pixels of the columns that say what a line is
@@ -43,14 +44,9 @@ class Top:
     """
 
     def __init__(self, plan: PagePlan, room: int) -> None:
-        self.plan, self.room = plan, room
-        self.heights: dict[int, float] = {}
-        self.cells: list[Cell] = []
-        self.fills: list[Fill] = []
-        self.merges: list[Merge] = []
-        self.validations: list[Validation] = []
-        self.comments: list[Comment] = []
-        self.conditionals: list[Conditional] = []
+        super().__init__(plan, plan.main)
+        self.plan: PagePlan = plan
+        self.room = room
         self._title()
         self._dimensions()
         self._sweep()
@@ -61,14 +57,6 @@ class Top:
         self._summaries()
 
     # --- small things -----------------------------------------------------------------------------------------
-
-    def put(self, row: int, col: int, content: Content, style: Style) -> None:
-        """A constant."""
-        self.cells.append(Cell(row, col, content, style))
-
-    def fill(self, row: int, col: int, node: Node, style: Style) -> None:
-        """A formula over symbols."""
-        self.fills.append(Fill(row, col, self.plan.at.bind(node, self.plan.main), style))
 
     def line(self, row: int, symbol: Content, unit: str | None, meaning: str | Node) -> None:
         """All of a line but its value (and its unit, when that is a formula: None)."""
@@ -81,10 +69,10 @@ class Top:
             if lines > 1:
                 self.heights[row] = height_of(lines)
         else:
-            self.fill(row, MEANING, meaning, styles.LABEL_SAID)
+            self.formula(row, MEANING, meaning, styles.LABEL_SAID)
         for col in range(MEANING + 1, LAST + 1):
             self.put(row, col, None, styles.LABEL)
-        self.merges.append(Merge(Area(row, MEANING, row, LAST)))
+        self.merge(row, MEANING, LAST)
 
     def column(self, symbol: str) -> RangeRef:
         """The cells of a column, and those below that a person may fill."""
@@ -219,9 +207,9 @@ class Top:
         self.line(row, "n", None, plan.text("page.rows"))
         self._inputs(rows["inputs"], self._there())
         count = formula('COUNTIFS(filled,numbers,said,"")', filled=filled, numbers=NUMBERS, said=said)
-        self.fill(row, VALUE, count, styles.decimals(styles.RESULT, 0))
+        self.formula(row, VALUE, count, styles.decimals(styles.RESULT, 0))
         of_rows = f'"{plan.text("page.of")}"0'
-        self.fill(row, UNIT, Call("COUNT", (filled,)), styles.numbered(styles.UNIT, of_rows))
+        self.formula(row, UNIT, Call("COUNT", (filled,)), styles.numbered(styles.UNIT, of_rows))
         if plan.found.task is not None:
             self._task(rows["task"], rows["task_miss"], plan.found.task)
         for loop in plan.found.four_bars:
@@ -234,7 +222,7 @@ class Top:
         """The number of the first yellow cell that cannot be; it is red."""
         plan = self.plan
         self.line(row, plan.text("verdict.inputs"), "", plan.text("page.inputs"))
-        self.fill(row, VALUE, inputs.first_wrong(plan), styles.decimals(styles.RESULT, 0))
+        self.formula(row, VALUE, inputs.first_wrong(plan), styles.decimals(styles.RESULT, 0))
         no_position = plan.at.bind(Call("NOT", (there,)), plan.main)
         self.conditionals += inputs.red_where_wrong(plan, no_position if plan.drawn else None)
 
@@ -246,8 +234,8 @@ class Top:
         )
         self.line(row_of_miss, plan.text("verdict.task"), "", plan.text("verdict.task.miss"))
         miss = formula("IFERROR(most,NA())", most=task.most_missed(plan, asked))
-        self.fill(row_of_miss, VALUE, miss, styles.numbered(styles.RESULT, "0.0E+00"))
-        self.fill(row, VALUE, task.wrong(plan, asked), styles.decimals(styles.RESULT, 0))
+        self.formula(row_of_miss, VALUE, miss, styles.numbered(styles.RESULT, "0.0E+00"))
+        self.formula(row, VALUE, task.wrong(plan, asked), styles.decimals(styles.RESULT, 0))
         area, words = Area(row, MEANING, row, LAST), CellRef(row, MEANING, True, True)
         doubt = task.doubtful(plan, words)
         self.conditionals.append(Conditional(area, formula("count>0", count=count), styles.BAD))
@@ -282,7 +270,7 @@ class Top:
         self.line(row, loop.name, plan.mechanism.length_unit, words)
         self.comments.append(Comment(row, SYMBOL, plan.text("notes.use.grashof")))
         value = excess_of(plan, shortest, longest, total)
-        self.fill(row, VALUE, value, value_style(plan, "length"))
+        self.formula(row, VALUE, value, value_style(plan, "length"))
 
     def _length(self, key: str, length: Node) -> Node:
         """A length without the bars that its sign does not need; one that is no dimension has a cell."""
@@ -310,7 +298,7 @@ class Top:
         self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=words))
         self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=plan.places.closed.cell, least=least)
-        self.fill(row, VALUE, value, value_style(plan, "angle"))
+        self.formula(row, VALUE, value, value_style(plan, "angle"))
 
     def _line_under_the_title(self) -> None:
         """Whether it closes in the rows of the table, its type, its transmission; or that an input is none."""
@@ -347,7 +335,7 @@ class Top:
             doubts = task.doubtful(plan, met)
         good = formula("IF(n=0,nowhere,good)", n=count, good=closes, nowhere=text("page.verdict.nowhere"))
         words = inputs.words(plan, wrong, there, good)
-        self.fill(VERDICT_ROW, SYMBOL, words, styles.LINE)
+        self.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))
         for test, style in (
@@ -378,7 +366,7 @@ class Top:
         row = plan.blocks["summary"].rows[symbol]
         self.line(row, rich(symbol), unit.text, plan.text("page.take.rows", label=label))
         found = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=plan.places.closed.cell, value=value)
-        self.fill(row, VALUE, found, value_style(plan, unit.kind))
+        self.formula(row, VALUE, found, value_style(plan, unit.kind))
 
     def _taken(self, summary: Summary) -> Node:
         """Over the rows in which the quantity has a value."""

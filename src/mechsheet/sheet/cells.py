@@ -1,0 +1,33 @@
+"""What is put on a sheet, one cell after the other: every writer of a sheet collects it so."""
+
+from __future__ import annotations
+
+from mechsheet.formula.nodes import Node
+from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
+
+
+class Cells:
+    """The cells of a sheet with such a title, and what belongs to them."""
+
+    def __init__(self, plan: Plan, title: str) -> None:
+        self.plan, self.title = plan, title
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self.merges: list[Merge] = []
+        self.validations: list[Validation] = []
+        self.conditionals: list[Conditional] = []
+        self.comments: list[Comment] = []
+        self.heights: dict[int, float] = {}
+
+    def put(self, row: int, col: int, content: Content, style: Style) -> None:
+        """A constant."""
+        self.cells.append(Cell(row, col, content, style))
+
+    def formula(self, row: int, col: int, node: Node, style: Style, rows: int = 1) -> None:
+        """A formula over symbols and places, filled down."""
+        self.fills.append(Fill(row, col, self.plan.at.bind(node, self.title), style, rows=rows))
+
+    def merge(self, row: int, first: int, last: int) -> None:
+        """Cells side by side that are shown as one."""
+        self.merges.append(Merge(Area(row, first, row, last)))
