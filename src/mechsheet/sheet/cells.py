@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from mechsheet.formula.nodes import Node
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
@@ -27,6 +29,17 @@ class Cells:
     def formula(self, row: int, col: int, node: Node, style: Style, rows: int = 1) -> None:
         """A formula over symbols and places, filled down."""
         self.fills.append(Fill(row, col, self.plan.at.bind(node, self.title), style, rows=rows))
+
+    def takes(
+        self, row: int, col: int, kind: Literal["decimal", "whole", "list"], title: str, message: str,
+        operator: Literal["between", ">="] = "between", low: Node | None = None, high: Node | None = None,
+        choices: tuple[str, ...] = (), stop: bool = True,
+    ) -> None:  # fmt: skip
+        """What may be typed into a cell, as it is said before and after."""
+        area = Area(row, col, row, col)
+        self.validations.append(
+            Validation(area, kind, operator, low, high, choices, title, message, title, message, stop)
+        )
 
     def merge(self, row: int, first: int, last: int) -> None:
         """Cells side by side that are shown as one."""

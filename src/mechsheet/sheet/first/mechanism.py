@@ -150,17 +150,9 @@ def _dimensions(writer: Writer) -> None:
         read = tolerance_symbol(dim.symbol) in plan.at.spots
         writer.put(row, TOLERANCE, dim.tolerance, styles.INPUT if read else styles.UNIT)
         if read:
-            writer.validations.append(_tolerance_validation(plan, row))
+            title, message = plan.text("hint.tolerance.title"), plan.text("hint.tolerance")
+            writer.takes(row, TOLERANCE, "decimal", title, message, ">=", Number(0.0))
         writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), dim.symbol))
-
-
-def _tolerance_validation(plan: Plan, row: int) -> Validation:
-    """A tolerance is not negative."""
-    title, message = plan.text("hint.tolerance.title"), plan.text("hint.tolerance")
-    return Validation(
-        Area(row, TOLERANCE, row, TOLERANCE), "decimal", ">=", Number(0.0), error_title=title, error_message=message,
-        input_title=title, input_message=message,
-    )  # fmt: skip
 
 
 def _from_synthesis(writer: Writer, dim: Dimension, row: int) -> None:
@@ -275,17 +267,8 @@ def _assembly(writer: Writer) -> None:
             writer.formula(row, VALUE, plan.at.bind(mode, plan.main), styles.RESULT)
             continue
         writer.put(row, VALUE, float(group.mode_value), styles.INPUT)
-        writer.validations.append(
-            Validation(
-                Area(row, VALUE, row, VALUE),
-                "list",
-                choices=tuple(str(value) for value in group.mode_values),
-                input_title=plan.text("hint.mode.title"),
-                input_message=_mode_hint(plan, group),
-                error_title=plan.text("hint.mode.title"),
-                error_message=_mode_hint(plan, group),
-            )
-        )
+        choices = tuple(str(value) for value in group.mode_values)
+        writer.takes(row, VALUE, "list", plan.text("hint.mode.title"), _mode_hint(plan, group), choices=choices)
 
 
 def _mode_hint(plan: Plan, group: Group) -> str:
@@ -334,17 +317,8 @@ def _position(writer: Writer) -> None:
     number = plan.at.bind(joined(before, formula("rows-1", rows=plan.places.rows.cell), after), plan.main)
     writer.formula(rows["position"], MEANING, number, styles.LABEL_SAID)
     writer.put(rows["position"], VALUE, float(plan.first_existing), styles.INPUT)
-    writer.validations.append(
-        Validation(
-            Area(rows["position"], VALUE, rows["position"], VALUE),
-            "list",
-            low=there(plan.places.number).whole(plan.main),
-            input_title=plan.text("hint.position.title"),
-            input_message=plan.text("hint.position", last=last),
-            error_title=plan.text("hint.position.title"),
-            error_message=plan.text("hint.position", last=last),
-        )
-    )
+    title, message = plan.text("hint.position.title"), plan.text("hint.position", last=last)
+    writer.takes(rows["position"], VALUE, "list", title, message, low=there(plan.places.number).whole(plan.main))
     writer.line(rows[driver.symbol], rich(driver.symbol), driver.unit.text, plan.text("position.driver"))
     writer.formula(
         rows[driver.symbol],
@@ -360,12 +334,7 @@ def _position(writer: Writer) -> None:
         writer.line(row, plan.text("name.arrows"), "", plan.text(f"position.show_{kind}"))
         writer.put(row, VALUE, 1.0, styles.INPUT)
         title, message = plan.text(f"arrows.{kind}"), plan.text(f"position.show_{kind}")
-        writer.validations.append(
-            Validation(
-                Area(row, VALUE, row, VALUE), "list", choices=("1", "0"), input_title=title, input_message=message,
-                error_title=title, error_message=message,
-            )
-        )  # fmt: skip
+        writer.takes(row, VALUE, "list", title, message, choices=("1", "0"))
 
 
 def _variables(writer: Writer) -> None:

@@ -26,7 +26,7 @@ from mechsheet.sheet.shown import input_validation, unit_of_column
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.transmission import angle_words, poor_limit, some_poor
-from mechsheet.sheet.workbook import Area, Comment, Conditional, Content, Fill, Merge, Style, Validation
+from mechsheet.sheet.workbook import Area, Comment, Conditional, Content, Fill, Merge, Style
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit, turn
 
@@ -149,12 +149,7 @@ class Top(Cells):
                                                              plus=plus, minus=minus))  # fmt: skip
                 self.put(row, VALUE, float(group.mode_value), styles.INPUT)
                 title, message = plan.text("hint.mode.title"), plan.text("hint.mode")
-                self.validations.append(
-                    Validation(
-                        Area(row, VALUE, row, VALUE), "list", choices=("1", "-1"), input_title=title,
-                        input_message=message, error_title=title, error_message=message,
-                    )
-                )  # fmt: skip
+                self.takes(row, VALUE, "list", title, message, choices=("1", "-1"))
 
     def _position(self) -> None:
         plan = self.plan
@@ -162,12 +157,8 @@ class Top(Cells):
             self.line(row, plan.text("name.position"), "", plan.text("page.position"))
             self.put(row, VALUE, float(plan.first_existing), styles.INPUT)
             title, message = plan.text("hint.position.title"), plan.text("hint.position", last=plan.rows - 1)
-            self.validations.append(
-                Validation(
-                    Area(row, VALUE, row, VALUE), "whole", "between", Number(0.0), Number(plan.rows - 1.0),
-                    input_title=title, input_message=message, error_title=title, error_message=message, stop=False,
-                )
-            )  # fmt: skip
+            last = Number(plan.rows - 1.0)
+            self.takes(row, VALUE, "whole", title, message, low=Number(0.0), high=last, stop=False)
 
     # --- results ----------------------------------------------------------------------------------------------
 
