@@ -67,7 +67,8 @@ def tables_of(rows: int) -> tuple[Book, Plan]:
     workbook, plan = lay_out(mechanism, solve(mechanism))
     builder = BookBuilder()
     first = builder.sheet(plan.main)
-    known = {spot for symbol, spot in plan.at.spots.items() if spot.sheet == plan.main and symbol != "#inputs"}
+    spots = (*plan.at.spots.values(), plan.places.start, plan.places.step)
+    known = {spot for spot in spots if spot is not None and spot.sheet == plan.main}
     cells = {(spot.row, spot.col) for spot in known}
     sheet = workbook.sheet(plan.main)
     for cell in sheet.cells:
@@ -77,7 +78,7 @@ def tables_of(rows: int) -> tuple[Book, Plan]:
     for fill in sheet.fills:
         if fill.row in derived and fill.col == 1:
             first.block(fill.row, fill.col, 1, 1, fill.formula)
-    wrong = plan.at.spots["#inputs"]
+    wrong = plan.places.inputs
     first.constant(wrong.row, wrong.col, 0.0)
     for name in workbook.names:
         if (name.row, name.col) in cells | {(wrong.row, wrong.col)} and name.sheet == plan.main:

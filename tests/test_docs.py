@@ -24,7 +24,7 @@ from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.templates import template_names
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Sketch
-from mechsheet.sheet.first.transmission import POOR
+from mechsheet.sheet.transmission import POOR
 
 ROOT = Path(__file__).parent.parent
 DOCS = ROOT / "docs"

@@ -3,6 +3,7 @@
 import ast
 import re
 from functools import cache
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -122,7 +123,7 @@ ALLOWED["homework"] = {
     "sheet.wrapping",
     # a task is told in the words of the workbook's notes, with the workbook's drawing
     "sheet.first.given",
-    "sheet.notes.mathematics",
+    "sheet.mathematics",
     "plotting",
     "arguments",
     # the functions of the text's appendix, and those of a module of Basic
@@ -283,3 +284,44 @@ def test_what_solves_a_mechanism_has_no_hidden_circles(part):
     """An import inside a function would be one: nothing there is loaded late for speed."""
     late = re.compile(r"^ +(?:from|import) mechsheet", re.MULTILINE)
     assert [path.name for path in modules_of(part) if late.search(path.read_text(encoding="utf-8"))] == []
+
+
+SHEET = (
+    # what cells, formulas and places are made of
+    {"styles", "symbols", "wrapping", "quoted", "addresses", "places", "degrees", "mathematics", "naming"},
+    # which columns there are: the equations as cells compute them, before anything has a place
+    {"columns"},
+    # the plan, which gives everything its place, and what is said in formulas over these places alone
+    {"classification", "task_rows", "plan", "driving", "over_rows", "shown", "transmission", "grashof"},
+    # rows first, then what is measured and searched in rows, then what draws and judges by that
+    {"table"},
+    {"checks"},
+    {"drawing"},
+    {"synthesis"},
+    # the first sheet says what all of these find; notes and tables asked for repeat it in words and for other dimensions
+    {"first"},
+    {"notes", "asked"},
+    # a workbook, and all of it on one page
+    {"constants", "layout"},
+    {"page"},
+)
+"""Modules and folders of sheet/ from the bottom to the top: each imports from its own line and those above it here."""
+
+
+def of_sheet(path):
+    """The modules and folders of sheet/ that a module imports."""
+    names = {module.split(".")[1] for _, module in imports(path) if module.startswith("sheet.")}
+    return names - {path.relative_to(SOURCE / "sheet").with_suffix("").parts[0]}
+
+
+def test_folders_of_sheet_import_downwards():
+    rank = {name: number for number, names in enumerate(SHEET) for name in names}
+    members, wrong = {}, []
+    for path in modules_of("sheet"):
+        own = path.relative_to(SOURCE / "sheet").with_suffix("").parts[0]
+        if own != "__init__":
+            members.setdefault(own, set()).update(of_sheet(path))
+            wrong += [f"{path.name}: {name}" for name in of_sheet(path) if rank[name] > rank[own]]
+    assert wrong == []
+    assert members.keys() <= rank.keys()
+    assert [*TopologicalSorter(members).static_order()]  # no circle within a line either: CycleError names it

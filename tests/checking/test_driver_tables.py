@@ -15,7 +15,7 @@ from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
 from mechsheet.exporting.workbooks import functions_workbook
-from mechsheet.sheet.table.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
+from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 
 TEMPLATES = Path(__file__).parents[2] / "templates"
 

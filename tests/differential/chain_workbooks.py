@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 from laid import Laid
+from placed import places_of
 from test_reactions import weighed
 from test_start_table import KEPT, Followed, typed
 
@@ -89,7 +90,7 @@ class Elsewhere:
     def told(self, values: Answers) -> bool:
         """Whether a first sheet with these values says so in its line, or shows no position."""
         plan = Laid(self.text).plan
-        spot = plan.at.spots["#verdict"]
+        spot = places_of(plan)["verdict"]
         line = values.get(spot.sheet, spot.row, spot.col)
         words = values.get(plan.main, plan.blocks["verdicts"].rows["same_assembly"], MEANING)
         nowhere = [plan.text(f"verdict.line.{key}") for key in ("nowhere", "ended")]

@@ -33,8 +33,8 @@ from mechsheet.exporting.routines import Source
 from mechsheet.exporting.workbooks import NEEDS_ROW, functions_workbook
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
+from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST
 from mechsheet.sheet.layout import lay_out
-from mechsheet.sheet.table.two_way import CHART_COLUMNS, FIRST
 from office_macros import Job as Office
 from office_macros import with_macros
 from random_mechanisms import Grower

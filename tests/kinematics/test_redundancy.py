@@ -60,7 +60,7 @@ def misfit(sheet, link):
 def test_it_follows_and_its_length_is_checked_in_every_row(text):
     sheet = Laid(text)
     assert all(sheet.exists)
-    assert sheet.spot("#largest_gap") < 1e-12
+    assert sheet.spot("largest_gap") < 1e-12
     lengths = [sheet.column(each.symbol) for each in sheet.mechanism.redundant]
     assert np.abs(lengths) == pytest.approx(150.0, abs=1e-12)
     rates = sheet.plan.at.spots["omega14"]
@@ -69,7 +69,7 @@ def test_it_follows_and_its_length_is_checked_in_every_row(text):
     }
     sheet.change(a4=151)
     assert all(sheet.exists)
-    assert sheet.spot("#largest_gap") == pytest.approx(1.0, abs=1e-12)
+    assert sheet.spot("largest_gap") == pytest.approx(1.0, abs=1e-12)
     assert sheet.words("largest_gap") == misfit(sheet, "third")
     assert sheet.verdict == sheet.words("largest_gap")
 
@@ -121,7 +121,7 @@ def test_it_is_checked_in_every_row_as_a_marked_one():
     sheet = Laid(changed.loads(UNMARKED).text)
     assert all(sheet.exists)
     sheet.change(a4=151)
-    assert sheet.spot("#largest_gap") == pytest.approx(1.0, abs=1e-12)
+    assert sheet.spot("largest_gap") == pytest.approx(1.0, abs=1e-12)
 
 
 TWO = (
@@ -145,7 +145,7 @@ def test_two_that_are_not_marked_are_found_and_each_is_checked():
     for symbol, link in (("a4", "third"), ("a5", "fourth")):
         sheet.change(**{symbol: 151})
         assert all(sheet.exists)
-        assert sheet.spot("#largest_gap") == pytest.approx(1.0, abs=1e-12)
+        assert sheet.spot("largest_gap") == pytest.approx(1.0, abs=1e-12)
         assert sheet.verdict == sheet.words("largest_gap") == misfit(sheet, link)
 
 

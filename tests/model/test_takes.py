@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from placed import places_of
 
 import mechsheet
 from mechsheet.compiled import Compiled
@@ -35,7 +36,7 @@ def test_the_root_mean_square_of_a_torque_heats_the_motor(layout, form, tmp_path
     (path,) = mechsheet.build(linkage, tmp_path / f"motor.{form}", layout=layout)
     assert mechsheet.check(path).agrees
     compiled = Compiled(loads(with_takes(), overrides=Overrides(layout=layout)))
-    found = compiled.number(compiled.plan.at.spots["#summary z_rms"])
+    found = compiled.number(places_of(compiled.plan)["summary z_rms"])
     assert found == pytest.approx(root_of_mean_square(linkage.solve()["T12"]), rel=1e-12)
 
 

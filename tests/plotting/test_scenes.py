@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from placed import places_of
 
 from drawn_points import expected, fitted
 from livesheet.engine import PORTABLE, evaluate
@@ -96,7 +97,7 @@ def mechanism_size(stage):
 def test_what_follows_the_position_is_all_that_changes():
     """What is computed for the drawing is what the whole workbook gives, for every series of every chart."""
     stage = Stage(sample(template("adjustable-pump"), None, None))
-    spot = stage.sample.plan.at.spots["#position"]
+    spot = places_of(stage.sample.plan)["position"]
     before = stage.sample.value(spot)
     whole = evaluate(book_of(stage.sample.layout), {(spot.sheet, spot.row, spot.col): 37.0}, PORTABLE)
     for chart, scene in zip(stage.charts, stage.at(37, stage.charts), strict=True):

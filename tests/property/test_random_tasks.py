@@ -8,6 +8,7 @@ import functools
 import math
 
 import pytest
+from placed import places_of
 
 from chosen import first
 from livesheet.evaluation import book_of
@@ -48,7 +49,7 @@ def workbook(form):
         if form_of(asked) == form:
             with contextlib.suppress(MechanismError):
                 compiled = Compiled(loads(description(asked)))
-                return Session(book_of(compiled.layout)), compiled.plan.at.spots
+                return Session(book_of(compiled.layout)), places_of(compiled.plan)
     raise AssertionError(f"no task of this form has a solution: {form}")
 
 

@@ -15,9 +15,8 @@ from mechsheet.reference import dimension_values
 from mechsheet.reference.synthesis import functions, guidance
 from mechsheet.reference.synthesis.results import Given, crank_of, pairs
 from mechsheet.sheet.plan import MEANING, SYMBOL, VERDICT_ROW
-from mechsheet.sheet.synthesis.planning import verdicts_of
 from mechsheet.sheet.synthesis.requirement_checks import NO
-from mechsheet.sheet.synthesis.rows import ROUNDED, VALUE
+from mechsheet.sheet.task_rows import ROUNDED, VALUE, verdicts_of
 from mechsheet.synthesis.kinds import KINDS
 from synthesis_tasks import description, task
 
@@ -37,9 +36,9 @@ def verdicts(kind, seed, **further):
     session, spots = typed(asked, mechanism)
     found = {}
     for key, spot in spots.items():
-        if key.startswith("#") and spot.sheet == spots[mechanism.synthesis.inputs[0]].sheet and spot.col == VALUE:
+        if key.startswith("does "):
             mark = session.get(cell_address(spot.sheet, spot.row, ROUNDED))
-            found[key[1:]] = mark, session.get(address(spot))
+            found[key.removeprefix("does ")] = mark, session.get(address(spot))
     assert found.keys() >= set(verdicts_of(mechanism.synthesis, four_bar=True)), (
         "a name of another sheet's has taken one"
     )
@@ -54,7 +53,7 @@ def first_sheet(asked):
     if not all(math.isfinite(values[symbol]) for symbol in mechanism.synthesis.ends):
         return None
     session, spots = typed(asked, mechanism)
-    line = spots["#task"]
+    line = spots["task"]
     number, words = (session.get(cell_address(line.sheet, line.row, col)) for col in (VALUE, MEANING))
     title = session.get(cell_address(line.sheet, VERDICT_ROW, SYMBOL))
     return number, words, title, {name: values[symbol] for name, symbol in mechanism.synthesis.results.items()}

@@ -3,6 +3,8 @@
 import re
 from dataclasses import replace
 
+from placed import places_of
+
 from livesheet.engine import compile_book
 from livesheet.evaluation import book_of
 from livesheet.workbook import Fill
@@ -31,7 +33,7 @@ class Book:
         self.type()
 
     def type(self, **inputs):
-        spots = self.plan.at.spots
+        spots = places_of(self.plan)
         cells = {(spots[key].sheet, spots[key].row, spots[key].col): float(value) for key, value in inputs.items()}
         self.values = self.book.evaluate(cells)
         return self
@@ -60,9 +62,9 @@ class Book:
 
     @property
     def line(self):
-        spot = self.plan.at.spots["#verdict"]
+        spot = places_of(self.plan)["verdict"]
         return self.values.get(spot.sheet, spot.row, spot.col)
 
     @property
     def line_colour(self):
-        return self.colour(self.plan.at.spots["#verdict"].row, 0)
+        return self.colour(places_of(self.plan)["verdict"].row, 0)

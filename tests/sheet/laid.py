@@ -5,6 +5,8 @@ from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
+from placed import places_of
+
 from livesheet.engine import compile_book, evaluate
 from livesheet.engine.layout import Area
 from livesheet.evaluation import book_of
@@ -59,7 +61,7 @@ def _typed(value):
 
 
 class Laid:
-    """The workbook of a description. Cells are read by the key of their place: "theta14", "#rows_closed"."""
+    """The workbook of a description. Cells are read by the key of their place: "theta14", "rows_closed"."""
 
     def __init__(self, text, language=None, overrides=None):
         self.key = (text, language, tuple((overrides or {}).items()))
@@ -72,7 +74,7 @@ class Laid:
         return self
 
     def change(self, **symbols):
-        """Type numbers (as shown) into input cells, None empties one; `_start` is the place "#start"."""
+        """Type numbers (as shown) into input cells, None empties one; `_start` is the place "start"."""
         spots = self.spots(symbols)
         changes = {(spot.sheet, spot.row, spot.col): _typed(symbols[symbol]) for symbol, spot in spots.items()}
         plan = narrowed(self.cells, *self.key) if self.cells else compiled(*self.key)
@@ -81,8 +83,8 @@ class Laid:
 
     def spots(self, symbols):
         """Where input cells stand, by what `change` calls them."""
-        return {symbol: self.plan.at.spots[symbol.replace("_", "#", 1) if symbol[0] == "_" else symbol]
-                for symbol in symbols}  # fmt: skip
+        places = places_of(self.plan)
+        return {symbol: places[symbol.removeprefix("_")] for symbol in symbols}
 
     def damage(self, sheet, col, change):
         """Replace the formulas of a column of a sheet: `change` takes and gives a tree."""
@@ -98,19 +100,19 @@ class Laid:
         return self
 
     def spot(self, key):
-        """The value at a registered place."""
-        spot = self.plan.at.spots[key]
+        """The value at a place."""
+        spot = places_of(self.plan)[key]
         return self.values.get(spot.sheet, spot.row, spot.col)
 
     def column(self, key):
         """A column of the table of positions, as people read it."""
-        spot = self.plan.at.spots[key]
+        spot = places_of(self.plan)[key]
         return [self.values.get(spot.sheet, spot.row + row, spot.col) for row in range(self.plan.rows)]
 
     @property
     def exists(self):
         """In which rows the table shows a position."""
-        return [said == self.plan.text("status.ok") for said in self.column("#status")]
+        return [said == self.plan.text("status.ok") for said in self.column("status")]
 
     def words(self, key):
         """What a line of the block of verdicts says."""
@@ -119,4 +121,4 @@ class Laid:
     @property
     def verdict(self):
         """The line under the title."""
-        return self.spot("#verdict")
+        return self.spot("verdict")

@@ -4,7 +4,7 @@ import pytest
 from laid import template_text
 from planned import planned
 
-from livesheet.formula.nodes import Number, symbols
+from livesheet.formula.nodes import Number, Symbol, symbols, transform
 from livesheet.formula.scalar import evaluate
 from mechsheet.sheet.driving import driver_at
 
@@ -19,7 +19,8 @@ LAW = 'start = 20\nstop = 200\nmotion = { law = "cycloidal", duration = 3, rows 
 ])  # fmt: skip
 def test_places_are_counted_in_rows_from_1(motion, places):
     plan = planned(template_text("four-bar").replace(SWEEP, motion))
-    given = {"#start": 0, "#step": 15, "duration": 3, "SHOWN start": 20, "SHOWN stop": 200}
+    given = {"start": 0, "step": 15, "duration": 3, "SHOWN start": 20, "SHOWN stop": 200}
+    cells = {spot.cell: Symbol(name) for name in ("start", "step") if (spot := getattr(plan.places, name))}
     for place, value in places.items():
-        node = driver_at(plan, Number(place))
+        node = transform(driver_at(plan, Number(place)), lambda part: cells.get(part, part))
         assert evaluate(node, {name: given[name] for name in symbols(node)}) == pytest.approx(value)

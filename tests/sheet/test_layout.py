@@ -4,6 +4,7 @@ from collections import Counter
 from itertools import permutations
 
 import pytest
+from placed import places_of
 
 from chosen import some
 from livesheet.formula.nodes import CellRef, Symbol, walk
@@ -56,7 +57,7 @@ def test_everything_has_its_place(name):
     assert {title: [cell for cell, times in found.items() if times > 1] for title, found in filled.items()} == {
         title: [] for title in filled
     }
-    for symbol, spot in plan.at.spots.items():
+    for symbol, spot in places_of(plan).items():
         # what is compared with the rows around it has nothing in the first row
         places = [(spot.row + row, spot.col) for row in range(2 if spot.column else 1)]
         assert any(place in filled[spot.sheet] for place in places), symbol

@@ -13,7 +13,7 @@ from mechsheet.description import loads
 from mechsheet.exporting.kinds import KINDS
 from mechsheet.kinematics.solve import solve
 from mechsheet.reference import solve as refer
-from mechsheet.sheet.table.lowering import lowered
+from mechsheet.sheet.columns.lowering import lowered
 
 HEAD = """
 format = 1
@@ -111,7 +111,7 @@ def test_grashof_of_a_truss():
     laid = Laid(TEXTS["truss"])
     ground = refer(laid.mechanism).points["I"][0]
     lengths = sorted([35, 150, 160, float((ground[0] ** 2 + ground[1] ** 2) ** 0.5)])
-    excess = laid.spot("#grashof_1")
+    excess = laid.spot("grashof_1")
     assert excess == pytest.approx(2 * (lengths[0] + lengths[3]) - sum(lengths), abs=1e-9)
 
 

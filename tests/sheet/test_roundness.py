@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from placed import places_of
 
 from chosen import first
 from livesheet.formats import write
@@ -97,7 +98,7 @@ def test_circle_stays_round(tmp_path):
 def test_libreoffice_moves_the_drawing(tmp_path):
     """The position cell is changed in the file: LibreOffice's points of the drawing are those of the table's row."""
     workbook, plan = compile_workbook(load(ROOT / "templates/four-bar.toml"))
-    position = plan.at.spots["#position"]
+    position = places_of(plan)["position"]
     files = [tmp_path / f"moved-{suffix}.{suffix}" for suffix in ("xlsx", "ods")]
     for path in files:
         write(with_cells(workbook, {(position.row, position.col): 7.0}), path)

@@ -47,9 +47,9 @@ TEXTS = {name: text for name, text in descriptions().items() if name not in NOT_
 def test_nothing_is_red(name):
     """It closes somewhere, gaps are rounding, no cell counts as typed over; what can be said of it is said in words."""
     laid = Laid(TEXTS[name])
-    assert laid.spot("#rows_closed") > 0
+    assert laid.spot("rows_closed") > 0
     assert laid.words("largest_gap") in CLOSED
-    assert laid.spot("#typed") == 0
+    assert laid.spot("typed") == 0
     assert laid.verdict.startswith(("closes in ", "kapandığı konum sayısı", f"{laid.plan.rows} konumun hepsinde"))
     lines = [line for line in laid.plan.blocks["verdicts"].rows if line != "limits" or name not in UNDETERMINED]
     words = [laid.words(line) for line in lines]

@@ -6,6 +6,7 @@ from collections import Counter
 
 import numpy as np
 import pytest
+from placed import places_of
 
 from chosen import IN_CI
 from mechsheet import open_book
@@ -62,7 +63,7 @@ def said_in_workbook(mechanism, values, modes):
         words = str(compiled.value(Spot(compiled.plan.main, row, MEANING)))
         remark = re.search(r" \((about|or beyond|grows without bound|rows only)\)$", words)
         found[name] = compiled.number(Spot(compiled.plan.main, row, VALUE)), remark[0] if remark else ""
-    return found, compiled.number(compiled.plan.at.spots["#stretches"])
+    return found, compiled.number(places_of(compiled.plan)["count"])
 
 
 def said_in_study(remarks, name):

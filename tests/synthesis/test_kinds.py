@@ -88,7 +88,7 @@ def test_its_workbook_solves_the_task_and_follows_what_is_typed():
     sheet = Laid(TEXT)
     assert sheet.spot("a2") == 40
     assert sheet.spot("a3") == pytest.approx(40 / math.sin(math.radians(15)), rel=1e-15)
-    assert sheet.spot("#synthesis") == "does all that the task asks"
+    assert sheet.spot("synthesis") == "does all that the task asks"
     sheet.change(swing=30)
     assert sheet.spot("a3") == pytest.approx(80, rel=1e-15)
 

@@ -32,6 +32,7 @@ from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import ENERGY, Mechanism
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import Plan
 
 
@@ -166,7 +167,7 @@ class _Known(dict[str, Array]):
 
 def _expect_nothing(plan: Plan, tally: Tally, symbol: str, ours: Array, rows: NDArray[np.bool_]) -> None:
     for row in np.flatnonzero(rows):
-        where = f"{_address(plan, symbol, int(row))} ({symbol}, row {row})"
+        where = f"{_address(plan, plan.at.spots[symbol], int(row))} ({symbol}, row {row})"
         tally.note(0.0 if math.isnan(ours[row]) else math.inf, where, float(ours[row]), None)
 
 
@@ -185,12 +186,11 @@ def _judge_status(plan: Plan, tally: Tally, opened: Mapping[str, NDArray[np.bool
     """In a row that does not exist some group comes apart."""
     for row in np.flatnonzero(~exists):
         said = "joined" if not opened[EVERY][row] else say("cannot be joined")
-        where = f"{_address(plan, '#status', int(row))} (row {row})"
+        where = f"{_address(plan, plan.places.status, int(row))} (row {row})"
         tally.note(0.0 if opened[EVERY][row] else math.inf, where, said, say("cannot be joined"))
 
 
-def _address(plan: Plan, symbol: str, row: int) -> str:
-    spot = plan.at.spots[symbol]
+def _address(plan: Plan, spot: Spot, row: int) -> str:
     return cell_address(spot.sheet, plan.at.first + row if spot.column else spot.row, spot.col)
 
 
@@ -324,7 +324,7 @@ def _note_worst(plan: Plan, tally: Tally, symbol: str, apart: Array, ours: Array
     """Count a column, and note the row where the two are farthest apart."""
     tally.cells += len(apart) - 1
     row = int(np.argmax(apart))
-    where = f"{_address(plan, symbol, row)} ({symbol}, row {row})"
+    where = f"{_address(plan, plan.at.spots[symbol], row)} ({symbol}, row {row})"
     tally.note(float(apart[row]), where, float(ours[row]), float(theirs[row]))
 
 

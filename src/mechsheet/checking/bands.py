@@ -23,8 +23,8 @@ from mechsheet.checking.report import Tally
 from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.rates.sensitivity import by_symbol, toleranced
 from mechsheet.model import WAYS
+from mechsheet.sheet.columns.bands import ROOT, WORST, part_of, tolerance_symbol
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.table.bands import ROOT, WORST, part_of
 from mechsheet.sheet.table.tolerance import Line, lines_of
 
 EIGHT = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}
@@ -114,7 +114,7 @@ class _Judge:
         self.tolerances = {name: self._tolerance(name) for name in self.units}
 
     def _tolerance(self, name: str) -> float:
-        return self._cell(f"#tolerance {name}")
+        return self._cell(tolerance_symbol(name))
 
     def _cell(self, name: str) -> float:
         spot = self.plan.at.spots[name]
@@ -185,7 +185,7 @@ class _Judge:
         if mechanism.driver.law is not None or mechanism.listed_symbols:
             return []  # the reference has no positions between their rows
         ways = reversed(line.summary.take.ways) if line.summary else ()  # what is largest first
-        spots = [self.plan.at.spots[f"#{way}_at_{line.quantity}"] for way in ways]
+        spots = [self.plan.searched.extremes[way, line.quantity].occurs for way in ways]
         found = [self.number(spot.sheet, spot.row, spot.col) for spot in spots]
         unit = mechanism.driver.unit
         return [unit.to_internal(place) for place in found] if np.isfinite(found).all() else []

@@ -14,8 +14,8 @@ from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import Comparison, Tally, difference
 from mechsheet.checking.rules import Rules, ignored_in
 from mechsheet.kinematics.lengths import is_length
+from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.table.requested import tables_of
 from mechsheet.units import turn
 
 Compared = Literal["value", "error", "nothing"]

@@ -28,11 +28,11 @@ from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import runs_of, without_jumps
 from mechsheet.kinematics.sweep import DISTINCT, distinct, poses_in, sweep
+from mechsheet.sheet.asked.cell_formula import CellFormula
+from mechsheet.sheet.asked.requested import tables_of
+from mechsheet.sheet.asked.summary_table import SummaryTable
+from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW, Table
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.table.cell_formula import CellFormula
-from mechsheet.sheet.table.requested import tables_of
-from mechsheet.sheet.table.summary_table import SummaryTable
-from mechsheet.sheet.table.two_way import FIRST, HEAD_ROW, Table
 
 Mask = NDArray[np.bool_]
 
@@ -143,7 +143,7 @@ class _Judge:
     def _start(self, symbol: str) -> float:
         """The angle [rad] near which all columns start; see `CellFormula.start`."""
         plan, branch = self.plan, self.cell.windows[symbol]
-        said, spot = plan.at.spots["#status"], plan.at.spots[symbol]
+        said, spot = plan.places.status, plan.at.spots[symbol]
         first = next(
             (row for row in range(plan.rows) if self.values.get(said.sheet, said.row + row, said.col) == plan.ok), None
         )

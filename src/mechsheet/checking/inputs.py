@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,8 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.points_in_link import number as place_number
 from mechsheet.sheet.layout import DESCRIPTION_MARK
-from mechsheet.sheet.plan import VALUE, Plan
+from mechsheet.sheet.places import there
+from mechsheet.sheet.plan import Plan
 
 Array = NDArray[np.float64]
 
@@ -165,11 +166,12 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
     return Inputs(dimensions, modes, given, tuple(remarks))
 
 
-def _of_sweep(plan: Plan, values: Any, key: str, dimensions: Mapping[str, float]) -> Any:
+def _of_sweep(plan: Plan, values: Any, key: Literal["start", "step"], dimensions: Mapping[str, float]) -> Any:
     """Start or step as its cell has it. Where that follows from dimensions and shows no number, what it should be, NaN
     where these have none: what is shown instead is told elsewhere.
     """
-    found = values.get(plan.main, plan.at.spots[f"#{key}"].row, VALUE)
+    spot = there(plan.places.start if key == "start" else plan.places.step)
+    found = values.get(spot.sheet, spot.row, spot.col)
     quantity = getattr(plan.mechanism.driver, key)
     if isinstance(found, float) or isinstance(quantity, float):
         return found
@@ -200,7 +202,8 @@ def _given(
             cells = values.column(spot.sheet, spot.col, plan.at.first, plan.at.last)
             found[symbol] = np.array([cell if isinstance(cell, float) else math.nan for cell in cells])
     else:
-        start, step = (_of_sweep(plan, values, key, dimensions) for key in ("start", "step"))
+        start = _of_sweep(plan, values, "start", dimensions)
+        step = _of_sweep(plan, values, "step", dimensions)
         numbers = isinstance(start, float) and isinstance(step, float)
         found = {driver.symbol: start + np.arange(plan.rows) * step if numbers else np.array([math.nan])}
     for symbol, column in found.items():

@@ -25,6 +25,7 @@ from mechsheet.checking.edited.edits import edits_of
 from mechsheet.checking.edited.expected import Expected, expected_for, inside
 from mechsheet.checking.perturbation import description_or_fault, workbook_of
 from mechsheet.checking.report import TOLERANCE
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.efforts import AGREES
 
 TRIES = 60
@@ -243,16 +244,17 @@ class _Run:
 
     def _is_clear(self, values: Any) -> bool:
         """Whether the first sheet finds no gap, no cell without a formula, and all that is found twice alike."""
-        spots = self.expected.plan.at.spots
+        lines, checked = self.expected.plan.places.lines, self.expected.plan.checked
 
-        def found(key: str) -> float:
-            value = values.get(spots[key].sheet, spots[key].row, spots[key].col)
+        def found(spot: Spot) -> float:
+            value = values.get(spot.sheet, spot.row, spot.col)
             return value if isinstance(value, float) else math.nan
 
-        rounding = found("#rounding")
-        least = {"#largest_gap": rounding, "#velocities_fit": rounding, "#accelerations_fit": rounding}
-        least["#effort_fits"] = AGREES
-        return found("#typed") == 0.0 and all(found(key) <= most for key, most in least.items() if key in spots)
+        rounding = found(checked.rounding)
+        least = {"largest_gap": rounding, "velocities_fit": rounding, "accelerations_fit": rounding}
+        least["effort_fits"] = AGREES
+        fits = (found(lines[key]) <= most for key, most in least.items() if key in lines)
+        return found(checked.typed) == 0.0 and all(fits)
 
 
 def _with_blocks(book: Book, sheet: BookSheet, old: Block, new: list[Block]) -> Book:

@@ -207,7 +207,7 @@ class _Run:
         return replace(setting, rows=rows)
 
     def _rows(self, values: Any) -> int:
-        spot = self.plan.at.spots["#rows_closed"]
+        spot = self.plan.places.closed
         found = values.get(spot.sheet, spot.row, spot.col)
         return int(found) if isinstance(found, float) else 0
 

@@ -8,7 +8,7 @@ from livesheet.formula.scalar import evaluate
 from livesheet.said import reason, say
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.model import Mechanism
-from mechsheet.sheet.table.lowering import Assignments
+from mechsheet.sheet.columns.lowering import Assignments
 
 
 def missing_dimensions(mechanism: Mechanism, inputs: Mapping[str, float]) -> dict[str, str]:

@@ -12,8 +12,8 @@ from mechsheet.exporting.functions import TABLE_KEY, Function, in_degrees, varia
 from mechsheet.exporting.routines import Source
 from mechsheet.model import Words
 from mechsheet.sheet import styles
-from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places
 
@@ -165,6 +165,6 @@ def difference(plan: Plan, source: Source, symbol: str, found: Node, number: Nod
     both = Call("ISNUMBER", (Binary("+", found, wanted),))
     alike = Binary("=", Call("ISNUMBER", (found,)), Call("ISNUMBER", (wanted,)))
     # a function has no value where any group comes apart; the table goes on with what does not depend on it
-    apart = Binary("<>", Call("INDEX", (plan.at.column("#status", ""), number)), Text(plan.text("status.ok")))
+    apart = Binary("<>", Call("INDEX", (plan.places.status.whole(), number)), Text(plan.text("status.ok")))
     fine = Call("OR", (apart, alike))
     return Call("IF", (both, Call("ABS", (gap,)), Call("IF", (fine, Number(0.0), Call("NA")))))

@@ -29,9 +29,9 @@ from mechsheet.exporting.routines import Source
 from mechsheet.model import Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.charts import driver_axis
-from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places
 from mechsheet.units import Unit

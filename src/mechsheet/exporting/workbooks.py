@@ -27,8 +27,8 @@ from mechsheet.exporting.vba import introduction
 from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import TableRequest, Words
 from mechsheet.sheet import styles
+from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.table.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 from mechsheet.units import Unit
 
 NEEDS_ROW = 3

@@ -25,9 +25,9 @@ from mechsheet.library.building import told
 from mechsheet.library.recalculation import json_value
 from mechsheet.library.verdicts import DOUBTS, verdict
 from mechsheet.model import TIME, Mechanism, Output, Rack, Relation, Summary, energy_unit, inertia_unit
-from mechsheet.sheet.first.blocks import unit_of_column
+from mechsheet.sheet.columns.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.plan import MEANING
-from mechsheet.sheet.table.lowering import Assignment, Assignments, lowered
+from mechsheet.sheet.shown import unit_of_column
 from mechsheet.synthesis.writing import says
 from mechsheet.units import NUMBER, behind_number, unit_of
 from mechsheet.words.workbook import words
@@ -81,7 +81,7 @@ def overview_text(mechanism: Mechanism) -> str:
 def _single(compiled: Compiled, single: Summary | Output) -> str:
     """`mu_min = 33.89 °`: a summary, or an output of summaries, as the first sheet has it."""
     plan = compiled.plan
-    spot = plan.at.spots[f"#summary {single.symbol}"]
+    spot = plan.places.summaries[single.symbol]
     value, said = compiled.value(spot), str(compiled.value(replace(spot, col=MEANING)))
     if not isinstance(value, float):
         without = plan.text("verdict.boundless") in said

@@ -12,9 +12,9 @@ from mechsheet.library.building import told
 from mechsheet.library.named import Named
 from mechsheet.model import Mechanism
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.first.blocks import shown_unit
+from mechsheet.sheet.columns.bands import ROOT, WORST
 from mechsheet.sheet.plan import MEANING
-from mechsheet.sheet.table.bands import ROOT, WORST
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.table.tolerance import lines_of
 from mechsheet.units import behind_number
 
@@ -64,14 +64,14 @@ def bands_of(mechanism: Mechanism, file: str = "<text>") -> Named[Band]:
     for line in lines_of(plan):
         if line.kind == "shown":
             continue
-        key = line.summary.symbol if line.summary else line.quantity
-        band, spot = plan.banded[line.quantity], plan.at.spots[f"#band {key}"]
+        key = line.key
+        band, spot = plan.banded[line.quantity], plan.places.bands[key]
         title = plan.at.titles["tolerance"]
         words = compiled.value(replace(spot, col=MEANING))
         result[key] = Band(
-            value=number(plan.at.spots[f"#summary {key}"]) if line.summary else None,
-            worst=number(plan.at.spots[f"#{WORST} {line.key}"]),
-            rss=number(plan.at.spots[f"#{ROOT} {line.key}"]),
+            value=number(plan.places.summaries[key]) if line.summary else None,
+            worst=number(line.spot(plan, WORST)),
+            rss=number(line.spot(plan, ROOT)),
             unit=shown_unit(plan, line.quantity),
             shares={
                 name: number(Spot(title, line.row + 1, plan.at.spots[symbol].col))

@@ -18,8 +18,8 @@ from mechsheet.kinematics.search import Search
 from mechsheet.library.building import told
 from mechsheet.library.named import Named
 from mechsheet.model import Mechanism
-from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.plan import MEANING, TOLERANCE
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.units import behind_number
 from mechsheet.words.messages import text_in
 
@@ -63,7 +63,7 @@ def verdict(compiled: Compiled) -> str:
     The cell `verdict` of the computed workbook, in its language, and what is wrong with the description itself.
     """
     mechanism, plan = compiled.mechanism, compiled.plan
-    said = [str(compiled.value(plan.at.spots["#verdict"]))]
+    said = [str(compiled.value(plan.places.verdict))]
     missed = _missed_stop(mechanism, plan.rows)
     if missed is not None:
         unit = shown_unit(plan, mechanism.driver.symbol)
@@ -171,22 +171,24 @@ def verdicts_of(mechanism: Mechanism) -> Named[Verdict]:
         said = words if isinstance(words, str) else ""
         return Verdict(number, place, said, not any(doubt in said for doubt in doubts))
 
-    verdict = plan.at.spots["#verdict"]
+    verdict = plan.places.verdict
     found = Named({verdict.name: line(None, None, compiled.value(verdict))})
     for key in plan.found.entries:
-        spot, at = plan.at.spots[f"#{key}"], plan.at.spots.get(f"#{key}_at")
+        spot, at = plan.places.lines[key], plan.places.occurs.get(key)
         where = None if at is None else compiled.value(at)
         found[spot.name] = line(compiled.value(spot), where, compiled.value(replace(spot, col=MEANING)))
-    for key, spot in plan.at.spots.items():
-        if key.startswith("#limit_") and isinstance(limit := compiled.value(spot), float):
+    for spot in plan.searched.limits:
+        if isinstance(limit := compiled.value(spot), float):
             found[spot.name] = line(limit, None, None)
     for single in mechanism.motion_numbers:
-        spot = plan.at.spots[f"#summary {single.symbol}"]
+        spot = plan.places.summaries[single.symbol]
         where, words = (compiled.value(replace(spot, col=col)) for col in (TOLERANCE, MEANING))
         found[spot.name] = line(compiled.value(spot), where, words)
+    names = {key: spot.name for key, spot in plan.places.lines.items()}
+    names |= {f"limit_{number}": spot.name for number, spot in enumerate(plan.searched.limits, 1)}
     search = Search(mechanism, compiled.equations, compiled.given)
     for key, numbers in SearchedVerdicts(plan, search).numbers().items():
-        name = plan.at.spots[f"#{key}"].name if f"#{key}" in plan.at.spots else key
+        name = names.get(key, key)
         value = numbers[0] if numbers else None
         found[name] = replace(found.get(name, line(None, None, None)), value=value)
     return found

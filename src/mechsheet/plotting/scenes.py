@@ -19,6 +19,7 @@ from livesheet.workbook import Chart, Series, SeriesRef
 from mechsheet.plotting.sampling import Sample
 from mechsheet.shapes.loads import VECTORS
 from mechsheet.shapes.positions import Disc, Positions, Scene, Stroke
+from mechsheet.sheet.places import there
 
 Points = NDArray[np.float64]
 
@@ -67,7 +68,7 @@ class Stage:
 
     @cached_property
     def _position(self) -> tuple[int, int, int]:
-        spot = self.sample.plan.at.spots["#position"]
+        spot = there(self.sample.plan.places.position)
         return self.sample.cells.plan.layout.sheets[spot.sheet], spot.row, spot.col
 
     def at(self, row: int, charts: Sequence[Chart]) -> list[Curves]:

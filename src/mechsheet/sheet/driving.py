@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from livesheet.formula.nodes import CellRef, Node, Symbol, with_symbols
 from mechsheet.model import TIME, Law
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import SHOWN, formula
 
@@ -12,8 +13,14 @@ def driver_at(plan: Plan, place: Node) -> Node:
     """The driver's value, as people read it, at a place counted in rows from 1; symbols are still to be bound."""
     law = plan.mechanism.driver.law
     if law is None:
-        return formula("_start+(place-1)*_step", place=place)
+        return driver_after(plan, formula("place-1", place=place))
     return by_time(law, time_after(law, formula("place-1", place=place)))
+
+
+def driver_after(plan: Plan, rows: Node) -> Node:
+    """That of a driver that goes on by one step, after so many rows."""
+    start, step = (there(spot).cell for spot in (plan.places.start, plan.places.step))
+    return formula("start+rows*step", start=start, step=step, rows=rows)
 
 
 def rows_before(plan: Plan) -> Node:

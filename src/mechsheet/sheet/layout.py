@@ -7,8 +7,10 @@ from dataclasses import replace
 from livesheet.workbook import Cell, Column, Properties, Sheet, Workbook
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism
+from mechsheet.sheet.asked.requested import table_sheets
 from mechsheet.sheet.checks.checks import Checks, checks_sheet
 from mechsheet.sheet.checks.extremes import Extremes
+from mechsheet.sheet.checks.keyed import hand_in, handed_out
 from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing.charts import chart_requests, charts_of, with_room
 from mechsheet.sheet.drawing.drawing import drawing_of
@@ -21,7 +23,6 @@ from mechsheet.sheet.table.forces import forces_sheet
 from mechsheet.sheet.table.iterations import iterations_sheet
 from mechsheet.sheet.table.positions import positions_sheet
 from mechsheet.sheet.table.rates import rates_sheet
-from mechsheet.sheet.table.requested import table_sheets
 from mechsheet.sheet.table.tolerance import Tolerance
 
 DESCRIPTION_MARK = "mechsheet description, format 1"
@@ -33,7 +34,11 @@ DESCRIPTION_SHEET = "description"
 def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]:
     """The workbook (its formulas have no values yet) and the plan that it follows."""
     plan = plan_of(mechanism, equations)
-    checks, extremes = Checks(plan), Extremes(plan)
+    extremes = Extremes(plan)
+    plan.extremes = handed_out(extremes)
+    checks = Checks(plan)
+    plan.checks = checks.places
+    hand_in(plan)
     tolerance = Tolerance(plan)
     requests = chart_requests(plan)
     drawing = drawing_of(plan, requests)

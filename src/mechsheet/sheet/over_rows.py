@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from livesheet.formula.nodes import Call, Node, RangeRef, Text
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text
 from mechsheet.kinematics.period import SAME_AGAIN
 from mechsheet.model import Driver
-from mechsheet.sheet.plan import ROW_COUNT, Plan
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.units import Unit, turn
 
@@ -61,10 +61,24 @@ def mean_of_motion(driver: Driver, column: RangeRef, tests: Sequence[Test], turn
 
 def mean_of_rows(plan: Plan, symbol: str, sheet: str) -> Node:
     """That of a column of the tables, over rows in which the mechanism closes, for a formula on a sheet."""
-    said = plan.at.column("#status", sheet)
-    turns = formula("AND(_whole=2,_rows_closed=rows)", rows=ROW_COUNT) if may_leave_out(plan) else None
+    said, turns = plan.places.status.whole(sheet), None
+    if may_leave_out(plan):
+        turns = formula("AND(whole=2,closed=rows)", whole=plan.searched.whole.cell, closed=plan.places.closed.cell,
+                        rows=plan.places.rows.cell)  # fmt: skip
     column = plan.at.column(symbol, sheet)
     return mean_of_motion(plan.mechanism.driver, column, [(said, plan.text("status.ok"))], turns)
+
+
+def first_row(plan: Plan) -> Node:
+    """The first row in which the mechanism closes, counted from 1."""
+    return plan.searched.stretches[0].first.cell
+
+
+def last_row(plan: Plan) -> Node:
+    """The last one: of every stretch in one range, so that it reads back as it was written."""
+    first, last = (plan.searched.stretches[at].last for at in (0, -1))
+    ends = (CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in (first, last))
+    return formula("MAX(rows)", rows=RangeRef(*ends))
 
 
 def may_leave_out(plan: Plan) -> bool:
@@ -87,8 +101,8 @@ def ends_meet(plan: Plan, symbol: str, unit: Unit, column: Node, ends: tuple[Nod
     if change == "turns" and unit.kind == "angle" and not unit.per:
         half = turn(plan.at.spots[symbol].degrees) / 2.0
         return formula("ABS(start-end)<half", start=start, end=end, half=half)
-    return formula("AND(_whole=1,ABS(start-end)<=same*(MAX(column)-MIN(column)))", start=start, end=end, column=column,
-                   same=SAME_AGAIN)  # fmt: skip
+    return formula("AND(whole=1,ABS(start-end)<=same*(MAX(column)-MIN(column)))", whole=plan.searched.whole.cell,
+                   start=start, end=end, column=column, same=SAME_AGAIN)  # fmt: skip
 
 
 def _but_last(column: RangeRef) -> RangeRef:

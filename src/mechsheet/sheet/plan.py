@@ -29,23 +29,23 @@ from mechsheet.kinematics.sweep import sweep
 from mechsheet.kinematics.terms import only_rounding
 from mechsheet.model import ENERGY, Dimension, Mechanism
 from mechsheet.sheet.addresses import Addresses, Spot
-from mechsheet.sheet.first.classification import Classification, classification
+from mechsheet.sheet.classification import Classification, classification
+from mechsheet.sheet.columns.averaged import with_averaged
+from mechsheet.sheet.columns.bands import Banded, found_bands, sizes, tolerance_symbol, with_bands
+from mechsheet.sheet.columns.flywheel import MEAN, with_energy
+from mechsheet.sheet.columns.lowering import Assignment, Assignments, in_pass, lowered
+from mechsheet.sheet.columns.start_columns import start_columns
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
-from mechsheet.sheet.synthesis.planning import plan_rows
-from mechsheet.sheet.synthesis.rows import Rows
-from mechsheet.sheet.table.averaged import with_averaged
-from mechsheet.sheet.table.bands import Banded, found_bands, sizes, tolerance_symbol, with_bands
-from mechsheet.sheet.table.flywheel import with_energy
-from mechsheet.sheet.table.lowering import Assignment, Assignments, in_pass, lowered
-from mechsheet.sheet.table.start_columns import start_columns
+from mechsheet.sheet.places import Checked, Places, Searched, Starts, there
+from mechsheet.sheet.task_rows import Rows, plan_rows
 from mechsheet.synthesis.kinds import kind_of
 from mechsheet.words.workbook import Language, words
 
 ROW_COUNT = Symbol("#rows")
-"""How many rows the table of positions has: counted in a cell, since a person may insert some."""
+"""`Places.rows` by its key: see `checks/keyed`."""
 
-SYMBOL, VALUE, UNIT, TOLERANCE, MEANING = range(5)
-"""Columns of the blocks on the first sheet."""
+SYMBOL, VALUE, UNIT, TOLERANCE, MEANING, MARGIN, CHARTS = range(7)
+"""Columns of the blocks on the first sheet, the narrow one beside them, and the first one of the charts."""
 
 VERDICT_ROW, LEGEND_ROW = 1, 2
 """Rows of the first sheet under its title: what is to be said of the mechanism, and what the colours mean."""
@@ -117,6 +117,7 @@ class Plan:
     forces  those of the sheet of forces, behind the driver's value and what is said of the row
     bands   those of the sheet of tolerances, likewise;  sensitivities: what these say
     window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
+    places, extremes, checks  what stands where on the first sheet and in the tables, and on those two
     synthesis   rows of the sheet of synthesis; None where no dimension is found from a task
     """
 
@@ -138,6 +139,9 @@ class Plan:
     next_row: int = 0
     window: dict[str, Spot] = field(default_factory=dict)
     synthesis: Rows | None = None
+    places: Places = field(init=False)
+    extremes: Searched | None = None
+    checks: Checked | None = None
 
     @cached_property
     def periods(self) -> Periods:
@@ -272,12 +276,27 @@ class Plan:
     @property
     def status_column(self) -> int:
         """The column of the table that says what does not close."""
-        return self.at.spots["#status"].col
+        return self.places.status.col
 
     @property
     def ok(self) -> str:
         """What it says where everything closes."""
         return self.text("status.ok")
+
+    @property
+    def searched(self) -> Searched:
+        """Places on the sheet of extremes, which a page does not have."""
+        return there(self.extremes)
+
+    @property
+    def checked(self) -> Checked:
+        """Places on the sheet of checks, which a page does not have."""
+        return there(self.checks)
+
+    @property
+    def named(self) -> bool:
+        """Whether formulas read cells by their names."""
+        return self.mechanism.references == "names"
 
     @property
     def main(self) -> str:
@@ -303,7 +322,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     titles = {key: words(language, f"sheet.{key}") for key in (*SHEETS, *further)}
     values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)
-    at = Addresses(mechanism.references, titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
+    at = Addresses(titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
     found_of_bands = found_bands(mechanism, equations)
     assignments = with_averaged(
         mechanism, with_bands(mechanism, with_energy(mechanism, lowered(mechanism, equations)), found_of_bands)
@@ -311,12 +330,12 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     found = classification(mechanism, assignments)
     plan = Plan(mechanism, assignments, language, at, rows, [float(value) for value in values], found)
     plan.sensitivities = found_of_bands
-    _plan_columns(plan)
-    _plan_names_and_blocks(plan)
+    starts = _plan_columns(plan)
+    _plan_names_and_blocks(plan, starts)
     return plan
 
 
-def _plan_names_and_blocks(plan: Plan) -> None:
+def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
     mechanism = plan.mechanism
     order = {symbol: index for index, symbol in enumerate(dimension_order(mechanism))}
     own = [dim for dim in mechanism.dimensions if not dim.place]
@@ -354,43 +373,60 @@ def _plan_names_and_blocks(plan: Plan) -> None:
     names = names_of_dimensions(mechanism, placed, taken, kept_names(mechanism, [*plan.found.entries, *shown]))
     for dim in placed:
         _place_dimension(plan, dim, names[dim.symbol], taken)
-    _place_synthesis(plan, taken)
+    unsolved, task = _place_synthesis(plan, taken)
+    spots, rows = plan.at.spots, {key: block.rows for key, block in plan.blocks.items()}
     for equation in plan.equations.constants:
-        row = plan.blocks["derived"].rows[equation.symbol]
-        _spot(
-            plan,
-            equation.symbol,
-            row,
-            mechanism.shown(equation.unit).in_degrees,
-            safe_name(equation.symbol, taken),
-            taken,
-        )
+        symbol, degrees = equation.symbol, mechanism.shown(equation.unit).in_degrees
+        spots[symbol] = _cell(plan, rows["derived"][symbol], safe_name(symbol, taken), taken, degrees=degrees)
+    bands = {}
     if mechanism.bands:
-        _place_bands(plan, taken)
+        for dim in toleranced(mechanism):
+            symbol, name = tolerance_symbol(dim.symbol), safe_name(f"tol_{dim.symbol}", taken)
+            spots[symbol] = _cell(plan, rows["dimensions"][dim.symbol], name, taken, TOLERANCE)
+        for symbol, row in rows["bands"].items():
+            bands[symbol] = _cell(plan, row, safe_name(f"band_{symbol}", taken), taken)
     for mode in modes:
-        _spot(plan, mode, plan.blocks["assembly"].rows[mode], False, safe_name(mode, taken), taken)
-    for key in ("start", "step"):
-        if "sweep" in plan.blocks:
-            name = safe_name(plan.text(f"name.{key}"), taken)
-            degrees = mechanism.driver.unit.in_degrees
-            _spot(plan, f"#{key}", plan.blocks["sweep"].rows[key], degrees, name, taken)
-    for each in singles:
-        row = plan.blocks["summary"].rows[each.symbol]
-        _spot(plan, f"#summary {each.symbol}", row, False, each.cell or safe_name(each.symbol, taken), taken)
+        spots[mode] = _cell(plan, rows["assembly"][mode], safe_name(mode, taken), taken)
+    start, step = (
+        _cell(
+            plan,
+            rows["sweep"][key],
+            safe_name(plan.text(f"name.{key}"), taken),
+            taken,
+            degrees=mechanism.driver.unit.in_degrees,
+        )
+        if "sweep" in rows
+        else None
+        for key in ("start", "step")
+    )
+    summaries = {
+        each.symbol: _cell(plan, rows["summary"][each.symbol], each.cell or safe_name(each.symbol, taken), taken)
+        for each in singles
+    }
     for output in mechanism.outputs:
         if output.cell:
-            plan.names.append(Name(output.cell, plan.main, plan.blocks["variables"].rows[output.symbol], VALUE))
-    name = safe_name(plan.text("name.position"), taken)
-    _spot(plan, "#position", plan.blocks["position"].rows["position"], False, name, taken)
-    for key in shown:
-        _spot(plan, f"#{key}", plan.blocks["position"].rows[key], False, safe_name(key, taken), taken)
-    _spot(plan, "#verdict", VERDICT_ROW, False, safe_name("verdict", taken), taken, SYMBOL)
+            plan.names.append(Name(output.cell, plan.main, rows["variables"][output.symbol], VALUE))
+    position = _cell(plan, rows["position"]["position"], safe_name(plan.text("name.position"), taken), taken)
+    arrows: dict[str, Spot] = {
+        kind: _cell(plan, rows["position"][key], safe_name(key, taken), taken)
+        for kind, key in zip(plan.arrows, shown, strict=True)
+    }
+    verdict = _cell(plan, VERDICT_ROW, safe_name("verdict", taken), taken, SYMBOL)
+    lines, occurs = {}, {}
     for key in plan.found.entries:
-        row = plan.blocks["verdicts"].rows[key]
-        _spot(plan, f"#{key}", row, False, safe_name(key, taken), taken)
+        lines[key] = _cell(plan, rows["verdicts"][key], safe_name(key, taken), taken)
         if key in plan.found.placed:
-            _spot(plan, f"#{key}_at", row, False, safe_name(f"{key}_at", taken), taken, TOLERANCE)
-    plan.at.spots[ROW_COUNT.name] = Spot(plan.main, plan.blocks["verdicts"].rows["rows_closed"], UNIT)
+            occurs[key] = _cell(plan, rows["verdicts"][key], safe_name(f"{key}_at", taken), taken, TOLERANCE)
+    if "mean_torque" in lines:
+        spots[MEAN] = lines["mean_torque"]
+    first = plan.at.first
+    number, status = (Spot(plan.table, first, col, plan.rows) for col in (NUMBER, STATUS))
+    rates = Spot(plan.at.titles["rates"], first, RATES_STATUS, plan.rows) if plan.rates else None
+    count = Spot(plan.main, rows["verdicts"]["rows_closed"], UNIT)
+    plan.places = Places(
+        status, count, verdict, lines, summaries, number, rates, position, start, step, unsolved, task, arrows, occurs,
+        bands, starts=starts,
+    )  # fmt: skip
 
 
 INPUT_BLOCKS = ("motion", "drivers", "gears", "masses", "loads")
@@ -405,41 +441,33 @@ def block_of(dim: Dimension) -> str:
     return places[str(dim.place[0])] if dim.place else ""
 
 
-def _place_bands(plan: Plan, taken: set[str]) -> None:
-    """The tolerances beside their dimensions, and the lines that say what they come to."""
-    rows = plan.blocks["dimensions"].rows
-    for dim in toleranced(plan.mechanism):
-        name = safe_name(f"tol_{dim.symbol}", taken)
-        _spot(plan, tolerance_symbol(dim.symbol), rows[dim.symbol], False, name, taken, TOLERANCE)
-    for symbol, row in plan.blocks["bands"].rows.items():
-        _spot(plan, f"#band {symbol}", row, False, safe_name(f"band_{symbol}", taken), taken)
-
-
 def _place_dimension(plan: Plan, dim: Dimension, name: str, taken: set[str]) -> None:
     block = plan.blocks[block_of(dim) or ("dimensions" if dim.symbol in plan.blocks["dimensions"].rows else "derived")]
-    _spot(plan, dim.symbol, block.rows[dim.symbol], dim.unit.in_degrees, name, taken)
+    plan.at.spots[dim.symbol] = _cell(plan, block.rows[dim.symbol], name, taken, degrees=dim.unit.in_degrees)
 
 
-def _place_synthesis(plan: Plan, taken: set[str]) -> None:
-    """The task's inputs, the steps, and what is said of them."""
+def _place_synthesis(plan: Plan, taken: set[str]) -> tuple[Spot | None, Spot | None]:
+    """The task's inputs and its steps; whether it has a solution, and the line of what is said of it."""
     task = plan.mechanism.synthesis
     if task is None:
-        return
+        return None, None
     title = plan.at.titles["synthesis"]
 
-    def place(symbol: str, row: int, col: int, degrees: bool, wanted: str) -> None:
-        name = safe_name(wanted, taken)
-        taken.add(folded(name))
-        plan.at.spots[symbol] = Spot(title, row, col, degrees=degrees, name=name)
-        plan.names.append(Name(name, title, row, col))
+    def place(row: int, col: int, degrees: bool, wanted: str) -> Spot:
+        return _cell(plan, row, safe_name(wanted, taken), taken, col, degrees, title)
 
-    plan.synthesis = plan_rows(plan.mechanism, task, bool(plan.found.four_bars), place)
+    plan.synthesis, spots, line, unsolved = plan_rows(plan.mechanism, task, bool(plan.found.four_bars), place)
+    plan.at.spots.update(spots)
+    return unsolved, line
 
 
-def _spot(plan: Plan, symbol: str, row: int, degrees: bool, name: str, taken: set[str], col: int = VALUE) -> None:
+def _cell(
+    plan: Plan, row: int, name: str, taken: set[str], col: int = VALUE, degrees: bool = False, sheet: str = ""
+) -> Spot:
+    """A cell with a name, of the first sheet where no other is said."""
     taken.add(folded(name))
-    plan.at.spots[symbol] = Spot(plan.main, row, col, degrees=degrees, name=name)
-    plan.names.append(Name(name, plan.main, row, col))
+    plan.names.append(Name(name, sheet or plan.main, row, col))
+    return Spot(sheet or plan.main, row, col, 0, degrees, name, plan.named)
 
 
 def _block(plan: Plan, key: str, entries: list[str]) -> Block:
@@ -451,12 +479,12 @@ def _block(plan: Plan, key: str, entries: list[str]) -> Block:
     return block
 
 
-def _plan_columns(plan: Plan) -> None:
+def _plan_columns(plan: Plan) -> dict[int, Starts]:
     """One column a quantity: as people read it, and as formulas do."""
     driver = plan.mechanism.driver
-    _add_column(plan, "#number", "number", 0, False)
+    _add_column(plan, "", "number", 0, False)
     _add_column(plan, driver.symbol, "driver", 0, driver.unit.in_degrees)
-    _add_column(plan, "#status", "status", 0, False)
+    _add_column(plan, "", "status", 0, False)
     for symbol in plan.mechanism.given_by_row:
         own = plan.mechanism.given_unit(symbol)
         in_degrees = symbol in plan.mechanism.listed_symbols and own is not None and own.in_degrees
@@ -467,12 +495,11 @@ def _plan_columns(plan: Plan) -> None:
         degrees = equation.role != "intermediate" and plan.mechanism.shown(equation.unit).in_degrees
         group = -1 if equation.role == "output" else equation.group
         _add_column(plan, equation.symbol, "equation", group, degrees, equation)
-    _plan_iterations(plan)
+    starts = _plan_iterations(plan)
     plan.rates += _columns_beside(plan, "rates", RATES)
-    if plan.rates:
-        plan.at.spots["#rates"] = Spot(plan.at.titles["rates"], plan.at.first, RATES_STATUS, column=True)
     plan.forces += _columns_beside(plan, "forces", FORCES)
     plan.bands += _columns_beside(plan, "tolerance", BANDS)
+    return starts
 
 
 def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[TableColumn]:
@@ -486,11 +513,11 @@ def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[Table
         group = 0 if equation.symbol in first else equation.group
         inner = equation.role in INNER
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
-        plan.at.spots[equation.symbol] = Spot(plan.at.titles[key], plan.at.first, col, column=True)
+        plan.at.spots[equation.symbol] = Spot(plan.at.titles[key], plan.at.first, col, plan.rows)
     return columns
 
 
-def _plan_iterations(plan: Plan) -> None:
+def _plan_iterations(plan: Plan) -> dict[int, Starts]:
     """A block of columns for each pass of each group that Newton's method solves; the last says where it has arrived."""
     found = [equation for equation in plan.equations.columns if equation.role == "iteration"]
     title = plan.at.titles.get("iterations", "")
@@ -500,27 +527,29 @@ def _plan_iterations(plan: Plan) -> None:
         passes = system.passes if system else 0
         block = BLOCKS * equation.group + (int(number) if number.isdecimal() else passes + 1)
         plan.iterations.append(TableColumn(col, equation.symbol, "equation", block, True, equation))
-        plan.at.spots[equation.symbol] = Spot(title, plan.at.first, col, column=True)
-    if found:
-        _place_starts(plan, title)
+        plan.at.spots[equation.symbol] = Spot(title, plan.at.first, col, plan.rows)
+    return _place_starts(plan, title) if found else {}
 
 
-def _place_starts(plan: Plan, title: str) -> None:
+def _place_starts(plan: Plan, title: str) -> dict[int, Starts]:
     """Behind the blocks: how many passes each row needs, where each group starts, and the start values."""
-    first, col = plan.at.first, plan.iterations[-1].col + 1
+    found, first, col = {}, plan.at.first, plan.iterations[-1].col + 1
     for group in plan.equations.groups:
         system = group.system
         if system is None:
             continue
-        plan.at.spots[f"#needed_{group.number}"] = Spot(title, first, col, column=True)
         columns = start_columns(plan.equations, system)
-        plan.at.spots[f"#start_{group.number}"] = Spot(title, first, col + 2)
-        col += 2 + columns.width
-        plan.at.spots[f"#lost_{group.number}"] = Spot(title, first, col - 1)
-        for place, symbol in enumerate(reversed(columns.passes), 2):
-            plan.at.spots[in_pass(symbol, 0)] = Spot(title, first + FIRST_PASSES, col - place)
-        plan.at.spots[f"#starts_{group.number}"] = Spot(title, first, col + 1)
-        col += len(system.unknowns) + 3
+        needed, table, values = col, col + 2, col + 3 + columns.width
+        found[group.number] = Starts(
+            Spot(title, first, needed, plan.rows),
+            Spot(title, first, values - 2, FIRST_PASSES + 1),
+            Spot(title, first, table),
+            Spot(title, first, values),
+        )
+        for place, symbol in enumerate(reversed(columns.passes), 3):
+            plan.at.spots[in_pass(symbol, 0)] = Spot(title, first + FIRST_PASSES, values - place)
+        col = values + len(system.unknowns) + 2
+    return found
 
 
 def _add_column(
@@ -534,4 +563,5 @@ def _add_column(
     inner = equation is not None and equation.role in INNER
     col = len(plan.columns)
     plan.columns.append(TableColumn(col, symbol, kind, group, inner, equation))
-    plan.at.spots[symbol] = Spot(plan.table, plan.at.first, col, column=True, degrees=degrees)
+    if symbol:
+        plan.at.spots[symbol] = Spot(plan.table, plan.at.first, col, plan.rows, degrees)

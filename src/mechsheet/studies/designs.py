@@ -28,9 +28,9 @@ from mechsheet.kinematics.period import Periods
 from mechsheet.model import Condition, Mechanism, Study
 from mechsheet.sheet.checks.boundless import bounded, divisor_of
 from mechsheet.sheet.checks.turning import derivatives, differentiated
-from mechsheet.sheet.first.classification import classification
+from mechsheet.sheet.classification import classification
+from mechsheet.sheet.columns.lowering import lowered
 from mechsheet.sheet.plan import LEAST_PROBED
-from mechsheet.sheet.table.lowering import lowered
 from mechsheet.studies.lowering import Lowered, Lowering
 from mechsheet.studies.motion import DIVISOR, Motion
 from mechsheet.studies.program import Running

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from edited import TEMPLATES, audited, edited, laid_out, saved, with_column
+from placed import places_of
 
 from chosen import IN_CI, part
 from livesheet.diagnostics import WorkbookError
@@ -123,12 +124,12 @@ def test_emptied(yoke):
 
 def test_inputs_are_there_to_be_changed(yoke):
     workbook, plan = yoke
-    row = {symbol: spot.row + 1 for symbol, spot in plan.at.spots.items()}
+    row = {symbol: spot.row + 1 for symbol, spot in places_of(plan).items()}
     cells = {
         f"Mechanism_B{row['a2']}": 30.0,
         f"Mechanism_D{row['a2']}": 0.05,
-        f"Mechanism_B{row['#step']}": 10.0,
-        f"Mechanism_B{row['#position']}": 7.0,
+        f"Mechanism_B{row['step']}": 10.0,
+        f"Mechanism_B{row['position']}": 7.0,
     }
     report = audited(edited(workbook, **cells))
     assert report.edits == ()

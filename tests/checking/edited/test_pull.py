@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 from edited import TEMPLATES, edited, laid_out, saved
+from placed import places_of
 
 from chosen import first
 from livesheet.engine import evaluate
@@ -34,7 +35,7 @@ def template(name):
 
 def cells_of(plan, **values):
     """`a2=30` as the cell Mechanism_B11=30."""
-    spots = {symbol.lstrip("#"): spot for symbol, spot in plan.at.spots.items()}
+    spots = places_of(plan)
     return {f"{spots[symbol].sheet}_B{spots[symbol].row + 1}": value for symbol, value in values.items()}
 
 

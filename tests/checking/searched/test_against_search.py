@@ -5,6 +5,7 @@ from functools import cache
 
 import pytest
 from edited import TEMPLATES, edited, laid_out, saved
+from placed import places_of
 
 from livesheet.diagnostics import WorkbookError
 from livesheet.engine import compile_book
@@ -38,7 +39,8 @@ class Damaged:
 @cache
 def evaluated(name, layout, typed):
     compiled, book = built(name, layout)
-    spots = {compiled.plan.at.spots[symbol]: value for symbol, value in typed}
+    places = places_of(compiled.plan)
+    spots = {places[symbol]: value for symbol, value in typed}
     return book.evaluate({(spot.sheet, spot.row, spot.col): float(value) for spot, value in spots.items()})
 
 
@@ -47,7 +49,7 @@ def judged(name, layout="sheets", damage=None, **typed):
     plan = built(name, layout)[0].plan
     values = evaluated(name, layout, tuple(typed.items()))
     if damage is not None:
-        values = Damaged(values, plan.at.spots[f"#{damage[0]}"], damage[1])
+        values = Damaged(values, places_of(plan)[damage[0]], damage[1])
     return against_search(book_of(built(name, layout)[0].layout), values, plan, name)
 
 
@@ -84,7 +86,7 @@ def test_a_wrong_verdict_is_found(key, by, typed):
 def test_check_reports_a_verdict_that_was_typed_over(tmp_path):
     """The cell, what it says, and what is true."""
     workbook, plan = laid_out("four-bar")
-    spot = plan.at.spots["#verdict"]
+    spot = places_of(plan)["verdict"]
     cell, said = cell_address(spot.sheet, spot.row, spot.col), "closes in all 24 positions"
     report = check(saved(edited(workbook, **{cell.replace("!", "_"): said}), tmp_path / "edited.xlsx"))
     search = next(item for item in report.comparisons if item.judge == "search")
@@ -120,7 +122,7 @@ def test_show_prints_what_the_search_finds_not_what_the_probes_found():
     compiled, _ = built("adjustable-pump")
     shown = verdicts_of(compiled.mechanism)
     ratio = shown["time_ratio_s15"].value
-    sheet = compiled.value(compiled.plan.at.spots["#time_ratio_s15"])
+    sheet = compiled.value(places_of(compiled.plan)["time_ratio_s15"])
     assert ratio == pytest.approx(2.00873, abs=1e-5)  # the reference, Newton every 0.05 degrees
     assert ratio != sheet
     assert ratio == pytest.approx(sheet, rel=5e-3)
@@ -146,7 +148,7 @@ def test_a_wrong_summary_is_found(layout, symbol, by):
     compiled = Compiled(replace(loads(text), layout=layout))
     values = compile_book(book_of(compiled.layout)).evaluate({})
     if symbol is not None:
-        values = Damaged(values, compiled.plan.at.spots[f"#summary {symbol}"], by)
+        values = Damaged(values, places_of(compiled.plan)[f"summary {symbol}"], by)
     found = against_search(book_of(compiled.layout), values, compiled.plan, "four-bar")
     assert found.agrees == (symbol is None), found
     assert symbol is None or found.where.endswith((f"({symbol})", "(arc)"))  # arc follows from what is shown of swing

@@ -13,9 +13,9 @@ from mechsheet.checking.searched.probed_cells import UNMOVED, Astray, Searched, 
 from mechsheet.checking.searched.summaries import Expected
 from mechsheet.compiled import Compiled
 from mechsheet.description import load
-from mechsheet.sheet.table.requested import tables_of
+from mechsheet.sheet.asked.requested import tables_of
+from mechsheet.sheet.asked.two_way import FIRST
 from mechsheet.sheet.table.tolerance import lines_of
-from mechsheet.sheet.table.two_way import FIRST
 
 HOEKEN = Path(__file__).parents[3] / "templates/hoeken.toml"
 

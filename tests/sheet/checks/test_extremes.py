@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from placed import places_of
 from swept import four_bar, swept
 
 from mechsheet.compiled import compiled_of
@@ -50,7 +51,7 @@ def test_a_load_that_grows_with_the_angle(rows):
     text = template_text("four-bar-forces").replace("torque = 120", 'torque = "-50*theta12"')
     text = text[: text.index("[summary]")] + '[summary]\nhigh = { of = "F34.x", take = "max" }\n'
     compiled = compiled_of(loads(swept(text, rows)))
-    spot = compiled.plan.at.spots["#summary high"]
+    spot = places_of(compiled.plan)["summary high"]
     assert spot.col == VALUE
     low, high = dense(text, rows, "F34.x")
     assert compiled.number(spot) == pytest.approx(high, abs=2e-4 * (high - low))

@@ -4,6 +4,7 @@ import math
 
 import pytest
 from laid import Laid, template_text
+from placed import places_of
 
 from parallel_slides import COTANGENT
 
@@ -12,7 +13,7 @@ FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
 
 def limits(laid):
     """The driver's values at the limits that are found; the count says of all."""
-    return [laid.spot(f"#limit_{n}") for n in range(1, min(4, int(laid.spot("#limits"))) + 1)]
+    return [laid.spot(f"limit_{n}") for n in range(1, min(4, int(laid.spot("limits"))) + 1)]
 
 
 def by_cosines(a1, a2, reach):
@@ -26,8 +27,8 @@ def test_limits_of_a_rocker(a1):
     laid = Laid(FOUR_BAR).change(a1=a1)
     limit = by_cosines(a1, 35, 118.3)
     assert limits(laid) == pytest.approx([limit, 360 - limit], abs=1e-5)
-    assert laid.spot("#limits") == 2
-    assert (laid.spot("#input_from"), laid.spot("#input_to")) == pytest.approx((0, limit), abs=1e-5)
+    assert laid.spot("limits") == 2
+    assert (laid.spot("input_from"), laid.spot("input_to")) == pytest.approx((0, limit), abs=1e-5)
     assert laid.words("limits").startswith(f"{round(limit, 2):.15g}°; {round(360 - limit, 2):.15g}°")
     assert laid.words("input_from") == "from … to: the first of several stretches"
 
@@ -38,10 +39,10 @@ def test_an_extreme_at_a_limit_is_where_the_stretch_begins_or_ends(start, step):
     limit = by_cosines(70, 50, 118.3)
     rocker = 360 - math.degrees(math.atan2(50 * math.sin(math.radians(limit)), 50 * math.cos(math.radians(limit)) - 70))
     laid = Laid(FOUR_BAR)
-    spots = (laid.plan.at.spots[key] for key in ("#max_theta14", "#max_at_theta14"))
+    spots = (places_of(laid.plan)[key] for key in ("max_theta14", "max_at_theta14"))
     laid.only(*((spot.sheet, spot.row, spot.col) for spot in spots)).change(a2=50, _start=start, _step=step)
-    assert math.remainder(laid.spot("#max_theta14") - rocker, 360) == pytest.approx(0, abs=1e-3)
-    assert laid.spot("#max_at_theta14") == pytest.approx(-limit, abs=1e-5)
+    assert math.remainder(laid.spot("max_theta14") - rocker, 360) == pytest.approx(0, abs=1e-3)
+    assert laid.spot("max_at_theta14") == pytest.approx(-limit, abs=1e-5)
 
 
 def test_two_ranges():
@@ -74,7 +75,7 @@ def test_stroke(offset):
     """sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2)."""
     laid = Laid(template_text("slider-crank"), overrides={"a1": str(offset)})
     far, near = (math.sqrt((250 + sign * 50) ** 2 - offset**2) for sign in (1, -1))
-    assert laid.spot("#stroke_s14") == pytest.approx(far - near, abs=1e-5)
+    assert laid.spot("stroke_s14") == pytest.approx(far - near, abs=1e-5)
 
 
 def test_lines_that_turn_parallel_between_two_rows_meet_nowhere():
@@ -83,8 +84,8 @@ def test_lines_that_turn_parallel_between_two_rows_meet_nowhere():
     assert all(laid.exists)
     assert laid.words("passes") == "may not close near 190°: smaller step"
     assert laid.words("passes") in laid.verdict
-    laid.change(**{"#start": 10.6, "#step": 360 / 17})  # the next row would be the first again, and 0 lies before it
+    laid.change(**{"start": 10.6, "step": 360 / 17})  # the next row would be the first again, and 0 lies before it
     assert laid.words("passes") == "may not close near 10.6°: smaller step"
-    laid.change(**{"#start": 10, "#step": 9})  # ends at 163 degrees
+    laid.change(**{"start": 10, "step": 9})  # ends at 163 degrees
     assert laid.words("passes") == "no gap seen between neighbouring positions"
     assert laid.words("limits") == "no limit position in this range"

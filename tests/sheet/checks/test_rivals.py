@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from placed import places_of
 from swept import four_bar, swept
 
 from livesheet.engine import evaluate
@@ -14,9 +15,9 @@ from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.library.changed import loads
+from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.checks.extremes import BEYOND
 from mechsheet.sheet.plan import MEANING
-from mechsheet.sheet.table.requested import tables_of
 from mechsheet.studies.designs import Designs
 
 FORCES = template_text("four-bar-forces").partition("[summary]")[0]
@@ -45,7 +46,7 @@ def changed(text, **values):
 def shown(mechanism, name):
     """The value of a summary, and its words."""
     compiled = compiled_of(mechanism)
-    spot = compiled.plan.at.spots[f"#summary {name}"]
+    spot = places_of(compiled.plan)[f"summary {name}"]
     return compiled.value(spot), str(compiled.value(replace(spot, col=MEANING)))
 
 
@@ -120,7 +121,7 @@ def test_a_study_says_the_same(rows, more):
         changes = {name: float(found.columns[name][number]) for name in designs.varied}
         compiled = compiled_of(changed(mechanism.text, **changes, **designs.modes))
         for summary in mechanism.summaries:
-            words = compiled.value(replace(compiled.plan.at.spots[f"#summary {summary.symbol}"], col=MEANING))
+            words = compiled.value(replace(places_of(compiled.plan)[f"summary {summary.symbol}"], col=MEANING))
             if "rows only" in words:  # its three probes have not found a limit, which a study finds by halving
                 continue
             assert (SAID in str(words)) == (f"{summary.symbol}{SAID}" in str(remarks[number])), (changes, words)

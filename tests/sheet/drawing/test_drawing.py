@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from placed import places_of
 
 from chosen import IN_CI, LOADED, but, some
 from livesheet.engine import Live, compile_book
@@ -41,13 +42,14 @@ class Laid:
 
     def at(self, position, **dimensions):
         """Values with the position cell and dimensions (as shown) changed."""
-        changes = {"#position": float(position)} | dimensions
-        spots = {symbol: self.plan.at.spots[symbol] for symbol in changes}
+        changes = {"position": float(position)} | dimensions
+        places = places_of(self.plan)
+        spots = {symbol: places[symbol] for symbol in changes}
         return self.book.evaluate({(spot.sheet, spot.row, spot.col): changes[name] for name, spot in spots.items()})
 
     def moved_to(self, position):
         """The sheet's values with the position cell changed, until the next call: only what reads that cell is computed."""
-        spot = self.plan.at.spots["#position"]
+        spot = places_of(self.plan)["position"]
         self.live.set((self.titles.index(spot.sheet), spot.row, spot.col), float(position))
         own = self.titles.index(self.drawing.sheet.title)
         self.live.read(Area(own, 0, 0, 1 + max(fill.row + fill.rows for fill in self.drawing.sheet.fills), 99))

@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from placed import places_of
 
 from livesheet.engine import compile_book
 from livesheet.evaluation import book_of
@@ -84,7 +85,7 @@ class Sheets:
 
     def cells_of(self, inputs):
         """The cells in which inputs stand."""
-        spots = self.plan.at.spots
+        spots = places_of(self.plan)
         return {(spots[key].sheet, spots[key].row, spots[key].col): value for key, value in inputs.items()}
 
     def elsewhere(self, values):
@@ -103,7 +104,7 @@ class Sheets:
         return self.of(key, MEANING)
 
     def spot(self, key):
-        spot = self.plan.at.spots[key]
+        spot = places_of(self.plan)[key]
         return self.values.get(spot.sheet, spot.row, spot.col)
 
     def colour(self, row, col):
@@ -139,7 +140,7 @@ class Truth(Search):
             listed = np.array([number(value, dimensions) for value in driver.values])
         else:
             start, step = (
-                given.pop(f"#{key}") / self.scale if f"#{key}" in given else number(getattr(driver, key), dimensions)
+                given.pop(key) / self.scale if key in given else number(getattr(driver, key), dimensions)
                 for key in ("start", "step")
             )
             listed = start + step * np.arange(self.plan.rows)
@@ -242,11 +243,11 @@ def change(sheets, random):
     if not driver.values and driver.link:
         degrees = 1.0 if driver.unit.in_degrees else math.radians(1.0)
         if isinstance(driver.start, float) and random.random() < 0.5:
-            inputs["#start"] = round(random.uniform(-180, 360), 3) * degrees
+            inputs["start"] = round(random.uniform(-180, 360), 3) * degrees
         if isinstance(driver.step, float) and random.random() < 0.5:
             whole = 360 / (plan.rows - 1)
             steps = [whole, -whole, 360 / plan.rows, random.uniform(0.2, 1.5) * whole, -random.uniform(0.2, 1) * whole]
-            inputs["#step"] = float(steps[int(random.integers(len(steps)))]) * degrees
+            inputs["step"] = float(steps[int(random.integers(len(steps)))]) * degrees
     for group in plan.equations.groups:
         if group.mode and random.random() < 0.3 and group.follows is None:  # the cell of one that follows is not yellow
             inputs[group.mode] = float(

@@ -14,6 +14,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 import numpy as np
+from placed import places_of
 
 from livesheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.numeric import value as number_of
@@ -21,8 +22,8 @@ from mechsheet.kinematics.rates.sensitivity import toleranced
 from mechsheet.kinematics.search import TURN
 from mechsheet.sheet.checks.geometry import distance
 from mechsheet.sheet.checks.limits import STRETCHES
-from mechsheet.sheet.first.grashof import named
 from mechsheet.sheet.first.verdicts import closes_in_all
+from mechsheet.sheet.grashof import named
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.symbols import plain
 from mechsheet.words.equations import link_words
@@ -101,7 +102,7 @@ class _Judge:
             self.refused()
             return
         try:
-            self.truth = self.sheets.truth_of({key: value for key, value in self.inputs.items() if key != "#position"})
+            self.truth = self.sheets.truth_of({key: value for key, value in self.inputs.items() if key != "position"})
         except (ValueError, ArithmeticError):  # a derived dimension, or a place over dimensions, that does not exist
             self.say("impossible: red", self.sheets.colour(VERDICT_ROW, 0) == "red", self.sheets.colour(VERDICT_ROW, 0))
             return
@@ -143,7 +144,7 @@ class _Judge:
             self.summary(summary)
 
     def wrong_inputs(self):
-        spots = self.plan.at.spots
+        spots = places_of(self.plan)
         for symbol, value in self.inputs.items():
             if not isinstance(value, float):
                 return True
@@ -151,21 +152,21 @@ class _Judge:
                 return True
             if any(symbol == group.mode and value not in group.mode_values for group in self.plan.equations.groups):
                 return True
-            if symbol == "#position" and value not in range(self.plan.rows):
+            if symbol == "position" and value not in range(self.plan.rows):
                 return True
             assert symbol in spots
         return False
 
     def refused(self):
         sheets = self.sheets
-        if set(self.inputs) != {"#position"}:
+        if set(self.inputs) != {"position"}:
             self.say("wrong input: no row closes", sheets.of("rows_closed") == 0.0, sheets.of("rows_closed"))
         self.say("wrong input: red", sheets.colour(VERDICT_ROW, 0) == "red", sheets.colour(VERDICT_ROW, 0))
         line = sheets.cell(VERDICT_ROW, 0)
         symbol = next(iter(self.inputs))
-        name = self.text("name.position") if symbol == "#position" else plain(symbol)
+        name = self.text("name.position") if symbol == "position" else plain(symbol)
         self.say("wrong input: words", line == self.verdict("inputs.wrong", symbol=name), line)
-        spot = self.plan.at.spots[symbol]
+        spot = places_of(self.plan)[symbol]
         self.say("wrong input: red cell", sheets.colour(spot.row, spot.col) == "red", symbol)
 
     def no_errors_in_words(self):
@@ -216,8 +217,8 @@ class _Judge:
         if not truth.stepped:
             return
         for number_, (_row, places) in enumerate(limits[:4], 1):
-            key = f"#limit_{number_}"
-            if key not in self.plan.at.spots:
+            key = f"limit_{number_}"
+            if key not in places_of(self.plan):
                 continue
             shown = sheets.spot(key)
             u = truth.place(shown) if isinstance(shown, float) else math.nan
@@ -232,8 +233,8 @@ class _Judge:
                     shown,
                 )
         for number_ in range(len(limits) + 1, 5):
-            if f"#limit_{number_}" in self.plan.at.spots:
-                shown = sheets.spot(f"#limit_{number_}")
+            if f"limit_{number_}" in places_of(self.plan):
+                shown = sheets.spot(f"limit_{number_}")
                 self.say("limit", missing(shown) or shown == "", number_, shown)
 
     def input_range(self):
@@ -536,7 +537,7 @@ class _Judge:
         """The ratio by the places that the sheet says, where each is as extreme as any: of flat or equal extremes."""
         truth, places = self.truth, []
         for way, best in (("min", low), ("max", high)):
-            place = self.sheets.spot(f"#{way}_at_{symbol}")
+            place = self.sheets.spot(f"{way}_at_{symbol}")
             there = truth.value_at(symbol, place) if isinstance(place, float) else None
             if there is None or abs(there - best) > 1e-5 * (high - low):
                 return []

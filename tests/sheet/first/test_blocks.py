@@ -6,7 +6,7 @@ import pytest
 
 from livesheet.formula.scalar import evaluate
 from livesheet.workbook import Area
-from mechsheet.sheet.first.blocks import input_validation
+from mechsheet.sheet.shown import input_validation
 
 PLAN = SimpleNamespace(equations=SimpleNamespace(positive={"a1"}), text=lambda key, **parts: (key, *parts.values()))
 

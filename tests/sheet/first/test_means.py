@@ -9,9 +9,9 @@ from livesheet.evaluation import book_of
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
+from mechsheet.sheet.asked.two_way import FIRST
 from mechsheet.sheet.page.layout import lay_out_page
 from mechsheet.sheet.plan import VALUE
-from mechsheet.sheet.table.two_way import FIRST
 from mechsheet.studies.designs import Designs
 
 FOUR_BAR = """
@@ -60,7 +60,7 @@ def over(low, high, **lengths):
 
 
 def means(laid):
-    return [laid.spot(f"#summary {name}") for name in ("angle", "place")]
+    return [laid.spot(f"summary {name}") for name in ("angle", "place")]
 
 
 def test_over_a_turn_in_300_linkages():
@@ -125,8 +125,8 @@ def test_two_means_of_one_sheet_agree():
     text = template_text("four-bar-forces").replace("acceleration = -40", "")
     laid = Laid(text + "[flywheel]\nfluctuation = 0.02\n")
     wheel = laid.values.get(laid.plan.main, laid.plan.blocks["verdicts"].rows["mean_torque"], VALUE)
-    assert laid.spot("#summary mean") == pytest.approx(wheel, rel=1e-12)
-    assert Laid(template_text("four-bar-forces")).spot("#summary mean") == pytest.approx(-42.2776, abs=1e-4)
+    assert laid.spot("summary mean") == pytest.approx(wheel, rel=1e-12)
+    assert Laid(template_text("four-bar-forces")).spot("summary mean") == pytest.approx(-42.2776, abs=1e-4)
 
 
 @pytest.mark.parametrize("stop", [360, 350, 140])

@@ -4,6 +4,7 @@ import math
 
 import pytest
 from laid import Laid, template_text
+from placed import places_of
 
 from livesheet.formula.nodes import ErrorValue
 from mechsheet.compiled import Compiled
@@ -67,7 +68,7 @@ def test_what_is_read_beside_them():
     assert cell(english, "share", 4) == "= swing/(2*pi)"
     assert {"Arc", "worst", "share"} <= {name.name for name in english.workbook.names}
     partly = Laid(TEXT).change(a1=110)
-    assert cell(partly, "arc", 4) == f"way of B: {int(partly.spot('#rows_closed'))} of 25 positions"
+    assert cell(partly, "arc", 4) == f"way of B: {int(partly.spot('rows_closed'))} of 25 positions"
 
 
 def test_no_motion_no_number():
@@ -84,7 +85,7 @@ def test_what_has_no_value_is_not_a_number():
 def test_the_named_cell_of_an_output_of_every_row_is_at_the_position_shown():
     laid = Laid(TEXT)
     place = next(name for name in laid.workbook.names if name.name == "Mu")
-    row = int(laid.spot("#position"))
+    row = int(laid.spot("position"))
     assert laid.values.get(place.sheet, place.row, place.col) == laid.column("mu")[row]
 
 
@@ -98,7 +99,7 @@ def test_on_a_page_they_are_of_its_rows(language):
     )
     plan = compiled.plan
     rows = [compiled.value(plan.at.spots["theta14"], row) for row in range(plan.rows)]
-    assert compiled.value(plan.at.spots["#summary share"]) == pytest.approx((max(rows) - min(rows)) / 360, rel=1e-12)
+    assert compiled.value(places_of(plan)["summary share"]) == pytest.approx((max(rows) - min(rows)) / 360, rel=1e-12)
     words = {"en": "way of B (these rows)", "tr": "B'nin yolu (bu satırlarda)"}[language]
     row = plan.blocks["summary"].rows["arc"]
     (cell,) = [cell for cell in compiled.workbook.sheet(plan.main).cells if (cell.row, cell.col) == (row, 3)]

@@ -43,7 +43,7 @@ def test_what_is_the_same_in_every_row(text, name, value):
     """Its smallest, largest, mean, first and last value is it; its range is 0. Once this was a traceback, or, of a mean, the
     mean of whatever cells stood below the constant."""
     laid = Laid(asked(text, name))
-    found = {take: laid.spot(f"#summary z_{take}") for take in TAKES}
+    found = {take: laid.spot(f"summary z_{take}") for take in TAKES}
     assert found == pytest.approx({take: 0.0 if take == "range" else value for take in TAKES}, rel=1e-12)
     searched = against_search(book_of(laid.workbook), laid.values, laid.plan, "case")
     assert searched.agrees, searched

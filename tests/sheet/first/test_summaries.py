@@ -39,7 +39,7 @@ def test_nothing_exists():
         assert cell(laid, name, 4).endswith(": 0 of 25 positions"), name
     for line in laid.plan.blocks["verdicts"].rows:
         if line.startswith(("swing", "stroke", "time_ratio", "transmission", "input_")):
-            assert laid.spot(f"#{line}") == NA, line
+            assert laid.spot(f"{line}") == NA, line
 
 
 @pytest.mark.parametrize(
@@ -49,7 +49,7 @@ def test_nothing_exists():
 def test_a_part_exists(language, words, only):
     """a1 = 110 leaves a part of the rows: the numbers are those of these rows, and the words say so."""
     laid = Laid(FOUR_BAR, language).change(a1=110)
-    there = int(laid.spot("#rows_closed"))
+    there = int(laid.spot("rows_closed"))
     assert 0 < there < 25
     for name in NAMES:
         said = cell(laid, name, 4).removesuffix(only)  # of an extreme that lies where the stretch ends
@@ -87,7 +87,7 @@ def test_position_shown_starts_at_a_row_that_exists(start):
     """Whoever opens the workbook sees the mechanism, not an empty drawing, also where the first rows do not exist."""
     text = FOUR_BAR.replace("value = 70,", "value = 110,").replace("start = 0", f"start = {start}")
     laid = Laid(text)
-    shown = laid.spot("#position")
+    shown = laid.spot("position")
     assert shown == laid.exists.index(True)
     assert isinstance(laid.values.get(laid.plan.main, laid.plan.blocks["variables"].rows["theta14"], 1), float)
 
@@ -115,5 +115,5 @@ def test_an_output_of_summaries_reads_an_angle_as_radians():
 def test_of_a_task_without_a_solution_no_summary_says_an_error():
     """No margin says where rows end there; nothing closes, so there is no row to count from."""
     laid = Laid(template_text("quick-return-lever")).change(time_ratio=0.99)
-    assert laid.spot("#rows_closed") == 0
+    assert laid.spot("rows_closed") == 0
     assert cell(laid, "stroke", 4) == f"stroke: 0 of {laid.plan.rows} positions"

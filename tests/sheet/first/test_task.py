@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from placed import places_of
 
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.description import loads
@@ -27,7 +28,7 @@ WORDS = {"sheets": MEANING, "page": top.MEANING}
 def line(text, layout="sheets"):
     """The number of things wrong, the words, and the line under the title."""
     compiled = Compiled(loads(text + f'[workbook]\nlayout = "{layout}"\n'))
-    spot = compiled.plan.at.spots["#task"]
+    spot = places_of(compiled.plan)["task"]
     return compiled.value(spot), compiled.value(replace(spot, col=WORDS[layout])), verdict(compiled)
 
 

@@ -10,7 +10,7 @@ from chosen import some
 from livesheet.formula.nodes import Binary, Call, CellRef, Number, Previous, RangeRef, Symbol, Text, walk
 from livesheet.formula.parser import parse_description
 from livesheet.workbook import Rich
-from mechsheet.sheet.notes.mathematics import written
+from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.notes.notes import EQUATION, MEANING, PLACE, SYMBOL, WIDTHS
 from mechsheet.words.workbook import WORDS
 

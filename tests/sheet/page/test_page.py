@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from placed import places_of
 
 import mechsheet
 from chosen import ITERATED, LOADED, STEPWISE, but, part
@@ -65,12 +66,13 @@ class Page:
         return np.radians(found) if spot.degrees else found
 
     def cell(self, key):
-        spot = self.plan.at.spots[key]
+        spot = places_of(self.plan)[key]
         return self.values.get(spot.sheet, spot.row, spot.col)
 
     def change(self, **symbols):
         """Type numbers (as shown) into input cells, None empties one."""
-        spots = {self.plan.at.spots[symbol]: value for symbol, value in symbols.items()}
+        places = places_of(self.plan)
+        spots = {places[symbol]: value for symbol, value in symbols.items()}
         changes = {
             (spot.sheet, spot.row, spot.col): None if value is None else float(value) for spot, value in spots.items()
         }
@@ -109,7 +111,7 @@ def test_values_are_those_of_the_equations(name):
     assert page.said() == [
         "" if closed else word for closed, word in zip(page.compiled.closed, page.said(), strict=True)
     ]
-    assert page.cell("#rows_closed") == np.count_nonzero(page.compiled.closed)
+    assert page.cell("rows_closed") == np.count_nonzero(page.compiled.closed)
 
 
 @pytest.mark.parametrize("seed", part(range(30), of=3))
@@ -128,7 +130,7 @@ def test_pump_prints_the_texts_table(column, s1):
 def test_fivelink_prints_the_texts_table():
     published = table("fivelink")
     page = Page(text_of("fivelink"))
-    page.change(**{"#start": -math.degrees(dimensions("fivelink")["alpha1"])})
+    page.change(**{"start": -math.degrees(dimensions("fivelink")["alpha1"])})
     for symbol, column in (("theta13", 2), ("theta15", 4)):
         assert np.max(np.abs(np.remainder(page.column(symbol), math.tau) - published[:, column])) < 3e-7
 
@@ -234,7 +236,7 @@ def test_a_row_filled_down_by_hand_computes(name):
                 assert np.max(np.abs(np.diff(np.append(page.column(column.symbol)[-1:], found)))) < 1, column.symbol
                 apart = np.remainder(apart + math.pi, math.tau) - math.pi
             assert np.max(np.abs(apart)) < 1e-8 * page.plan.size, column.symbol
-    assert page.cell("#rows_closed") == page.plan.rows + more
+    assert page.cell("rows_closed") == page.plan.rows + more
 
 
 def test_continuous_angles_do_not_jump():
@@ -269,7 +271,7 @@ def test_a_row_that_does_not_exist_says_so_and_nothing_else_does():
     assert 0 < np.count_nonzero(closed) < len(closed)
     assert worst(page) < DISTANT
     assert np.isfinite(page.column("s")).all()
-    assert page.cell("#verdict").startswith(f"closes in {np.count_nonzero(closed)} of 25 positions; ")
+    assert page.cell("verdict").startswith(f"closes in {np.count_nonzero(closed)} of 25 positions; ")
 
 
 @pytest.mark.parametrize(
@@ -278,18 +280,18 @@ def test_a_row_that_does_not_exist_says_so_and_nothing_else_does():
 def test_an_input_that_is_none_shows_no_position(typed, named):
     page = Page(text_of("four-bar")).change(**typed)
     assert np.isnan(page.column("theta14")).all()
-    assert page.cell("#verdict").startswith(f"look at {named}: ")
-    assert page.cell("#rows_closed") == 0
+    assert page.cell("verdict").startswith(f"look at {named}: ")
+    assert page.cell("rows_closed") == 0
 
 
 def test_verdict_says_rows_only():
     page = Page(text_of("four-bar"))
     (note,) = [comment for comment in page.sheet.comments if comment.text.startswith("Grashof: shortest + longest")]
     assert next(cell for cell in page.sheet.cells if (cell.row, cell.col) == (note.row, note.col)).content == "A0ABB0"
-    said = page.cell("#verdict")
+    said = page.cell("verdict")
     assert said.startswith("closes in all 25 positions; crank-rocker, crank can turn fully; ")
     assert said.endswith("; transmission 33.9°, these rows: poor below 40°")
-    assert Page(text_of("four-bar"), "tr").cell("#verdict").startswith("bütün konumlarda kapanıyor: 25; krank-sarkaç")
+    assert Page(text_of("four-bar"), "tr").cell("verdict").startswith("bütün konumlarda kapanıyor: 25; krank-sarkaç")
 
 
 def test_many_rows_do_not_add_up_rounding():
@@ -314,7 +316,7 @@ def test_drawing_stays_in_its_window(name):
     page = Page(text_of(name))
     drawing = next(chart for chart in page.sheet.charts if chart.name == "drawing")
     for position in (0, page.plan.rows // 3, page.plan.rows - 1):
-        page.change(**{"#position": position})
+        page.change(**{"position": position})
         for series in drawing.series:
             for place in (series.x, series.y):
                 area = place.area
@@ -480,4 +482,4 @@ def test_numbers_of_all_rows_leave_out_those_that_another_group_ends():
     found = {take: page.values.get(page.plan.main, rows[f"{take}_"], 1) for take in wanted}
     assert found == pytest.approx(wanted, rel=1e-12)
     mu = np.degrees(page.column("theta14") - page.column("theta13"))[there]
-    assert page.cell("#transmission_1") == pytest.approx(np.minimum(mu % 180, 180 - mu % 180).min(), rel=1e-9)
+    assert page.cell("transmission_1") == pytest.approx(np.minimum(mu % 180, 180 - mu % 180).min(), rel=1e-9)

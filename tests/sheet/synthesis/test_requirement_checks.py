@@ -7,9 +7,8 @@ from planned import planned
 from livesheet.formula.nodes import CellRef
 from livesheet.formula.printer import print_formula
 from mechsheet.sheet.synthesis.page import Page
-from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
 from mechsheet.sheet.synthesis.requirement_checks import DOUBT, YES, Does
-from mechsheet.sheet.synthesis.rows import ROUNDED, USED, VALUE
+from mechsheet.sheet.task_rows import INPUTS, ROUNDED, UNSOLVED, USED, VALUE
 
 
 @pytest.fixture(scope="module")

@@ -4,8 +4,8 @@ import pytest
 from laid import Laid
 
 from mechsheet.sheet.synthesis.requirement_checks import DOUBT, NO, YES
-from mechsheet.sheet.synthesis.rows import ROUNDED, USED
 from mechsheet.sheet.synthesis.tables import exact_column
+from mechsheet.sheet.task_rows import ROUNDED, USED
 from synthesis_tasks import description
 
 CRANK_ROCKER = {"kind": "dead-centres", "psi": 59.1, "a1": 25.6, "phi": 166.4, "a2": 11.51, "round": 1}
@@ -64,9 +64,9 @@ def test_a_full_turn_that_rounding_loses_is_amber_with_the_exact_margin(asked, m
 def test_that_what_is_asked_is_not_reached_then_is_amber_likewise():
     sheet = Sheet(CRANK_ROCKER)
     assert sheet.said("meets") == (DOUBT, "rounded, it does not reach what is asked; exact it does")
-    assert sheet.spot("#synthesis") == "rounded, it does not reach what is asked; exact it does"
+    assert sheet.spot("synthesis") == "rounded, it does not reach what is asked; exact it does"
     turkish = Sheet(CRANK_ROCKER, "tr")
-    assert turkish.spot("#synthesis") == "yuvarlanınca istenene ulaşamıyor; tam boylarla ulaşıyor"
+    assert turkish.spot("synthesis") == "yuvarlanınca istenene ulaşamıyor; tam boylarla ulaşıyor"
 
 
 @pytest.mark.parametrize("asked", [FUNCTION, GUIDANCE], ids=["function", "guidance"])

@@ -3,8 +3,7 @@
 import pytest
 from laid import Laid, template_text
 
-from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
-from mechsheet.sheet.synthesis.rows import REMARK, USED
+from mechsheet.sheet.task_rows import INPUTS, REMARK, UNSOLVED, USED
 from mechsheet.words.synthesis import STEPS
 
 TEXT = template_text("crank-rocker-swing")
@@ -27,7 +26,7 @@ def test_a_crank_rocker_that_is_none_has_reasons_of_its_own(given, typed, reason
     said = [remark for remark in remarks if remark in REASONS]
     assert said[0] == reason
     assert not OF_OTHER_KINDS & set(said)
-    assert sheet.spot("#synthesis") == reason
+    assert sheet.spot("synthesis") == reason
     # what the mechanism does is said of none: only that the inputs can be, and that there is no solution
     does = {key: sheet.values.get(title, row, USED) for (block, key), row in rows.items() if block == "does"}
     assert {key for key, words in does.items() if words != "–"} == {INPUTS, UNSOLVED}

@@ -37,14 +37,14 @@ REFUSED = [param for param in ALL if param.values[0].refused]
 def test_what_must_happen(case):
     """Rows without a position say why, all others are measured as closed, and the counts on the first sheet are these."""
     laid = Laid(case.description)
-    exists, status = laid.exists, laid.column("#status")
+    exists, status = laid.exists, laid.column("status")
     assert {row for row, there in enumerate(exists) if not there} == case.missing
     for row in case.missing:
         assert case.says in status[row]
         assert ("undetermined" in status[row]) == (row in case.undetermined)
-    assert laid.spot("#rows_closed") == laid.plan.rows - len(case.missing)
+    assert laid.spot("rows_closed") == laid.plan.rows - len(case.missing)
     if not case.undetermined:  # a link that turned round while it could turn freely has made no leap that all see
-        assert laid.spot("#leaps") == len(case.leaps)
+        assert laid.spot("leaps") == len(case.leaps)
     assert laid.words("largest_gap") == "largest gap of a joint: rounding only"
     for symbol, rows in case.values.items():
         shown = laid.column(symbol)

@@ -39,16 +39,16 @@ def test_range_of_the_slide(name):
     the cells."""
     laid = Laid(text_of(name))
     low, high = REACH[name]
-    start, step = laid.spot("#start"), laid.spot("#step")
+    start, step = laid.spot("start"), laid.spot("step")
     first, last = sorted((start, start + (laid.plan.rows - 1) * step))
-    found = sorted((laid.spot("#input_from"), laid.spot("#input_to")))
+    found = sorted((laid.spot("input_from"), laid.spot("input_to")))
     assert found == pytest.approx([max(low, first), min(high, last)], abs=1e-6)
     assert all(laid.exists) == (low <= first and last <= high)
     if math.isfinite(high):
         laid.change(_start=high - 1.0, _step=2.0 / (laid.plan.rows - 1))
         assert 0 < sum(laid.exists) < laid.plan.rows
-        assert laid.spot("#input_to") == pytest.approx(high, abs=1e-6)
-        assert laid.spot("#limit_1") == pytest.approx(high, abs=1e-6)
+        assert laid.spot("input_to") == pytest.approx(high, abs=1e-6)
+        assert laid.spot("limit_1") == pytest.approx(high, abs=1e-6)
 
 
 def test_no_row_where_the_slide_is_no_length():

@@ -45,22 +45,22 @@ def test_the_sheet_is_the_last_and_all_but_its_last_pass_is_folded(sheet):
 
 
 def test_the_first_sheet_says_how_well_it_went(sheet):
-    assert sheet.spot("#largest_residual") < 1e-14
-    assert 3 <= sheet.spot("#passes_needed") <= 6
-    assert sheet.spot("#same_assembly") == 0
+    assert sheet.spot("largest_residual") < 1e-14
+    assert 3 <= sheet.spot("passes_needed") <= 6
+    assert sheet.spot("same_assembly") == 0
     assert "rows only" in sheet.words("swing_theta12")
 
 
 def test_after_a_change_the_start_table_still_leads_to_the_position(sheet):
     sheet.change(p1=4.7, L3=3.2)
     assert sheet.exists == [True] * 4
-    assert sheet.spot("#largest_gap") < 1e-12
+    assert sheet.spot("largest_gap") < 1e-12
 
 
 def test_where_the_links_do_not_meet_the_table_says_so(sheet):
     sheet.change(_start=9.4)
     assert not any(sheet.exists)
-    assert sheet.column("#status")[0].startswith("these links do not meet, or the step is too large")
+    assert sheet.column("status")[0].startswith("these links do not meet, or the step is too large")
     assert "no position found" in sheet.verdict
 
 
@@ -78,7 +78,7 @@ def test_steps_that_leap_are_red(sheet):
     sheet.change(_start=7.0, _step=2.5)
     assert sheet.exists == [True, False, False, False]
     sheet.change(_start=7.0, _step=-1.5)
-    assert sheet.spot("#same_assembly") + sheet.exists.count(False) > 0
+    assert sheet.spot("same_assembly") + sheet.exists.count(False) > 0
 
 
 def test_python_writes_a_loop_that_gives_the_same(sheet):

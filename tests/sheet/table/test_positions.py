@@ -4,6 +4,7 @@ from collections import defaultdict
 
 import pytest
 from laid import template_text
+from placed import places_of
 from planned import planned
 
 from livesheet.formula.printer import print_formula
@@ -29,8 +30,8 @@ def test_every_column_is_filled_from_the_first_row_to_the_last(law, rows):
             written.setdefault(column.symbol, print_formula(fill.formula))
         assert filled == {column.col: list(range(FIRST, FIRST + rows))}, column.symbol
     start, step, duration = (
-        print_formula(plan.at.cell(symbol, plan.table, None)) if symbol in plan.at.spots else ""
-        for symbol in ("#start", "#step", "duration")
+        print_formula(places_of(plan)[symbol].cell) if symbol in places_of(plan) else ""
+        for symbol in ("start", "step", "duration")
     )
     assert law or written["theta12"] == f"{start}+$A31*{step}"
     assert written.get("t") == (f"$A31*{duration}/6" if law else None)

@@ -72,7 +72,7 @@ def test_the_sheet_stands_behind_the_positions_with_their_rows():
     folded = {column.first for column in sheet.columns if column.level}
     assert folded == {column.col for column in laid.plan.rates if column.inner}
     assert [laid.values.get("Rates", laid.plan.at.first + row, 0) for row in (0, 1)] == [0.0, 15.0]
-    assert laid.column("#rates") == ["ok"] * 25
+    assert laid.column("rates") == ["ok"] * 25
     assert {"Velocity and acceleration", "θ′13", "ω13 [rad/s]", "α14 [rad/s²]", "vC [mm/s]"} <= set(texts(sheet))
 
 
@@ -120,19 +120,19 @@ def test_the_position_shown_has_its_rates():
 )
 def test_a_dead_centre_has_words_and_keeps_its_position(language, words):
     laid = Laid(TOGGLE, language)
-    assert laid.column("#rates")[-2:] == [laid.plan.text("status.ok"), words]
+    assert laid.column("rates")[-2:] == [laid.plan.text("status.ok"), words]
     assert laid.column("omega13")[-1] == NA
     assert isinstance(laid.column("omega13")[-2], float)
     assert isinstance(laid.column("theta13")[-1], float)
-    assert laid.column("#status")[-1] == laid.plan.text("status.ok")
-    assert laid.spot("#dead_centres") == 1
+    assert laid.column("status")[-1] == laid.plan.text("status.ok")
+    assert laid.spot("dead_centres") == 1
     laid.change(a3=10)  # it closes nowhere: the words are those of the positions
-    assert laid.column("#rates") == laid.column("#status")
+    assert laid.column("rates") == laid.column("status")
 
 
 def test_velocities_that_do_not_fit_are_noticed():
     laid = Laid(FOUR_BAR)
-    assert laid.spot("#velocities_fit") < 1e-12
+    assert laid.spot("velocities_fit") < 1e-12
     assert laid.words("velocities_fit") == "they fit the links: rounding only"
     for symbol, key in (("theta13.d", "velocities_fit"), ("k_x", "accelerations_fit")):
         laid = Laid(FOUR_BAR).damage(

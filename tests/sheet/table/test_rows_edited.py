@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from edited import filled_down, moved
 from laid import TEMPLATES, template_text
+from placed import places_of
 
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
@@ -43,7 +44,8 @@ def values_of(name, layout, rows=None):
 
 def columns(plan, values, first, rows):
     """All columns of numbers and of words, of so many rows."""
-    spots = {column.symbol: plan.at.spots[column.symbol] for column in plan.columns}
+    spots = {"status": plan.places.status}
+    spots |= {column.symbol: plan.at.spots[column.symbol] for column in plan.columns if column.symbol}
     return {
         symbol: [values.get(spot.sheet, first + row, spot.col) for row in range(rows)] for symbol, spot in spots.items()
     }
@@ -52,7 +54,7 @@ def columns(plan, values, first, rows):
 def same(found, expected, plan):
     """Angles may be whole turns off, the same ones in all rows: from which turn they count is decided in building."""
     for symbol, column in expected.items():
-        turn = 360.0 if plan.at.spots[symbol].degrees else math.tau
+        turn = 360.0 if symbol in plan.at.spots and plan.at.spots[symbol].degrees else math.tau
         numbers = [pair for pair in zip(found[symbol], column, strict=True) if isinstance(pair[1], float)]
         off = turn * round((numbers[0][0] - numbers[0][1]) / turn) if numbers and symbol in angles(plan) else 0.0
         for one, other in zip(found[symbol], column, strict=True):
@@ -99,7 +101,7 @@ def tables(plan):
 
 
 def line(plan, values):
-    spot = plan.at.spots["#verdict"]
+    spot = places_of(plan)["verdict"]
     return values.get(spot.sheet, spot.row, spot.col)
 
 

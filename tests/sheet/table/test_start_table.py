@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from laid import Laid, template_text
+from placed import places_of
 
 import mechsheet
 from chosen import ALL, IN_CI, ITERATED, first, part
@@ -13,8 +14,8 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.newton.leading import leading
 from mechsheet.kinematics.newton.system import CLOSED, refined
 from mechsheet.kinematics.numeric import evaluate_equation
+from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.plan import MEANING
-from mechsheet.sheet.table.lowering import in_pass
 from random_mechanisms import Grower
 
 CHANGES = 150 if ALL else 40 if IN_CI else 16
@@ -41,7 +42,7 @@ class Followed:
         self.way = [each for each in equations.all if each.symbol in names or each in equations.constants]
         self.modes = {group.mode: float(group.mode_value) for group in equations.groups}
         begin = [sheet.plan.at.spots[in_pass(name, 0)] for name in (*system.unknowns, system.residual)]
-        status = sheet.plan.at.spots["#status"]
+        status = places_of(sheet.plan)["status"]
         sheet.only(
             *((spot.sheet, spot.row, spot.col) for spot in begin),
             *((status.sheet, status.row + row, status.col) for row in range(sheet.plan.rows)),

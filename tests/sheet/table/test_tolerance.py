@@ -5,6 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from placed import places_of
 
 from chosen import ITERATED, but
 from livesheet.engine import evaluate
@@ -14,8 +15,8 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.model import Tolerances
+from mechsheet.sheet.columns.bands import ROOT, WORST
 from mechsheet.sheet.plan import MEANING
-from mechsheet.sheet.table.bands import ROOT, WORST
 from mechsheet.sheet.table.tolerance import lines_of
 
 TEMPLATES = Path(__file__).parents[3] / "templates"
@@ -44,12 +45,12 @@ def numbers(mechanism, typed=()):
     plan = compiled.plan
     overrides = {}
     for key, value in dict(typed).items():
-        spot = plan.at.spots[key]
+        spot = places_of(plan)[key]
         overrides[spot.sheet, spot.row, spot.col] = value
     values = evaluate(book_of(compiled.layout), overrides)
 
     def cell(key, col=None):
-        spot = plan.at.spots[key]
+        spot = places_of(plan)[key]
         return values.get(spot.sheet, spot.row, spot.col if col is None else col)
 
     return plan, cell, values
@@ -71,16 +72,16 @@ def test_the_stroke_of_a_slider_crank_by_hand(references):
     """Its extremes lie between the rows: there the derivatives are taken."""
     _, cell, _ = numbers(slider(references=references))
     parts = [abs(each * t) for each, t in zip(by_hand(), (T1, T2, T3), strict=True)]
-    assert cell(f"#{WORST} of stroke") == pytest.approx(sum(parts), rel=1e-7)
-    assert cell(f"#{ROOT} of stroke") == pytest.approx(math.hypot(*parts), rel=1e-7)
-    assert cell("#band stroke") == cell(f"#{WORST} of stroke")
+    assert cell(f"{WORST} of stroke") == pytest.approx(sum(parts), rel=1e-7)
+    assert cell(f"{ROOT} of stroke") == pytest.approx(math.hypot(*parts), rel=1e-7)
+    assert cell("band stroke") == cell(f"{WORST} of stroke")
 
 
 def test_what_is_typed_is_followed():
     """A tolerance and a dimension are inputs."""
-    _, cell, _ = numbers(slider(), {"#tolerance a2": 0.5, "a1": 60.0})
+    _, cell, _ = numbers(slider(), {"tolerance a2": 0.5, "a1": 60.0})
     parts = [abs(each * t) for each, t in zip(by_hand(a1=60.0), (T1, 0.5, T3), strict=True)]
-    assert cell(f"#{WORST} of stroke") == pytest.approx(sum(parts), rel=1e-6)
+    assert cell(f"{WORST} of stroke") == pytest.approx(sum(parts), rel=1e-6)
 
 
 def test_shares_come_to_one_and_the_largest_is_named():
@@ -89,13 +90,13 @@ def test_shares_come_to_one_and_the_largest_is_named():
         columns = [plan.at.spots[name].col for name in plan.banded[line.quantity].derivatives]
         shares = [values.get(plan.at.titles["tolerance"], line.row + 1, col) for col in columns]
         assert sum(shares) == pytest.approx(1.0)
-    assert cell("#band stroke", MEANING) == "100.3 ± 0.1 mm; mostly a₂ (100 %)"
+    assert cell("band stroke", MEANING) == "100.3 ± 0.1 mm; mostly a₂ (100 %)"
 
 
 def test_turkish():
     plan, cell, _ = numbers(slider(language="tr"))
     assert plan.at.titles["tolerance"] == "Tolerans"
-    assert "en çok a₂ (%100)" in cell("#band stroke", MEANING)
+    assert "en çok a₂ (%100)" in cell("band stroke", MEANING)
 
 
 def test_decimals_follow_the_band():

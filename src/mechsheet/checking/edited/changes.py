@@ -14,8 +14,8 @@ from livesheet.said import say
 from mechsheet.checking.edited.edits import same
 from mechsheet.checking.edited.expected import Expected
 from mechsheet.checking.report import text_of
+from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.plan import TOLERANCE, VALUE
-from mechsheet.sheet.table.requested import tables_of
 
 Key = tuple[str | int, ...]
 """Where a value belongs: ("dimensions", "a2"), ("tolerance", "a2"), ("mode", "mode_1"), ("driver", "start"),

@@ -238,13 +238,10 @@ def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Exp
     """Inputs that were changed, and texts. Not the position and the arrows shown, which say nothing, nor modes: others tell
     of them.
     """
-    spots = expected.plan.at.spots
-    shown = [key for key in spots if key.startswith("#show_")]
-    silent = {
-        spots[key]
-        for key in ("#position", *shown, *(group.mode for group in expected.plan.equations.groups if group.mode))
-    }
-    places = {(spot.sheet, spot.row, spot.col) for spot in silent}
+    plan = expected.plan
+    modes = (plan.at.spots[group.mode] for group in plan.equations.groups if group.mode)
+    silent = (plan.places.position, *plan.places.arrows.values(), *modes)
+    places = {(spot.sheet, spot.row, spot.col) for spot in silent if spot is not None}
     texts: list[tuple[int, int]] = []
     theirs = Formulas(other)
     for row, col, value in sheet.constants.items():

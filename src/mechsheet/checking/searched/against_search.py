@@ -29,6 +29,7 @@ from mechsheet.checking.undefined_dimensions import missing_dimensions
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.points_in_link import number_places
 from mechsheet.kinematics.search import Search
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.first.verdicts import closes_in_all
 from mechsheet.sheet.plan import MEANING, Plan
 from mechsheet.words.equations import link_words
@@ -162,19 +163,28 @@ class _Judge:
         """Whether somebody has filled the page's table further down: then its verdicts are of more rows than the plan's."""
         return self.page and self.values.get(self.plan.main, self.plan.at.last + 1, 0) is not None
 
+    def _spot(self, key: str) -> Spot:
+        """The line under the title, a line of what is said, a limit."""
+        known = {"verdict": self.plan.places.verdict} | {spot.name: spot for spot in self._limits_shown}
+        return known[key] if key in known else self.plan.places.lines[key]
+
+    @property
+    def _limits_shown(self) -> Sequence[Spot]:
+        return self.plan.extremes.limits if self.plan.extremes else ()
+
     def _found(self, key: str) -> Scalar:
-        spot = self.plan.at.spots[f"#{key}"]
+        spot = self._spot(key)
         found: Scalar = self.values.get(spot.sheet, spot.row, spot.col)
         return found
 
     def _says(self, key: str, word: str) -> bool:
         """Whether the words beside a number say that it is `about` right, `within` a step, of `rows.only`, or `beyond`."""
-        spot = self.plan.at.spots[f"#{key}"]
+        spot = self._spot(key)
         words = self.values.get(spot.sheet, spot.row, MEANING)
         return isinstance(words, str) and self.plan.text(f"verdict.{word}") in words
 
     def _note(self, key: str, apart: float, expected: Scalar) -> None:
-        spot = self.plan.at.spots[f"#{key}"]
+        spot = self._spot(key)
         where = f"{cell_address(spot.sheet, spot.row, spot.col)} ({key})"
         self.tally.note(apart, where, self._found(key), expected)
 
@@ -207,7 +217,7 @@ class _Judge:
         plan, search = self.plan, self.search
         line = str(self._found("verdict"))
         if plan.found.task is not None:  # the random tasks of tests judge what is said of it
-            task = plan.at.spots["#task"]
+            task = plan.places.lines["task"]
             line = line.removeprefix(f"{self.values.get(task.sheet, task.row, MEANING)}; ")
         aside = [
             plan.text("verdict.inputs.wrong", symbol=plan.text("name.position")),
@@ -241,9 +251,8 @@ class _Judge:
         if not self.search.stepped:
             return
         allowed = self._allowed_place()
-        shown = [key for key in self.plan.at.spots if key.startswith("#limit_")]
-        for number in range(1, len(shown) + 1):
-            self._number(f"limit_{number}", self.searched.limit(number), allowed)
+        for number, spot in enumerate(self._limits_shown, 1):
+            self._number(spot.name, self.searched.limit(number), allowed)
 
     def _allowed_place(self) -> float:
         part = 1.0 if self.search.doubtful or self._says("limits", "within") else EXACT

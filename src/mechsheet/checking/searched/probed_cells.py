@@ -19,12 +19,12 @@ from mechsheet.checking.report import Comparison
 from mechsheet.checking.rules import Rules
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.asked.requested import tables_of
+from mechsheet.sheet.asked.summary_table import SummaryTable
+from mechsheet.sheet.asked.two_way import FIRST
+from mechsheet.sheet.columns.lowering import FITS
 from mechsheet.sheet.plan import BLOCKS, Plan
-from mechsheet.sheet.table.lowering import FITS
-from mechsheet.sheet.table.requested import tables_of
-from mechsheet.sheet.table.summary_table import SummaryTable
 from mechsheet.sheet.table.tolerance import lines_of
-from mechsheet.sheet.table.two_way import FIRST
 
 Find = Callable[[str, int, int], Scalar]
 """The value of a cell by sheet, row and column."""
@@ -43,7 +43,7 @@ class Searched:
         self.sheet = "" if extremes == plan.main else moves.now(extremes)  # a page has no probes
         blocks = [plan.blocks[key] for key in ("verdicts", "summary") if key in plan.blocks]
         rows = [(plan.main, row) for block in blocks for row in block.rows.values()]
-        rows.append((plan.main, plan.at.spots["#verdict"].row))
+        rows.append((plan.main, plan.places.verdict.row))
         for line in lines_of(plan):
             if line.summary and line.summary.take.ways:
                 rows += [(plan.at.titles["tolerance"], line.row + part) for part in (0, 1)]

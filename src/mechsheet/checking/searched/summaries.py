@@ -17,8 +17,8 @@ from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.model import Output, Summary
-from mechsheet.sheet.first.blocks import unit_of_column
 from mechsheet.sheet.plan import MEANING, Plan
+from mechsheet.sheet.shown import unit_of_column
 
 EXACT, ABOUT = 1e-4, 5e-2
 """So much of its range a value may be off; and where the sheet marks it as about right."""
@@ -49,13 +49,13 @@ def judge_summaries(values: Any, judged: SearchedVerdicts, tally: Tally) -> None
 
 
 def _number(values: Any, plan: Plan, symbol: str) -> float:
-    spot = plan.at.spots[f"#summary {symbol}"]
+    spot = plan.places.summaries[symbol]
     found = values.get(spot.sheet, spot.row, spot.col)
     return found if isinstance(found, float) else math.nan
 
 
 def _where(plan: Plan, symbol: str) -> str:
-    spot = plan.at.spots[f"#summary {symbol}"]
+    spot = plan.places.summaries[symbol]
     return f"{cell_address(spot.sheet, spot.row, spot.col)} ({symbol})"
 
 
@@ -65,7 +65,7 @@ def _judge(values: Any, judged: SearchedVerdicts, tally: Tally, summary: Summary
     if not judged.search.count:
         tally.note(math.inf if math.isfinite(number) else 0.0, where, number, "no number")
         return
-    spot = plan.at.spots[f"#summary {summary.symbol}"]
+    spot = plan.places.summaries[summary.symbol]
     words = values.get(spot.sheet, spot.row, MEANING)
     if math.isnan(number) and isinstance(words, str) and plan.text("verdict.boundless") in words:
         tally.note(0.0 if _grows(judged, summary) else math.inf, where, "grows without bound", "an extreme")

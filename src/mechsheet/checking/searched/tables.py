@@ -11,10 +11,10 @@ from mechsheet.checking.report import Tally
 from mechsheet.checking.searched.summaries import expected_of
 from mechsheet.checking.searched.verdicts import SearchedVerdicts
 from mechsheet.kinematics.search import Search
+from mechsheet.sheet.asked.requested import tables_of
+from mechsheet.sheet.asked.summary_table import SummaryTable
+from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.table.requested import tables_of
-from mechsheet.sheet.table.summary_table import SummaryTable
-from mechsheet.sheet.table.two_way import FIRST, HEAD_ROW
 
 
 def judge_tables(values: Any, plan: Plan, tally: Tally, search: Callable[[dict[str, float]], Search | None]) -> None:

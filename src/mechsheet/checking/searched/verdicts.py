@@ -12,7 +12,7 @@ from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import STRETCHES
-from mechsheet.sheet.first.classification import Classification, FourBar
+from mechsheet.sheet.classification import Classification, FourBar
 from mechsheet.sheet.plan import Plan
 
 FLAT = 1e-4

@@ -16,7 +16,7 @@ from mechsheet.homework.classroom.directions import Direction, Directions
 from mechsheet.kinematics.equations import FORCES
 from mechsheet.model import Cartesian, Dimension, Distances, Gear, Joint, Link, Place, Polar, Quantity, Rack
 from mechsheet.sheet.first.given import given_words
-from mechsheet.sheet.notes.mathematics import Part, written
+from mechsheet.sheet.mathematics import Part, written
 from mechsheet.units import DEG
 from mechsheet.words.equations import body_words, link_words
 from mechsheet.words.homework import said

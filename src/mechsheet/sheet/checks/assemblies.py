@@ -49,7 +49,7 @@ def assembly_columns(plan: Plan, sheet: str, begun: CellRef) -> list[tuple[Arriv
         found.append(("assembly", group.number, node))
         kept: tuple[tuple[ArrivedKind, Node], ...] = (
             ("residual", plan.at.cell(system.residual, sheet, first)),
-            ("needed", plan.at.cell(f"#needed_{group.number}", sheet, first)),
+            ("needed", plan.places.starts[group.number].needed.in_row(first)),
             ("det", Call("ABS", (plan.at.cell(system.determinant, sheet, first),))),
         )
         for kind, cell in kept:

@@ -19,6 +19,7 @@ from mechsheet.sheet.checks.assemblies import assembly_columns
 from mechsheet.sheet.checks.efforts import AGREES, effort_columns
 from mechsheet.sheet.checks.fits import fit_columns
 from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
+from mechsheet.sheet.places import Checked
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import heading
@@ -91,24 +92,21 @@ class Checks:
         self.checks += [Check(*found) for found in assembly_columns(plan, self.title, CellRef(self.first, COUNT_COL))]
         self.checks += [Check(*found) for found in fit_columns(plan, self.title, first)]
         self.checks += [Check(*found) for found in effort_columns(plan, self.title, first)]
-        self._places()
 
-    def _places(self) -> None:
+    @property
+    def places(self) -> Checked:
         """Where other sheets find what is here."""
-        spots = self.plan.at.spots
-        spots["#begun"] = Spot(self.title, self.first, COUNT_COL, column=True)
-        spots["#typed"] = Spot(self.title, TYPED_ROW, VALUE)
-        spots["#rounding"] = Spot(self.title, ROUNDING_ROW, VALUE)
-        for index in range(len(self.reasons)):
-            spots[f"#reason_{index}"] = Spot(self.title, REASONS_ROW + index, VALUE)
-        for index in range(len(self.dead) + 1 if self.dead else 0):
-            spots[f"#dead_{index}"] = Spot(self.title, self.dead_row + index, VALUE)
-        for index, check in enumerate(self.checks):
-            if check.kind == "margin":
-                spots[f"#least_{check.group}"] = Spot(self.title, self.first, DATA + index, column=True)
-            if check.kind == "crossing":
-                spots[f"#crossed_{check.group}"] = Spot(self.title, self.most_row, DATA + index)
-                spots[f"#crossed_at_{check.group}"] = Spot(self.title, self.at_row, DATA + index)
+        title, rows, checks = self.title, self.plan.rows, [*enumerate(self.checks, DATA)]
+        return Checked(
+            Spot(title, self.first, COUNT_COL, rows), Spot(title, TYPED_ROW, VALUE), Spot(title, ROUNDING_ROW, VALUE),
+            Spot(title, REASONS_ROW, VALUE, len(self.reasons)).whole(),
+            Spot(title, self.dead_row, VALUE, len(self.dead) + 1).whole(),
+            {check.group: Spot(title, self.first, col, rows) for col, check in checks if check.kind == "margin"},
+            {
+                check.group: (Spot(title, self.most_row, col), Spot(title, self.at_row, col))
+                for col, check in checks if check.kind == "crossing"
+            },
+        )  # fmt: skip
 
     def _crossed(self, sine: str) -> Node:
         """The sine of the angle between two lines, times that of the row before, where both rows exist: below 0 the lines
@@ -119,8 +117,9 @@ class Checks:
         last = CellRef(plan.at.last, plan.at.spots[sine].col, True, True, plan.table)
         said = RangeRef(*(CellRef(plan.at.first - back, STATUS, sheet=plan.table) for back in (1, 0)))
         return formula(
-            'IFERROR(IF(ROW()=ROW(top),IF(_whole=2,last*here,""),IF(COUNTIF(said,ok)<2,"",before*here)),"")',
-            top=CellRef(self.first, DRIVER_COL, True, True), last=last, here=here, before=before, said=said,
+            'IFERROR(IF(ROW()=ROW(top),IF(whole=2,last*here,""),IF(COUNTIF(said,ok)<2,"",before*here)),"")',
+            top=CellRef(self.first, DRIVER_COL, True, True), whole=plan.searched.whole.cell,
+            last=last, here=here, before=before, said=said,
             ok=plan.text("status.ok"),
         )  # fmt: skip
 
@@ -315,7 +314,7 @@ def typed_over(plan: Plan) -> Node:
 
 def sheets_in_rows(plan: Plan) -> dict[str, CellRef]:
     """The sheets that have a row for each row of the table of positions, and where the driver stands in the first one."""
-    begun = plan.at.spots["#begun"]
+    begun = plan.checked.begun
     found = {begun.sheet: CellRef(begun.row, DRIVER_COL, True, True, begun.sheet)}
     beside = {"rates": plan.rates, "forces": plan.forces, "iterations": plan.iterations, "tolerance": plan.bands}
     titles = [plan.at.titles[key] for key, columns in beside.items() if columns]
@@ -327,7 +326,7 @@ def rows_apart(plan: Plan) -> list[Node]:
     own = Symbol(ALL + plan.mechanism.driver.symbol)
     return [
         formula(
-            "IF(ROWS(rows)=_all_rows,IFERROR(SUMPRODUCT((rows<>own)*1),0),1)", own=own,
+            "IF(ROWS(rows)=count,IFERROR(SUMPRODUCT((rows<>own)*1),0),1)", own=own, count=plan.searched.rows.cell,
             rows=RangeRef(top, replace(top, row=top.row + plan.rows - 1)),
         )
         for top in sheets_in_rows(plan).values()

@@ -37,16 +37,16 @@ from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, 
 from mechsheet.sheet.checks.parabolas import BESIDE, DIFFERENCES, Parabolas, neighbours, vertex_of
 from mechsheet.sheet.checks.probes import ALL_ROWS, AT, SIDE, VALUE, Block, Probes
 from mechsheet.sheet.checks.same_angle import same_angle
+from mechsheet.sheet.classification import FourBar
+from mechsheet.sheet.columns.bands import band_of_constant
 from mechsheet.sheet.driving import driver_at
-from mechsheet.sheet.first.classification import FourBar
-from mechsheet.sheet.first.transmission import acute
 from mechsheet.sheet.over_rows import ends_meet
 from mechsheet.sheet.plan import DRIVER, LEAST_PROBED, NUMBER, ROW_COUNT, STATUS, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
 from mechsheet.sheet.quoted import ALL, SHOWN, formula
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.table.bands import band_of_constant
 from mechsheet.sheet.table.positions import heading
+from mechsheet.sheet.transmission import acute
 from mechsheet.units import turn as whole_turn
 
 BOUNDLESS = SIDE + 7

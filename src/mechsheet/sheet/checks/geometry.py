@@ -15,8 +15,8 @@ from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.ledger import CLOSING
 from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.model import Cartesian, Distances, Link, Polar
+from mechsheet.sheet.columns.lowering import Assignments
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.table.lowering import Assignments
 
 UV: TypeAlias = tuple[Node, Node]
 Known: TypeAlias = Mapping[str, UV]

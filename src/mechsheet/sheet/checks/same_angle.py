@@ -6,15 +6,15 @@ theta13 = theta14 - mode*mu. So the extremes of the output are those of mu, whic
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
 
 from livesheet.formula.nodes import Binary, Node, Symbol
 from mechsheet.kinematics.equations import Group
+from mechsheet.model import Way
+from mechsheet.sheet.places import Extreme
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
-
-Way = Literal["min", "max"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,18 +25,14 @@ class SameAngle:
     minus: bool
     in_degrees: bool
 
-    def extreme(self, way: Way) -> tuple[Node, Node]:
-        """The smallest or the largest value of the output, and the driver's value there."""
-        mu, other = self.group.transmission, "max" if way == "min" else "min"
-        cells = {
-            "same": Symbol(f"#{way}_{mu}"), "turned": Symbol(f"#{other}_{mu}"),
-            "at_same": Symbol(f"#{way}_at_{mu}"), "at_turned": Symbol(f"#{other}_at_{mu}"),
-        }  # fmt: skip
+    def extreme(self, found: Mapping[tuple[Way, str], Extreme], way: Way) -> tuple[Node, Node]:
+        """The smallest or the largest value of the output, and the driver's value there, of what is found of all."""
+        same, turned = (found[each, self.group.transmission] for each in (way, "max" if way == "min" else "min"))
         left = formula("mode<0" if self.minus else "mode>0", mode=Symbol(self.group.mode))
-        value = formula("IF(left,same,-turned)", left=left, **cells)
+        value = formula("IF(left,same,-turned)", left=left, same=same.value.cell, turned=turned.value.cell)
         if self.in_degrees:
             value = formula("DEGREES(value)", value=value)
-        return value, formula("IF(left,at_same,at_turned)", left=left, **cells)
+        return value, formula("IF(left,same,turned)", left=left, same=same.occurs.cell, turned=turned.occurs.cell)
 
 
 def same_angle(plan: Plan, symbol: str) -> SameAngle | None:

@@ -20,12 +20,11 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, rate_symbols
 from mechsheet.shapes.points import remarkable_points
 from mechsheet.sheet import styles
+from mechsheet.sheet.columns.bands import HIGH, LOW, part_of
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
-from mechsheet.sheet.first.blocks import shown_unit
-from mechsheet.sheet.first.mechanism import CHARTS
-from mechsheet.sheet.plan import VALUE, VERDICT_ROW, Plan
+from mechsheet.sheet.plan import CHARTS, VALUE, VERDICT_ROW, Plan
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.table.bands import HIGH, LOW, part_of
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 
 GAP = 12

@@ -126,7 +126,7 @@ def _shown(page: Page, requests: Sequence[ChartRequest], cells: Mapping[str, Poi
         page.section(plan.text("drawing.markers"))
     for name in missing:
         page.put(NAME, rich(name), styles.SYMBOL)
-        page.formula(FIRST, page.indexed(name))
+        page.formula(FIRST, page.indexed(plan.at.spots[name]))
         found[name] = page.reference(page.row, FIRST)
         page.row += 1
     return found
@@ -136,7 +136,7 @@ def caption(page: Page) -> Series:
     """The driver's value in the upper left corner; a position that does not exist says so."""
     plan, text = page.plan, page.plan.text
     driver = plan.mechanism.driver
-    value, said = page.indexed(driver.symbol), page.indexed("#status")
+    value, said = page.indexed(plan.at.spots[driver.symbol]), page.indexed(plan.places.status)
     after = behind_number(driver.unit.text)
     note = formula(
         'IFERROR(IF(said=ok,""," – "&said),nothing)',

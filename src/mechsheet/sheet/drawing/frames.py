@@ -24,6 +24,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.gaps import chunks_of
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 
@@ -131,18 +132,17 @@ class Page:
         """A tree over symbols in the row that a row of a sweep column stands for."""
         return transform(node, lambda part: self.read(part.name) if isinstance(part, Symbol) else al.tidied(part))
 
-    def indexed(self, symbol: str) -> Node:
+    def indexed(self, spot: Spot) -> Node:
         """What stands in a column of the table in the row of the position shown."""
-        position = self.plan.at.cell("#position", self.title, None)
-        column = self.table_column(self.plan.at.spots[symbol])
-        return formula("INDEX(column,position+1)", column=column, position=position)
+        position = self.plan.at.bind(there(self.plan.places.position).cell, self.title)
+        return formula("INDEX(column,position+1)", column=self.table_column(spot), position=position)
 
     def at_position(self, symbol: str) -> Node:
         """The quantity (internal units) in the row of the position shown; #N/A where it does not exist."""
         spot = self.plan.at.spots[symbol]
         if not spot.column:
             return self.plan.at.reference(symbol, self.title, None)
-        return Call("RADIANS", (self.indexed(symbol),)) if spot.degrees else self.indexed(symbol)
+        return Call("RADIANS", (self.indexed(spot),)) if spot.degrees else self.indexed(spot)
 
     def table_column(self, spot: Spot) -> RangeRef:
         """A whole column of the table."""

@@ -22,6 +22,7 @@ from mechsheet.shapes.forms import Kind
 from mechsheet.shapes.positions import Positions
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import NUMBER_STYLE, Page
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 
@@ -60,7 +61,7 @@ def ways_beside(page: Page, vectors: Collection[Kind], name: CellRef) -> tuple[N
         RangeRef(CellRef(first, col, True, True), CellRef(first + max(0, len(changes) - 1), col, True, True))
         for col in range(left, page.col)
     )
-    shown = plan.at.cell("#position", page.title, None)
+    shown = plan.at.bind(there(plan.places.position).cell, page.title)
     found = formula("MATCH(name*rows+MIN(shown,rows-1),keys,1)", name=name, rows=plan.rows, shown=shown, keys=keys)
     return formula("INDEX(column,found)", column=x, found=found), formula("INDEX(column,found)", column=y, found=found)
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from livesheet.formula.nodes import Call, Node, Symbol
 from mechsheet.sheet import styles
-from mechsheet.sheet.first.blocks import Writer, shown_unit
+from mechsheet.sheet.columns.bands import ROOT, WORST, part_of
+from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE
 from mechsheet.sheet.quoted import ALL, formula, joined
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.bands import ROOT, WORST, part_of
-from mechsheet.sheet.table.tolerance import Line, Tolerance
+from mechsheet.sheet.table.tolerance import Line, Tolerance, shown_line
 from mechsheet.units import behind_number
 
 
@@ -24,13 +25,12 @@ def write_bands(writer: Writer, tolerance: Tolerance) -> None:
 
 
 def _write(writer: Writer, tolerance: Tolerance, line: Line) -> None:
-    plan, summary = writer.plan, line.summary
-    key = summary.symbol if summary else line.quantity
-    row = plan.blocks["bands"].rows[key]
+    plan = writer.plan
+    row = plan.blocks["bands"].rows[line.key]
     unit = shown_unit(plan, line.quantity)
-    writer.line(row, rich(key), unit, None)
+    writer.line(row, rich(line.key), unit, None)
     for col, part in ((VALUE, WORST), (TOLERANCE, ROOT)):
-        _band(writer, row, col, line.quantity, f"#{part} {line.key}")
+        _band(writer, row, col, line, part)
     words = formula("IFERROR(words,none)", words=_words(tolerance, line), none=plan.text("bands.none"))
     writer.formula(row, MEANING, plan.at.bind(words, plan.main), styles.LABEL_SAID)
 
@@ -45,12 +45,14 @@ def _words(tolerance: Tolerance, line: Line) -> Node:
     before, between, after = plan.text("bands.mostly", name="#", share="#").split("#")
     mostly = joined(before, name, between, formula("ROUND(100*most,0)", most=most), after)
     if line.summary is not None:
-        value, band = Symbol(f"#summary {line.summary.symbol}"), Symbol(f"#{WORST} {line.key}")
-        return joined(_with_band(value, band, behind_number(shown_unit(plan, line.quantity))), "; ", mostly)
+        value = plan.places.summaries[line.key].cell
+        return joined(
+            _with_band(value, line.spot(plan, WORST).cell, behind_number(shown_unit(plan, line.quantity))), "; ", mostly
+        )
     driver = plan.mechanism.driver
     worst, drivers = Symbol(ALL + part_of(line.quantity, WORST)), Symbol(ALL + driver.symbol)
     where = formula(
-        "INDEX(drivers,MATCH(most,worst,0))", drivers=drivers, worst=worst, most=Symbol(f"#{WORST} {line.key}")
+        "INDEX(drivers,MATCH(most,worst,0))", drivers=drivers, worst=worst, most=line.spot(plan, WORST).cell
     )
     start, end = plan.text("bands.largest.at", driver=plain(driver.symbol), place="#").split("#")
     return joined(start, formula("ROUND(where,4)", where=where), behind_number(driver.unit.text) + end, "; ", mostly)
@@ -66,11 +68,12 @@ def _with_band(value: Node, band: Node, unit: str) -> Node:
 def band_here(writer: Writer, symbol: str, row: int) -> None:
     """Beside a quantity at the position shown its band there."""
     if symbol in writer.plan.banded:
-        _band(writer, row, TOLERANCE, symbol, f"#{WORST} shown {symbol}")
+        _band(writer, row, TOLERANCE, shown_line(writer.plan, symbol), WORST)
 
 
-def _band(writer: Writer, row: int, col: int, quantity: str, symbol: str) -> None:
+def _band(writer: Writer, row: int, col: int, line: Line, part: str) -> None:
     """A quantity's worst case or root sum of squares, with a digit more than its band shows."""
     plan = writer.plan
-    style = styles.decimals(styles.RESULT, plan.band_places.get(quantity, 4) + 1)
-    writer.formula(row, col, plan.at.bind(formula("IFERROR(value,NA())", value=Symbol(symbol)), plan.main), style)
+    style = styles.decimals(styles.RESULT, plan.band_places.get(line.quantity, 4) + 1)
+    value = formula("IFERROR(value,NA())", value=line.spot(plan, part).cell)
+    writer.formula(row, col, plan.at.bind(value, plan.main), style)

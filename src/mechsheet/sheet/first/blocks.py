@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from livesheet.formula.nodes import Node, Number, Unary
-from livesheet.workbook import Area, Cell, Conditional, Content, Fill, Style, Validation
+from livesheet.formula.nodes import Node
+from livesheet.workbook import Cell, Conditional, Content, Fill, Style, Validation
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan
-from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit
@@ -57,35 +56,6 @@ class Writer:
             self.put(row, col, over_tolerance if col == TOLERANCE else None, styles.SECTION)
 
 
-def unit_of_column(plan: Plan, symbol: str) -> Unit:
-    """The unit in which a column is shown."""
-    mechanism = plan.mechanism
-    return mechanism.shown(mechanism.given_unit(symbol) or plan.equations.of(symbol).unit)
-
-
-def shown_unit(plan: Plan, symbol: str) -> str:
-    """The same as text: `°`."""
-    return unit_of_column(plan, symbol).text
-
-
 def value_style(plan: Plan, unit: Unit) -> Style:
     """The style of a result in this unit: one decimal more than the tolerances justify for lengths."""
     return styles.decimals(styles.RESULT, places(plan, unit.kind, unit.symbol) + (1 if unit.kind == "length" else 0))
-
-
-def input_validation(plan: Plan, area: Area, symbol: str) -> Validation:
-    """What may be typed into cells that hold values of `symbol`: a number; of a length between joints one above 0."""
-    positive = symbol in plan.equations.positive
-    key = "positive" if positive else "number"
-    title, message = plan.text(f"hint.{key}.title"), plan.text(f"hint.{key}", symbol=plain(symbol))
-    return Validation(
-        area,
-        "decimal",
-        ">" if positive else "between",
-        Number(0.0) if positive else Unary("-", Number(1e100)),
-        None if positive else Number(1e100),
-        input_title=title,
-        input_message=message,
-        error_title=title,
-        error_message=message,
-    )

@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text
 from livesheet.workbook import Area, Conditional
 from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import SYMBOL, VALUE, Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain
@@ -37,12 +38,12 @@ CHOICES = 29
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """A yellow cell: the key of its place, what people call it, its row on the first sheet.
+    """A yellow cell, or one that says whether a task has a solution: what people call it, its row on the first sheet.
 
     most  choices are 1 to that
     """
 
-    key: str
+    spot: Spot
     name: str
     kind: Kind
     row: int
@@ -68,26 +69,29 @@ def inputs_of(plan: Plan) -> list[Input]:
             kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
             if dim.place[-1:] in (("ratio",), ("radius",)):
                 kind = "step"  # not 0
-            found.append(Input(dim.symbol, plain(dim.symbol), kind, plan.at.spots[dim.symbol].row))
+            spot = plan.at.spots[dim.symbol]
+            found.append(Input(spot, plain(dim.symbol), kind, spot.row))
     driver = plan.mechanism.driver
-    ways: tuple[tuple[Literal["start", "step"], Kind], ...] = (("start", "number"), ("step", "step"))
-    for key, kind in ways if "sweep" in plan.blocks else ():
-        if isinstance(getattr(driver, key), float):
-            found.append(Input(f"#{key}", plan.text(f"name.{key}"), kind, plan.blocks["sweep"].rows[key]))
+    start, step = plan.places.start, plan.places.step
+    if start is not None and isinstance(driver.start, float):
+        found.append(Input(start, plan.text("name.start"), "number", start.row))
+    if step is not None and isinstance(driver.step, float):
+        found.append(Input(step, plan.text("name.step"), "step", step.row))
     for group in plan.equations.groups:
         if group.mode and group.follows is None:
             kind = "mode" if group.system is None else "choice"
-            row = plan.blocks["assembly"].rows[group.mode]
-            found.append(Input(group.mode, plain(group.mode), kind, row, len(group.assemblies)))
-    if plan.synthesis is not None:
-        found.append(Input("#unsolved", plan.at.titles["synthesis"], "task", plan.blocks["dimensions"].row))
+            spot = plan.at.spots[group.mode]
+            found.append(Input(spot, plain(group.mode), kind, spot.row, len(group.assemblies)))
+    if plan.places.unsolved is not None:
+        title, row = plan.at.titles["synthesis"], plan.blocks["dimensions"].row
+        found.append(Input(plan.places.unsolved, title, "task", row))
     return found
 
 
 def first_wrong(plan: Plan) -> Node:
     """The number of the first input that cannot be, 0 where all can: where the first 0 is in 111...10, a digit an input."""
     found = inputs_of(plan)
-    each_can = (each.can_be(plan.at.cell(each.key, plan.main, None)) for each in found)
+    each_can = (each.can_be(plan.at.bind(each.spot.cell, plan.main)) for each in found)
     digits = joined(*(formula("can_be*1", can_be=can_be) for can_be in each_can), "0")
     return formula('MOD(FIND("0",digits),beyond)', digits=digits, beyond=len(found) + 1)
 
@@ -141,13 +145,3 @@ def red_where_wrong(plan: Plan, nowhere: Node | None) -> list[Conditional]:
     if nowhere is not None:
         rules.append(red(plan.blocks["position"].rows["position"], nowhere))
     return rules
-
-
-def while_inputs_can_be(plan: Plan, value: Node, sheet: str) -> Node:
-    """A value that asks nothing of the inputs by itself; #N/A where one of them cannot be."""
-    return formula("IF(wrong>0,NA(),value)", wrong=plan.at.cell("#inputs", sheet, None), value=value)
-
-
-def gated_tolerance(least: Node) -> Node:
-    """What counts as zero; no number while an input is none: every group compares with it, so none closes."""
-    return formula("IF(wrong>0,NA(),least)", wrong=Symbol("#inputs"), least=least)

@@ -20,18 +20,21 @@ from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
+from mechsheet.sheet.columns.bands import tolerance_symbol
+from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.first.bands import band_here, write_bands
-from mechsheet.sheet.first.blocks import MEANING_WIDTH, Writer, input_validation, shown_unit, value_style
+from mechsheet.sheet.first.blocks import MEANING_WIDTH, Writer, value_style
 from mechsheet.sheet.first.given import given_words, words_of
-from mechsheet.sheet.first.inputs import gated_tolerance
 from mechsheet.sheet.first.summaries import write_summaries
 from mechsheet.sheet.first.verdicts import write_verdicts
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import (
+    CHARTS,
     DRIVER,
     INPUT_BLOCKS,
     LEGEND_ROW,
+    MARGIN,
     MEANING,
-    ROW_COUNT,
     SYMBOL,
     TOLERANCE,
     UNIT,
@@ -40,18 +43,12 @@ from mechsheet.sheet.plan import (
     Plan,
 )
 from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.shown import input_validation, shown_unit
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.bands import tolerance_symbol
-from mechsheet.sheet.table.lowering import in_pass
 from mechsheet.sheet.table.positions import places, places_of
+from mechsheet.sheet.table.status import while_inputs_can_be
 from mechsheet.sheet.table.tolerance import Tolerance
 from mechsheet.sheet.wrapping import ROW_HEIGHT
-
-MARGIN = MEANING + 1
-"""The narrow column between the blocks and the charts."""
-
-CHARTS = MARGIN + 1
-"""The first column of the charts."""
 
 MOST_OF_CONTROL = 30_000
 """The highest number that a scroll bar or spin button reaches."""
@@ -175,7 +172,7 @@ def _from_synthesis(writer: Writer, dim: Dimension, row: int) -> None:
     writer.put(row, TOLERANCE, dim.tolerance, styles.UNIT)
     value: Node = dim.value if not isinstance(dim.value, float) else Text("")
     value = Call("DEGREES", (value,)) if dim.unit.in_degrees else value
-    solved = formula("IF(_unsolved>0,NA(),value)", value=value)
+    solved = formula("IF(unsolved>0,NA(),value)", unsolved=there(plan.places.unsolved).cell, value=value)
     writer.formula(row, VALUE, plan.at.bind(solved, plan.main), value_style(plan, dim.unit))
 
 
@@ -198,7 +195,8 @@ def _derived(writer: Writer) -> None:
         writer.line(row, rich(equation.symbol), unit.text, equation.label.of(plan.language))
         tolerance = equation.symbol == plan.equations.tolerance
         style = styles.numbered(styles.RESULT, "0.0E+00") if tolerance else value_style(plan, equation.unit)
-        value = gated_tolerance(equation.says) if tolerance else equation.expression
+        # every group compares with what counts as zero: while an input cannot be, none closes
+        value = while_inputs_can_be(plan, equation.says) if tolerance else equation.expression
         _result(writer, row, value, unit.in_degrees, style)
 
 
@@ -273,7 +271,7 @@ def _assembly(writer: Writer) -> None:
         writer.line(row, rich(group.mode), "", None)
         writer.formula(row, MEANING, _mode_words(plan, group, row), styles.LABEL_SAID)
         if group.follows is not None:
-            mode = formula("IF(_unsolved>0,NA(),mode)", mode=group.follows)
+            mode = formula("IF(unsolved>0,NA(),mode)", unsolved=there(plan.places.unsolved).cell, mode=group.follows)
             writer.formula(row, VALUE, plan.at.bind(mode, plan.main), styles.RESULT)
             continue
         writer.put(row, VALUE, float(group.mode_value), styles.INPUT)
@@ -321,8 +319,8 @@ def start_words(plan: Plan, system: System) -> Node:
 
 def _at_position(plan: Plan, column: RangeRef) -> Node:
     """The value of a column in the row of the position shown."""
-    position = plan.at.reference("#position", plan.main, None)
-    return formula("INDEX(column,position+1)", column=column, position=position)
+    position = there(plan.places.position).cell
+    return plan.at.bind(formula("INDEX(column,position+1)", column=column, position=position), plan.main)
 
 
 def _position(writer: Writer) -> None:
@@ -333,14 +331,14 @@ def _position(writer: Writer) -> None:
     last = plan.rows - 1
     writer.line(rows["position"], plan.text("name.position"), "", None)
     before, after = plan.text("position.number", last="#").split("#")
-    number = plan.at.bind(joined(before, formula("rows-1", rows=ROW_COUNT), after), plan.main)
+    number = plan.at.bind(joined(before, formula("rows-1", rows=plan.places.rows.cell), after), plan.main)
     writer.formula(rows["position"], MEANING, number, styles.LABEL_SAID)
     writer.put(rows["position"], VALUE, float(plan.first_existing), styles.INPUT)
     writer.validations.append(
         Validation(
             Area(rows["position"], VALUE, rows["position"], VALUE),
             "list",
-            low=plan.at.column("#number", plan.main),
+            low=there(plan.places.number).whole(plan.main),
             input_title=plan.text("hint.position.title"),
             input_message=plan.text("hint.position", last=last),
             error_title=plan.text("hint.position.title"),
@@ -355,7 +353,7 @@ def _position(writer: Writer) -> None:
         value_style(plan, driver.unit),
     )
     writer.line(rows["status"], plan.text("head.status"), "", "")
-    said = _at_position(plan, plan.at.column("#status", plan.main))
+    said = _at_position(plan, plan.places.status.whole(plan.main))
     writer.formula(rows["status"], VALUE, said, styles.VERDICT)
     for kind in plan.arrows:
         row = rows[f"show_{kind}"]

@@ -8,12 +8,12 @@ from livesheet.workbook import Area, Conditional
 from mechsheet.model import WAYS, Output, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
-from mechsheet.sheet.checks.limits import last_rows
 from mechsheet.sheet.checks.same_angle import same_angle
-from mechsheet.sheet.first.blocks import Writer, shown_unit, unit_of_column, value_style
-from mechsheet.sheet.over_rows import mean_of_rows
-from mechsheet.sheet.plan import MEANING, ROW_COUNT, TOLERANCE, VALUE, Plan
+from mechsheet.sheet.first.blocks import Writer, value_style
+from mechsheet.sheet.over_rows import first_row, last_row, mean_of_rows
+from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
+from mechsheet.sheet.shown import shown_unit, unit_of_column
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.units import ANGLE
@@ -51,8 +51,10 @@ def _write(writer: Writer, summary: Summary) -> None:
     value, where = _of(plan, summary)
     if searched and not same_angle(plan, summary.of):
         value = where_bounded(plan, summary.of, value, summary.take.ways)
-        no_number = formula("AND(closed>0,ISNA(value))", closed=plan.at.bind(Symbol("#rows_closed"), plan.main),
-                            value=CellRef(row, VALUE, True, True))  # fmt: skip
+        no_number = plan.at.bind(
+            formula("AND(closed>0,ISNA(value))", closed=plan.places.closed.cell, value=CellRef(row, VALUE, True, True)),
+            plan.main,
+        )
         writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), no_number, styles.WARN))
     writer.formula(row, VALUE, _where_it_closes(plan, value), style)
     if where is not None:
@@ -61,13 +63,14 @@ def _write(writer: Writer, summary: Summary) -> None:
 
 def _where_it_closes(plan: Plan, value: Node) -> Node:
     """Over nothing: no number, and no 0 that somebody who looks for the smallest would take."""
-    return plan.at.bind(formula("IF(_rows_closed=0,NA(),IFERROR(value,NA()))", value=value), plan.main)
+    return plan.at.bind(
+        formula("IF(closed=0,NA(),IFERROR(value,NA()))", closed=plan.places.closed.cell, value=value), plan.main
+    )
 
 
 def _with_part(plan: Plan, label: str) -> Node:
     """The label; where only a part of the sweep exists, of how many positions."""
-    closed = plan.at.bind(Symbol("#rows_closed"), plan.main)
-    rows = plan.at.bind(ROW_COUNT, plan.main)
+    closed, rows = (plan.at.bind(spot.cell, plan.main) for spot in (plan.places.closed, plan.places.rows))
     before, between, after = plan.text("summary.part", count="#", rows="#").split("#")
     part = joined(f"{label}: {before}", closed, between, rows, after)
     return formula("IF(closed=rows,label,part)", closed=closed, rows=rows, label=label, part=part)
@@ -77,8 +80,9 @@ def _said(writer: Writer, row: int, words: Node) -> None:
     """The words of a line, amber where only a part of the sweep exists."""
     plan = writer.plan
     writer.formula(row, MEANING, words, styles.LABEL_SAID)
-    closed = plan.at.bind(Symbol("#rows_closed"), plan.main)
-    partial = formula("closed<rows", closed=closed, rows=plan.at.bind(ROW_COUNT, plan.main))
+    partial = plan.at.bind(
+        formula("closed<rows", closed=plan.places.closed.cell, rows=plan.places.rows.cell), plan.main
+    )
     writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
 
 
@@ -112,7 +116,7 @@ def over_summaries(plan: Plan, output: Output) -> Node:
     def change(part: Node) -> Node:
         if not isinstance(part, Symbol) or part.name not in taken:
             return part
-        cell, unit = Symbol(f"#summary {part.name}"), unit_of_column(plan, taken[part.name].of)
+        cell, unit = plan.places.summaries[part.name].cell, unit_of_column(plan, taken[part.name].of)
         return Call("RADIANS", (cell,)) if unit.in_degrees else cell
 
     tree = transform(output.formula, change)
@@ -132,7 +136,7 @@ def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
             return mean_of_rows(plan, summary.take.column(summary.of), plan.main), None
         if part in WAYS:
             return _extreme(plan, summary, WAYS[part])
-        row = Symbol("#first_1") if part == "first" else formula("MAX(rows)", rows=last_rows(plan))
+        row = first_row(plan) if part == "first" else last_row(plan)
         value, where = (formula("INDEX(column,row)", column=each, row=row) for each in (column, drivers))
         return value, where
 
@@ -147,5 +151,6 @@ def _extreme(plan: Plan, summary: Summary, way: Way) -> tuple[Node, Node]:
         return end, end
     same = same_angle(plan, summary.of)
     if same is not None:
-        return same.extreme(way)
-    return Symbol(f"#{way}_{summary.of}"), Symbol(f"#{way}_at_{summary.of}")
+        return same.extreme(plan.searched.extremes, way)
+    found = plan.searched.extremes[way, summary.of]
+    return found.value.cell, found.occurs.cell

@@ -13,10 +13,9 @@ from mechsheet.model import Synthesis
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.naming import Naming
-from mechsheet.sheet.synthesis.planning import verdicts_of
 from mechsheet.sheet.synthesis.requirement_checks import EXACT, NO
-from mechsheet.sheet.synthesis.rows import LINE_ROW, ROUNDED, SYMBOL, USED, Rows
 from mechsheet.sheet.synthesis.tables import apart
+from mechsheet.sheet.task_rows import LINE_ROW, ROUNDED, SYMBOL, USED, Rows, verdicts_of
 from mechsheet.synthesis.kinds import kind_of
 
 

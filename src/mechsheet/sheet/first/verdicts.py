@@ -12,27 +12,30 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Boolean, Call, CellRef, Node, RangeRef, Symbol, Text
 from livesheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.kinematics.equations import Group
-from mechsheet.model import ENERGY, Link, Synthesis, inertia_unit
+from mechsheet.model import ENERGY, Link, Synthesis, Way, inertia_unit
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.efforts import AGREES
 from mechsheet.sheet.checks.extremes import Extremes, about, about_turns, where_bounded
 from mechsheet.sheet.checks.gaps import misfits_of
-from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
+from mechsheet.sheet.checks.limits import LIMITS
+from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import inputs, task
 from mechsheet.sheet.first.blocks import Writer
-from mechsheet.sheet.first.classification import FourBar
-from mechsheet.sheet.first.grashof import excess_of, in_summary, named, turning_types, type_of
-from mechsheet.sheet.first.transmission import acute, from_to, poor_limit, some_poor
+from mechsheet.sheet.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.over_rows import but_first, but_last
-from mechsheet.sheet.plan import MEANING, ROW_COUNT, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW, Plan
+from mechsheet.sheet.places import there
+from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.start_table import assemblies_lost
+from mechsheet.sheet.transmission import acute, from_to, poor_limit, some_poor
 from mechsheet.units import behind_number
 from mechsheet.units import turn as whole_turn
+
+HIGH_LOW: tuple[Way, Way] = ("max", "min")
 
 
 def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[Merge]:
@@ -78,7 +81,7 @@ class _Block:
 
     def __init__(self, writer: Writer, checks: Checks, extremes: Extremes) -> None:
         self.writer = writer
-        self.plan = writer.plan
+        self.plan, self.found = writer.plan, writer.plan.searched
         self.checks = checks
         self.extremes = extremes
         self.rows = writer.plan.blocks["verdicts"].rows
@@ -117,7 +120,7 @@ class _Block:
     @property
     def of_rows(self) -> Node:
         """The cell with the number of rows of the table."""
-        return self.plan.at.bind(ROW_COUNT, self.plan.main)
+        return self.plan.at.bind(self.plan.places.rows.cell, self.plan.main)
 
     def value(self, key: str) -> CellRef:
         """The cell of a line's value."""
@@ -150,8 +153,10 @@ class _Block:
         """Which yellow cell holds what cannot be; it is red, and so is the line."""
         cell, said = self.value("inputs"), self.words("inputs")
         fine = self.text("inputs.fine")
-        fits = formula("IF(_fine,fine,misfit)", fine=fine, misfit=self.text("inputs.misfit"))
-        words = inputs.words(self.plan, cell, Symbol("#there"), fits)
+        fits = formula(
+            "IF(known,fine,misfit)", known=self.found.fine.cell, fine=fine, misfit=self.text("inputs.misfit")
+        )
+        words = inputs.words(self.plan, cell, self.found.there.cell, fits)
         self.line("inputs", self.text("inputs"), "", self.bound("number", number=inputs.first_wrong(self.plan)), 0,
                   self.bound("words", words=words))  # fmt: skip
         self.colour("inputs", "said<>fine", styles.BAD, said=said, fine=fine)
@@ -176,16 +181,17 @@ class _Block:
         """In how many rows it closes, and in which stretches."""
         plan = self.plan
         key, rows = "rows_closed", self.of_rows
-        count = self.bound("COUNTIF(said,ok)", said=Symbol(f"{ALL}#status"), ok=plan.text("status.ok"))
-        stretches = [Symbol(f"#stretch_{number}") for number in range(1, STRETCHES + 1)]
-        more = formula('IF(_stretches>most," …","")', most=STRETCHES)
+        said, ok = plan.places.status.whole(), plan.text("status.ok")
+        count = self.bound("COUNTIF(said,ok)", said=said, ok=ok)
+        stretches = [stretch.words.cell for stretch in self.found.stretches]
+        more = formula('IF(stretches>most," …","")', stretches=self.found.count.cell, most=len(stretches))
         some = joined(self.text("rows.some"), " ", *stretches, self.unit, more)
         cell = self.value(key)
         words = self.bound(
             "IF(count=0,nowhere,IF(count=rows,everywhere,some))", count=cell, rows=rows,
             nowhere=self.text("rows.none"), everywhere=self.text("rows.all"), some=some,
         )  # fmt: skip
-        self.line(key, self.text("rows"), self.bound("ROWS(said)", said=Symbol(f"{ALL}#status")), count, 0, words)
+        self.line(key, self.text("rows"), self.bound("ROWS(said)", said=said), count, 0, words)
         self.colour(key, "count=0", styles.BAD, count=cell)
         self.colour(key, "count<rows", styles.WARN, count=cell, rows=rows)
         self.colour(key, "count=rows", styles.GOOD, count=cell, rows=rows)
@@ -195,7 +201,7 @@ class _Block:
 
     def limits(self) -> None:
         """The limit positions within the sweep: how many, and where."""
-        column = self.plan.at.column("#status", self.plan.main)
+        column = self.plan.places.status.whole()
         if self.plan.rows == 1:
             self.line("limits", self.text("limits"), "", al.ZERO, 0, Text(""))
             return
@@ -203,12 +209,12 @@ class _Block:
                            earlier=but_last(column), ok=self.plan.text("status.ok"))  # fmt: skip
         cell = self.value("limits")
         parts: list[Node | str] = []
-        for number in range(1, self.extremes.limits.count + 1):
-            place = Symbol(f"#limit_{number}")
+        for number, spot in enumerate(self.found.limits, 1):
+            place = spot.cell
             named = joined("; " if number > 1 else "", self.driver_text(place))
             parts.append(formula('IF(count<number,"",named)', count=cell, number=number, named=named))
         more = formula('IF(count>most," …","")', count=cell, most=LIMITS)
-        if self.extremes.limits.count:
+        if self.found.limits:
             more = joined(more, self._within_a_step())
         words = self.bound(
             'IF(count>0,IFERROR(found,""),IF(AND(closed>0,passes=0),none,""))', count=cell, closed=self.value("rows_closed"),
@@ -219,27 +225,29 @@ class _Block:
 
     def _within_a_step(self) -> Node:
         """What is added to limits that three probes have not found."""
-        return formula('IF(_unsettled,within,"")', within=self.text("within"))
+        return formula('IF(unsettled,within,"")', unsettled=self.found.unsettled.cell, within=self.text("within"))
 
     def input_range(self) -> None:
         """From where to where the driver can go in the first stretch."""
+        stretch, count = self.found.stretches[0], self.found.count.cell
         if self.driver.values or self.plan.rows == 1:  # listed values may go to and fro
             ends = [
                 formula(f"{most}(INDEX(drivers,first):INDEX(drivers,last))", drivers=self._drivers(),
-                        first=Symbol("#first_1"), last=Symbol("#last_1"))
+                        first=stretch.first.cell, last=stretch.last.cell)
                 for most in ("MIN", "MAX")
             ]  # fmt: skip
         else:
-            ends = [driver_at(self.plan, Symbol(f"#{key}_1")) for key in ("from", "to")]
+            ends = [driver_at(self.plan, end.cell) for end in (stretch.begin, stretch.end)]
         unit = self.driver.unit.text
-        everywhere = formula("AND(count=rows,_whole>0,passes=0)", count=self.value("rows_closed"), rows=self.of_rows,
-                             passes=self.value("passes"))  # fmt: skip
+        everywhere = formula("AND(count=rows,whole>0,passes=0)", count=self.value("rows_closed"), rows=self.of_rows,
+                             whole=self.found.whole.cell, passes=self.value("passes"))  # fmt: skip
         free = formula("IF(everywhere,free,range)", everywhere=everywhere, free=self.text("input.free"),
                        range=self.text("input.range"))  # fmt: skip
-        words = self.bound("IF(_stretches=0,nowhere,IF(_stretches>1,first,free)&within)", nowhere=self.text("rows.none"),
-                           first=self.text("input.first"), free=free, within=self._within_a_step())  # fmt: skip
+        words = self.bound("IF(stretches=0,nowhere,IF(stretches>1,first,free)&within)", stretches=count,
+                           nowhere=self.text("rows.none"), first=self.text("input.first"), free=free,
+                           within=self._within_a_step())  # fmt: skip
         digits = self._driver_places()
-        low, high = (self.bound("IF(_stretches=0,NA(),value)", value=end) for end in ends)
+        low, high = (self.bound("IF(stretches=0,NA(),value)", stretches=count, value=end) for end in ends)
         self.line("input_from", self.text("input"), unit, low, digits, words)
         self.line("input_to", "", unit, high, digits, Text(""))
 
@@ -248,15 +256,15 @@ class _Block:
         tolerance = self.plan.at.bind(Symbol(self.plan.equations.tolerance), self.plan.main)
         found: Node = al.ZERO
         where: Node = Text("")
-        for number in reversed(self.extremes.gaps):
-            dips = formula("IFERROR(least<-tolerance,FALSE)", least=Symbol(f"#gap_least_{number}"), tolerance=tolerance)
+        for least, row in reversed([*self.found.gaps.values()]):
+            dips = formula("IFERROR(least<-tolerance,FALSE)", least=least.cell, tolerance=tolerance)
             found = al.add(formula("IF(dips,1,0)", dips=dips), found)
-            place = driver_at(self.plan, Symbol(f"#gap_row_{number}"))
+            place = driver_at(self.plan, row.cell)
             where = formula("IF(dips,place,other)", dips=dips, place=place, other=where)
-        for number in () if self.driver.values else self.plan.equations.crossings:
-            turned = formula("IFERROR(least<0,FALSE)", least=Symbol(f"#crossed_{number}"))
+        for least, occurs in () if self.driver.values else self.plan.checked.crossed.values():
+            turned = formula("IFERROR(least<0,FALSE)", least=least.cell)
             found = al.add(formula("IF(turned,1,0)", turned=turned), found)
-            where = formula("IF(turned,place,other)", turned=turned, place=Symbol(f"#crossed_at_{number}"), other=where)
+            where = formula("IF(turned,place,other)", turned=turned, place=occurs.cell, other=where)
         cell = self.value("passes")
         before, after = self.text("passes.not", place="#").split("#")
         place = CellRef(self.rows["passes"], TOLERANCE, True, True)
@@ -271,7 +279,7 @@ class _Block:
         """The largest gap of a joint, and links that turn far between two rows."""
         plan = self.plan
         key, cell = "largest_gap", self.value("largest_gap")
-        rounding = plan.at.cell("#rounding", plan.main, None)
+        rounding = plan.checked.rounding.cell
         wrong = {"open": self.text("gap.open", sheet=self.checks.title)}
         left_open: Node = Text(wrong["open"])
         for number, (link, group) in enumerate(misfits_of(plan), 1):
@@ -281,7 +289,7 @@ class _Block:
         wrong["apart"] = self.text("gap.apart", notes=plan.at.titles["notes"])
         words = formula('IF(_rows_apart>0,apart,IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed))))',
                         apart=wrong["apart"],
-                        typed=plan.at.cell("#typed", plan.main, None), count=self.value("rows_closed"), gap=cell,
+                        typed=plan.checked.typed.cell, count=self.value("rows_closed"), gap=cell,
                         rounding=rounding, over=self.text("gap.typed", sheet=self.checks.title),
                         closed=self.text("gap.closed"), open=left_open)  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
@@ -343,9 +351,9 @@ class _Block:
         said = type_of(shortest, self.value(key), which, text)
         begin = f"{named(loop, self.plan)}: "
         bands = self.plan.mechanism.bands is not None
-        reach = self.bound("reach", reach=Symbol(f"#reach_{loop.group}")) if bands else ""
+        reach = self.bound("reach", reach=self.found.reach[loop.group].cell) if bands else ""
         words = formula('IFERROR(said,"")', said=joined(begin, said, reach))
-        excess = self.bound("excess", excess=excess_of(shortest, longest, total))
+        excess = self.bound("excess", excess=excess_of(self.plan, shortest, longest, total))
         self.line(
             key, self.text("grashof"), self.plan.mechanism.length_unit, excess, places(self.plan, "length"), words
         )
@@ -358,10 +366,11 @@ class _Block:
         """By how much a link turns, and whether it is a crank or a rocker."""
         symbol = link.angle_symbol
         turn = whole_turn(self.plan.at.spots[symbol].degrees)
-        closed = formula("AND(_whole>0,count=rows)", count=self.value("rows_closed"), rows=self.of_rows)
+        closed = formula("AND(whole>0,count=rows)", whole=self.found.whole.cell, count=self.value("rows_closed"),
+                         rows=self.of_rows)  # fmt: skip
         if self.plan.newton:  # of what is between the rows nothing is said
             closed = Boolean(False)
-        back = Symbol(f"#wraps_{symbol}")  # the ends of the whole turn are neighbours
+        back = self.found.wraps[symbol].cell  # the ends of the whole turn are neighbours
         words = formula(
             "IF(closed,IF(back>0,rocker,crank),part)", closed=closed, back=back,
             crank=self.text("crank"), rocker=self.text("rocker"), part=self.text("turned"),
@@ -372,21 +381,31 @@ class _Block:
         self._extent(f"swing_{symbol}", symbol, self.plan.mechanism.angle_unit.text, value, "angle", words)
 
     def _range(self, symbol: str) -> Node:
-        extent = formula("high-low", high=Symbol(f"#max_{symbol}"), low=Symbol(f"#min_{symbol}"))
+        extent = formula("high-low", high=self.extreme("max", symbol), low=self.extreme("min", symbol))
         return where_bounded(self.plan, symbol, extent)
 
     def _extent(self, key: str, symbol: str, unit: str, value: Node, kind: str, words: Node) -> None:
         """A swing or stroke: of one stretch; #N/A of several, which the mechanism cannot pass between."""
-        node = self.bound("IF(_stretches<>1,NA(),IFERROR(value,NA()))", value=value)
+        node = self.bound("IF(stretches<>1,NA(),IFERROR(value,NA()))", stretches=self.found.count.cell, value=value)
         said = self.bound(
-            'IF(_stretches=0,"",IF(_stretches>1,several,IF(_leaps>0,unsure,words&about)))', words=words,
+            'IF(stretches=0,"",IF(stretches>1,several,IF(leaps>0,unsure,words&about)))', words=words,
+            stretches=self.found.count.cell, leaps=self.plan.places.leaps.cell,
             about=about(self.plan, symbol), several=self.text("swing.several"), unsure=self.text("unsure"),
         )  # fmt: skip
         self.line(key, rich(symbol), unit, node, places(self.plan, kind), said)
 
+    def extreme(self, way: Way, symbol: str) -> Node:
+        """The smallest or the largest value of a quantity."""
+        return self.found.extremes[way, symbol].value.cell
+
     def about(self, symbol: str) -> Node:
         """What is added where the probes of an extreme have not settled, or the rows are too far apart."""
-        return formula("IF(_leaps>0,about,more)", about=self.text("about"), more=about(self.plan, symbol))
+        return formula(
+            "IF(leaps>0,about,more)",
+            leaps=self.plan.places.leaps.cell,
+            about=self.text("about"),
+            more=about(self.plan, symbol),
+        )
 
     # --- slides, time ratio, transmission ---------------------------------------------------------------------
 
@@ -400,18 +419,21 @@ class _Block:
         motion law, again and again; of one whose speed follows from its angle there is none."""
         law, none = self.plan.mechanism.driver.law, "ratio.none"
         turn = whole_turn(self.driver.unit.in_degrees)
-        closes = formula("wraps>0", wraps=Symbol(f"#wraps_{symbol}"))
+        closes = formula("wraps>0", wraps=self.found.wraps[symbol].cell)
         if law is not None:
             first, last = Symbol(SHOWN + law.start), Symbol(SHOWN + law.stop)
             closes = formula("AND(closes,ABS(ABS(last-first)/turn-1)<1E-9)", closes=closes, first=first, last=last,
                              turn=turn)  # fmt: skip
+        else:
+            step = there(self.plan.places.step).cell
         if self.plan.equations.equations.tied:  # what gears move is back after one turn, or after several
-            closes = formula("AND(closes,ABS(_step)*(rows-1)<1.5*turn)", closes=closes, rows=self.of_rows,
-                             turn=turn) if law is None else closes  # fmt: skip
+            if law is None:
+                closes = formula("AND(closes,ABS(step)*(rows-1)<1.5*turn)", closes=closes, rows=self.of_rows, step=step,
+                                 turn=turn)  # fmt: skip
             none = "ratio.gears"
         # in rows, which are equally far from each other in time
-        high, low = (Symbol(f"#{way}_turns_{symbol}") for way in ("max", "min"))
-        period = formula("rows-1", rows=self.of_rows) if law else formula("turn/ABS(_step)", turn=turn)
+        high, low = (there(self.found.extremes[way, symbol].turns).cell for way in HIGH_LOW)
+        period = formula("rows-1", rows=self.of_rows) if law else formula("turn/ABS(step)", turn=turn, step=step)
         way = formula("MOD(high-low,period)", high=high, low=low, period=period)
         value = formula("MAX(way,period-way)/MIN(way,period-way)", way=way, period=period)
         node = self.bound("IF(closes,IFERROR(value,NA()),NA())", value=value, closes=closes)
@@ -419,7 +441,8 @@ class _Block:
             node, none = formula("NA()"), "ratio.uneven"
         cell = self.value(f"time_ratio_{symbol}")
         words = self.bound(
-            'IF(_stretches=0,"",IF(ISNUMBER(ratio),IF(_leaps>0,unsure,ways&about),none))',
+            'IF(stretches=0,"",IF(ISNUMBER(ratio),IF(leaps>0,unsure,ways&about),none))',
+            stretches=self.found.count.cell, leaps=self.plan.places.leaps.cell,
             ratio=cell, unsure=self.text("unsure"), about=about_turns(self.plan, symbol),
             ways=self.text("ratio", symbol=plain(symbol)), none=self.text(none, symbol=plain(symbol)),
         )  # fmt: skip
@@ -428,9 +451,8 @@ class _Block:
     def transmission(self, group: Group) -> None:
         """The angle of transmission that is farthest from 90 degrees, as an acute angle."""
         key = f"transmission_{group.number}"
-        low, high = Symbol(f"#min_{group.transmission}"), Symbol(f"#max_{group.transmission}")
-        at = [Symbol(f"#{way}_at_{group.transmission}") for way in ("min", "max")]
-        folded, best = acute(low, high, from_right=group.kind != "RRR")
+        high, low = (self.found.extremes[way, group.transmission] for way in HIGH_LOW)
+        folded, best = acute(low.value.cell, high.value.cell, from_right=group.kind != "RRR")
         unit, cell = self.plan.mechanism.angle_unit, self.value(key)
         poor = formula("value<limit", value=cell, limit=poor_limit(self.plan.mechanism))
         said = from_to(self.plan, cell, _in(best, unit.in_degrees), poor)
@@ -438,7 +460,11 @@ class _Block:
         node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), unit.in_degrees))
         self.line(key, f"μ{group.number}", unit.text, node, places(self.plan, "angle"), words)
         at_low = formula(
-            "IF(one<=other+1E-6,place,elsewhere)", one=folded[0], other=folded[1], place=at[0], elsewhere=at[1]
+            "IF(one<=other+1E-6,place,elsewhere)",
+            one=folded[0],
+            other=folded[1],
+            place=low.occurs.cell,
+            elsewhere=high.occurs.cell,
         )
         self.at(key, self.bound("IFERROR(place,NA())", place=at_low))
         self.colour(key, "AND(ISNUMBER(value),poor)", styles.WARN, value=cell, poor=poor)
@@ -450,7 +476,8 @@ class _Block:
     def dead_centres(self) -> None:
         """In how many rows that close there are no velocities."""
         key, cell = "dead_centres", self.value("dead_centres")
-        count = self.bound("closed-COUNTIF(said,ok)", closed=self.value("rows_closed"), said=Symbol(f"{ALL}#rates"),
+        said = there(self.plan.places.rates).whole()
+        count = self.bound("closed-COUNTIF(said,ok)", closed=self.value("rows_closed"), said=said,
                            ok=self.plan.text("status.ok"))  # fmt: skip
         some = self.text("dead_centres.some", rates=self.plan.at.titles["rates"])
         words = formula("IF(count=0,none,some)", count=cell, none=self.text("dead_centres.none"), some=some)
@@ -459,7 +486,7 @@ class _Block:
 
     def fits(self, kind: Literal["velocity", "acceleration"], key: str) -> None:
         """The largest difference between the two ways round a group."""
-        rounding = self.plan.at.cell("#rounding", self.plan.main, None)
+        rounding = self.plan.checked.rounding.cell
         self._agrees(key, kind, self.plan.mechanism.length_unit, rounding, "rates")
 
     def _agrees(
@@ -503,8 +530,8 @@ class _Block:
         """Mean torque, change of energy over the turn, and the moment of inertia that keeps the speed within its bounds."""
         plan, torque = self.plan, self.plan.efforts[0]
         speed, acceleration = (Symbol(name) for name in plan.mechanism.driver_rates)
-        even = formula("AND(_whole=1,count=rows,speed<>0,acceleration=0)", count=self.value("rows_closed"),
-                       rows=self.of_rows, speed=speed, acceleration=acceleration)  # fmt: skip
+        even = formula("AND(whole=1,count=rows,speed<>0,acceleration=0)", count=self.value("rows_closed"),
+                       rows=self.of_rows, whole=self.found.whole.cell, speed=speed, acceleration=acceleration)  # fmt: skip
         column = plan.at.column(torque, plan.main)
         mean = self.bound("IF(even,(SUM(column)-(first+last)/2)/steps,NA())", even=even, column=column, first=column.start,
                           last=column.end, steps=formula("MAX(1,rows-1)", rows=self.of_rows))  # fmt: skip
@@ -561,7 +588,7 @@ class _Block:
             good = formula("IF(lost=kept,good,lost)", lost=lost, kept=self.text("same_assembly.kept"), good=good)
         words = self.bound(
             "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
-            fine=Symbol("#fine"), count=count, nowhere=nowhere, gap=gap,
+            fine=self.found.fine.cell, count=count, nowhere=nowhere, gap=gap,
             closed=self.text("gap.closed"),
             good=good, inputs=self.words("inputs"),
         )  # fmt: skip
@@ -619,8 +646,8 @@ class _Block:
                            words=self.words(keys[0]))  # fmt: skip
         symbols, said = self._transmissions(SYMBOL), self._transmissions(MEANING)
         return formula(
-            'IFERROR(what&INDEX(symbols,_worst_group)&" "&INDEX(said,_worst_group),"")', what=what, symbols=symbols,
-            said=said,
+            'IFERROR(what&INDEX(symbols,worst)&" "&INDEX(said,worst),"")', what=what, symbols=symbols, said=said,
+            worst=there(self.found.worst_group).cell,
         )  # fmt: skip
 
 

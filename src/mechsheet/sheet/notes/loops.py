@@ -15,7 +15,7 @@ from livesheet.formula.nodes import Node, Symbol, symbols
 from livesheet.workbook import Rich
 from mechsheet.kinematics.closures import Loop, Vector
 from mechsheet.model import rate_symbols
-from mechsheet.sheet.notes.mathematics import Part, written
+from mechsheet.sheet.mathematics import Part, written
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.symbols import plain
 

@@ -8,12 +8,12 @@ from livesheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, R
 from mechsheet.kinematics.equations import BANDS, FORCES, RATES
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
+from mechsheet.sheet.columns.lowering import Assignment
 from mechsheet.sheet.first.given import words_of
+from mechsheet.sheet.mathematics import Part, symbol_parts, written
 from mechsheet.sheet.notes.loops import LoopRates
-from mechsheet.sheet.notes.mathematics import Part, symbol_parts, written
 from mechsheet.sheet.plan import HIDDEN, STATUS, Plan
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.table.lowering import Assignment
 from mechsheet.sheet.table.positions import column_unit, group_title, mathematics
 from mechsheet.sheet.wrapping import wrapped_lines
 from mechsheet.units import DEG, NUMBER

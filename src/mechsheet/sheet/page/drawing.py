@@ -56,7 +56,7 @@ class PageDrawing:
         page.section(plan.text("page.drawing"))
         for symbol in charted:
             page.put(NAME, rich(symbol))
-            self.shown[symbol] = page.formula(FIRST, page.indexed(symbol))
+            self.shown[symbol] = page.formula(FIRST, page.indexed(plan.at.spots[symbol]))
             page.row += 1
         listed = Listed(page, lambda: caption(page))
         self.chart = chart_of(plan, listed.series, CHART_HEIGHT)

@@ -22,10 +22,10 @@ from livesheet.workbook import (
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import ChartRequest, Ends, Mechanism
 from mechsheet.sheet import styles
+from mechsheet.sheet.asked.requested import table_sheets
 from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing.charts import STEPS, are_smooth, chart_requests, chart_title, dash_of, value_axis
 from mechsheet.sheet.drawing.drawing import marker
-from mechsheet.sheet.first.blocks import shown_unit
 from mechsheet.sheet.first.mechanism import position_controls
 from mechsheet.sheet.layout import description_sheet, properties_of
 from mechsheet.sheet.page.drawing import PageDrawing
@@ -34,8 +34,8 @@ from mechsheet.sheet.page.plan import CHART_HEIGHT, FIRST_ROW, PagePlan, plan_pa
 from mechsheet.sheet.page.table import Table, note_last
 from mechsheet.sheet.page.top import LAST, MEANING, UNIT, VALUE, Top
 from mechsheet.sheet.plan import VERDICT_ROW
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import plain
-from mechsheet.sheet.table.requested import table_sheets
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 
 TOP_WIDTHS = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0)

@@ -28,8 +28,8 @@ from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.kinematics.numeric import value as numeric
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
+from mechsheet.sheet.columns.lowering import Assignment, Assignments, guarded, pins_apart
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded, pins_apart
 from mechsheet.sheet.table.status import NEAR
 from mechsheet.units import LENGTH
 from mechsheet.words.equations import phrase

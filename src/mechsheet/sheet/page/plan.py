@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from livesheet.diagnostics import Fault
 from livesheet.formula.names import folded, safe_name
-from livesheet.formula.nodes import Node, Symbol, symbols
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, symbols
 from livesheet.formula.scalar import evaluate
 from livesheet.said import say
 from livesheet.workbook import Name
@@ -20,11 +20,12 @@ from mechsheet.model import Mechanism
 from mechsheet.shapes.points import remarkable_points
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
-from mechsheet.sheet.first.classification import FourBar, classification
+from mechsheet.sheet.classification import FourBar, classification
+from mechsheet.sheet.columns.averaged import with_averaged
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
-from mechsheet.sheet.plan import SHEETS, VALUE, VERDICT_ROW, Block, Plan, TableColumn
-from mechsheet.sheet.table.averaged import with_averaged
+from mechsheet.sheet.places import Places
+from mechsheet.sheet.plan import SHEETS, UNIT, VALUE, VERDICT_ROW, Block, Plan, TableColumn
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.workbook import words
 
@@ -71,6 +72,11 @@ class PagePlan(Plan):
         """The last row that what is said of the table looks at."""
         return self.at.last + SPARE
 
+    def filled(self, spot: Spot) -> RangeRef:
+        """The cells of a column of the table, and those below that a person may fill."""
+        rows = (self.at.first, self.last_looked_at)
+        return RangeRef(*(CellRef(row, spot.col, True, True) for row in rows))
+
     @property
     def plain(self) -> Mapping[str, Node]:
         """What has no cell of its own: points that are written where they are read."""
@@ -100,13 +106,14 @@ def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
     further = (equation for equation in equations.columns if equation.role in (*RATES, *FORCES))
     kept |= {name for equation in further for name in equation.reads if name.endswith((".x", ".y"))}
     page = with_averaged(mechanism, lowered(mechanism, equations, kept, drawn))
-    at = Addresses(mechanism.references, titles, 0, 0)
+    at = Addresses(titles, 0, 0)
     plan = PagePlan(
         mechanism, page, language, at, len(values), [float(value) for value in values], classification(mechanism, page),
         page=page, drawn=drawn,
     )  # fmt: skip
-    _plan_top(plan)
+    modes = _plan_top(plan)
     _plan_table(plan)
+    _name_places(plan, modes)
     return plan
 
 
@@ -148,14 +155,14 @@ def sides_of(plan: PagePlan, loop: FourBar) -> list[tuple[str, Node]]:
         tree = length_in_cells(link, one, other, plan.equations.poses)
         if values.keys() >= {*symbols(tree)}:
             tree = _named(tree, (f"{one}{other}", f"{other}{one}"), values)
-        found.append((f"#{one}{other}", tree))
+        found.append((f"{one}{other}", tree))
     return found
 
 
 # --- the top ---------------------------------------------------------------------------------------------------------
 
 
-def _plan_top(plan: PagePlan) -> None:
+def _plan_top(plan: PagePlan) -> list[str]:
     mechanism, found = plan.mechanism, plan.found
     plan.next_row = FIRST_ROW
     _block(plan, "dimensions", (dim.symbol for dim in mechanism.dimensions if not dim.derived))
@@ -170,7 +177,7 @@ def _plan_top(plan: PagePlan) -> None:
     constants = [each.symbol for each in plan.equations.constants]
     for loop in found.four_bars:
         plan.lengths |= {key: tree for key, tree in sides_of(plan, loop) if len(set(symbols(tree))) > 1}
-    _block(plan, "derived", [*(dim.symbol for dim in derived), *plan.lengths, *constants])
+    _block(plan, "derived", [*(dim.symbol for dim in derived), *(f"length {key}" for key in plan.lengths), *constants])
     grashof = [f"grashof_{loop.group}" for loop in found.four_bars]
     transmission = [f"transmission_{group.number}" for group in found.transmission]
     _block(
@@ -180,7 +187,7 @@ def _plan_top(plan: PagePlan) -> None:
     )
     _block(plan, "summary", (each.symbol for each in mechanism.motion_numbers))
     _block(plan, "variables", ())
-    _name_places(plan, modes)
+    return modes
 
 
 def _block(plan: PagePlan, key: str, entries: Iterable[str]) -> None:
@@ -198,32 +205,36 @@ def _name_places(plan: PagePlan, modes: list[str]) -> None:
     names = names_of_dimensions(mechanism, mechanism.dimensions, taken, kept_names(mechanism, rows["verdicts"]))
     for dim in mechanism.dimensions:
         row = rows["derived" if dim.derived else "dimensions"][dim.symbol]
-        _place(plan, dim.symbol, row, dim.unit.in_degrees, names[dim.symbol], taken)
+        plan.at.spots[dim.symbol] = _cell(plan, row, names[dim.symbol], taken, degrees=dim.unit.in_degrees)
     for equation in plan.equations.constants:
-        degrees = mechanism.shown(equation.unit).in_degrees
-        _place(plan, equation.symbol, rows["derived"][equation.symbol], degrees, equation.symbol, taken)
-    for key in plan.lengths:
-        _place(plan, key, rows["derived"][key], False, f"length_{key.removeprefix('#')}", taken)
+        symbol, degrees = equation.symbol, mechanism.shown(equation.unit).in_degrees
+        plan.at.spots[symbol] = _cell(plan, rows["derived"][symbol], symbol, taken, degrees=degrees)
+    lengths = {key: _cell(plan, rows["derived"][f"length {key}"], f"length_{key}", taken) for key in plan.lengths}
     for mode in modes:
-        _place(plan, mode, rows["assembly"][mode], False, mode, taken)
-    for key, row in rows.get("sweep", {}).items():
-        _place(plan, f"#{key}", row, mechanism.driver.unit.in_degrees, plan.text(f"name.{key}"), taken)
-    for key, row in rows.get("position", {}).items():
-        _place(plan, f"#{key}", row, False, plan.text("name.position"), taken)
-    for key, row in rows["verdicts"].items():
-        _place(plan, f"#{key}", row, False, key, taken)
-    for symbol, row in rows["summary"].items():
-        _place(plan, f"#summary {symbol}", row, False, cells[symbol] or symbol, taken)
-    _place(plan, "#verdict", VERDICT_ROW, False, "verdict", taken, 0)
+        plan.at.spots[mode] = _cell(plan, rows["assembly"][mode], mode, taken)
+    degrees = mechanism.driver.unit.in_degrees
+    start, step = (
+        _cell(plan, rows["sweep"][key], plan.text(f"name.{key}"), taken, degrees=degrees) if "sweep" in rows else None
+        for key in ("start", "step")
+    )
+    position = None
+    for row in rows.get("position", {}).values():
+        position = _cell(plan, row, plan.text("name.position"), taken)
+    lines = {key: _cell(plan, row, key, taken) for key, row in rows["verdicts"].items()}
+    summaries = {symbol: _cell(plan, row, cells[symbol] or symbol, taken) for symbol, row in rows["summary"].items()}
+    verdict = _cell(plan, VERDICT_ROW, "verdict", taken, 0)
+    status = Spot(plan.main, plan.at.first, plan.columns[-1].col, plan.rows)
+    count = Spot(plan.main, rows["verdicts"]["rows_closed"], UNIT)
+    plan.places = Places(
+        status, count, verdict, lines, summaries, position=position, start=start, step=step, lengths=lengths
+    )
 
 
-def _place(
-    plan: PagePlan, symbol: str, row: int, degrees: bool, wish: str, taken: set[str], col: int = VALUE
-) -> None:  # fmt: skip
+def _cell(plan: PagePlan, row: int, wish: str, taken: set[str], col: int = VALUE, degrees: bool = False) -> Spot:
     name = wish if folded(wish) in taken else safe_name(wish, taken)
     taken.add(folded(name))
     plan.names.append(Name(name, plan.main, row, col))
-    plan.at.spots[symbol] = Spot(plan.main, row, col, degrees=degrees, name=name)
+    return Spot(plan.main, row, col, 0, degrees, name, plan.named)
 
 
 # --- the table -------------------------------------------------------------------------------------------------------
@@ -245,8 +256,8 @@ def _plan_table(plan: PagePlan) -> None:
         group = -1 if equation.symbol in outputs else equation.group
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
         degrees[equation.symbol] = plan.mechanism.shown(equation.unit).in_degrees
-    columns.append(TableColumn(len(columns), "#status", "status", -2, False))
+    columns.append(TableColumn(len(columns), "", "status", -2, False))
     plan.columns += columns
-    for column in columns:
+    for column in columns[:-1]:
         shown = degrees.get(column.symbol, False)
-        plan.at.spots[column.symbol] = Spot(plan.main, plan.at.first, column.col, column=True, degrees=shown)
+        plan.at.spots[column.symbol] = Spot(plan.main, plan.at.first, column.col, plan.rows, shown)

@@ -11,20 +11,20 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.driving import by_time, rows_before, time_after
-from mechsheet.sheet.first.blocks import shown_unit
-from mechsheet.sheet.first.inputs import while_inputs_can_be
-from mechsheet.sheet.notes.mathematics import written
+from mechsheet.sheet.driving import by_time, driver_after, rows_before, time_after
+from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.page.plan import PagePlan
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.quoted import SHOWN, formula
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import (
     group_headings,
     places,
     places_of,
 )
-from mechsheet.sheet.table.status import first_open, links_of, undetermined
+from mechsheet.sheet.table.status import first_open, links_of, undetermined, while_inputs_can_be
 from mechsheet.units import SECONDS
 
 NARROWEST, WIDEST = 10.0, 26.0
@@ -117,7 +117,7 @@ class Table:
                 own = plan.mechanism.given_unit(column.symbol) or SECONDS
                 self._listed(column.symbol, column.col, styles.decimals(styles.COLUMN, places_of(plan, own)))
             case "time" if plan.mechanism.driver.law is not None:
-                time = self._checked(time_after(plan.mechanism.driver.law, rows_before(self.plan)))
+                time = while_inputs_can_be(plan, time_after(plan.mechanism.driver.law, rows_before(plan)))
                 self._fill(
                     column.col, self._bound(time, first), styles.decimals(styles.COLUMN, places_of(plan, SECONDS))
                 )
@@ -141,7 +141,7 @@ class Table:
         if driver.law is not None:
             self._fill(0, self._bound(by_time(driver.law, Symbol(TIME)), first), style)
             return
-        stepped = self._checked(formula("_start+rows*_step", rows=rows_before(self.plan)))
+        stepped = while_inputs_can_be(plan, driver_after(plan, rows_before(plan)))
         self._fill(0, self._bound(stepped, first), style)
 
     def _listed(self, symbol: str, col: int, style: Style) -> None:
@@ -154,10 +154,6 @@ class Table:
                 node = self._bound(value, row)
                 self.fills.append(Fill(row, col, in_degrees(node) if unit.in_degrees else node, style))
 
-    def _checked(self, value: Node) -> Node:
-        """The value, while every yellow cell holds what can be: else no row pretends to exist."""
-        return formula("IF(_inputs>0,NA(),value)", value=value)
-
     def _equation(self, column: TableColumn) -> None:
         plan, equation, first = self.plan, column.equation, self.plan.at.first
         if equation is None:
@@ -169,7 +165,7 @@ class Table:
         degrees = plan.at.spots[column.symbol].degrees
         value = in_degrees(node) if degrees else node
         if plan.mechanism.driver.values and column.symbol in plan.page.closes.values():
-            value = while_inputs_can_be(plan, value, plan.main)
+            value = plan.at.bind(while_inputs_can_be(plan, value), plan.main)
         if equation.first is not None:  # anew under the heading, and after a row without a value
             turn: Node = Number(360.0) if degrees else al.mul(al.TWO, al.PI)
             value = formula(
@@ -188,7 +184,8 @@ class Table:
         found = [Conditional(area, formula('said<>""', said=said), styles.MISSING)]
         if plan.drawn:
             top = CellRef(first, 0, True, True)
-            shown = plan.at.bind(formula("ROW()-ROW(top)=_position", top=top), plan.main)
+            position = there(plan.places.position).cell
+            shown = plan.at.bind(formula("ROW()-ROW(top)=position", top=top, position=position), plan.main)
             found.insert(0, Conditional(area, shown, styles.CURRENT))
         return found
 
@@ -204,7 +201,7 @@ def status(plan: PagePlan) -> Node:
     values = [Symbol(f"{SHOWN}{plan.page.closes[group.number]}") for group in groups]
     closing = [formula("ISNUMBER(value)", value=value) for value in values]
     if not closing:
-        return formula('IF(_inputs>0,words,"")', words=plan.text("status.inputs"))
+        return formula('IF(wrong>0,words,"")', wrong=plan.places.inputs.cell, words=plan.text("status.inputs"))
     free = [_undetermined(plan, group) for group in groups]
     keys = ["undetermined" if group.only_undetermined else "open" for group in groups]
     if len(closing) == 1:

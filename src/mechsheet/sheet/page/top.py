@@ -11,20 +11,21 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.model import WAYS, Summary, Synthesis
 from mechsheet.sheet import styles
+from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.first import inputs, task
-from mechsheet.sheet.first.blocks import input_validation, unit_of_column, value_style
-from mechsheet.sheet.first.classification import FourBar
+from mechsheet.sheet.first.blocks import value_style
 from mechsheet.sheet.first.given import given_words
-from mechsheet.sheet.first.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.first.transmission import angle_words, poor_limit, some_poor
+from mechsheet.sheet.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, over_rows
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.shown import input_validation, unit_of_column
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
+from mechsheet.sheet.transmission import angle_words, poor_limit, some_poor
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import ANGLE, LENGTH, Unit, turn
 
@@ -87,10 +88,7 @@ class Top:
 
     def column(self, symbol: str) -> RangeRef:
         """The cells of a column, and those below that a person may fill."""
-        spot = self.plan.at.spots[symbol]
-        return RangeRef(
-            CellRef(spot.row, spot.col, True, True), CellRef(self.plan.last_looked_at, spot.col, True, True)
-        )
+        return self.plan.filled(self.plan.at.spots[symbol])
 
     def over_rows(self, symbol: str, function: str) -> Node:
         """Over a column, as people read it, in rows in which every group closes."""
@@ -200,9 +198,10 @@ class Top:
                 style = rate if dim.unit.per else value_style(plan, dim.unit)
                 self._result(rows[dim.symbol], dim.value, dim.unit.in_degrees, style)
         for key, tree in plan.lengths.items():
-            words = plan.text("page.length", name=key.removeprefix("#"))
-            self.line(rows[key], key.removeprefix("#"), plan.mechanism.length_unit, words)
-            self._result(rows[key], tree, False, value_style(plan, LENGTH))
+            words = plan.text("page.length", name=key)
+            row = plan.places.lengths[key].row
+            self.line(row, key, plan.mechanism.length_unit, words)
+            self._result(row, tree, False, value_style(plan, LENGTH))
         for equation in plan.equations.constants:
             row = rows[equation.symbol]
             self.line(
@@ -215,7 +214,7 @@ class Top:
     def _verdicts(self) -> None:
         plan = self.plan
         rows = plan.blocks["verdicts"].rows
-        filled, said = (self.column(symbol) for symbol in (plan.mechanism.driver.symbol, "#status"))
+        filled, said = self.column(plan.mechanism.driver.symbol), plan.filled(plan.places.status)
         row = rows["rows_closed"]
         self.line(row, "n", None, plan.text("page.rows"))
         self._inputs(rows["inputs"], self._there())
@@ -256,16 +255,10 @@ class Top:
 
     def _there(self) -> Node:
         """Whether the position that is drawn is a row of the table."""
-        if not self.plan.drawn:
+        position, rows = self.plan.places.position, self.plan.places.rows.cell
+        if position is None:
             return formula("TRUE")
-        return formula(
-            "AND(ISNUMBER(_position),INT(N(_position))=_position,_position>=0,_position<rows)", rows=self._rows
-        )
-
-    @property
-    def _rows(self) -> CellRef:
-        """The cell with the number of rows that are filled."""
-        return CellRef(self.plan.blocks["verdicts"].rows["rows_closed"], UNIT, True, True)
+        return formula("AND(ISNUMBER(shown),INT(N(shown))=shown,shown>=0,shown<rows)", shown=position.cell, rows=rows)
 
     def _grashof(self, row: int, loop: FourBar) -> None:
         """The type of a four-bar by its shortest and longest link; words, and the excess that decides."""
@@ -288,7 +281,7 @@ class Top:
         words = formula('IFERROR(said,"")', said=joined(begin, type_of(shortest, excess, which, text)))
         self.line(row, loop.name, plan.mechanism.length_unit, words)
         self.comments.append(Comment(row, SYMBOL, plan.text("notes.use.grashof")))
-        value = excess_of(shortest, longest, total)
+        value = excess_of(plan, shortest, longest, total)
         self.fill(row, VALUE, value, value_style(plan, LENGTH))
 
     def _length(self, key: str, length: Node) -> Node:
@@ -296,7 +289,8 @@ class Top:
         match length:
             case Call("ABS", (Symbol(name),)) if name in self.plan.equations.positive:
                 return length.args[0]
-        return Symbol(key) if key in self.plan.at.spots else length
+        lengths = self.plan.places.lengths
+        return lengths[key].cell if key in lengths else length
 
     def _transmission(self, row: int, group: Group) -> None:
         """The least acute angle of transmission over the rows of the table, and no others."""
@@ -315,13 +309,13 @@ class Top:
         words = joined(said, f"{after}{plan.text('page.transmission.rows')}", bad)
         self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=words))
         self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
-        value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=self.cell("#rows_closed"), least=least)
+        value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=plan.places.closed.cell, least=least)
         self.fill(row, VALUE, value, value_style(plan, ANGLE))
 
     def _line_under_the_title(self) -> None:
         """Whether it closes in the rows of the table, its type, its transmission; or that an input is none."""
         plan, text = self.plan, self.plan.text
-        count, rows = self.cell("#rows_closed"), self._rows
+        count, rows = plan.places.closed.cell, plan.places.rows.cell
         some = joined(text("page.verdict.some"), count, text("page.verdict.of"))
         counted = formula("IF(n=rows,every,some)", n=count, rows=rows, every=text("page.verdict.all"), some=some)
         positions: Node | str = text("page.verdict.positions")
@@ -341,7 +335,7 @@ class Top:
             any_poor = some_poor(plan.mechanism, angles)
             worst = formula("INDEX(said,MATCH(MIN(angles),angles,0))", said=said, angles=angles)
             parts += ["; ", text("page.transmission"), worst if len(lines) > 1 else said.start]
-        wrong, there = self.cell("#inputs"), self._there()
+        wrong, there = plan.places.inputs.cell, self._there()
         closes: Node = joined(*parts)
         missed: Node = Boolean(False)
         doubts: Node = Boolean(False)
@@ -383,7 +377,7 @@ class Top:
         plan = self.plan
         row = plan.blocks["summary"].rows[symbol]
         self.line(row, rich(symbol), unit.text, plan.text("page.take.rows", label=label))
-        found = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.cell("#rows_closed"), value=value)
+        found = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=plan.places.closed.cell, value=value)
         self.fill(row, VALUE, found, value_style(plan, unit))
 
     def _taken(self, summary: Summary) -> Node:
@@ -404,11 +398,11 @@ class Top:
         """The mean over the motion; of a turn without the row that closes it, all rows count alike."""
         plan = self.plan
         turns: Node | None = None
-        if may_leave_out(plan) and "sweep" in plan.blocks:
-            step = CellRef(plan.blocks["sweep"].rows["step"], VALUE, True, True)
+        if may_leave_out(plan) and plan.places.step is not None:
+            step = CellRef(plan.places.step.row, plan.places.step.col, True, True)
             turns = formula(
-                "AND(n=rows,n>=least,ABS(ROUND(step*rows/turn,0)*turn-step*rows)<1E-7)", n=self.cell("#rows_closed"),
-                least=LEAST_OF_TURN, rows=self._rows, step=step, turn=turn(plan.mechanism.driver.unit.in_degrees),
+                "AND(n=rows,n>=least,ABS(ROUND(step*rows/turn,0)*turn-step*rows)<1E-7)", n=plan.places.closed.cell,
+                least=LEAST_OF_TURN, rows=plan.places.rows.cell, step=step, turn=turn(plan.mechanism.driver.unit.in_degrees),
             )  # fmt: skip
         tests = [(each, NUMBERS) for each in (self.column(symbol), *self._closing(symbol))]
         return mean_of_motion(plan.mechanism.driver, self.column(symbol), tests, turns)

@@ -42,10 +42,10 @@ from livesheet.workbook import (
     Style,
 )
 from mechsheet.sheet import styles
-from mechsheet.sheet.first.transmission import POOR
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.naming import Naming
+from mechsheet.sheet.transmission import POOR
 from mechsheet.synthesis.over_ratio import LONGEST
 
 SWINGS = tuple(range(10, 130, 10))

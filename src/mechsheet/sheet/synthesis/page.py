@@ -10,7 +10,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.synthesis.naming import MODE, Naming
-from mechsheet.sheet.synthesis.rows import MEANING, REMARK, ROUNDED, SYMBOL, USED, VALUE, Rows
+from mechsheet.sheet.task_rows import MEANING, REMARK, ROUNDED, SYMBOL, USED, VALUE, Rows
 from mechsheet.synthesis.kinds import kind_of
 
 LARGE = 1e6

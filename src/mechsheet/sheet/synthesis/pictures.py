@@ -13,9 +13,8 @@ from mechsheet.sheet.drawing.frames import HIDDEN_AXIS
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.synthesis.page import Page
-from mechsheet.sheet.synthesis.planning import WINDOW
-from mechsheet.sheet.synthesis.rows import CHARTS, FIRST_ROW, MEANING, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.tables import THETA, curve_columns, has_points
+from mechsheet.sheet.task_rows import CHARTS, FIRST_ROW, MEANING, ROUNDED, SYMBOL, UNIT, USED, VALUE, WINDOW
 from mechsheet.synthesis.kind import Line
 
 SIZE, LEGEND, HEIGHT, GAP = 286, 72, 240, 12

@@ -8,17 +8,17 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
 from livesheet.workbook import Area, Conditional
 from mechsheet.sheet import styles
-from mechsheet.sheet.first.grashof import named
-from mechsheet.sheet.first.transmission import POOR
+from mechsheet.sheet.grashof import named
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.naming import MODE
 from mechsheet.sheet.synthesis.page import Page
-from mechsheet.sheet.synthesis.planning import INPUTS, UNSOLVED
-from mechsheet.sheet.synthesis.rows import LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.sheet.synthesis.sensitivity import largest
 from mechsheet.sheet.synthesis.tables import MU, curve_columns, exact_column, has_points, sensitivity_columns
+from mechsheet.sheet.task_rows import INPUTS, LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, UNSOLVED, USED, VALUE
+from mechsheet.sheet.transmission import POOR
 from mechsheet.units import behind_number
 
 YES, DOUBT, NO = "✓", "!", "✗"
@@ -90,7 +90,8 @@ class Does:
             condition = formula(test, value=number, **over)
             said = formula("IF(condition,reason,said)", condition=condition, reason=reason, said=said)
         if key not in (INPUTS, UNSOLVED):
-            said = formula("IF(_unsolved>0,none,IFERROR(said,nothing))", said=said, none="–", nothing="–")
+            said = formula("IF(unsolved>0,none,IFERROR(said,nothing))", unsolved=there(page.plan.places.unsolved).cell,
+                           said=said, none="–", nothing="–")  # fmt: skip
         page.formula_across(row, USED, MEANING, said, styles.VERDICT)
         bad, poor = (
             formula(f"IFERROR({test},{otherwise})", value=number, **over)
@@ -270,7 +271,7 @@ class Does:
         rounding keeps the input link from turning fully."""
         page, plan = self.page, self.page.plan
         loop = plan.found.four_bars[0]
-        excess = plan.at.cell(f"#grashof_{loop.group}", page.title, None)
+        excess = plan.places.excess(loop.group).cell
         row = plan.blocks["verdicts"].rows[f"grashof_{loop.group}"]
         said = CellRef(row, FIRST_SHEET_WORDS, True, True, plan.main)
         opened, change = (

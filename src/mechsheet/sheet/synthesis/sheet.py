@@ -5,15 +5,16 @@ from __future__ import annotations
 from livesheet.formula.nodes import Call, CellRef
 from livesheet.workbook import Area, Column, Conditional, PrintSetup, Sheet
 from mechsheet.sheet import styles
-from mechsheet.sheet.first.blocks import input_validation
-from mechsheet.sheet.notes.mathematics import written
+from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.shown import input_validation
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.pictures import write_curve_chart, write_figure
 from mechsheet.sheet.synthesis.requirement_checks import Does, can_be
-from mechsheet.sheet.synthesis.rows import (
+from mechsheet.sheet.synthesis.tables import sensitivity_columns, write_asked, write_changes, write_curve
+from mechsheet.sheet.task_rows import (
     HINT_ROW,
     LINE_ROW,
     MEANING,
@@ -25,7 +26,6 @@ from mechsheet.sheet.synthesis.rows import (
     USED,
     VALUE,
 )
-from mechsheet.sheet.synthesis.tables import sensitivity_columns, write_asked, write_changes, write_curve
 from mechsheet.synthesis.writing import says
 
 ROW_HEIGHT, LINE_HEIGHT = 20.0, 34.0

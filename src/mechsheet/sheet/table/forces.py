@@ -6,7 +6,6 @@ in the order in which their forces are found: the last one first, the driver las
 
 from __future__ import annotations
 
-from livesheet.formula.nodes import Symbol
 from livesheet.workbook import Sheet
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.rates import sheet_beside
@@ -14,4 +13,5 @@ from mechsheet.sheet.table.rates import sheet_beside
 
 def forces_sheet(plan: Plan) -> Sheet:
     """The sheet; what it says of a row is what the rates say, or the positions where there is no group."""
-    return sheet_beside(plan, "forces", plan.forces, Symbol("#rates" if plan.rates else "#status"), "B91C1C")
+    said = (plan.places.rates or plan.places.status).in_row(plan.at.first)
+    return sheet_beside(plan, "forces", plan.forces, said, "B91C1C")

@@ -13,9 +13,9 @@ from livesheet.workbook import Cell, Column, Content, Fill, Merge, Sheet, Style
 from mechsheet.kinematics.equations import Group, System
 from mechsheet.kinematics.newton.system import SETTLED
 from mechsheet.sheet import styles
+from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.plan import BLOCKS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.table.lowering import in_pass
 from mechsheet.sheet.table.positions import FORMULA_ROW, SYMBOL_ROW
 from mechsheet.sheet.table.rates import sheet_beside
 from mechsheet.sheet.table.start_table import StartTable
@@ -25,9 +25,8 @@ NUMBER_WIDTH = 11.0
 
 def iterations_sheet(plan: Plan) -> Sheet:
     """The sheet."""
-    sheet = sheet_beside(
-        plan, "iterations", plan.iterations, Symbol("#status"), "9CA3AF", lambda number: _block_title(plan, number)
-    )
+    said = plan.places.status.in_row(plan.at.first)
+    sheet = sheet_beside(plan, "iterations", plan.iterations, said, "9CA3AF", lambda number: _block_title(plan, number))
     writer = _Writer(plan)
     for group in plan.equations.groups:
         if group.system is not None:
@@ -91,7 +90,7 @@ class _Writer:
     def needed(self, group: Group, system: System) -> None:
         """How many passes each row took until its residual was nothing but rounding."""
         plan = self.plan
-        col = plan.at.spots[f"#needed_{group.number}"].col
+        col = plan.places.starts[group.number].needed.col
         self.put(SYMBOL_ROW, col, plan.text("iterations.needed"), styles.HEAD)
         self.put(FORMULA_ROW, col, None, styles.FORMULA_TEXT)
         residuals = [Symbol(in_pass(system.residual, number)) for number in range(1, system.passes + 1)]

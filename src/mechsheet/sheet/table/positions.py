@@ -32,15 +32,15 @@ from livesheet.workbook import (
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses
+from mechsheet.sheet.columns.bands import HEADINGS, ROOT, WORST
 from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.driving import by_time, rows_before, time_after
-from mechsheet.sheet.first.inputs import while_inputs_can_be
-from mechsheet.sheet.notes.mathematics import written
+from mechsheet.sheet.driving import by_time, driver_after, rows_before, time_after
+from mechsheet.sheet.mathematics import written
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.bands import HEADINGS, ROOT, WORST
-from mechsheet.sheet.table.status import status
+from mechsheet.sheet.table.status import status, while_inputs_can_be
 from mechsheet.units import DEG, Unit
 from mechsheet.units import NUMBER as NUMBER_UNIT
 
@@ -72,7 +72,7 @@ def positions_sheet(plan: Plan) -> Sheet:
         cells.append(Cell(SYMBOL_ROW, column.col, heading(plan, column), styles.HEAD))
         if column.kind == "number":
             # The rules for colours read it here: other programs refuse a rule that reads another sheet.
-            shown = plan.at.cell("#position", plan.table, None)
+            shown = there(plan.places.position).cell
             fills.append(Fill(FORMULA_ROW, column.col, shown, styles.numbered(styles.FORMULA_TEXT, '"→ "0')))
             comments.append(Comment(SYMBOL_ROW, column.col, plan.text("column.here")))
         else:
@@ -122,7 +122,7 @@ def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: 
             return [Fill(first, NUMBER, rows_before(plan), style, rows=rows)]
         case "driver":
             number = CellRef(first, NUMBER, col_abs=True)
-            stepped = formula("_start+number*_step", number=number) if law is None else by_time(law, Symbol(TIME))
+            stepped = by_time(law, Symbol(TIME)) if law is not None else driver_after(plan, number)
             return [Fill(first, DRIVER, plan.at.bind(stepped, sheet, first), style, rows=rows)]
         case "time" if law is not None:
             passed = time_after(law, CellRef(first, NUMBER, col_abs=True))
@@ -139,7 +139,7 @@ def cell_formula(plan: Plan, at: Addresses, column: TableColumn, expression: Nod
     """What a cell of the column holds in a row that stands for one position; `at` says where quantities stand there."""
     value = transform(at.bind(expression, sheet, row), degrees_together)
     if column.symbol in plan.unguarded:
-        value = while_inputs_can_be(plan, value, sheet)
+        value = at.bind(while_inputs_can_be(plan, value), sheet)
     return in_degrees(value) if at.spots[column.symbol].degrees else value
 
 

@@ -27,7 +27,7 @@ from mechsheet.sheet.table.positions import (
     style_of,
     width_for,
 )
-from mechsheet.sheet.table.status import first_open, links_of, words_between
+from mechsheet.sheet.table.status import first_open, links_of
 
 
 def rates_sheet(plan: Plan) -> Sheet:
@@ -143,13 +143,11 @@ def dead_words(plan: Plan) -> list[str]:
 def _status(plan: Plan) -> Node:
     """What the positions say; where they exist, "ok" or the first group at a dead centre."""
     moving = [formula("ISNUMBER(value)", value=Symbol(name)) for name in determinants(plan).values()]
+    said = plan.places.status.in_row(plan.at.first)
     if not moving:
-        return Symbol("#status")
-    words = words_between(plan, "#dead_0", f"#dead_{len(moving)}")
-    return formula(
-        "IF(_status=ok,INDEX(words,first_dead),_status)",
-        ok=plan.text("status.ok"), words=words, first_dead=first_open(moving),
-    )  # fmt: skip
+        return said
+    return formula("IF(said=ok,INDEX(words,first_dead),said)", said=said, ok=plan.text("status.ok"),
+                   words=plan.checked.dead, first_dead=first_open(moving))  # fmt: skip
 
 
 def _missing(plan: Plan, area: Area) -> Conditional:

@@ -16,11 +16,11 @@ from mechsheet.kinematics.newton.lost_assembly import STEADY, trends
 from mechsheet.kinematics.newton.system import FIRST_PASSES, LED, SETTLED
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses, Spot
+from mechsheet.sheet.columns.start_columns import begun, start_columns
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import FORMULA_ROW, GROUP_ROW, SYMBOL_ROW, places_of
-from mechsheet.sheet.table.start_columns import begun, start_columns
 from mechsheet.units import DEG
 
 
@@ -31,7 +31,8 @@ class StartTable:
         self.plan, self.group, self.system = plan, group, system
         self.title = plan.at.titles["iterations"]
         self.columns = start_columns(plan.equations, system)
-        self.left = plan.at.spots[f"#start_{group.number}"].col
+        self.places = plan.places.starts[group.number]
+        self.left = self.places.table.col
         self.first, self.row = plan.at.first, plan.at.first + system.row
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
@@ -44,7 +45,7 @@ class StartTable:
     def _spot(self, symbol: str) -> Spot:
         """A column of the table; what is given stands there as it stands where it comes from."""
         degrees = symbol in self.columns.given and self.plan.at.spots[symbol].degrees
-        return Spot(self.title, self.first, self.place[symbol], column=True, degrees=degrees)
+        return Spot(self.title, self.first, self.place[symbol], FIRST_PASSES + 1, degrees)
 
     def _at(self, own: dict[str, Spot]) -> Addresses:
         """All places, columns of other tables in the row at which the start values were found."""
@@ -53,7 +54,7 @@ class StartTable:
             for name, spot in self.plan.at.spots.items()
         }
         at = self.plan.at
-        return Addresses(at.references, at.titles, at.first, at.last, spots | own)
+        return Addresses(at.titles, at.first, at.last, spots | own)
 
     def write(self) -> None:
         """Its headings and all its columns, and the start values."""
@@ -105,9 +106,8 @@ class StartTable:
     def _passes(self) -> None:
         """From the start values of the assembly chosen; where no step can be made the unknowns stay."""
         plan, system, first = self.plan, self.system, self.first
-        starts = plan.at.spots[f"#starts_{self.group.number}"]
         for index, (unknown, correction) in enumerate(zip(system.unknowns, system.corrections, strict=True)):
-            col = starts.col + 1 + index
+            col = self.places.values.col + 1 + index
             values = RangeRef(CellRef(first, col, True, True), CellRef(first + len(system.starts) - 1, col, True, True))
             chosen = formula("INDEX(values,mode)", values=values, mode=Symbol(system.mode))
             unit = plan.mechanism.shown(plan.equations.of(system.variables[index]).unit)
@@ -125,10 +125,10 @@ class StartTable:
         """1 in a row to which the assembly cannot be kept: the determinant has another sign than at the beginning, or past
         one end of the assembly to another of the same sign an unknown leaps from its trend, or the residual rises."""
         plan, system = self.plan, self.system
-        spot = plan.at.spots[f"#lost_{self.group.number}"]
+        col = self.places.lost.col
         begin = CellRef(self.first, self.place[system.determinant], True, True)
         keeps = formula("IFERROR(IF(det*begin>0,0,1),1)", det=Symbol(system.determinant), begin=begin)
-        self._fill(self.first, spot.col, keeps, 2, "0")
+        self._fill(self.first, col, keeps, 2, "0")
         leaps = []
         for unknown, most in zip(
             system.unknowns, trends(plan.mechanism, plan.equations.equations, system), strict=True
@@ -140,12 +140,12 @@ class StartTable:
                              least=SETTLED))  # fmt: skip
         node = formula("IFERROR(IF(AND(det*begin>0,leap<1),0,1),1)", det=Symbol(system.determinant), begin=begin,
                        leap=al.largest(leaps))  # fmt: skip
-        self._fill(self.first + 2, spot.col, node, FIRST_PASSES - 1, "0")
+        self._fill(self.first + 2, col, node, FIRST_PASSES - 1, "0")
 
     def _starts(self) -> None:
         """The start values of each assembly: inputs."""
         plan, system = self.plan, self.system
-        left = plan.at.spots[f"#starts_{self.group.number}"].col
+        left = self.places.values.col
         self._put(SYMBOL_ROW, left, plan.text("iterations.starts"), styles.HEAD)
         self._put(FORMULA_ROW, left, None, styles.FORMULA_TEXT)
         units = [plan.mechanism.shown(plan.equations.of(variable).unit) for variable in system.variables]
@@ -160,13 +160,7 @@ class StartTable:
 
 def assemblies_lost(plan: Plan) -> Node:
     """In how many rows of the start tables the assembly chosen could not be kept."""
-    found: list[Node] = []
-    for group in plan.equations.groups:
-        if group.system is not None:
-            spot = plan.at.spots[f"#lost_{group.number}"]
-            ends = (CellRef(row, spot.col, True, True, spot.sheet) for row in (spot.row, spot.row + FIRST_PASSES))
-            found.append(formula("SUM(rows)", rows=RangeRef(*ends)))
-    return al.total(found)
+    return al.total(formula("SUM(rows)", rows=starts.lost.whole()) for starts in plan.places.starts.values())
 
 
 def _above(node: Node, names: tuple[str, ...]) -> Node:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from livesheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.numeric import value
 from mechsheet.sheet.plan import Plan
@@ -22,19 +22,20 @@ def status(plan: Plan) -> Node:
     """ "ok", or the first group that cannot be joined, or is undetermined."""
     tests = [test for group in plan.equations.groups for test in _tests(plan, group)]
     if not tests:
-        return formula("IF(_inputs=0,ok,inputs)", ok=plan.text("status.ok"), inputs=plan.text("status.inputs"))
+        return formula(
+            "IF(wrong=0,ok,inputs)",
+            wrong=plan.places.inputs.cell,
+            ok=plan.text("status.ok"),
+            inputs=plan.text("status.inputs"),
+        )
     if len(tests) == 1 and not plan.newton:  # whose words are long
         return formula("IF(closes,ok,reason)", closes=tests[0], ok=plan.text("status.ok"), reason=status_words(plan)[0])
-    reasons = words_between(plan, "#reason_0", f"#reason_{len(tests)}")
-    return formula("INDEX(reasons,first_open)", reasons=reasons, first_open=first_open(tests))
+    return formula("INDEX(reasons,first_open)", reasons=plan.checked.reasons, first_open=first_open(tests))
 
 
-def words_between(plan: Plan, first: str, last: str) -> RangeRef:
-    """The cells from one that is found by its key to another below it."""
-    top, bottom = plan.at.spots[first], plan.at.spots[last]
-    return RangeRef(
-        CellRef(top.row, top.col, True, True, top.sheet), CellRef(bottom.row, bottom.col, True, True, top.sheet)
-    )
+def while_inputs_can_be(plan: Plan, value: Node) -> Node:
+    """A value that asks nothing of the inputs by itself; #N/A where one of them cannot be."""
+    return formula("IF(wrong>0,NA(),value)", wrong=plan.places.inputs.cell, value=value)
 
 
 def first_open(closing: Sequence[Node]) -> Node:

@@ -17,12 +17,12 @@ from livesheet.workbook import Cell, Fill, Sheet, Style
 from mechsheet.model import WAYS, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks.limits import last_rows
-from mechsheet.sheet.over_rows import MOST, mean_of_rows, over_rows
+from mechsheet.sheet.columns.bands import QUANTITIES, ROOT, WORST, part_of
+from mechsheet.sheet.over_rows import MOST, first_row, last_row, mean_of_rows, over_rows
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import RATES_DRIVER, RATES_STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.bands import QUANTITIES, ROOT, WORST, part_of
 from mechsheet.sheet.table.positions import style_of
 from mechsheet.sheet.table.rates import sheet_beside
 
@@ -44,8 +44,12 @@ class Line:
 
     @property
     def key(self) -> str:
-        """What its results are called, behind `#worst case`."""
-        return f"of {self.summary.symbol}" if self.summary else f"{self.kind} {self.quantity}"
+        """What the line is of, in the block of the first sheet."""
+        return self.summary.symbol if self.summary else self.quantity
+
+    def spot(self, plan: Plan, part: str) -> Spot:
+        """Where its worst case or root sum of squares stands."""
+        return Spot(plan.at.titles["tolerance"], self.row, plan.at.spots[part_of(self.quantity, part)].col)
 
 
 def lines_of(plan: Plan) -> list[Line]:
@@ -54,7 +58,7 @@ def lines_of(plan: Plan) -> list[Line]:
     if bands is None:
         return []
     row = plan.at.last + GAP + 1
-    found = [Line(quantity, row, "shown") for quantity in bands.quantities]
+    found = [shown_line(plan, quantity) for quantity in bands.quantities]
     row += 2
     found += [Line(quantity, row, "largest") for quantity in bands.quantities]
     for summary in plan.mechanism.summaries:
@@ -64,6 +68,11 @@ def lines_of(plan: Plan) -> list[Line]:
     return found
 
 
+def shown_line(plan: Plan, quantity: str) -> Line:
+    """The line of a quantity at the position shown."""
+    return Line(quantity, plan.at.last + GAP + 1, "shown")
+
+
 class Tolerance:
     """The sheet, planned before any formula that reads it is written."""
 
@@ -71,10 +80,6 @@ class Tolerance:
         self.plan = plan
         self.lines = lines_of(plan)
         self.title = plan.at.titles.get("tolerance", "")
-        for line in self.lines:
-            for part in (WORST, ROOT):
-                spot = Spot(self.title, line.row, self._col(part_of(line.quantity, part)))
-                plan.at.spots[f"#{part} {line.key}"] = spot
 
     def _col(self, symbol: str) -> int:
         return self.plan.at.spots[symbol].col
@@ -114,11 +119,12 @@ class Tolerance:
     def _status(self) -> Node:
         """What the positions say; where they exist whether some group is at a dead centre."""
         own = [column.symbol for column in self.plan.bands if column.group < QUANTITIES]
+        said = (self.plan.places.rates or self.plan.places.status).in_row(self.plan.at.first)
         if not own:
-            return Symbol("#rates" if self.plan.rates else "#status")
+            return said
         all_there = formula("ISNUMBER(all)", all=al.total(Symbol(name) for name in own))
         return formula(
-            "IF(_status=ok,IF(there,ok,dead),_status)",
+            "IF(said=ok,IF(there,ok,dead),said)", said=self.plan.places.status.in_row(self.plan.at.first),
             ok=self.plan.text("status.ok"), there=all_there, dead=self.plan.text("bands.dead"),
         )  # fmt: skip
 
@@ -156,7 +162,7 @@ class Tolerance:
         """Of a summary, in the position shown, or in the row with the largest band."""
         column, summary = Symbol(ALL + symbol), line.summary
         if line.kind == "shown":
-            return formula("INDEX(column,_position+1)", column=column)
+            return formula("INDEX(column,position+1)", column=column, position=there(self.plan.places.position).cell)
         if summary is None:
             worst = Symbol(ALL + part_of(line.quantity, WORST))
             return formula("INDEX(column,MATCH(most,worst,0))", column=column, worst=worst, most=over_rows(MOST, worst))
@@ -170,13 +176,14 @@ class Tolerance:
             return mean_of_rows(self.plan, symbol, self.title)
         column = Symbol(ALL + symbol)
         if part == "first":
-            return formula("INDEX(column,_first_1)", column=column)
-        return formula("INDEX(column,MAX(rows))", column=column, rows=last_rows(self.plan))
+            return formula("INDEX(column,row)", column=column, row=first_row(self.plan))
+        return formula("INDEX(column,row)", column=column, row=last_row(self.plan))
 
     def _of_extreme(self, quantity: str, way: Way, symbol: str) -> Node:
         """Where the quantity is smallest or largest: by a probe, or in the row where nothing is known between rows."""
-        if f"#{way} {symbol}" in self.plan.at.spots:
-            return Symbol(f"#{way} {symbol}")
+        searched = self.plan.searched
+        if (way, symbol) in searched.derivatives:
+            return searched.derivatives[way, symbol].cell
         drivers = Symbol(ALL + self.plan.mechanism.driver.symbol)
         return formula("INDEX(column,MATCH(at,drivers,0))", column=Symbol(ALL + symbol), drivers=drivers,
-                       at=Symbol(f"#{way}_at_{quantity}"))  # fmt: skip
+                       at=searched.extremes[way, quantity].occurs.cell)  # fmt: skip

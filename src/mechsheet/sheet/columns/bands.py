@@ -30,8 +30,8 @@ from mechsheet.kinematics.rates.sensitivity import (
     toleranced,
 )
 from mechsheet.model import Mechanism
+from mechsheet.sheet.columns.lowering import Assignment, Assignments, guarded
 from mechsheet.sheet.quoted import SHOWN, formula
-from mechsheet.sheet.table.lowering import Assignment, Assignments, guarded
 from mechsheet.units import LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
@@ -49,8 +49,8 @@ def part_of(quantity: str, part: str) -> str:
 
 
 def tolerance_symbol(dimension: str) -> str:
-    """Where a dimension's tolerance stands, as people read it."""
-    return f"#tolerance {dimension}"
+    """The symbol of a dimension's tolerance, which is as people read it."""
+    return f"tolerance {dimension}"
 
 
 @dataclass(frozen=True, slots=True)

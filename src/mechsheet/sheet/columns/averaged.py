@@ -12,8 +12,8 @@ from typing import TypeVar
 from livesheet.formula.nodes import Symbol
 from mechsheet.kinematics.equations import FORCES, RATES, Role
 from mechsheet.model import Mechanism, Summary
+from mechsheet.sheet.columns.lowering import Assignment, Assignments
 from mechsheet.sheet.quoted import SHOWN
-from mechsheet.sheet.table.lowering import Assignment, Assignments
 from mechsheet.units import Unit
 from mechsheet.words.equations import phrase
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from both_layouts import Book
 from laid import template_text
+from placed import places_of
 
 from mechsheet.studies.questions import turns_fully
 
@@ -73,7 +74,7 @@ def test_tolerances_that_reach_a_change_point(language, words):
 def test_how_far_tolerances_reach_follows_from_where_points_are():
     """The ground's length is the hypotenuse of two dimensions with a tolerance."""
     book = Book(template_text("toggle-press").partition("[[charts]]")[0], "sheets")
-    spot = book.plan.at.spots["#reach_1"]
+    spot = places_of(book.plan)["reach_1"]
     expected = 0.1 * (300 + 180) / math.hypot(300, 180) + 0.05 + 0.1 + 0.05
     assert book.values.get(spot.sheet, spot.row, spot.col - 1) == pytest.approx(expected, rel=1e-12)
 

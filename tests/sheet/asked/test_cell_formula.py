@@ -6,8 +6,8 @@ import pytest
 from laid import template_text
 from planned import planned
 
+from mechsheet.sheet.asked.cell_formula import Blocks, CellFormula
 from mechsheet.sheet.checks.extremes import Extremes
-from mechsheet.sheet.table.cell_formula import Blocks, CellFormula
 
 
 @pytest.mark.parametrize("start", [0, 170])

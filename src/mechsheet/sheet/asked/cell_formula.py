@@ -15,10 +15,10 @@ from livesheet.formula.nodes import MAX_COLUMNS, Call, CellRef, Node, Symbol
 from livesheet.workbook import Cell, Fill
 from mechsheet.kinematics.angle_branch import WINDOWED, branches_of, reading_taken, taken_near
 from mechsheet.sheet import styles
+from mechsheet.sheet.asked.expansion import LIMITS, definitions, expand, needed, varying
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.expansion import LIMITS, definitions, expand, needed, varying
 from mechsheet.sheet.table.positions import places
 from mechsheet.units import ANGLE, Unit
 
@@ -157,7 +157,7 @@ class CellFormula:
         """The angle [rad] near which all columns start: that of the table of positions in the first row that exists, carried
         back to the first row; with no such row what it is with the dimensions as described."""
         plan, window = self.plan, self.windows[symbol]
-        row = formula("MATCH(ok,said,0)", ok=plan.ok, said=plan.at.column("#status", self.title))
+        row = formula("MATCH(ok,said,0)", ok=plan.ok, said=plan.places.status.whole(self.title))
         angle = self._there(symbol, row)
         if window.slope:
             there = self._there(self.driver.symbol, row)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from livesheet.formula.nodes import Node
-from mechsheet.sheet.first.classification import FourBar
+from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.words.equations import link_words
@@ -16,13 +16,13 @@ SAME = 1e-9
 micrometre in a kilometre, and far more than sums of lengths that were computed are off by rounding."""
 
 
-def excess_of(shortest: Node, longest: Node, total: Node) -> Node:
+def excess_of(plan: Plan, shortest: Node, longest: Node, total: Node) -> Node:
     """Shortest + longest - the other two: below 0 some link turns fully (Grashof), 0 at a change point. #N/A where an
     input cannot be.
     """
     return formula(
-        "IF(_inputs>0,NA(),IF(ABS(2*(shortest+longest)-total)<=same*longest,0,2*(shortest+longest)-total))",
-        shortest=shortest, longest=longest, total=total, same=SAME,
+        "IF(wrong>0,NA(),IF(ABS(2*(shortest+longest)-total)<=same*longest,0,2*(shortest+longest)-total))",
+        wrong=plan.places.inputs.cell, shortest=shortest, longest=longest, total=total, same=SAME,
     )  # fmt: skip
 
 

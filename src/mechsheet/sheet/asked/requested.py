@@ -6,9 +6,9 @@ from livesheet.said import say
 from livesheet.workbook import Sheet
 from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.model import TableRequest
+from mechsheet.sheet.asked.summary_table import SummaryTable
+from mechsheet.sheet.asked.two_way import Table
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.table.summary_table import SummaryTable
-from mechsheet.sheet.table.two_way import Table
 
 
 def table_sheets(plan: Plan) -> tuple[Sheet, ...]:

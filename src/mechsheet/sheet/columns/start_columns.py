@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from livesheet.formula.nodes import Node, symbols
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.newton.leading import leading
-from mechsheet.sheet.table.lowering import Assignment, Assignments
+from mechsheet.sheet.columns.lowering import Assignment, Assignments
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,7 +18,7 @@ from livesheet.formula.printer import print_formula
 from livesheet.formula.spellings import extra_characters, longest_spelling
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.model import Mechanism
-from mechsheet.sheet.table.lowering import Assignments
+from mechsheet.sheet.columns.lowering import Assignments
 
 LIMITS = (250, 1_000, 7_500)
 """Characters of one formula in the language where it has most: what can be read, or more where there is no room for so many

@@ -12,7 +12,7 @@ from itertools import combinations
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import Joint, Link, Mechanism, Synthesis
-from mechsheet.sheet.table.lowering import Assignments
+from mechsheet.sheet.columns.lowering import Assignments
 
 
 @dataclass(frozen=True, slots=True)

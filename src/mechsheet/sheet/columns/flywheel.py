@@ -11,13 +11,13 @@ from dataclasses import replace
 
 from livesheet.formula.nodes import Node, Previous, Symbol
 from mechsheet.model import ENERGY, Mechanism, energy_unit
+from mechsheet.sheet.columns.lowering import Assignment, Assignments
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.table.lowering import Assignment, Assignments
 from mechsheet.units import Unit
 from mechsheet.words.equations import phrase
 
-MEAN = "mean_torque"
-"""Key of the line of the first sheet that holds the mean."""
+MEAN = "mean torque"
+"""The symbol of the mean, which stands in a line of the first sheet."""
 
 
 def with_energy(mechanism: Mechanism, equations: Assignments) -> Assignments:
@@ -33,7 +33,7 @@ def with_energy(mechanism: Mechanism, equations: Assignments) -> Assignments:
         )  # fmt: skip
 
     unit = Unit("moment", energy_unit(mechanism.dynamics, mechanism.length_unit))
-    mean = Symbol(f"#{MEAN}")
+    mean = Symbol(MEAN)
     # nothing is stored in the first row, above which are texts; 0 times the mean says where there is none
     first = formula("0*mean", mean=mean)
     own = formula("N(energy)+IFERROR(step,first)", energy=Previous(ENERGY), step=step(mean), first=first)

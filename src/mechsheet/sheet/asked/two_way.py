@@ -29,12 +29,12 @@ from livesheet.workbook import (
 )
 from mechsheet.model import Dimension, Quantity, TableRequest
 from mechsheet.sheet import styles
+from mechsheet.sheet.asked.cell_formula import Blocks, CellFormula, helper_blocks
 from mechsheet.sheet.drawing.charts import driver_axis
-from mechsheet.sheet.first.blocks import input_validation, shown_unit
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.shown import input_validation, shown_unit
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.cell_formula import Blocks, CellFormula, helper_blocks
 from mechsheet.sheet.table.positions import places
 from mechsheet.units import behind_number
 

@@ -16,18 +16,18 @@ from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, transfo
 from livesheet.workbook import Area, Axis, Cell, Column, Conditional, Fill, Style
 from mechsheet.model import WAYS, Dimension, Quantity, Summary, TableRequest, Way
 from mechsheet.sheet import styles
+from mechsheet.sheet.asked.cell_formula import Blocks, CellFormula, helper_blocks
+from mechsheet.sheet.asked.two_way import CORNER_ROW, FIRST, HEAD_ROW, NAME_ROW, Body, Table, bracketed
 from mechsheet.sheet.checks import rivals
 from mechsheet.sheet.checks.extremes import SETTLED
 from mechsheet.sheet.checks.parabolas import BESIDE, PROBES, vertex_of
 from mechsheet.sheet.driving import driver_at
-from mechsheet.sheet.first.blocks import input_validation, shown_unit
 from mechsheet.sheet.over_rows import ENDS, NUMBERS, ends_meet, may_leave_out, mean_of_motion
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
 from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.shown import input_validation, shown_unit
 from mechsheet.sheet.symbols import plain, rich
-from mechsheet.sheet.table.cell_formula import Blocks, CellFormula, helper_blocks
 from mechsheet.sheet.table.positions import places
-from mechsheet.sheet.table.two_way import CORNER_ROW, FIRST, HEAD_ROW, NAME_ROW, Body, Table, bracketed
 
 
 class SummaryTable(Table):
@@ -213,7 +213,9 @@ class Helpers:
         plan = self.plan
         turns: Node | None = None
         if may_leave_out(plan):
-            turns = formula("AND(_whole=2,COUNT(column)=rows)", column=self.column, rows=self.of_rows)
+            turns = formula(
+                "AND(whole=2,COUNT(column)=rows)", whole=plan.searched.whole.cell, column=self.column, rows=self.of_rows
+            )
         return mean_of_motion(plan.mechanism.driver, self.column, [(self.column, NUMBERS)], turns)
 
     def _wraps(self) -> CellRef | None:
@@ -225,7 +227,8 @@ class Helpers:
             return self._line("wraps", "0")
         of, column = self.table.summary.of, self.column
         meet = ends_meet(self.plan, of, self.found.unit(of), column, (column.start, column.end))
-        return self._line("wraps", "IFERROR(IF(AND(COUNT(column)=rows,meet),_whole,0),0)", rows=self.of_rows, meet=meet)
+        return self._line("wraps", "IFERROR(IF(AND(COUNT(column)=rows,meet),whole,0),0)", rows=self.of_rows, meet=meet,
+                          whole=self.plan.searched.whole.cell)  # fmt: skip
 
     def _extreme(self, way: Way, wraps: CellRef | None, style: Style) -> CellRef:
         """The rows of the smallest or largest value; the last of them has it."""

@@ -4,6 +4,7 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from placed import places_of
 
 from livesheet.engine import compile_book
 from livesheet.evaluation import book_of
@@ -12,7 +13,7 @@ from mechsheet.checking.searched.against_search import against_search
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.sheet import styles
-from mechsheet.sheet.table.two_way import FIRST, HEAD_ROW
+from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW
 
 ROOT = Path(__file__).parents[3]
 
@@ -81,7 +82,7 @@ def built():
 def evaluated(**typed):
     """The plan, and the values with numbers typed into cells: `swing_A9`, or a symbol of the first sheet."""
     compiled, book = built()
-    spots = {symbol.lstrip("#"): spot for symbol, spot in compiled.plan.at.spots.items()}
+    spots = places_of(compiled.plan)
     places = {}
     for name, value in typed.items():
         if name in spots:
@@ -120,7 +121,7 @@ def test_each_cell_is_what_the_search_finds(typed):
 @pytest.mark.parametrize(("name", "row"), [("swing", 0), ("height", 1), ("middle", 0), ("end", 0), ("rough", 0)])
 def test_the_present_dimensions_give_the_first_sheets_number(name, row):
     plan, values = evaluated()
-    spot = plan.at.spots[f"#summary {name}"]
+    spot = places_of(plan)[f"summary {name}"]
     shown = values.get(spot.sheet, spot.row, spot.col)
     assert values.get(f"Table {name}", FIRST + row, 1) == pytest.approx(shown, rel=1e-6)
 

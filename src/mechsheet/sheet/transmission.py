@@ -38,7 +38,10 @@ def from_to(plan: Plan, worst: Node, best: Node, poor: Node) -> Node:
     up_to: Node = joined(" … ", *angle_words(plan, best))
     bad, fair = (Text(f": {plan.text(f'verdict.{word}')}") for word in ("poor", "fair"))
     if not plan.rows_only:
-        up_to, known = (formula('IF(_rows_only,"",said)', said=said) for said in (up_to, fair))
+        up_to, known = (
+            formula('IF(rows_only,"",said)', rows_only=plan.searched.rows_only.cell, said=said)
+            for said in (up_to, fair)
+        )
     else:
         up_to, known = Text(""), Text("") if plan.between_unseen else fair
     words = joined(*angle_words(plan, worst))

@@ -18,8 +18,8 @@ from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.library.building import compile_workbook
 from mechsheet.reference import solve as refer
 from mechsheet.reference import variables
-from mechsheet.sheet.table.expansion import LIMITS, depth
-from mechsheet.sheet.table.two_way import FIRST, HEAD_ROW
+from mechsheet.sheet.asked.expansion import LIMITS, depth
+from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW
 
 ROOT = Path(__file__).parents[3]
 CASES = tomllib.loads((ROOT / "tests/cases/tables.toml").read_text(encoding="utf-8"))["case"]

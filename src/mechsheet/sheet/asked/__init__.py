@@ -1,0 +1,1 @@
+"""The two-way tables that a description asks for."""

@@ -1,0 +1,1 @@
+"""Which columns the tables have: the equations as cells compute them, and what is found beside them."""
