@@ -76,7 +76,8 @@ class Steepness:
             speed, acceleration = (np.full(self.plan.rows, np.nanmax(each)) for each in (speed, acceleration))
         if mechanism.driver.joint:
             speed, acceleration = speed / size, acceleration / size
-        rate = (np.ones(self.plan.rows), speed, speed**2 + acceleration)[equation.unit.per]
+        jerk = speed**3 + 3 * speed * acceleration
+        rate = (np.ones(self.plan.rows), speed, speed**2 + acceleration, jerk)[equation.unit.per]
         return np.maximum(rate * (size if equation.unit.kind == "length" else 1.0), 1e-300)
 
     def _largest(self, kind: str, solution: reference.Solution, found: Mapping[str, Array]) -> Array:

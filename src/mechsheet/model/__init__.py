@@ -6,6 +6,7 @@ is in internal units. The reader has parsed it and checked that it names only di
 """
 
 from .asked import EXTREME, Condition, Exercise, Need, Objective, Range, Study, Synthesis, TaskPlace, Tolerances, Vary
+from .cams import LAWS_THAT_LEAP, SEGMENT_LAWS, TAU, Cam, Segment, Segments
 from .mechanism import (
     LAWS,
     PRESSURE,
@@ -58,12 +59,16 @@ __all__ = [
     "EXTREME",
     "GROUND",
     "LAWS",
+    "LAWS_THAT_LEAP",
     "POINT_RATES",
     "PRESSURE",
+    "SEGMENT_LAWS",
     "SHAKING",
     "TAKES",
+    "TAU",
     "TIME",
     "WAYS",
+    "Cam",
     "Cartesian",
     "ChartRequest",
     "Condition",
@@ -91,6 +96,8 @@ __all__ = [
     "Range",
     "Redundant",
     "Relation",
+    "Segment",
+    "Segments",
     "Sketch",
     "Solution",
     "Spring",

@@ -19,7 +19,7 @@ from mechsheet.sheet.checks.extremes import Extremes, about, about_turns, where_
 from mechsheet.sheet.checks.gaps import misfits_of
 from mechsheet.sheet.checks.limits import LIMITS, STRETCHES
 from mechsheet.sheet.driving import driver_at
-from mechsheet.sheet.first import inputs, task
+from mechsheet.sheet.first import cam, inputs, task
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.first.classification import FourBar
 from mechsheet.sheet.first.grashof import excess_of, in_summary, named, turning_types, type_of
@@ -67,6 +67,8 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
         block.fits("acceleration", "accelerations_fit")
     if found.forces:
         block.efforts()
+    if found.cam:
+        cam.write(block)
     if found.flywheel:
         block.flywheel()
     block.line_under_the_title()
