@@ -149,6 +149,7 @@ BASIC = Dialect(
         "COS": "Cos({0})",
         "DEGREES": "(({0}) * 180 / PiValue())",
         "EXP": "Exp({0})",
+        "IF": "IIf({0}, {1}, {2})",
         "LN": "Log({0})",
         "MAX": "MaxOf({0}, {1})",
         "MIN": "MinOf({0}, {1})",

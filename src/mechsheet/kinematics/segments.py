@@ -8,6 +8,7 @@ where phi is the angle within the turn. At an angle at which two segments meet t
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from mechsheet.formula import algebra as al
@@ -20,8 +21,8 @@ from mechsheet.words.equations import phrase
 MEETING = 1e-9
 """So far [rad] behind the angle where two segments meet the earlier one still counts: rounding decides nothing."""
 
-_HALF = 0.5 - MEETING
-"""What makes rounding to the nearest turn one to the turn before; a whole turn itself begins the next."""
+_MIDDLE = math.pi - MEETING
+"""The middle of what an angle is brought to; just below half a turn, so that a whole turn begins the next."""
 
 
 def write_segments(driver: FurtherDriver, angle: str, ledger: Ledger) -> None:
@@ -57,9 +58,9 @@ def _within(motion: Segments, angle: str, ledger: Ledger) -> Symbol:
     """The angle within the turn; of a motion that ends, not beyond its end and not before its beginning."""
     phi: Node = Symbol(angle)
     if motion.closed:
-        turn = al.mul(al.TWO, al.PI)
-        turns = Call("ROUND", (al.sub(al.div(phi, turn), al.number(_HALF)), al.ZERO))
-        within = al.sub(phi, al.mul(turn, turns))
+        middle = al.number(_MIDDLE)
+        turned = al.sub(phi, middle)
+        within: Node = al.add(al.atan2(Call("COS", (turned,)), Call("SIN", (turned,))), middle)
     else:
         last = motion.parts[-1]
         within = Call("MAX", (al.ZERO, Call("MIN", (phi, al.add(last.begins, last.over)))))

@@ -14,8 +14,8 @@ from mechsheet.kinematics.vectors import Vector, minus, plus, size, times, turne
 from mechsheet.sheet.quoted import formula
 
 Kind: TypeAlias = Literal[
-    "link", "ground", "slide", "cylinder", "gear", "belt", "rack", "spring", "damper", "load", "torque", "weight", "mass",
-    "path", "pin", "point", "velocity", "acceleration", "force", "scale", "name", "caption",
+    "link", "ground", "slide", "cylinder", "gear", "belt", "rack", "cam", "spring", "damper", "load", "torque", "weight",
+    "mass", "path", "pin", "point", "velocity", "acceleration", "force", "scale", "name", "caption",
 ]  # fmt: skip
 ARROWS = ("load", "torque", "weight", "velocity", "acceleration", "force")
 """Kinds whose size says how large something is."""
@@ -40,7 +40,8 @@ class Frame:
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """A line through corners: `path` in a `frame`, or `corners` one by one.
+    """A line through corners: `path` in a `frame`, or `corners` one by one. A cam's curve has one corner, in its frame: its
+    places in all positions are the line in each.
 
     color  RRGGBB;  fill  of what the line encloses, or "";  width  in points of a printer
     size   of an arrow: which part it is of the largest of its kind; less than LEAST is not drawn

@@ -11,6 +11,7 @@ from mechsheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.vectors import Vector, dot, minus, plus, size, times, together, turned
 from mechsheet.model import Joint, Rack
+from mechsheet.shapes.cams import cam_shapes
 from mechsheet.shapes.described import Described
 from mechsheet.shapes.forms import (
     HALF,
@@ -63,6 +64,7 @@ def shapes_of(plan: Plan, equations: Equations, vectors: Collection[Kind] = ()) 
     cylinders = [joint for joint in mechanism.sliding if is_cylinder(known, joint)]
     guides = [_Guide(known, found, joint) for joint in mechanism.sliding if joint not in cylinders]
     found.shapes += _toothed(known, found)
+    found.shapes += cam_shapes(known, found)
     found.shapes += [guide.rail() for guide in guides if guide.on_ground]
     anchors = loaded_points(known)
     held = [point for point in known.ground.points if point in known.pins or point in anchors]

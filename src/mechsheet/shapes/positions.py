@@ -185,7 +185,7 @@ class Positions:
     def _corners(self, shape: Shape) -> Array:
         """(rows, corners, 2)."""
         found = self.columns(shape)
-        if shape.frame is None:
+        if shape.frame is None or not shape.path:
             return found
         path = np.array(shape.path)
         return np.asarray(found[:, :1] + path[None, :, :1] * found[:, 1:2] + path[None, :, 1:] * found[:, 2:])
@@ -221,6 +221,11 @@ class Positions:
             places = self._vector(shape.at) if isinstance(shape, Mark) else self._corners(shape)
             self._places[index] = self._trace(places[:, 0]) if shape.kind == "path" else places
         places = self._places[index]
+        if isinstance(shape, Shape) and shape.kind == "cam" and not shape.path and shape.frame is not None:
+            origin, along, across = self.columns(shape)[row]
+            curve = self._trace(self._vector(shape.corners[0]))
+            points = origin + curve[:, :1] * along + curve[:, 1:] * across
+            return Stroke(shape.kind, shape.name, points, shape.color, shape.width, shape.fill)
         if isinstance(shape, Mark):
             x, y = places[row].tolist()
             return Disc(shape.kind, shape.name, x, y, shape.radius * self.window.half, shape.fill, INK)

@@ -19,6 +19,7 @@ from mechsheet.model import ChartRequest, Joint
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.drawing.arrows import arrows_of, room_of_bars
+from mechsheet.sheet.drawing.cam import CamDrawing
 from mechsheet.sheet.drawing.frames import (
     CHART_X,
     CHART_Y,
@@ -93,8 +94,8 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     page.row += 1
     page.put(NAME, text("drawing.note"), styles.SUBTITLE)
     page.row += 1
-    wheels = Wheels(page, dimension_values(plan.mechanism))
-    frame = _frame(page, text("drawing.frame"), _all_points(plan), MARGIN, wheels, room_of_bars(plan))
+    wheels, cam = Wheels(page, dimension_values(plan.mechanism)), CamDrawing(page)
+    frame = _frame(page, text("drawing.frame"), _all_points(plan), MARGIN, (wheels, cam), room_of_bars(plan))
     for key, cell in (("x", frame.x), ("y", frame.y), ("half", frame.half)):
         plan.window[key] = Spot(page.title, cell.row, cell.col)
     cells = write_points(page, frame)
@@ -104,6 +105,7 @@ def drawing_of(plan: Plan, traced: Sequence[str], requests: Sequence[ChartReques
     first, last = marks(page, cells)
     toothed = _toothed(page, frame, cells, guides, wheels)
     behind = [*first, *_traces(page, frame, traced, PATH_COLORS, 1.0), *toothed, *_shapes(page, cells, guides)]
+    behind += cam.series(frame, cells)
     before = [*frame.series, _caption(page), *last, *arrows_of(page, frame, cells)]
     names = names_of(page, cells)[: max(0, MOST_SERIES - len(behind) - len(before))]
     series = [*behind, *names, *before]
@@ -139,9 +141,14 @@ def _all_points(plan: Plan) -> tuple[str, ...]:
 
 
 def _frame(
-    page: Page, title: str, names: Sequence[str], margin: float, wheels: Wheels | None = None, below: float = 0.0
+    page: Page,
+    title: str,
+    names: Sequence[str],
+    margin: float,
+    discs: Sequence[Wheels | CamDrawing] = (),
+    below: float = 0.0,
 ) -> Frame:
-    """A window around the points at all positions of the sweep, and the wheels about them; `below` see `write_frame`."""
+    """A window around the points at all positions of the sweep, and the discs about them; `below` see `write_frame`."""
     moving = [name for name in names if name in moving_points(page.plan.mechanism)]
     fixed = [name for name in names if name not in moving]
     page.section(page.plan.text("drawing.reach"), [page.plan.text("drawing.from"), page.plan.text("drawing.to")])
@@ -150,8 +157,8 @@ def _frame(
         constants = tuple(page.at_position(f"{name}.{axis}") for name in fixed)
         low, high = page.extremes(axis, [f"{name}.{axis}" for name in moving])
         lows, highs = ([low], [high]) if moving else ([], [])  # a disk alone turns
-        for name in names if wheels is not None else ():
-            for radius in wheels.around(name) if wheels is not None else ():
+        for name in names if discs else ():
+            for radius in (radius for each in discs for radius in each.around(name)):
                 ends = (page.at_position(f"{name}.{axis}"),) * 2 if name in fixed else (low, high)
                 lows.append(al.sub(ends[0], radius))
                 highs.append(al.add(ends[1], radius))
