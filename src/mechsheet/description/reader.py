@@ -175,6 +175,7 @@ class _Reading:
         if made:
             follower = self._cam() if segments.given(self.data) else ()
             if not segments.given(self.data):
+                segments.check_alone(self.data, scope)
                 self.driver = driver.read(given, made, sliding, self.ends, scope)
             listed = self._part("drivers", [])
             further, values = drivers.read(listed, self.driver, made, sliding, self.ends, scope)
@@ -195,6 +196,9 @@ class _Reading:
         """The cam as the driver; what it moves."""
         given, ends, scope = self.data["driver"], self.ends, self.scope
         cam = self._part("cam", {})
+        if self.links[-1].name not in segments.LINKS:  # a fault hides it
+            scope.complete = False
+            return ()
         shape = cams.read(cam, given, self.links, self.joints, ends, scope) if cam else None
         if shape is not None:
             self.parts["cam"] = shape.cam

@@ -25,8 +25,8 @@ from mechsheet.model import Dimension, Driver, FurtherDriver, Joint, Link, Segme
 from mechsheet.said import say
 from mechsheet.units import Unit
 
-LINK, ANGLE_OF_CAM = "cam", "phi"
-"""What the cam and its angle are called where nobody says."""
+LINKS, ANGLE_OF_CAM = ("cam", "cam-disc"), "phi"
+"""What the cam is called, where another link is called so already, and its angle where nobody says."""
 
 FULL = 1e-9
 """Angles [rad], and ways as parts of the longest, that miss each other by so little count as the same."""
@@ -57,9 +57,18 @@ def with_cam(data: dict[str, Any], scope: Scope) -> dict[str, Any]:
         path: Path = ("cam", "center") if "center" in cam else ("driver", "segments")
         scope.report.at(path, message, suggestion(center, points, "points"))
         return data
-    name = LINK if LINK not in links else f"{LINK}-disc"
+    name = next((name for name in LINKS if name not in links), LINKS[-1])
     own = {"points": {center: [0.0, 0.0]}, "label": {"en": "cam", "tr": "kam"}}
     return {**data, "links": {**links, name: own}}
+
+
+def check_alone(data: dict[str, Any], scope: Scope) -> None:
+    """Report what goes with segments where there are none."""
+    if "cam" in data:
+        scope.report.at(("cam",), say("needs a motion over its angle"), say("write [[driver.segments]]"))
+    driver = data.get("driver")
+    if isinstance(driver, dict) and "closed" in driver:
+        scope.report.at(("driver", "closed"), say("goes with `segments`"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,6 +112,8 @@ def read(
     elif start is not None:
         start = _derived(f"{symbol}_0", start, unit, ("cam", "start"), cells, scope)
     else:
+        if not scope.report.sound("cam"):
+            return None
         hint = say("a base circle says it where the ground carries a slide, or a rocker with a roller")
         scope.report.at(("driver",), say("start is missing: where the follower is on the base circle"), hint)
         return None
@@ -194,10 +205,11 @@ class _Parts:
         size = scope.number(over)
         if size <= 0:
             scope.report.at(path, say("a segment goes over an angle greater than 0"))
-        elif begun + size > math.tau + FULL:
-            scope.report.at(
-                path, say("the segments leave the turn: they end at {end:.6g}°", end=math.degrees(begun + size))
-            )
+            return BAD
+        if begun + size > math.tau + FULL:
+            end = math.degrees(begun + size)
+            scope.report.at(path, say("the segments leave the turn: they end at {end:.6g}°", end=end))
+            return BAD
         return over
 
     def _by(self, each: dict[str, Any], place: int, lift: Node, last: bool) -> Any:

@@ -120,7 +120,9 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
     driver = mechanism.driver
     loops = (_four_bar(mechanism, group, pivoted) for group in equations.groups if group.kind == "RRR")
     driven = mechanism.driven_symbols
-    turning = [link for link in pivoted if link.name != driver.link and link.angle_symbol not in driven]
+    # of a cam that turns clockwise the ground is driven, seen from the cam
+    turned = driver.relative_to if driver.link == ground.name else driver.link
+    turning = [link for link in pivoted if link.name != turned and link.angle_symbol not in driven]
     names, still = {equation.symbol for equation in equations.columns}, _still(mechanism, equations)
     swings = tuple(link for link in turning if link.angle_symbol not in still)
     on_ground = (joint for joint in mechanism.joints if ground.name in (joint.on, joint.link))
@@ -156,6 +158,8 @@ def _still(mechanism: Mechanism, equations: Assignments) -> frozenset[str]:
 def _returning(
     mechanism: Mechanism, equations: Assignments, swings: tuple[Link, ...], strokes: tuple[Joint, ...]
 ) -> tuple[str, ...]:
+    if segments_of(mechanism) is not None:  # which may dwell at its ends, so that nobody knows when it turns back
+        return ()
     newton = any(group.system is not None for group in equations.groups)  # no ratio of two times from rows alone
     if not mechanism.driver.link or not (mechanism.driver.stepped or _once_round(mechanism)) or newton:
         return ()
