@@ -47,7 +47,9 @@ CAMS: dict[str, str] = {
     "{name} is a point of the ground: the cam could not move a roller there": (
         "{name} sabit uzvun noktası: kam oradaki bir makarayı hareket ettiremez"
     ),
-    "{name} is no point of the ground: a cam turns about one": "{name} sabit uzvun noktası değil: kam öyle bir noktada döner",
+    "{name} is no point of the ground: a cam turns about one": (
+        "{name} sabit uzvun noktası değil: kam öyle bir noktada döner"
+    ),
     "needs a motion over its angle": "açısına bağlı bir hareket gerekir",
     "write [[driver.segments]]": "[[driver.segments]] yazın",
     "goes with `segments`": "`segments` ile birlikte verilir",
