@@ -13,7 +13,7 @@ from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import SEGMENT_LAWS, TAU
+from mechsheet.model import HALF, PIECE, SEGMENT_LAWS, TAU, WAVE
 from mechsheet.reference.segments import law as reference_law
 
 PEAKS = {
@@ -29,7 +29,10 @@ PEAKS = {
 
 
 def ways(law, tau):
-    return [np.broadcast_to(np.asarray(value(node, {TAU: tau}), float), tau.shape) for node in way_of(law)]
+    nearer = np.minimum(tau, 1 - tau)
+    piece = 1 + (nearer > 0.125 + 1e-9) + (nearer > 0.375 + 1e-9)
+    known = {TAU: tau, WAVE: 4 * np.pi * nearer, HALF: (tau > 0.5) * 1.0, PIECE: piece}
+    return [np.broadcast_to(np.asarray(value(node, known), float), tau.shape) for node in way_of(law)]
 
 
 @pytest.mark.parametrize("law", PEAKS)

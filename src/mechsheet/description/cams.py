@@ -112,7 +112,8 @@ class _Start:
     def node(self) -> Node | None:
         """The displacement or angle; None where the base circle alone does not say it."""
         touching = next((link for link in self.links[1:] if self.cam.point in link.points), None)
-        center = _place(self.ground.points[self.cam.center])
+        where = self.ground.points.get(self.cam.center)
+        center = None if where is None else _place(where)
         own = None if touching is None else _place(touching.points[self.cam.point])
         if touching is None or center is None or own is None:
             return None

@@ -9,13 +9,14 @@ where phi is the angle within the turn. At an angle at which two segments meet t
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Literal
 
 from mechsheet.formula import algebra as al
-from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, with_symbols
+from mechsheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, with_symbols
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.model import TAU, FurtherDriver, Segment, Segments
-from mechsheet.units import ANGLE, LENGTH, NUMBER
+from mechsheet.model import HALF, PIECE, TAU, WAVE, FurtherDriver, Segments
+from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
 MEETING = 1e-9
@@ -25,29 +26,71 @@ _MIDDLE = math.pi - MEETING
 """The middle of what an angle is brought to; just below half a turn, so that a whole turn begins the next."""
 
 
+EIGHTH, MOST_RISING = 0.125, 0.375
+"""Parts of a segment at which the pieces of a modified law meet."""
+
+
 def write_segments(driver: FurtherDriver, angle: str, ledger: Ledger) -> None:
     """Write the follower's value down, over the cam's `angle`; its derivatives by that angle are kept in `ledger.ways`."""
     motion = driver.segments
     if motion is None:
         raise ValueError(f"{driver.symbol} has no segments")
-    within = _within(motion, angle, ledger)
-    parts = motion.parts
-    passed = [al.ZERO if each.law == "dwell" else al.div(al.sub(within, each.begins), each.over) for each in parts]
-    tau = ledger.column("tau", _chosen(within, parts, passed), NUMBER, phrase("segment_passed"))
-    at = [with_symbols(each.way[0], {TAU: tau}) for each in parts]
-    lifts = [al.add(each.lift, al.mul(each.by, way)) for each, way in zip(parts, at, strict=True)]
-    value = al.add(motion.start, _chosen(within, parts, lifts))
     unit = LENGTH if driver.joint else ANGLE
+    of_row = _OfRow(motion, angle, ledger)
+    begins, over = (of_row.value(key, ANGLE) for key in ("begins", "over"))
+    tau = ledger.column("tau", al.div(al.sub(of_row.within, begins), over), NUMBER, phrase("segment_passed"))
+    lift, by = (of_row.value(key, unit) for key in ("lift", "by"))
+    known = {TAU: tau} | _halves(motion, tau, ledger)
+    ways = [of_row.way(order, known) for order in range(4)]
+    value = al.add(motion.start, al.add(lift, al.mul(by, ways[0])))
     ledger.define(driver.symbol, value, unit, phrase("follower"), "variable")
-    ways = []
-    for order in (1, 2, 3):
-        over = [_power(each.over, order) for each in parts]
-        rates = [
-            al.mul(al.div(each.by, angles), with_symbols(each.way[order], {TAU: tau}))
-            for each, angles in zip(parts, over, strict=True)
-        ]
-        ways.append(_chosen(within, parts, rates))
-    ledger.ways[driver.symbol] = tuple(ways)
+    rates = [al.mul(al.div(by, _power(over, order)), way) for order, way in enumerate(ways[1:], 1)]
+    ledger.ways[driver.symbol] = tuple(rates)
+
+
+class _OfRow:
+    """Columns of what holds of the segment in which a row lies."""
+
+    def __init__(self, motion: Segments, angle: str, ledger: Ledger) -> None:
+        self.parts, self.ledger = motion.parts, ledger
+        self.within = _within(motion, angle, ledger)
+        tests = (Binary(">", al.sub(self.within, each.begins), Number(MEETING)) for each in self.parts[1:])
+        number = al.total([al.ONE, *(Call("IF", (test, al.ONE, al.ZERO)) for test in tests)])
+        self.number = ledger.hoist("segment", number, NUMBER, phrase("segment_number"))
+
+    def value(self, key: Literal["begins", "over", "lift", "by"], unit: Unit) -> Node:
+        """What segments have."""
+        nodes = [getattr(each, key) for each in self.parts]
+        return self.ledger.hoist(key, self._chosen(nodes), unit, phrase(f"segment_{key}"))
+
+    def way(self, order: int, known: Mapping[str, Node]) -> Node:
+        """f or a derivative of it; a dwell goes by whatever law the others have."""
+        moving = {each.law: each.way[order] for each in self.parts if each.law != "dwell"}
+        nodes = [*moving.values()] if len(moving) == 1 else [each.way[order] for each in self.parts]
+        node = with_symbols(self._chosen(nodes), dict(known))
+        return self.ledger.hoist(f"f_{order}" if order else "f", node, NUMBER, phrase(f"segment_law_{order}"))
+
+    def _chosen(self, nodes: Sequence[Node]) -> Node:
+        return nodes[0] if len(set(nodes)) == 1 else Call("CHOOSE", (self.number, *nodes))
+
+
+def _halves(motion: Segments, tau: Symbol, ledger: Ledger) -> dict[str, Node]:
+    """What laws that are made of pieces read; nothing where there are none."""
+    if not {WAVE, HALF, PIECE} & {name for each in motion.parts for way in each.way for name in symbols(way)}:
+        return {}
+
+    def beyond(part: float) -> Node:
+        return Call("IF", (Binary(">", nearer, Number(part + MEETING)), al.ONE, al.ZERO))
+
+    half = Call("IF", (Binary(">", tau, Number(0.5 + MEETING)), al.ONE, al.ZERO))
+    nearer = Call("MIN", (tau, al.sub(al.ONE, tau)))
+    piece = al.total([al.ONE, beyond(EIGHTH), beyond(MOST_RISING)])
+    wave = al.mul(al.mul(Number(4.0), al.PI), nearer)
+    return {
+        HALF: ledger.column(HALF, half, NUMBER, phrase("segment_half")),
+        PIECE: ledger.column(PIECE, piece, NUMBER, phrase("segment_piece")),
+        WAVE: ledger.column(WAVE, wave, NUMBER, phrase("segment_wave")),
+    }
 
 
 def _power(over: Node, order: int) -> Node:
@@ -65,12 +108,3 @@ def _within(motion: Segments, angle: str, ledger: Ledger) -> Symbol:
         last = motion.parts[-1]
         within = Call("MAX", (al.ZERO, Call("MIN", (phi, al.add(last.begins, last.over)))))
     return ledger.column(f"{angle}_t", within, ANGLE, phrase("within_turn"))
-
-
-def _chosen(within: Node, parts: Sequence[Segment], values: Sequence[Node]) -> Node:
-    """The value of the segment in which the angle lies."""
-    node = values[0]
-    for part, value in zip(parts[1:], values[1:], strict=True):
-        if value != node:
-            node = Call("IF", (Binary(">", al.sub(within, part.begins), Number(MEETING)), value, node))
-    return node

@@ -6,7 +6,7 @@ is in internal units. The reader has parsed it and checked that it names only di
 """
 
 from .asked import EXTREME, Condition, Exercise, Need, Objective, Range, Study, Synthesis, TaskPlace, Tolerances, Vary
-from .cams import LAWS_THAT_LEAP, SEGMENT_LAWS, TAU, Cam, Segment, Segments
+from .cams import HALF, LAWS_THAT_LEAP, PIECE, SEGMENT_LAWS, TAU, WAVE, Cam, Segment, Segments
 from .mechanism import (
     LAWS,
     PRESSURE,
@@ -58,8 +58,10 @@ __all__ = [
     "ENERGY",
     "EXTREME",
     "GROUND",
+    "HALF",
     "LAWS",
     "LAWS_THAT_LEAP",
+    "PIECE",
     "POINT_RATES",
     "PRESSURE",
     "SEGMENT_LAWS",
@@ -67,6 +69,7 @@ __all__ = [
     "TAKES",
     "TAU",
     "TIME",
+    "WAVE",
     "WAYS",
     "Cam",
     "Cartesian",

@@ -16,8 +16,9 @@ SEGMENT_LAWS = (
 LAWS_THAT_LEAP = {"uniform": 1, "parabolic": 2, "harmonic": 2}
 """The order of the derivative that leaps where such a segment begins or ends: velocity, acceleration."""
 
-TAU = "tau"
-"""Stands in a law for the part of the segment that has been passed."""
+TAU, WAVE, HALF, PIECE = "tau", "w", "half", "piece"
+"""Stand in a law for the part of the segment that has been passed; and in one that is made of pieces for 4 pi times that
+part, counted from the nearer end, 1 in the second half, and the number of the piece."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +28,7 @@ class Segment:
     law     one of `SEGMENT_LAWS`
     begins, over  at which angle of the cam, and over how much of it [rad], over dimensions
     lift, by  how far from the start it begins, and how far it goes
-    way     f, f', f'', f''' over `TAU`
+    way     f, f', f'', f''' over these
     """
 
     law: str

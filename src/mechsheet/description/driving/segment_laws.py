@@ -1,34 +1,20 @@
 """The laws of [[driver.segments]]: f, f', f'' and f''' over tau, the part of the segment that has been passed.
 
 A follower is at lift + by f(tau). The modified laws, which are made of pieces, are written for the first half over
-u = min(tau, 1 - tau): the second half is the first one seen from behind.
+w = 4 pi tau; the second half is the first one seen from behind, w = 4 pi (1 - tau) with `half` 1, and `piece` says which
+piece it is: from 1/8 of the segment on the second, from 3/8 on the third.
 Source: R. L. Norton, Cam Design and Manufacturing Handbook, chapters 2 to 5; H. A. Rothbart, Cam Design Handbook, chapter 2.
 """
 
 from __future__ import annotations
 
-from mechsheet.formula.nodes import Node, with_symbols
+from mechsheet.formula import algebra as al
+from mechsheet.formula.nodes import Call, Node, Symbol
 from mechsheet.formula.parser import parse_description
-from mechsheet.model import SEGMENT_LAWS
+from mechsheet.model import HALF, PIECE, SEGMENT_LAWS
 
 _LATER = "tau-0.500000001"
 """Above 0 in the second half; in the middle itself a follower still speeds up, however the rounding fell."""
-
-_FROM_NEARER_END = {"u": parse_description("min(tau,1-tau)")}
-_MIRRORED = (f"where({_LATER},1,0)+where({_LATER},-1,1)*", "", f"where({_LATER},-1,1)*", "")
-"""What makes f and its derivatives of the first half those of both."""
-
-
-def _pieces(factors: tuple[str, str, str, str], *pieces: tuple[str, tuple[str, str, str, str]]) -> tuple[str, ...]:
-    """A law that is even about its middle: each piece with the u at which it ends ("" for the last)."""
-    found = []
-    for order, (factor, mirrored) in enumerate(zip(factors, _MIRRORED, strict=True)):
-        text = ""
-        for end, ways in reversed(pieces):
-            text = f"where(u-{end}-1e-9,{text},{ways[order]})" if end else ways[order]
-        found.append(f"{mirrored}{factor}*{text}")
-    return tuple(found)
-
 
 _TEXTS: dict[str, tuple[str, ...]] = {
     "dwell": ("0", "0", "0", "0"),
@@ -58,39 +44,39 @@ _TEXTS: dict[str, tuple[str, ...]] = {
         "420*tau^2*(1-tau)^2*(1-2*tau)",
         "840*tau*(1-tau)*(1-5*tau+5*tau^2)",
     ),
-    "modified trapezoid": _pieces(
-        ("2/(2+pi)", "2/(2+pi)", "8*pi/(2+pi)", "32*pi^2/(2+pi)"),
-        ("0.125", ("(u-sin(4*pi*u)/(4*pi))", "(1-cos(4*pi*u))", "sin(4*pi*u)", "cos(4*pi*u)")),
-        ("0.375", ("(u-1/(4*pi)+2*pi*(u-0.125)^2)", "(1+4*pi*(u-0.125))", "1", "0")),
-        (
-            "",
-            (
-                "(u+pi*(u-0.25)-cos(4*pi*(u-0.375))/(4*pi))",
-                "(1+pi+sin(4*pi*(u-0.375)))",
-                "cos(4*pi*(u-0.375))",
-                "(-sin(4*pi*(u-0.375)))",
-            ),
-        ),
-    ),
-    "modified sine": _pieces(
-        ("1/(4+pi)", "pi/(4+pi)", "4*pi^2/(4+pi)", "16*pi^3/(4+pi)"),
-        ("0.125", ("(pi*u-sin(4*pi*u)/4)", "(1-cos(4*pi*u))", "sin(4*pi*u)", "cos(4*pi*u)")),
-        (
-            "",
-            (
-                "(2+pi*u-9/4*sin((4*pi*u+pi)/3))",
-                "(1-3*cos((4*pi*u+pi)/3))",
-                "sin((4*pi*u+pi)/3)",
-                "cos((4*pi*u+pi)/3)/3",
-            ),
-        ),
-    ),
 }
 
-assert tuple(_TEXTS) == SEGMENT_LAWS
+_PIECES: dict[str, tuple[tuple[str, tuple[str, ...]], ...]] = {
+    "modified trapezoid": (
+        ("1/(2*pi*(2+pi))", ("w-sin(w)", "w-1+(w-pi/2)^2/2", "w+pi*(w-pi)+sin(w)")),
+        ("2/(2+pi)", ("1-cos(w)", "1+w-pi/2", "1+pi+cos(w)")),
+        ("8*pi/(2+pi)", ("sin(w)", "1", "-sin(w)")),
+        ("32*pi^2/(2+pi)", ("cos(w)", "0", "-cos(w)")),
+    ),
+    "modified sine": (
+        ("1/(4+pi)", ("(w-sin(w))/4", "2+w/4-9/4*sin((w+pi)/3)")),
+        ("pi/(4+pi)", ("1-cos(w)", "1-3*cos((w+pi)/3)")),
+        ("4*pi^2/(4+pi)", ("sin(w)", "sin((w+pi)/3)")),
+        ("16*pi^3/(4+pi)", ("cos(w)", "cos((w+pi)/3)/3")),
+    ),
+}
+"""Of the first half: a factor, and the pieces."""
+
+assert {*_TEXTS, *_PIECES} == {*SEGMENT_LAWS}
 
 
 def way_of(law: str) -> tuple[Node, Node, Node, Node]:
-    """f, f', f'' and f''' of a law, over tau."""
-    f, first, second, third = (with_symbols(parse_description(text), _FROM_NEARER_END) for text in _TEXTS[law])
-    return f, first, second, third
+    """f, f', f'' and f''' of a law, over tau, or w, half and piece."""
+    if law in _TEXTS:
+        f, first, second, third = map(parse_description, _TEXTS[law])
+        return f, first, second, third
+    f, first, second, third = (al.mul(parse_description(factor), _of_piece(pieces)) for factor, pieces in _PIECES[law])
+    half: Node = Symbol(HALF)
+    turned = al.sub(al.ONE, al.mul(al.TWO, half))
+    return al.add(half, al.mul(turned, f)), first, al.mul(turned, second), third
+
+
+def _of_piece(pieces: tuple[str, ...]) -> Node:
+    """The third piece of a law that has two is its second."""
+    found = [*pieces, pieces[-1]][:3]
+    return Call("CHOOSE", (Symbol(PIECE), *map(parse_description, found)))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import Node, Symbol, Text
 from mechsheet.formula.scalar import evaluate
-from mechsheet.model import TAU, Segment, Segments
+from mechsheet.model import LAWS_THAT_LEAP, TAU, Segment, Segments
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.classification import segments_of
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
@@ -132,7 +132,7 @@ def _steps(motion: Segments, order: int) -> list[tuple[Node, Node]]:
 
 def _at_end(parts: tuple[Segment, ...], place: int, order: int, tau: float) -> Node:
     part = parts[place]
-    factor = evaluate(part.way[order], {TAU: tau})
+    factor = evaluate(part.way[order], {TAU: tau}) if part.law in LAWS_THAT_LEAP else 0.0
     if abs(factor) < LEAPT:
         return al.ZERO
     over = part.over if order == 1 else al.square(part.over)

@@ -30,6 +30,7 @@ from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.workbook import Anchor, Area, Cell, Chart, Column, Content, Fill, Series, SeriesRef
 from mechsheet.units import behind_number
+from mechsheet.words.equations import link_words
 
 NAME, X, Y, MIDDLE = range(4)
 """Columns of the helpers, from the first one; the paths follow after one more."""
@@ -63,6 +64,7 @@ class PageDrawing:
         self.swings: dict[str, tuple[CellRef, CellRef, CellRef]] = {}
         self.corners: dict[str, tuple[CellRef, CellRef]] = {}
         self.path_columns = 0
+        self.cam_reach: CellRef | None = None
         self._text(NAME, plan.text("page.drawing"))
         self.row += 1
         for symbol in charted:
@@ -74,7 +76,7 @@ class PageDrawing:
         links = [self._link(link) for link in plan.mechanism.whole_links[1:]]
         guides = [self._guide(joint) for joint in plan.mechanism.sliding]
         pins = self._pins()
-        paths = [self._path(point, index) for index, point in enumerate(self._traced())]
+        paths = [self._path(point, index) for index, point in enumerate(self._traced())] + self._cam()
         blocks = [self._block(joint) for joint in plan.mechanism.sliding]
         series = [each for each in (*paths, *guides, *links, *blocks, *pins, *bar, caption) if each is not None]
         title = plan.mechanism.title.of(plan.language)
@@ -206,9 +208,24 @@ class PageDrawing:
                 highs.append(lows[-1])
             else:
                 self._slide_extent(symbol, lows, highs)
+        cam = plan.mechanism.cam
+        if cam is not None:
+            centre, reach = self._at_position(Symbol(f"{cam.center}.{axis}")), self._reach()
+            lows.append(al.sub(centre, reach))
+            highs.append(al.add(centre, reach))
         if not lows:
             return [al.ZERO], [al.ZERO]
         return lows, highs
+
+    def _reach(self) -> CellRef:
+        """About how far a cam's profile lies from its centre: as far as in its own axes along one of them."""
+        if self.cam_reach is None:
+            columns = [self._table_column(f"cam.{axis}", self.plan.last_looked_at) for axis in ("x", "y")]
+            ends = [over_rows(MOST, each) for each in columns] + [al.neg(over_rows(LEAST, each)) for each in columns]
+            self._text(NAME, self.plan.text("drawing.radius"))
+            self.cam_reach = self._formula(X, al.largest(ends))
+            self.row += 1
+        return self.cam_reach
 
     def _swing(self, symbol: str, least: Node, most: Node) -> tuple[Node, Node]:
         """From where to where a coordinate of a rocker's point goes, nearly; of the whole circle, where it turns far.
@@ -396,6 +413,25 @@ class PageDrawing:
         nodes = self._chart_x(self._of_row(f"{point}.x")), self._chart_y(self._of_row(f"{point}.y"))
         x, y = (self._beside(f"{axis} {plain(point)}", node) for axis, node in zip(("X", "Y"), nodes, strict=True))
         return Series(plain(point), x, y, line=PATH_COLORS[index % len(PATH_COLORS)], width=1.25, in_legend=False)
+
+    def _cam(self) -> list[Series]:
+        """The profile of a cam, as the cam stands in the row that is drawn: two columns beside the table."""
+        cam = self.plan.mechanism.cam
+        if cam is None:
+            return []
+        link = next(link for link in self.plan.mechanism.links if link.name == cam.link)
+        angle = self._at_position(Symbol(link.angle_symbol))
+        name = link_words(link).of(self.plan.language)
+        self._text(NAME, name)
+        turn = {"c": self._formula(X, Call("COS", (angle,))), "s": self._formula(Y, Call("SIN", (angle,)))}
+        self.row += 1
+        along = {"a": self._of_row("cam.x"), "b": self._of_row("cam.y"), **turn}
+        x, y = (self._at_position(Symbol(f"{cam.center}.{axis}")) for axis in ("x", "y"))
+        columns = (
+            self._beside(f"X {name}", self._chart_x(formula("x+a*c-b*s", x=x, **along))),
+            self._beside(f"Y {name}", self._chart_y(formula("y+a*s+b*c", y=y, **along))),
+        )
+        return [Series(name, *columns, line=link_color(link, cam.link), width=2.25, in_legend=False)]
 
     def _of_row(self, symbol: str) -> CellRef:
         """A column of the table in the row of a column beside it."""
