@@ -26,6 +26,9 @@ _MIDDLE = math.pi - MEETING
 """The middle of what an angle is brought to; just below half a turn, so that a whole turn begins the next."""
 
 
+SYMBOLS = {"begins": "phi_i", "over": "beta", "lift": "L", "by": "h"}
+"""What columns of a row's segment are called."""
+
 EIGHTH, MOST_RISING = 0.125, 0.375
 """Parts of a segment at which the pieces of a modified law meet."""
 
@@ -56,12 +59,12 @@ class _OfRow:
         self.within = _within(motion, angle, ledger)
         tests = (Binary(">", al.sub(self.within, each.begins), Number(MEETING)) for each in self.parts[1:])
         number = al.total([al.ONE, *(Call("IF", (test, al.ONE, al.ZERO)) for test in tests)])
-        self.number = ledger.hoist("segment", number, NUMBER, phrase("segment_number"))
+        self.number = ledger.hoist("i", number, NUMBER, phrase("segment_number"))
 
     def value(self, key: Literal["begins", "over", "lift", "by"], unit: Unit) -> Node:
         """What segments have."""
         nodes = [getattr(each, key) for each in self.parts]
-        return self.ledger.hoist(key, self._chosen(nodes), unit, phrase(f"segment_{key}"))
+        return self.ledger.hoist(SYMBOLS[key], self._chosen(nodes), unit, phrase(f"segment_{key}"))
 
     def way(self, order: int, known: Mapping[str, Node]) -> Node:
         """f or a derivative of it; a dwell goes by whatever law the others have."""
@@ -87,9 +90,9 @@ def _halves(motion: Segments, tau: Symbol, ledger: Ledger) -> dict[str, Node]:
     piece = al.total([al.ONE, beyond(EIGHTH), beyond(MOST_RISING)])
     wave = al.mul(al.mul(Number(4.0), al.PI), nearer)
     return {
-        HALF: ledger.column(HALF, half, NUMBER, phrase("segment_half")),
-        PIECE: ledger.column(PIECE, piece, NUMBER, phrase("segment_piece")),
-        WAVE: ledger.column(WAVE, wave, NUMBER, phrase("segment_wave")),
+        HALF: ledger.column("q", half, NUMBER, phrase("segment_half")),
+        PIECE: ledger.column("p", piece, NUMBER, phrase("segment_piece")),
+        WAVE: ledger.column("w", wave, NUMBER, phrase("segment_wave")),
     }
 
 
