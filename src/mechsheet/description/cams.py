@@ -85,6 +85,13 @@ def read(
     return ReadCam(cam, tuple(cells), start)
 
 
+def declare(cam: Cam, scope: Scope) -> None:
+    """Enter the names of the cam's columns, which must be free."""
+    scope.of_cam.update(cam.symbols)
+    for name in dict.fromkeys(symbol.partition(".")[0] for symbol in cam.symbols):
+        scope.symbols.claim(name, "column of the cam", ("cam",), say("rename it: the cam has a column of that name"))
+
+
 def _moves(point: str, links: tuple[Link, ...], path: tuple[str, ...], scope: Scope) -> bool:
     owners = [link for link in links if point in link.points]
     if not owners:

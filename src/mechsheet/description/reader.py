@@ -185,6 +185,7 @@ class _Reading:
                 links.check_connected(made, sliding, scope)
         rates.declare(made, sliding, self.driver, given, scope)
         scope.rates |= dict.fromkeys(name for each in self.further if each.segments for name in each.rates_besides)
+        scope.rates |= dict.fromkeys(scope.of_cam)
         motion = rates.motion(given, made, self.driver, scope) if self.driver else None
         if self.driver and motion:
             self.driver = motion.of(self.driver)
@@ -202,6 +203,7 @@ class _Reading:
         shape = cams.read(cam, given, self.links, self.joints, ends, scope) if cam else None
         if shape is not None:
             self.parts["cam"] = shape.cam
+            cams.declare(shape.cam, scope)
             self.table = (*self.table, *shape.dimensions)
         start = None if shape is None else shape.start
         moved = segments.read(given, cam, start, self.links, self.joints, ends, scope)

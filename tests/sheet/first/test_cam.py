@@ -52,3 +52,18 @@ def test_leaps():
     assert line(uniform, "velocity_leaps") == (2, "infinite acceleration: the velocity leaps at 0° 90°")
     parabolic = loads(text.replace('"cycloidal"\nover', '"parabolic"\nover'))
     assert line(parabolic, "acceleration_leaps") == (3, "the acceleration leaps at 0° 45° 90°")
+
+
+def test_outputs_summaries_and_charts_read_the_cams_columns_without_a_speed():
+    text = (
+        (TEMPLATES / "cam-slide.toml")
+        .read_text(encoding="utf-8")
+        .replace('speed = { value = 600, unit = "rpm" }\n', "")
+    )
+    text += (
+        '[outputs]\nq = { formula = "hypot(cam.x, cam.y) + 0*alpha" }\n[summary]\nfar = { of = "q", take = "max" }\n'
+    )
+    text += '[[charts]]\nx = "phi"\ny = ["alpha", "s.ddd"]\n'
+    compiled = compiled_of(loads(text))
+    row = compiled.plan.blocks["summary"].rows["far"]
+    assert 55 < compiled.cells.values().get(compiled.plan.main, row, 1) < 61

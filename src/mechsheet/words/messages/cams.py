@@ -53,7 +53,9 @@ CAMS: dict[str, str] = {
     "needs a motion over its angle": "açısına bağlı bir hareket gerekir",
     "write [[driver.segments]]": "[[driver.segments]] yazın",
     "goes with `segments`": "`segments` ile birlikte verilir",
+    "rename it: the cam has a column of that name": "adını değiştirin: kamın bu adda bir sütunu var",
     # what has a name
+    "column of the cam": "kamın sütunu",
     "angle of the cam": "kamın açısı",
     "cam": "kam",
     "segment": "hareket parçası",
