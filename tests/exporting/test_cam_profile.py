@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from mechsheet.description import Overrides, load
+from mechsheet.drawing_page.looking import look
+from mechsheet.drawing_page.reading import read
 from mechsheet.exporting.dxf import write
 from mechsheet.exporting.job import Job
 
@@ -37,3 +39,14 @@ def test_dxf_of_the_profile():
     )
     assert area == pytest.approx(exact, rel=1e-2)
     assert any(point.dxf.layer == "POINTS O" for point in document.modelspace().query("POINT"))
+
+
+def test_the_page_of_draw_has_the_profile():
+    path = TEMPLATES / "cam-slide.toml"
+    seen = look(read(path.read_text(encoding="utf-8"), path.name), None, {})
+    shapes = {shape["name"]: shape for shape in seen["shapes"] if shape["kind"] == "cam"}
+    assert {"cam", "pitch curve", "base circle", "roller", "line of pressure"} <= shapes.keys()
+    path = np.array(shapes["cam"]["path"])
+    assert len(path) > 50
+    assert np.hypot(*path.T).min() > 39.9
+    assert len(shapes["cam"]["places"]) == 3

@@ -57,6 +57,11 @@ class Shape:
     fill: str = ""
     size: Node | None = None
 
+    @property
+    def is_curve(self) -> bool:
+        """Whether it is a curve of a cam."""
+        return self.frame is not None and not self.path
+
 
 @dataclass(frozen=True, slots=True)
 class Mark:
