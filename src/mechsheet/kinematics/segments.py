@@ -8,7 +8,6 @@ where phi is the angle within the turn. At an angle at which two segments meet t
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
@@ -22,7 +21,7 @@ from mechsheet.words.equations import phrase
 MEETING = 1e-9
 """So far [rad] behind the angle where two segments meet the earlier one still counts: rounding decides nothing."""
 
-_MIDDLE = math.pi - MEETING
+_MIDDLE = al.sub(al.PI, Number(MEETING))
 """The middle of what an angle is brought to; just below half a turn, so that a whole turn begins the next."""
 
 
@@ -104,9 +103,8 @@ def _within(motion: Segments, angle: str, ledger: Ledger) -> Symbol:
     """The angle within the turn; of a motion that ends, not beyond its end and not before its beginning."""
     phi: Node = Symbol(angle)
     if motion.closed:
-        middle = al.number(_MIDDLE)
-        turned = al.sub(phi, middle)
-        within: Node = al.add(al.atan2(Call("COS", (turned,)), Call("SIN", (turned,))), middle)
+        turned = al.sub(phi, _MIDDLE)
+        within: Node = al.add(al.atan2(Call("COS", (turned,)), Call("SIN", (turned,))), _MIDDLE)
     else:
         last = motion.parts[-1]
         within = Call("MAX", (al.ZERO, Call("MIN", (phi, al.add(last.begins, last.over)))))
