@@ -1,5 +1,7 @@
 """Random cams: equations and reference agree in every column, and the finished profile envelops what it was made for."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -91,3 +93,14 @@ def test_the_finished_profile_envelops_roller_and_face(seed):
 def test_each_kind_has_its_columns(kind):
     mechanism, _, _, found = solved(cam(1, kind))
     assert all(np.isfinite(found[name]).any() for name in mechanism.cam.symbols)
+
+
+@pytest.mark.parametrize("seed", part(range(50), 12))
+def test_undercut_is_where_the_base_circle_is_too_small_by_a_millionth(seed):
+    """A flat face on a slide: the radius of curvature grows as the base circle does."""
+    text = cam(seed, "flat slide")
+    base = float(re.search(r"base_radius = (\S+)", text)[1])
+    least = float(np.min(solved(text)[3]["rho"]))
+    for more in (-1e-6, 1e-6):
+        changed = text.replace(f"base_radius = {base}", f"base_radius = {base - least + more}")
+        assert (np.min(solved(changed)[3]["rho"]) > 0) == (more > 0)
