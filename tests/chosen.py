@@ -32,6 +32,9 @@ LOADED = (
 LISTED = ("five-bar-robot",)
 """Templates whose two drivers are listed row by row: there is nothing between the rows."""
 
+CAMS = ("cam-flat", "cam-linkage", "cam-rocker", "cam-slide")
+"""Templates with a cam: higher derivatives leap where two segments of its follower's motion meet."""
+
 STEPWISE = ("crank-rocker-swing", "function-generator", "rigid-body-guidance")
 """Templates whose task takes more steps than fit on a page."""
 

@@ -41,7 +41,7 @@ class Unit:
     @property
     def text(self) -> str:
         """As it stands behind a number: `°`, `mm`, `rad/s²`, nothing for a plain number."""
-        over = {0: "", 1: "/s", 2: "/s²"}.get(self.per, f"/s^{self.per}")
+        over = {0: "", 1: "/s", 2: "/s²", 3: "/s³"}.get(self.per, f"/s^{self.per}")
         return {"deg": "°", "1": "1" if over else ""}.get(self.symbol, self.symbol) + over
 
     @property

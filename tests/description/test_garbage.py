@@ -135,7 +135,7 @@ def of_table(table: s.Table, fixed: dict[str, st.SearchStrategy[str]]) -> st.Sea
     free = {key: value for key, value in keys.items() if key not in required and key not in in_ways}
     bases = [required]
     for groups in table.ways:
-        bases = [{**base, **{key: keys[key] for key in group}} for base in bases for group in groups]
+        bases = [{**base, **{key: keys[key] for key in group if key in keys}} for base in bases for group in groups]
     return st.one_of([st.fixed_dictionaries(base, optional=free) for base in bases]).map(as_table)
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from chosen import but, part
+from chosen import CAMS, but, part
 from mechsheet.drawing_page.editing.shaping import drawn_now, moved, size_of
 from mechsheet.drawing_page.questions import Impossible
 from mechsheet.drawing_page.reading import read
@@ -21,6 +21,7 @@ SHARED = (
 FOUND = tuple(path.stem for path in TEMPLATES if "[synthesis]" in path.read_text(encoding="utf-8"))
 """A synthesis has found their dimensions."""
 
+# a cam's follower stands where the base circle and the segments say
 TIED = ("cardan-gear", "geared-five-bar", "rack-slider")
 """Gears decide about angles: lengths alone change."""
 
@@ -50,7 +51,7 @@ def names_in(path):
     return list(dict.fromkeys(name for link in links for name in link.get("points", link)))
 
 
-CASES = [(path, point) for path in but(TEMPLATES, *SHARED, *TIED, *FOUND) for point in names_in(path)]
+CASES = [(path, point) for path in but(TEMPLATES, *SHARED, *TIED, *FOUND, *CAMS) for point in names_in(path)]
 
 
 @pytest.mark.parametrize(("path", "point"), part(CASES, 9), ids=lambda part: getattr(part, "stem", part))

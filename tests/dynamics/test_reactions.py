@@ -26,7 +26,10 @@ def weighed(text, seed, static=False):
     """A description with random masses and loads on all its links, in the layout that has forces."""
     random = np.random.default_rng(seed)
     text = re.sub(r"(?m)^layout *=.*$", "", text)
-    text = re.sub(r"(?m)^(mass|center|inertia) *=.*$", "", text)  # its own go: the layouts are what is wanted
+    links, cam, besides = text.partition("\n[cam]\n")  # whose centre stays
+    text = (
+        re.sub(r"(?m)^(mass|center|inertia) *=.*$", "", links) + cam + besides
+    )  # its own go: the layouts are what is wanted
     text = re.sub(r"(?ms)^\[\[?(loads|dynamics|flywheel|summary|tolerance|charts)\]\]?$.*?(?=^\[|\Z)", "", text)
     mechanism = loads(text)
     if not static:
@@ -35,6 +38,8 @@ def weighed(text, seed, static=False):
     size = 60.0
     extra = "[dynamics]\ngravity = [0.4, -9.81]\n" if mechanism.length_unit in ("mm", "cm", "m") else ""
     for link in mechanism.links[1:]:
+        if mechanism.cam and link.name == mechanism.cam.link:
+            continue  # which no heading describes
         heading = rf'(?m)^\[links\.(?:{re.escape(link.name)}|"{re.escape(link.name)}")\]'
         assert re.search(heading, text), link.name
         keys = ""

@@ -123,6 +123,9 @@ def _of_function(name: str, args: tuple[Node, ...], symbol: str) -> Node:
             return al.total(al.mul(al.mul(al.TWO, arg), derivative(arg, symbol)) for arg in args)
         case "IF", (test, then, otherwise):
             return _chosen(test, derivative(then, symbol), derivative(otherwise, symbol))
+        case "CHOOSE", (number, *values):
+            rates = tuple(derivative(value, symbol) for value in values)
+            return rates[0] if len(set(rates)) == 1 else Call("CHOOSE", (number, *rates))
         case (("MAX" | "MIN"), (only,)):
             return derivative(only, symbol)
         case (("MAX" | "MIN"), (*before, last)):

@@ -149,6 +149,7 @@ BASIC = Dialect(
         "COS": "Cos({0})",
         "DEGREES": "(({0}) * 180 / PiValue())",
         "EXP": "Exp({0})",
+        "IF": "IIf({0}, {1}, {2})",
         "LN": "Log({0})",
         "MAX": "MaxOf({0}, {1})",
         "MIN": "MinOf({0}, {1})",
@@ -210,9 +211,12 @@ WRITTEN: dict[str, Dialect] = {dialect.name: dialect for dialect in (OCTAVE, PYT
 
 
 def pairwise(node: Node) -> Node:
-    """MAX(a; b; c) as MAX(MAX(a; b); c), SUMSQ(a; b) as a^2 + b^2; of a single argument the argument itself."""
+    """MAX(a; b; c) as MAX(MAX(a; b); c), SUMSQ(a; b) as a^2 + b^2, CHOOSE as IF in IF; of a single argument the argument
+    itself."""
     if not isinstance(node, Call):
         return node
+    if node.name == "CHOOSE":
+        return chosen_by_ifs(node)
     if node.name == "SUMSQ":
         squares = [Binary("^", arg, Number(2.0)) for arg in node.args]
         total: Node = squares[0]
@@ -224,6 +228,15 @@ def pairwise(node: Node) -> Node:
     result = node.args[0]
     for arg in node.args[1:]:
         result = Call(node.name, (result, arg))
+    return result
+
+
+def chosen_by_ifs(node: Call) -> Node:
+    """CHOOSE(k; a; b; c) as IF(k > 2.5; c; IF(k > 1.5; b; a)), for languages without such a function."""
+    number, *values = node.args
+    result = values[0]
+    for place, value in enumerate(values[1:], 1):
+        result = Call("IF", (Binary(">", number, Number(place + 0.5)), value, result))
     return result
 
 

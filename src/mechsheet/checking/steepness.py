@@ -10,8 +10,10 @@ from livesheet.formula.nodes import symbols
 from mechsheet import reference
 from mechsheet.checking.inputs import Array
 from mechsheet.kinematics.dyads.solved import DEAD
-from mechsheet.kinematics.equations import FORCES, INNER, RATES
+from mechsheet.kinematics.equations import CAM, FORCES, INNER, RATES
 from mechsheet.kinematics.numeric import value
+from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
+from mechsheet.model import rate_symbols
 from mechsheet.sheet.plan import Plan
 
 EDGE = 1e-6
@@ -38,6 +40,16 @@ class Steepness:
                         ratio = np.abs(value(each.margin, there) / value(each.least, there)) * DEAD
                         self.sine = np.fmin(self.sine, ratio)
         self._reads = self._readers()
+        moved = (driver for driver in plan.mechanism.drivers if driver.segments is not None)
+        self._of_follower = {
+            name
+            for driver in moved
+            for name in (
+                *(driver.symbol + ending for ending in COEFFICIENTS),
+                *driver.rates_besides,
+                *rate_symbols(driver.symbol, not driver.joint),
+            )
+        }
 
     def _readers(self) -> dict[str, bool]:
         """Rates, and outputs that read them -> whether they depend on a group that has dead centres."""
@@ -68,15 +80,20 @@ class Steepness:
             effort = self.plan.equations.of(self.plan.efforts[0]).unit.kind
             largest = self._largest(effort, solution, found)
             return np.maximum(largest * np.abs(found[mechanism.driver_rates[0]]), 1e-300)
+        size = solution.size or 1.0
+        if symbol in self._of_follower:  # short segments have large derivatives, which are as exact as their largest
+            return np.full(self.plan.rows, max(float(np.nanmax(np.abs(found[symbol]))), 1e-300))
+        if equation.group == CAM:
+            return _of_cam(symbol, equation.unit.kind, np.abs(np.nan_to_num(found[symbol])), size)
         if equation.role == "output" or mechanism.driver.speed is None:
             return np.ones(self.plan.rows)
-        size = solution.size or 1.0
         speed, acceleration = (np.abs(found[name]) for name in mechanism.driver_rates)
         if mechanism.given_by_row:  # the driver may come to rest: measured by what it does elsewhere
             speed, acceleration = (np.full(self.plan.rows, np.nanmax(each)) for each in (speed, acceleration))
         if mechanism.driver.joint:
             speed, acceleration = speed / size, acceleration / size
-        rate = (np.ones(self.plan.rows), speed, speed**2 + acceleration)[equation.unit.per]
+        jerk = speed**3 + 3 * speed * acceleration
+        rate = (np.ones(self.plan.rows), speed, speed**2 + acceleration, jerk)[equation.unit.per]
         return np.maximum(rate * (size if equation.unit.kind == "length" else 1.0), 1e-300)
 
     def _largest(self, kind: str, solution: reference.Solution, found: Mapping[str, Array]) -> Array:
@@ -95,3 +112,10 @@ class Steepness:
         # a joint that is pressed by couples alone has forces of their size over the lever, and the other way round
         largest = np.maximum(forces * lever, torques) if kind == "moment" else np.maximum(forces, torques / lever)
         return np.maximum(largest, 1e-300)
+
+
+def _of_cam(symbol: str, kind: str, theirs: Array, size: float) -> Array:
+    """What a difference of a cam's column is measured by: lengths by the size, a radius of curvature as its curvature."""
+    if symbol == "rho":
+        return np.asarray((theirs + size) ** 2 / size)
+    return np.full(len(theirs), size if kind == "length" else 1.0 / size if symbol == "kappa" else 1.0)

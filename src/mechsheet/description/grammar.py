@@ -107,7 +107,8 @@ class Key:
 class Table:
     """A table with fixed keys.
 
-    ways     alternatives: exactly one group must be there, whole: (("start", "stop", "step"), ("values",))
+    ways     alternatives: exactly one group must be there, whole: (("start", "stop", "step"), ("values",)); a key with "?"
+             may be left out of its group
     later    keys reserved for later versions, refused by name
     """
 

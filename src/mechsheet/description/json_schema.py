@@ -105,8 +105,12 @@ def _table(table: Table) -> Json:
 
 def _whole(way: tuple[str, ...], ways: tuple[tuple[str, ...], ...]) -> Json:
     """All keys of one way, none of the others."""
-    others = [name for other in ways if other != way for name in other if name not in way]
-    return {"required": list(way), "not": {"anyOf": [{"required": [name]} for name in others]}}
+    own = {name.rstrip("?") for name in way}
+    others = [name for other in ways if other != way for name in other if name not in own and not name.endswith("?")]
+    return {
+        "required": [name for name in way if not name.endswith("?")],
+        "not": {"anyOf": [{"required": [name]} for name in others]},
+    }
 
 
 def _kinds(kinds: Kinds) -> Json:

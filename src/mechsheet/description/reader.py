@@ -9,10 +9,10 @@ from typing import Any
 
 from livesheet.diagnostics import readable_name
 from livesheet.said import say
-from mechsheet.description import dimensions, gears, joints, links, redundant, requests, sketch
+from mechsheet.description import cams, dimensions, gears, joints, links, redundant, requests, sketch
 from mechsheet.description import outputs as further_outputs
 from mechsheet.description.asked import exercise, study, synthesis, tolerances
-from mechsheet.description.driving import driver, drivers, rates
+from mechsheet.description.driving import driver, drivers, rates, segments
 from mechsheet.description.driving.sweep import with_sweep
 from mechsheet.description.forces import dynamics, flywheel, force_names
 from mechsheet.description.head import choice, part, scope_of
@@ -148,6 +148,7 @@ class _Reading:
         self.data = fit(source.data, DESCRIPTION, (), report)
         self.head = self._part("mechanism", {})
         self.scope = scope_of(self.head, report)
+        self.data = segments.with_cam(self.data, self.scope)
         self.outputs = further_outputs.spelled_out(self._part("outputs", {}))
         self.summary = self._part("summary", {})
         self.layout = choice(self._part("workbook", {}), "layout", "sheets")
@@ -175,19 +176,45 @@ class _Reading:
         """What is driven, and how fast."""
         made, sliding, given, scope = self.links, self.joints, self.data["driver"], self.scope
         if made:
-            self.driver = driver.read(given, made, sliding, self.ends, scope)
+            follower = self._cam() if segments.given(self.data) else ()
+            if not segments.given(self.data):
+                segments.check_alone(self.data, scope)
+                self.driver = driver.read(given, made, sliding, self.ends, scope)
             listed = self._part("drivers", [])
-            self.further, values = drivers.read(listed, self.driver, made, sliding, self.ends, scope)
+            further, values = drivers.read(listed, self.driver, made, sliding, self.ends, scope)
+            self.further = (*follower, *further)
             self.table = (*self.table, *values)
             if self.report.sound("links", "joints"):
                 links.check_connected(made, sliding, scope)
         rates.declare(made, sliding, self.driver, given, scope)
+        scope.rates |= dict.fromkeys(name for each in self.further if each.segments for name in each.rates_besides)
+        scope.rates |= dict.fromkeys(scope.of_cam)
         motion = rates.motion(given, made, self.driver, scope) if self.driver else None
         if self.driver and motion:
             self.driver = motion.of(self.driver)
             self.table = (*self.table, *motion.dimensions)
         drivers.check_speeds(self.driver, self.further, scope)
         self.driver = drivers.listed(self.driver, self.further, scope) if self.driver else None
+
+    def _cam(self) -> tuple[FurtherDriver, ...]:
+        """The cam as the driver; what it moves."""
+        given, ends, scope = self.data["driver"], self.ends, self.scope
+        cam = self._part("cam", {})
+        if self.links[-1].name not in segments.LINKS:  # a fault hides it
+            scope.complete = False
+            return ()
+        shape = cams.read(cam, given, self.links, self.joints, ends, scope) if cam else None
+        if shape is not None:
+            self.parts["cam"] = shape.cam
+            cams.declare(shape.cam, scope)
+            self.table = (*self.table, *shape.dimensions)
+        start = None if shape is None else shape.start
+        moved = segments.read(given, cam, start, self.links, self.joints, ends, scope)
+        if moved is None:
+            return ()
+        self.driver = moved.driver
+        self.table = (*self.table, *moved.dimensions)
+        return (moved.follower,)
 
     def sketch_and_gears(self) -> None:
         """The sketch, and the relations of gears, whose phases may be read from it."""

@@ -25,7 +25,7 @@ from mechsheet.description.grammar import (
     Words,
     YesNo,
 )
-from mechsheet.model import LAWS, TAKES
+from mechsheet.model import LAWS, SEGMENT_LAWS, TAKES
 
 FORMAT = 1
 
@@ -204,6 +204,50 @@ MOTION = Table(
     }
 )
 
+SEGMENT = Table(
+    {
+        "law": Key(Text(SEGMENT_LAWS), "how the way grows with the cam's angle", True),
+        "over": Key(Quantity(), "over which angle of the cam; of the last segment what is left of the turn"),
+        "by": Key(Quantity(), "how far the follower goes"),
+        "to": Key(Quantity(), "or to which way from its start; 0: back"),
+    }
+)
+
+MOST_SEGMENTS = 40
+"""Of a motion: each is one more choice in a formula, and programs nest no more than 64."""
+
+CAM = Table(
+    {
+        "center": Key(Text(names="point"), "the point of the ground about which the cam turns", True),
+        "symbol": Key(Text(), "its angle; default phi"),
+        "base_radius": Key(Quantity(), "radius of the base circle", True),
+        "roller": Key(
+            Table(
+                {
+                    "point": Key(Text(names="point"), "its centre, a point of any moving link", True),
+                    "radius": Key(Quantity(), "its radius; 0 for a knife edge", True),
+                }
+            ),
+            "the roller that runs on the cam",
+        ),
+        "face": Key(
+            Table(
+                {
+                    "link": Key(Text(names="link"), "the link that has it", True),
+                    "point": Key(Text(names="point"), "a point of the link on it", True),
+                    "angle": Key(Quantity(), "its direction against the link's x axis; default 0"),
+                }
+            ),
+            "or a flat face",
+        ),
+        "pressure_angle": Key(
+            Quantity(), "the largest pressure angle that is usual; default 30° for a slide, 45° for a rocker"
+        ),
+        "turns": Key(Integer(-1, 1), "1 counter-clockwise, the default; -1 clockwise"),
+    },
+    ways=((("roller",), ("face",)),),
+)
+
 DRIVER = Table(
     {
         "link": Key(Text(names="link"), "the link that turns"),
@@ -215,6 +259,10 @@ DRIVER = Table(
         "step": Key(Quantity(), "from row to row"),
         "values": Key(Items(Quantity(), 1), "or all values one by one"),
         "motion": Key(MOTION, "or from start to stop in a given time, by a motion law"),
+        "segments": Key(
+            Items(SEGMENT, 1, MOST_SEGMENTS), "or segments of motion over the angle of a cam, one after another"
+        ),
+        "closed": Key(YesNo(), "whether segments come back to where they began; default true"),
         "speed": Key(
             _rate(_SPEED_UNITS, "s"),
             "in rad/s (of a displacement in length units/s); an expression may read the driver, too; "
@@ -225,7 +273,10 @@ DRIVER = Table(
             "in rad/s^2; default 0, or as the speed changes with the driver; or a list, likewise",
         ),
     },
-    ways=((("link",), ("joint",)), (("start", "stop", "step"), ("values",), ("start", "stop", "motion"))),
+    ways=(
+        (("link",), ("joint",)),
+        (("start", "stop", "step"), ("values",), ("start", "stop", "motion"), ("segments", "step", "start?")),
+    ),
 )
 
 FURTHER_DRIVER = Table(
@@ -392,6 +443,7 @@ DESCRIPTION = Table(
         "joints": Key(Items(JOINT), "sliding joints, gears, belts and racks"),
         "driver": Key(DRIVER, "what is driven, and its values", True),
         "drivers": Key(Items(FURTHER_DRIVER), "what is driven besides: as many as the mobility needs"),
+        "cam": Key(CAM, "the cam whose profile moves the driven joint or link, by segments of [driver]"),
         "rates": Key(RATES, "velocities and accelerations, where the driver has a speed"),
         "dynamics": Key(DYNAMICS, "gravity and units, where links have masses or loads"),
         "loads": Key(Items(LOAD), "forces and torques on links"),

@@ -81,6 +81,7 @@ class Scope:
     summaries  name of a summary -> the quantity that it is of;  takes: -> what it takes of it
     motion_outputs  outputs whose formulas name summaries -> the formula over summaries and dimensions in the units shown
     rates      names of angular and sliding velocities and accelerations;  moves: True when the driver has a speed
+    of_cam     columns of a cam's profile, which are rates that need no speed
     of_rates   names of outputs that read rates
     forces     names of joint forces, of the driver's effort and what else masses and loads bring -> what it is
     force_units  -> what stands behind its numbers
@@ -106,6 +107,7 @@ class Scope:
     solved: bool = True
     rates: dict[str, None] = field(default_factory=dict)
     moves: bool = False
+    of_cam: set[str] = field(default_factory=set)
     of_rates: set[str] = field(default_factory=set)
     forces: dict[str, str] = field(default_factory=dict)
     force_units: dict[str, str] = field(default_factory=dict)

@@ -283,19 +283,24 @@ def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> A
     return result
 
 
-def _one_way(value: dict[str, Any], groups: tuple[tuple[str, ...], ...], path: Path, report: Report) -> None:
-    of_one = [[key for key in group if sum(key in other for other in groups) == 1] for group in groups]
+def _one_way(value: dict[str, Any], ways: tuple[tuple[str, ...], ...], path: Path, report: Report) -> None:
+    needed = [tuple(key for key in way if not key.endswith("?")) for way in ways]
+    allowed_in = [{key.rstrip("?") for key in way} for way in ways]
+    of_one = [[key for key in group if sum(key in other for other in allowed_in) == 1] for group in needed]
     given = [[key for key in own if key in value] for own in of_one]
-    begun = [group for group, keys in zip(groups, given, strict=True) if keys]
-    begun = begun or [group for group in groups if any(key in value for key in group)][:1]
-    single = all(len(group) == 1 for group in groups)
-    choice = alternatives([listed(group) for group in groups], long=not single)
+    begun = [place for place, keys in enumerate(given) if keys]
+    begun = begun or [place for place, group in enumerate(needed) if any(key in value for key in group)][:1]
+    single = all(len(group) == 1 for group in needed)
+    choice = alternatives([listed(group) for group in needed], long=not single)
+    foreign = (
+        [key for group in needed for key in group if key in value and key not in allowed_in[begun[0]]] if begun else []
+    )
     if not begun:
         report.at(path, say("is not complete: give {choice}", choice=choice))
-    elif len(begun) > 1:
-        both = listed(key for keys in given for key in keys)
+    elif len(begun) > 1 or foreign:
+        both = listed(dict.fromkeys([*(key for keys in given for key in keys), *foreign]))
         report.at(path, say("{both} exclude each other: give {choice}", both=both, choice=choice))
-    elif absent := [key for key in begun[0] if key not in value]:
+    elif absent := [key for key in needed[begun[0]] if key not in value]:
         report.at(
             path,
             say("{keys} are missing: give {choice}", keys=listed(absent), choice=choice)

@@ -39,7 +39,7 @@ FRAMES = 180
 DIGITS = 7
 """Of the largest length: places are shown on a screen."""
 
-ACTING = ("spring", "damper", "load", "torque", "weight", "mass", "gear", "belt", "rack")
+ACTING = ("spring", "damper", "load", "torque", "weight", "mass", "gear", "belt", "rack", "cam")
 """Kinds of shapes that are drawn as the list has them; links, guides and supports the page draws so that they can be
 taken hold of."""
 
@@ -296,12 +296,14 @@ def _shapes(frames: _Frames, digits: int) -> list[dict[str, Any]]:
     for shape in found.list.shapes:
         if isinstance(shape, Shape) and shape.kind in ACTING:
             columns = found.columns(shape)
+            curve = found.curve(shape) if shape.is_curve else np.zeros((0, 2))
+            path = [[_rounded(part, digits) for part in place] for place in curve[np.isfinite(curve).all(axis=1)]]
             shapes.append(
                 {
                     "kind": shape.kind,
                     "name": shape.name,
                     "filled": {"": "", "FFFFFF": "paper"}.get(shape.fill, "own"),
-                    "path": shape.path,
+                    "path": path or shape.path,
                     "places": [[_short(part, digits) for part in vector.T] for vector in np.moveaxis(columns, 1, 0)],
                 }
             )

@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 UNITS = {"in": 1, "inch": 1, "ft": 2, "mm": 4, "cm": 5, "m": 6, "km": 7, "yd": 10, "um": 13, "µm": 13, "dm": 14}
 """Length units that DXF has a number for ($INSUNITS); 0 says nothing."""
 
+CLOSES = 1e-9
+"""Ends of a cam's curve that are nearer than this part of half the window are one place."""
+
 POINTS, TEXTS, PINS = "POINTS", "TEXT", "PINS"
 
 
@@ -65,7 +68,14 @@ def _file(drawn: Drawn) -> bytes:
             case Stroke(name=name, points=points, color=color):
                 layer = _layer(document, name or "PATHS", color)
                 corners = points[np.isfinite(points).all(axis=1)]
-                space.add_lwpolyline(corners.tolist(), dxfattribs={"layer": layer})
+                closed = (
+                    item.kind == "cam"
+                    and len(corners) > 2
+                    and np.allclose(corners[0], corners[-1], atol=CLOSES * drawn.scene.window.half)
+                )
+                space.add_lwpolyline(
+                    corners[: -1 if closed else None].tolist(), close=closed, dxfattribs={"layer": layer}
+                )
             case Disc(x=x, y=y, radius=radius):
                 space.add_circle((x, y), radius, dxfattribs={"layer": _layer(document, PINS, "404040")})
             case Label(x=x, y=y):

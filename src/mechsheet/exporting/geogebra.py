@@ -135,7 +135,7 @@ class Construction:
         self.points = list(dict.fromkeys(point for link in self.mechanism.links for point in link.points))
         # arrows of loads are left out: their lengths belong to the forces of the whole motion
         shapes = [shape for shape in positions.list.shapes if isinstance(shape, Shape) and shape.size is None]
-        self.drawn = [shape for shape in shapes if shape.kind != "path"]
+        self.drawn = [shape for shape in shapes if shape.kind != "path" and not shape.is_curve]
         self.traced = [shape for shape in shapes if shape.kind == "path"]
         for point in self.points:
             self.places[point] = self._take(label_of(point))

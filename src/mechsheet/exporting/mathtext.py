@@ -31,7 +31,7 @@ EXACT = 12
 """Digits of a constant of the description: more than anybody writes, fewer than rounding makes of 0.1 + 0.2."""
 
 _COMMANDS = {letter: f"\\{name}" for name, letter in GREEK.items()} | {"φ": r"\varphi", "ε": r"\varepsilon"}
-_PRIMES = {"′": "'", "″": "''"}
+_PRIMES = {"′": "'", "″": "''", "‴": "'''"}
 _DOTS = {"\u0307": r"\dot", "\u0308": r"\ddot"}
 _POINTS = re.compile(r"(?:[A-Z]\d*)+")
 _TRIGONOMETRY = ("SIN", "COS", "TAN")

@@ -282,7 +282,7 @@ def _picture(program: Program, name: str) -> list[str]:
         *(
             line
             for shape in found.shapes
-            if isinstance(shape, Shape) and shape.kind != "path"
+            if isinstance(shape, Shape) and shape.kind != "path" and (shape.path or shape.frame is None)
             for line in _shape(drawn, shape)
         ),
         *_tracks(drawn, "paths", traced),

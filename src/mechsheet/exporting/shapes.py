@@ -33,7 +33,8 @@ class Drawn:
 def drawings(job: Job) -> Iterator[Drawn]:
     """The positions that a job asks for. Raises MechanismError where there is none."""
     mechanism = job.mechanism
-    found = sample(mechanism, job.at, None, max(LEAST, job.frames or 0))
+    fine = len(job.compiled.driver) if mechanism.cam is not None else 0  # a profile is as fine as its rows
+    found = sample(mechanism, job.at, None, max(LEAST, job.frames or 0, fine))
     if not any(found.exists):
         raise MechanismError(Fault(say("no position of the sweep exists"), key="driver"))
     rows = [found.shown]

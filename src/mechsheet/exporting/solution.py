@@ -18,7 +18,7 @@ from mechsheet.exporting.mathtext import RATIO, Pen, packed, point_math, seen, s
 from mechsheet.exporting.position import Position
 from mechsheet.exporting.program import one_line, quantity
 from mechsheet.kinematics.closures import Loop
-from mechsheet.kinematics.equations import Equation, Group
+from mechsheet.kinematics.equations import CAM, Equation, Group
 from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import Words
 from mechsheet.synthesis.writing import says
@@ -115,6 +115,10 @@ class _Writer:
         self.driver()
         for group in self.equations.groups:
             self.group(group, group.closure)
+        cam = [equation for equation in self.equations.columns if equation.group == CAM]
+        if cam:
+            self.heading(2, self.say(words.CAM))
+            self.steps(cam)
         outputs = [equation for equation in self.equations.columns if equation.role == "output"]
         if outputs:
             self.heading(2, self.say(words.OUTPUTS))

@@ -44,6 +44,7 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.points_in_link import angle_of, cartesian, number
 from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rates.coefficients import Written, add_rates, wanted
+from mechsheet.kinematics.segments import write_segments
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import FurtherDriver, Mechanism, Quantity, Words
 from mechsheet.units import ANGLE, LENGTH
@@ -358,7 +359,9 @@ def _listed_at(mechanism: Mechanism, path: Array) -> tuple[FurtherDriver, ...]:
 def _further_drivers(mechanism: Mechanism, ledger: Ledger) -> None:
     """The values of what is driven besides, where they follow from the driver or are the same in every row."""
     for driver in mechanism.drivers:
-        if driver.follows is not None:
+        if driver.segments is not None:
+            write_segments(driver, mechanism.driver.symbol, ledger)
+        elif driver.follows is not None:
             unit = LENGTH if driver.joint else ANGLE
             ledger.define(driver.symbol, driver.follows, unit, phrase("further_driver"), "variable")
 

@@ -34,6 +34,9 @@ RATES: tuple[Role, ...] = ("coefficient", "rate")
 FORCES: tuple[Role, ...] = ("dynamic", "force")
 """Roles of what only a mechanism with masses or loads has: what forces are found from, and what people read."""
 
+CAM = -3
+"""Stands for a group where the columns of a cam's profile are meant."""
+
 BANDS: tuple[Role, ...] = ("influence", "band")
 """Roles of what only a workbook with tolerances has: what derivatives by dimensions are found from, and what people read."""
 
@@ -79,7 +82,7 @@ class Equation:
     force   which one, where the role is "force"
     unit    `LENGTH`, `ANGLE`, `NUMBER`: the expression's value is in internal units; of an output the one it is shown in
     exists  all that must hold for it to have a value, besides what it reads
-    group   0 for the driver's side, n for the n-th group in order of solution, -1 for outputs
+    group   0 for the driver's side, n for the n-th group in order of solution, -1 for outputs, `CAM` for a cam's profile
     """
 
     symbol: str

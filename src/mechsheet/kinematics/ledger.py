@@ -31,6 +31,7 @@ class Ledger:
 
     constant_symbols  symbols that have one value for all rows
     positive          input dimensions (or the driver's displacement) used as the length of a link between joints
+    ways              by symbol of a follower that a cam moves its first three derivatives by the cam's angle
     values            the columns' values over the first `rows` rows, by symbol
     """
 
@@ -49,6 +50,7 @@ class Ledger:
         self.tolerance: Node = al.ZERO  # set to its symbol by whoever knows the lengths
         self.group = 0
         self.systems: dict[str, System] = {}  # by the symbol of each unknown
+        self.ways: dict[str, tuple[Node, ...]] = {}
         self.following = self.rows  # so many rows follow one another: the others are picked from what comes later
         self._names = FreshNames(taken)
         self._size: Node | None = None

@@ -20,6 +20,7 @@ def given_names(mechanism: Mechanism) -> list[str]:
         *mechanism.driven_symbols,
         *(name for name in mechanism.given_by_row if name not in mechanism.driven_symbols),
         *_rates(mechanism),
+        *(mechanism.cam.symbols if mechanism.cam else ()),
     ]
 
 

@@ -6,6 +6,7 @@ is in internal units. The reader has parsed it and checked that it names only di
 """
 
 from .asked import EXTREME, Condition, Exercise, Need, Objective, Range, Study, Synthesis, TaskPlace, Tolerances, Vary
+from .cams import HALF, LAWS_THAT_LEAP, PIECE, SEGMENT_LAWS, TAU, WAVE, Cam, Segment, Segments
 from .mechanism import (
     LAWS,
     PRESSURE,
@@ -57,13 +58,20 @@ __all__ = [
     "ENERGY",
     "EXTREME",
     "GROUND",
+    "HALF",
     "LAWS",
+    "LAWS_THAT_LEAP",
+    "PIECE",
     "POINT_RATES",
     "PRESSURE",
+    "SEGMENT_LAWS",
     "SHAKING",
     "TAKES",
+    "TAU",
     "TIME",
+    "WAVE",
     "WAYS",
+    "Cam",
     "Cartesian",
     "ChartRequest",
     "Condition",
@@ -91,6 +99,8 @@ __all__ = [
     "Range",
     "Redundant",
     "Relation",
+    "Segment",
+    "Segments",
     "Sketch",
     "Solution",
     "Spring",

@@ -11,6 +11,7 @@ from livesheet.formula.nodes import Number as NumberNode
 from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 
 from .asked import Exercise, Study, Synthesis, Tolerances
+from .cams import Cam, Segments
 from .symbols import TIME, Quantity, Words, rate_symbols
 from .takes import Take
 
@@ -358,6 +359,7 @@ class FurtherDriver:
 
     follows  an expression over dimensions, the driver's symbol and those of further drivers; or
     values   one for each row, in internal units
+    segments what `follows` is made of, where the driver's angle is that of a cam
 
     The other fields as in `Driver`; `order`: its place among the further drivers of the file, from 0.
     """
@@ -370,6 +372,12 @@ class FurtherDriver:
     joint: str = ""
     follows: Node | None = None
     values: tuple[Quantity, ...] = ()
+    segments: Segments | None = None
+
+    @property
+    def rates_besides(self) -> tuple[str, str]:
+        """Of what a cam moves: its third derivative by the cam's angle, and by time."""
+        return f"{self.symbol}.ddd", f"{self.symbol}.j"
 
 
 @dataclass(frozen=True, slots=True)
@@ -476,6 +484,7 @@ class Mechanism:
     bands        what tolerances are followed to; None where nobody asks
     synthesis    the task from which dimensions are found; None where all of them are given
     redundant    links that are left out of what has to be solved
+    cam          the cam whose profile is asked for
     file         the stem of the file that it was read from, "" when it was read from none
     before       the same without the changes that a caller asked for; None when there are none
     listing      the text whose lines messages name: the file with the values asked for, without what was added
@@ -510,6 +519,7 @@ class Mechanism:
     study: Study | None = None
     synthesis: Synthesis | None = None
     redundant: tuple[Redundant, ...] = ()
+    cam: Cam | None = None
     text: str = ""
     file: str = field(default="", compare=False)
     before: Mechanism | None = field(default=None, compare=False)

@@ -10,6 +10,7 @@ from ..model import Mechanism
 from .expressions import column as over_rows
 from .expressions import number
 from .geometry import Array
+from .segments import motion
 from .system import System
 
 _STEP = 0.02
@@ -30,7 +31,9 @@ def values(
     known[mechanism.driver.symbol] = driver
     found = {}
     for other in mechanism.drivers:
-        if other.follows is not None:
+        if other.segments is not None:
+            column = motion(other.segments, dimensions, driver)[0]
+        elif other.follows is not None:
             column = over_rows(other.follows, known, len(driver))
         else:
             listed = np.array([number(value, dimensions) for value in other.values])
@@ -55,4 +58,10 @@ def derivatives(built: System, driver: Array) -> tuple[Array, Array]:
     first, second = (
         sum(weight * value for weight, value in zip(weights, at, strict=True)) for weights in (_FIRST, _SECOND)
     )
-    return np.asarray(first) / _STEP, np.asarray(second) / _STEP**2
+    first, second = np.asarray(first) / _STEP, np.asarray(second) / _STEP**2
+    for place, other in enumerate(built.mechanism.drivers):
+        if other.segments is not None:  # whose derivatives are known, and leap where differences cannot see it
+            unit = built.scale if other.joint else 1.0
+            _, once, twice, _ = motion(other.segments, built.dimensions, driver)
+            first[:, place], second[:, place] = once * scale / unit, twice * scale**2 / unit
+    return first, second

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model import ENERGY, SHAKING, center_symbol, pair_symbol
+from .cams import profile
 from .driving import driver_rates
 from .forces import Applied, forces
 from .geometry import Array
@@ -26,7 +27,7 @@ WHOLE = 1e-9
 def further(solution: Solution) -> dict[str, Array]:
     """Velocities, accelerations, forces, power, shaking force, mass centres: by name (n,); NaN in rows that do not exist."""
     held = forces(solution)
-    return by_time(solution) | held | _wholes(solution, held) | _energy(solution, held)
+    return by_time(solution) | profile(solution) | held | _wholes(solution, held) | _energy(solution, held)
 
 
 def _energy(solution: Solution, held: dict[str, Array]) -> dict[str, Array]:

@@ -13,14 +13,17 @@ from livesheet.formula.nodes import Node, Symbol
 from mechsheet.kinematics.vectors import Vector, minus, plus, size, times, turned
 
 Kind: TypeAlias = Literal[
-    "link", "ground", "slide", "cylinder", "gear", "belt", "rack", "spring", "damper", "load", "torque", "weight", "mass",
-    "path", "pin", "point", "velocity", "acceleration", "force", "scale", "name", "caption",
+    "link", "ground", "slide", "cylinder", "gear", "belt", "rack", "cam", "spring", "damper", "load", "torque", "weight",
+    "mass", "path", "pin", "point", "velocity", "acceleration", "force", "scale", "name", "caption",
 ]  # fmt: skip
 ARROWS = ("load", "torque", "weight", "velocity", "acceleration", "force")
 """Kinds whose size says how large something is."""
 
 HALF = Symbol("#half")
 """Half the side of the window, in the length unit: symbols are so many of it large, whatever the mechanism's dimensions."""
+
+PAD = 0.13
+"""How far a guide reaches beyond the stroke, in half windows."""
 
 LEAST = 0.05
 """Of what is less than this part of the largest of its kind no arrow is drawn: it would be all tip."""
@@ -39,7 +42,8 @@ class Frame:
 
 @dataclass(frozen=True, slots=True)
 class Shape:
-    """A line through corners: `path` in a `frame`, or `corners` one by one.
+    """A line through corners: `path` in a `frame`, or `corners` one by one. A cam's curve has one corner, in its frame: its
+    places in all positions are the line in each.
 
     color  RRGGBB;  fill  of what the line encloses, or "";  width  in points of a printer
     size   of an arrow: which part it is of the largest of its kind; less than LEAST is not drawn
@@ -54,6 +58,11 @@ class Shape:
     corners: tuple[Vector, ...] = ()
     fill: str = ""
     size: Node | None = None
+
+    @property
+    def is_curve(self) -> bool:
+        """Whether it is a curve of a cam."""
+        return self.frame is not None and not self.path
 
 
 @dataclass(frozen=True, slots=True)

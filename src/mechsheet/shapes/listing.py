@@ -11,12 +11,14 @@ from livesheet.formula.scalar import evaluate
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.vectors import Vector, dot, minus, plus, size, times, together, turned
 from mechsheet.model import Joint, Mechanism, Rack
+from mechsheet.shapes.cams import cam_shapes
 from mechsheet.shapes.colors import INK, PATHS, SERIES
 from mechsheet.shapes.described import Described
 from mechsheet.shapes.forms import (
     BLOCK,
     BLOCK_HEIGHT,
     HALF,
+    PAD,
     PIN,
     POINT,
     SUPPORT,
@@ -42,9 +44,6 @@ from mechsheet.shapes.wheels import ALIKE, Belt, axis_between, wheels_of
 from mechsheet.words import pictures
 from mechsheet.words.symbols import plain
 
-PAD = 0.13
-"""How far a guide reaches beyond the stroke, in half windows."""
-
 BORE = 0.033
 """Half the width of a cylinder, in half windows."""
 
@@ -67,6 +66,7 @@ def shapes_of(mechanism: Mechanism, equations: Equations, vectors: Collection[Ki
     cylinders = [joint for joint in mechanism.sliding if is_cylinder(known, joint)]
     guides = [_Guide(known, found, joint) for joint in mechanism.sliding if joint not in cylinders]
     found.shapes += _toothed(known, found)
+    found.shapes += cam_shapes(known, found)
     found.shapes += [guide.rail() for guide in guides if guide.on_ground]
     anchors = loaded_points(known)
     held = [point for point in known.ground.points if point in known.pins or point in anchors]

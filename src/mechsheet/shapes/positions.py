@@ -198,10 +198,14 @@ class Positions:
                 there &= self._column(shape.size) >= LEAST
         return np.where(there[:, None, None], found, math.nan)
 
+    def curve(self, shape: Shape) -> Array:
+        """The line (n, 2) of a cam's curve, in its frame."""
+        return self._trace(self._vector(shape.corners[0]))
+
     def _corners(self, shape: Shape) -> Array:
         """(rows, corners, 2)."""
         found = self.columns(shape)
-        if shape.frame is None:
+        if shape.frame is None or not shape.path:
             return found
         path = np.array(shape.path)
         return np.asarray(found[:, :1] + path[None, :, :1] * found[:, 1:2] + path[None, :, 1:] * found[:, 2:])
@@ -237,6 +241,11 @@ class Positions:
             places = self._vector(shape.at) if isinstance(shape, Mark) else self._corners(shape)
             self._places[index] = self._trace(places[:, 0]) if shape.kind == "path" else places
         places = self._places[index]
+        if isinstance(shape, Shape) and shape.is_curve:
+            origin, along, across = self.columns(shape)[row]
+            curve = self.curve(shape)
+            points = origin + curve[:, :1] * along + curve[:, 1:] * across
+            return Stroke(shape.kind, shape.name, points, shape.color, shape.width, shape.fill)
         if isinstance(shape, Mark):
             x, y = places[row].tolist()
             return Disc(shape.kind, shape.name, x, y, shape.radius * self.window.half, shape.fill, INK)

@@ -11,8 +11,11 @@ from itertools import combinations
 
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Group
-from mechsheet.model import Joint, Link, Mechanism, Synthesis
+from mechsheet.model import Joint, Link, Mechanism, Segments, Synthesis
 from mechsheet.sheet.columns.lowering import Assignments
+
+CAM_PLACED = frozenset({"pressure_angle", "least_rho"})
+"""Those of these lines that say where something occurs."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,6 +63,7 @@ class Classification:
     flywheel      True where the description asks for one
     newton        True where a group is solved by Newton's method
     task          from which dimensions are found
+    cam           keys of the lines about a cam
     """
 
     four_bars: tuple[FourBar, ...]
@@ -73,6 +77,7 @@ class Classification:
     flywheel: bool = False
     newton: bool = False
     task: Synthesis | None = None
+    cam: tuple[str, ...] = ()
 
     @property
     def entries(self) -> list[str]:
@@ -88,6 +93,7 @@ class Classification:
         lines += [f"transmission_{group.number}" for group in self.transmission]
         lines += ["dead_centres", "velocities_fit", "accelerations_fit"] if self.rates else []
         lines += ["largest_effort", "largest_force", "effort_fits"] if self.forces else []
+        lines += self.cam
         return lines + (["mean_torque", "energy_change", "flywheel"] if self.flywheel else [])
 
     @property
@@ -96,6 +102,7 @@ class Classification:
         found = {f"transmission_{group.number}" for group in self.transmission}
         found |= {"largest_effort", "largest_force"} if self.forces else set()
         found |= {"least_det"} if self.newton else set()
+        found |= CAM_PLACED.intersection(self.cam)
         return frozenset({*found, "largest_gap", *(["passes"] if self.limits else [])})
 
     @property
@@ -113,7 +120,9 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
     driver = mechanism.driver
     loops = (_four_bar(mechanism, group, pivoted) for group in equations.groups if group.kind == "RRR")
     driven = mechanism.driven_symbols
-    turning = [link for link in pivoted if link.name != driver.link and link.angle_symbol not in driven]
+    # of a cam that turns clockwise the ground is driven, seen from the cam
+    turned = driver.relative_to if driver.link == ground.name else driver.link
+    turning = [link for link in pivoted if link.name != turned and link.angle_symbol not in driven]
     names, still = {equation.symbol for equation in equations.columns}, _still(mechanism, equations)
     swings = tuple(link for link in turning if link.angle_symbol not in still)
     on_ground = (joint for joint in mechanism.joints if ground.name in (joint.on, joint.link))
@@ -130,6 +139,7 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         mechanism.flywheel is not None,
         any(group.system is not None for group in equations.groups),
         mechanism.synthesis,
+        _of_cam(mechanism),
     )
 
 
@@ -148,6 +158,8 @@ def _still(mechanism: Mechanism, equations: Assignments) -> frozenset[str]:
 def _returning(
     mechanism: Mechanism, equations: Assignments, swings: tuple[Link, ...], strokes: tuple[Joint, ...]
 ) -> tuple[str, ...]:
+    if segments_of(mechanism) is not None:  # which may dwell at its ends, so that nobody knows when it turns back
+        return ()
     newton = any(group.system is not None for group in equations.groups)  # no ratio of two times from rows alone
     if not mechanism.driver.link or not (mechanism.driver.stepped or _once_round(mechanism)) or newton:
         return ()
@@ -208,3 +220,14 @@ def _joined(mechanism: Mechanism) -> list[tuple[str, str]]:
         others = [joint.link] if joint.kind == "prismatic" else carriers[joint.point]
         pairs += [(joint.on, other) for other in others]
     return pairs
+
+
+def segments_of(mechanism: Mechanism) -> Segments | None:
+    """The motion over a cam's angle, where there is one."""
+    return next((driver.segments for driver in mechanism.drivers if driver.segments is not None), None)
+
+
+def _of_cam(mechanism: Mechanism) -> tuple[str, ...]:
+    """Keys of the lines about a cam."""
+    moved = () if segments_of(mechanism) is None else ("velocity_leaps", "acceleration_leaps")
+    return (*(() if mechanism.cam is None else ("pressure_angle", "least_rho")), *moved)

@@ -132,6 +132,9 @@ class _Pen:
                 return self.listed(args, words(self.language, f"notes.{name.lower()}")), 5
             case "IF", (test, yes, no):
                 return self.cases(test, yes, no), 1
+            case "CHOOSE", (number, *values):  # the one of that number: [a; b; c] with the number set low
+                below = "".join(text for text, _ in self.write(number)[0])
+                return [("[", ""), *self.listed(tuple(values), ";"), ("]", ""), (below, "sub")], _ATOM
         return self.function(_NAMES.get(name, name.lower()), args)
 
     def function(self, name: str, args: tuple[Node, ...]) -> tuple[list[Part], int]:

@@ -429,7 +429,7 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
     )  # fmt: skip
 
 
-INPUT_BLOCKS = ("motion", "drivers", "gears", "masses", "loads")
+INPUT_BLOCKS = ("motion", "cam", "drivers", "gears", "masses", "loads")
 """Blocks of what the description gives elsewhere than among its dimensions."""
 
 
@@ -437,7 +437,9 @@ def block_of(dim: Dimension) -> str:
     """The block of the first sheet in which such a dimension stands; "" for one of the description's own; "synthesis" for
     what has a sheet of its own."""
     places = {"driver": "motion", "flywheel": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
-    places |= {"joints": "gears", "drivers": "drivers", "synthesis": "synthesis"}
+    places |= {"joints": "gears", "drivers": "drivers", "synthesis": "synthesis", "cam": "cam"}
+    if dim.place[1:2] == ("segments",):
+        return "cam"
     return places[str(dim.place[0])] if dim.place else ""
 
 
@@ -513,7 +515,8 @@ def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[Table
         group = 0 if equation.symbol in first else equation.group
         inner = equation.role in INNER
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
-        plan.at.spots[equation.symbol] = Spot(plan.at.titles[key], plan.at.first, col, plan.rows)
+        degrees = not inner and plan.mechanism.shown(equation.unit).in_degrees
+        plan.at.spots[equation.symbol] = Spot(plan.at.titles[key], plan.at.first, col, plan.rows, degrees)
     return columns
 
 

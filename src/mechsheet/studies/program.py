@@ -16,6 +16,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
+from livesheet.formula.written import chosen_by_ifs
 from mechsheet.kinematics.numeric import FUNCTIONS, Array, without_jumps
 
 ONE, DESIGN, PLACE, WHOLE = range(4)
@@ -137,6 +138,8 @@ class Program:
             case Call("SUMSQ", args):
                 squares = [self.value(Binary("^", arg, Number(2.0)), known, rooted) for arg in args]
                 return self.fold("np.add", squares)
+            case Call("CHOOSE"):
+                return self.value(chosen_by_ifs(node), known, rooted)
             case Call(name, args) if name in _FOLDED:
                 return self.fold(_FOLDED[name], [self.value(arg, known, rooted) for arg in args])
             case Call(name, args) if name in _CALLS:

@@ -13,7 +13,7 @@ GREEK = {
     "Psi": "Ψ", "Omega": "Ω", "Sigma": "Σ", "lam": "λ",
 }  # fmt: skip
 
-_PRIMES = {"d": "′", "dd": "″"}
+_PRIMES = {"d": "′", "dd": "″", "ddd": "‴"}
 _DOTS = {"v": "\u0307", "a": "\u0308"}
 """Derivatives by the driver, and by time."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from mechsheet.words.cams import CAMS
 from mechsheet.words.forces import FORCES
 from mechsheet.words.gears import GEARS
 from mechsheet.words.newton import NEWTON
@@ -204,6 +205,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "checks.crossing": ("lines, group {number}: sine × sine before", "doğrular, {number}. grup: sinüs × önceki sinüs"),
     "checks.leap": ("leap", "sıçrama"),
     **NOTES,
+    **CAMS,
     **RATES,
     **TOLERANCE,
     **FORCES,

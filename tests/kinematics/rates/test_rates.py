@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from closure_rates import PRIME, rates_over
 
-from chosen import ALL, ITERATED, LISTED, but, some
+from chosen import ALL, CAMS, ITERATED, LISTED, but, some
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechsheetError
@@ -123,7 +123,9 @@ BESIDE = ("excavator",)
 """Its first position lies beside a limit, where differences are no judge."""
 
 
-@pytest.mark.parametrize("template", some(but(TEMPLATES, *ITERATED, *LISTED, *BESIDE), 5), ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "template", some(but(TEMPLATES, *ITERATED, *LISTED, *BESIDE, *CAMS), 5), ids=lambda path: path.stem
+)
 def test_templates_against_differences(template):
     assert assert_agree(load(template)) > 0
 

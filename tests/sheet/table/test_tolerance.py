@@ -149,7 +149,8 @@ def all_toleranced(name):
     if mechanism.bands is not None:
         return replace(mechanism, dimensions=dimensions)
     compiled = Compiled(mechanism)
-    groups = [group.unknowns for group in compiled.equations.groups] or [("theta13",)]
+    moved = [(driver.symbol,) for driver in mechanism.drivers if driver.segments] or [("theta13",)]
+    groups = [group.unknowns for group in compiled.equations.groups] or moved
     return replace(mechanism, dimensions=dimensions, bands=Tolerances((groups[-1][-1],), ()))
 
 

@@ -65,7 +65,7 @@ def _slides(data: dict[str, Any]) -> bool:
 
 def kind_and_unit(data: dict[str, Any], scope: Scope) -> tuple[str, Unit]:
     """What the driver's values are, ANGLE or LENGTH, and the unit in which they are written."""
-    if _slides(data):
+    if _slides(data) and "segments" not in data:
         return LENGTH, unit_of(scope.length_unit, scope.length_unit)
     return ANGLE, scope.angle_unit
 

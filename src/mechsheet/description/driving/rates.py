@@ -280,7 +280,7 @@ def known(name: str, path: Path, scope: Scope) -> bool:
 
 def check_speed(name: str, path: Path, scope: Scope, where: str = "") -> None:
     """Report a rate that needs a speed of the driver where it has none; coefficients need none."""
-    if not scope.moves and not name.endswith((".d", ".dd")):
+    if not scope.moves and name not in scope.of_cam and not name.endswith((".d", ".dd", ".ddd")):
         message = say(
             "{where}{name} is a velocity or an acceleration: it needs the driver's speed",
             where=where,

@@ -44,6 +44,12 @@ def with_sweep(source: Source, rows: str | None, step: str | None) -> tuple[Sour
         return _with_rows_of_motion(source, rows, step)
     sweep = _sweep(source)
     faults = sweep.scope.report.faults
+    if "segments" in driver:
+        if driver.get("closed") is False:
+            message = say("a motion that does not close ends where its segments end: write another step in [driver]")
+            return source, [Fault(message, source.file, key="rows" if step is None else "step")]
+        if rows is not None and step is not None:
+            return source, [Fault(say("a cam turns once: give rows or step"), source.file, key="rows")]
     taken = None if step is None else typed_value(step, sweep.unit, "the driver's", sweep.scope)
     if taken is not None:
         fit(float(taken), Quantity(), (), sweep.scope.report)  # its size
@@ -87,6 +93,8 @@ class _Sweep:
 def _sweep(source: Source) -> _Sweep:
     data = table_of(source, "driver")
     scope = scope_for(source, "step")
+    if "segments" in data:  # over one turn of the cam
+        data = {**data, "start": 0.0, "stop": scope.angle_unit.written(math.tau)}
     kind, unit = kind_and_unit(data, scope)
     return _Sweep(data, kind, unit, scope)
 

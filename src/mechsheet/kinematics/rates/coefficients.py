@@ -19,10 +19,11 @@ from dataclasses import dataclass, field, replace
 from livesheet.diagnostics import Fault
 from livesheet.formula import algebra as al
 from livesheet.formula.derivatives import derivative
-from livesheet.formula.nodes import Call, Node, Symbol, symbols, with_symbols
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, with_symbols
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
+from mechsheet.kinematics.cam import write_cam
 from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.dyads.solved import Determinant, Solved
 from mechsheet.kinematics.equations import Fit
@@ -36,7 +37,7 @@ from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Meeting, Motions, PointRate, Rate
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, RateColumns, order_words
 from mechsheet.kinematics.vectors import Vector, cross, minus, plus, size, times
-from mechsheet.model import POINT_RATES, Mechanism, Words, rate_symbols
+from mechsheet.model import POINT_RATES, FurtherDriver, Mechanism, Words, rate_symbols
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words.equations import link_words, phrase
 
@@ -63,6 +64,7 @@ def wanted(mechanism: Mechanism) -> bool:
     return (
         mechanism.dynamics is not None
         or mechanism.driver.speed is not None
+        or any(driver.segments is not None for driver in mechanism.drivers)
         or any(name.endswith((".d", ".dd")) for name in asked(mechanism))
     )
 
@@ -223,6 +225,7 @@ class _Writer:
                     self.ledger.group += 1
                     self._chain(self.chains[self.ledger.group])
             self._after_group()
+        write_cam(self.poses, self.motions, self.columns)
         found = self._by_time_alone() if self.timed else Written({}, {})
         return replace(found, by_driver=self.motions, determinants=self.determinants)
 
@@ -250,6 +253,9 @@ class _Writer:
                 )
                 hint = say("write `follows` in place of `values`, or take masses, loads and derivatives away")
                 raise MechanismError(Fault(message, key=f"drivers.{driver.order}.values", hint=hint))
+            if driver.segments is not None:
+                self._follower(driver)
+                continue
             if driver.follows is None:
                 continue
             node = with_symbols(driver.follows, follows)
@@ -257,6 +263,23 @@ class _Writer:
             first = derivative(node, own)
             rate = Rate(first, derivative(first, own))
             self.names.driven[driver.symbol] = self._in_columns(driver.symbol, rate, not driver.joint)
+
+    def _follower(self, driver: FurtherDriver) -> None:
+        """What a cam moves: its derivatives by the cam's angle, and where the cam turns evenly its jerk."""
+        symbol, turns = driver.symbol, not driver.joint
+        for order, (node, ending) in enumerate(zip(self.ledger.ways[symbol], (*COEFFICIENTS, ".ddd"), strict=True), 1):
+            unit = self.columns.unit(0 if turns else 1, order)
+            self.ledger.define(f"{symbol}{ending}", node, unit, phrase(f"by_cam_{order}", symbol=symbol), "rate")
+        self.names.driven[symbol] = self.names.of(symbol)
+        if not self.timed:
+            return
+        self._rates(symbol, self.names.of(symbol), turns)
+        speed, acceleration = (Symbol(name) for name in self.mechanism.driver_rates)
+        if self.ledger.is_constant(speed) and self.ledger.is_constant(acceleration):
+            change = al.mul(al.mul(Number(3.0), Symbol(f"{symbol}.dd")), al.mul(speed, acceleration))
+            jerk = al.add(al.mul(Symbol(f"{symbol}.ddd"), Binary("^", speed, Number(3.0))), change)
+            unit = self._rate_unit(turns, 2).per_time()
+            self.ledger.define(f"{symbol}.j", jerk, unit, phrase("jerk", symbol=symbol), "rate")
 
     def _in_columns(self, symbol: str, rate: Rate, turns: bool) -> Rate:
         """Coefficients in cells of their own where they are no short constants; and the rates by time, that people read."""

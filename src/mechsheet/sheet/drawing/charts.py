@@ -15,9 +15,9 @@ import numpy as np
 
 from livesheet import portable
 from livesheet.workbook import Anchor, Area, Axis, Chart, Column, Dash, PrintSetup, Series, SeriesRef, Sheet
-from mechsheet.kinematics.equations import JOINT_FORCES
+from mechsheet.kinematics.equations import CAM, JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
-from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, rate_symbols
+from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, Mechanism, rate_symbols
 from mechsheet.shapes.points import remarkable_points
 from mechsheet.sheet import styles
 from mechsheet.sheet.columns.bands import HIGH, LOW, part_of
@@ -86,8 +86,10 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     displacements: list[str] = []
     if mechanism.driver.law is not None:  # its own curve over the time is worth a look
         (displacements if mechanism.driver.joint else angles).append(driver)
+    turned = _turned_by_cam(mechanism)
     for equation in plan.equations.columns:
-        if equation.role == "variable" and equation.symbol != driver and not _stands_still(columns[equation.symbol]):
+        own = equation.symbol in (driver, turned)
+        if equation.role == "variable" and not own and not _stands_still(columns[equation.symbol]):
             (angles if equation.unit.kind == "angle" else displacements).append(equation.symbol)
     still = {symbol for symbol, column in columns.items() if _stands_still(column)} | plan.only_rounding.keys()
     outputs = [output.symbol for output in mechanism.outputs if output.symbol not in still]
@@ -103,17 +105,27 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     return tuple(requests)
 
 
+def _turned_by_cam(mechanism: Mechanism) -> str:
+    """The angle of a cam, which is the driver's once more; "" where there is none."""
+    if all(driver.segments is None for driver in mechanism.drivers):
+        return ""
+    driven = (mechanism.driver.link, mechanism.driver.relative_to)
+    return next(link.angle_symbol for link in mechanism.links[1:] if link.name in driven)
+
+
 def across(plan: Plan) -> str:
     """What curves are drawn against: the driver, or the time of its law."""
     return plan.mechanism.driver.symbol if plan.mechanism.driver.law is None else TIME
 
 
 def _rates(plan: Plan) -> list[str]:
-    """Velocities and accelerations of links, of slides on the ground, and of points."""
+    """Velocities and accelerations of links, of slides on the ground, and of points; of a cam's columns the pressure
+    angle: the others are curves of another plane."""
     mechanism = plan.mechanism
     ground = mechanism.ground.name
     moving = {joint.symbol for joint in mechanism.joints if ground not in (joint.on, joint.link)}
     hidden = {name for symbol in moving for name in rate_symbols(symbol, False)}
+    hidden |= {eq.symbol for eq in plan.equations.columns if eq.group == CAM and eq.symbol != "alpha"}
     return [eq.symbol for eq in plan.equations.columns if eq.role == "rate" and eq.symbol not in hidden]
 
 

@@ -113,6 +113,7 @@ class Listed:
         self._numbers: dict[tuple[Vector, Vector, Vector, Node | None], int] = {}
         self.points: dict[str, PointCells] = {}
         self._rows: dict[int, tuple[int, int]] = {}
+        self._curves: dict[int, int] = {}
         self._marked = [_point_at(shape.at) for shape in found.shapes if isinstance(shape, Mark)]
         self._switches()
         self._extremes()
@@ -161,7 +162,7 @@ class Listed:
                 parts = [
                     way(
                         page.over_motion("xy"[axis], function, [p[axis] for p, r in self.found.around if r == radius]),
-                        page.in_row(radius),
+                        page.over_motion("r", MOST, [radius]) if page.moves(radius) else page.in_row(radius),
                     )
                     for radius in radii
                 ]
@@ -212,7 +213,9 @@ class Listed:
             self._need(name)
         sized = [each for each in (*self.found.shapes, *self.found.names) if not isinstance(each, Mark)]
         sizes = {each.size for each in sized if each.size is not None}
-        counts = Counter(part for node in nodes for part in dict.fromkeys(walk(node)) if _is_costly(part) or part in sizes)
+        counts = Counter(
+            part for node in nodes for part in dict.fromkeys(walk(node)) if _is_costly(part) or part in sizes
+        )
         parts = [part for part, count in counts.items() if count > 1 or part in sizes]
         for part in sorted(parts, key=lambda each: sum(1 for _ in walk(each))):
             page.put(NAME, page.plan.text("drawing.size" if part in sizes else "drawing.part"))
@@ -301,6 +304,9 @@ class Listed:
             if isinstance(shape, Mark) or shape.kind == "path":
                 continue
             start = len(found)
+            if shape.is_curve and shape.frame is not None:
+                self._curves[index] = self._place(shape.frame.origin, shape.name, _vectors(shape)[1:])
+                continue
             if shape.frame is None:
                 found += [_Corner(shape.name, 0.0, 0.0, self._place(at, shape.name)) for at in shape.corners]
             else:
@@ -405,17 +411,32 @@ class Listed:
     # --- what else is drawn --------------------------------------------------------------------------------------
 
     def _paths(self) -> list[Series]:
-        """The paths of points: two sweep columns each."""
+        """The paths of points, and what a cam's curves are at the position shown: two sweep columns each."""
         page, found = self.page, []
         page.apart()
-        for shape in self.found.shapes:
-            if isinstance(shape, Shape) and shape.kind == "path":
-                (at,) = shape.corners
-                x = page.column(f"X {shape.name}", self.frame.chart_x(page.in_row(at[0])))
-                y = page.column(f"Y {shape.name}", self.frame.chart_y(page.in_row(at[1])))
-                refs = SeriesRef(page.title, x), SeriesRef(page.title, y)
-                found.append(Series(shape.name, *refs, line=shape.color, width=shape.width, in_legend=False))
+        for index, shape in enumerate(self.found.shapes):
+            if isinstance(shape, Mark) or not (shape.kind == "path" or shape.is_curve):
+                continue
+            a, b = (page.in_row(part) for part in shape.corners[0])
+            chart = self._in_place(self._curves[index], a, b) if shape.is_curve else (
+                self.frame.chart_x(a), self.frame.chart_y(b)
+            )  # fmt: skip
+            x, y = (
+                SeriesRef(page.title, page.column(f"{axis} {shape.name}", node))
+                for axis, node in zip("XY", chart, strict=True)
+            )
+            found.append(Series(shape.name, x, y, line=shape.color, width=shape.width, in_legend=False))
         return found
+
+    def _in_place(self, number: int, a: Node, b: Node) -> tuple[Node, Node]:
+        """Where in the chart  a along + b across  lies, from the origin of a place."""
+        row = self.first_place + number - 1
+        half, nodes = self.frame.half, []
+        for chart, along, across in ((CHART_X, SIXTH, EIGHTH), (CHART_Y, SEVENTH, NINTH)):
+            cells = {"at": self.page.cell(chart, row), "along": self.page.cell(along, row)}
+            cells["across"] = self.page.cell(across, row)
+            nodes.append(formula("at+(a*along+b*across)/half", a=a, b=b, half=half, **cells))
+        return nodes[0], nodes[1]
 
     def _marks(self) -> tuple[tuple[Series, ...], tuple[Series, ...]]:
         """Rings at the revolute joints, dots at other points: to be drawn first, and again last.

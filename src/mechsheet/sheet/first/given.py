@@ -16,6 +16,13 @@ def given_words(plan: Plan, dim: Dimension) -> str:
         case ("driver", "motion", "duration"):
             law = plan.mechanism.driver.law
             return plan.text("motion.duration", law=plan.text(f"law.{law.name}"), rows=law.rows) if law else ""
+        case ("driver", "segments", int(number), str(key)):
+            parts = next(driver.segments.parts for driver in plan.mechanism.drivers if driver.segments is not None)
+            return plan.text(f"cam.{key}", number=number + 1, law=plan.text(f"segment.{parts[number].law}"))
+        case ("driver", "start") if plan.mechanism.driver.law is None:
+            return plan.text("cam.start")
+        case ("cam", str(key), *_):
+            return plan.text(f"cam.{key}")
         case ("driver", ("start" | "stop") as key):
             return plan.text(f"motion.{key}")
         case ("driver", str(key)):

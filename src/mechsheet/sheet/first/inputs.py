@@ -64,7 +64,7 @@ def inputs_of(plan: Plan) -> list[Input]:
     of_law = (law.start, law.stop, law.duration) if law else ()
     found = []
     for dim in plan.mechanism.dimensions:
-        of_ties = dim.place[:1] in (("joints",), ("drivers",))
+        of_ties = dim.place[:1] in (("joints",), ("drivers",), ("cam",)) or dim.place[1:2] == ("segments",)
         if isinstance(dim.value, float) and (not dim.place or of_ties or dim.symbol in of_law):
             kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
             if dim.place[-1:] in (("ratio",), ("radius",)):

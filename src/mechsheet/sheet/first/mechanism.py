@@ -256,7 +256,8 @@ def _given_elsewhere(writer: Writer) -> None:
                 writer.put(row, VALUE, dim.shown if dim.shown is not None else dim.value, styles.INPUT)
                 writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), symbol))
             else:
-                _result(writer, row, dim.value, False, styles.decimals(styles.RESULT, places_of(plan, dim.unit)))
+                shown = styles.decimals(styles.RESULT, places_of(plan, dim.unit))
+                _result(writer, row, dim.value, dim.unit.in_degrees, shown)
 
 
 def _assembly(writer: Writer) -> None:

@@ -21,7 +21,7 @@ from mechsheet.sheet.checks.gaps import misfits_of
 from mechsheet.sheet.checks.limits import LIMITS
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.driving import driver_at
-from mechsheet.sheet.first import inputs, task
+from mechsheet.sheet.first import cam, inputs, task
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.grashof import excess_of, in_summary, named, turning_types, type_of
 from mechsheet.sheet.over_rows import but_first, but_last
@@ -70,6 +70,8 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
         block.fits("acceleration", "accelerations_fit")
     if found.forces:
         block.efforts()
+    if found.cam:
+        cam.write(block)
     if found.flywheel:
         block.flywheel()
     block.line_under_the_title()

@@ -7,7 +7,7 @@ import math
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, transform, walk
 from livesheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style, plain_text
-from mechsheet.kinematics.equations import Group
+from mechsheet.kinematics.equations import CAM, Group
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.degrees import degrees_together, in_degrees
@@ -71,7 +71,8 @@ class Table:
     def _group_title(self, number: int) -> str:
         plan = self.plan
         if number <= 0:
-            return plan.text({0: "group.driver", -1: "group.outputs"}[number]) if number > -2 else ""
+            titles = {0: "group.driver", -1: "group.outputs", CAM: "block.cam"}
+            return plan.text(titles[number]) if number in titles else ""
         group = plan.equations.groups[number - 1]
         return plan.text("page.group", number=number, links=links_of(plan, group))
 

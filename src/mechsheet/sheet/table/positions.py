@@ -29,6 +29,7 @@ from livesheet.workbook import (
     Style,
     plain_text,
 )
+from mechsheet.kinematics.equations import CAM
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses
@@ -309,6 +310,8 @@ def group_title(plan: Plan, number: int) -> str:
     """What stands over the columns of a group (0: the driver's side, -1: outputs)."""
     if number == 0:
         return plan.text("group.driver")
+    if number == CAM:
+        return plan.text("block.cam")
     if number < 0:
         return plan.text("group.outputs")
     group = plan.equations.groups[number - 1]

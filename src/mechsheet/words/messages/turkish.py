@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from .asked import ASKED
+from .cams import CAMS
 from .checks import CHECKS
 from .commands import COMMANDS
 from .files import FILES
@@ -12,4 +13,4 @@ from .mechanism import MECHANISM
 from .studies import STUDIES
 from .text import TEXT
 
-TURKISH: dict[str, str] = TEXT | MECHANISM | ASKED | CHECKS | LIBRARY | STUDIES | FILES | FORMULAS | COMMANDS
+TURKISH: dict[str, str] = TEXT | MECHANISM | CAMS | ASKED | CHECKS | LIBRARY | STUDIES | FILES | FORMULAS | COMMANDS

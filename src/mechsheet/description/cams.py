@@ -1,0 +1,243 @@
+"""The part [cam]: what its profile touches, and where its follower is on the base circle."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle, right_angle
+from livesheet.formula.nodes import Call, Node
+from livesheet.said import say
+from mechsheet.description.joints import Ends
+from mechsheet.description.kinds import ANGLE, LENGTH
+from mechsheet.description.own_cells import own_cell
+from mechsheet.description.quoting import quoted
+from mechsheet.description.report import BAD
+from mechsheet.description.scope import Scope
+from mechsheet.model import Cam, Cartesian, Dimension, Joint, Link, Place, Polar, Quantity
+from mechsheet.units import unit_of
+
+USUAL_OF_SLIDE, USUAL_OF_ROCKER = 30.0, 45.0
+"""Pressure angles [degrees] up to which followers run well. Source: R. L. Norton, Design of Machinery, section 8.6."""
+
+SQUARE = 1e-9
+"""A sine below this is no direction in which a face could be moved."""
+
+_Vector = tuple[Node, Node]
+
+
+@dataclass(frozen=True, slots=True)
+class ReadCam:
+    """The cam, the cells of its lengths, and where the follower is on the base circle; None where that does not say."""
+
+    cam: Cam
+    dimensions: tuple[Dimension, ...]
+    start: Node | None
+
+
+def read(
+    data: dict[str, Any], driver: Any, links: tuple[Link, ...], joints: tuple[Joint, ...], ends: Ends, scope: Scope
+) -> ReadCam | None:
+    """The cam, when no fault hides it; `driver`: the part [driver], which has segments."""
+    cells: list[Dimension] = []
+    length = unit_of(scope.length_unit, scope.length_unit)
+    if data.get("center", BAD) is BAD or data.get("base_radius", BAD) is BAD:
+        return None
+
+    def cell(symbol: str, value: Any, kind: str, path: tuple[str, ...]) -> Node:
+        unit = scope.angle_unit if kind == ANGLE else length
+        return own_cell(scope, cells, symbol, value, kind, unit, ("cam", *path), "cam")
+
+    radius = cell("base_radius", data["base_radius"], LENGTH, ("base_radius",))
+    if scope.number(radius) <= 0:
+        scope.report.at(("cam", "base_radius"), say("the radius of the base circle must be greater than 0"))
+    slides = isinstance(driver, dict) and "joint" in driver and "link" not in driver
+    usual = scope.angle_unit.written(math.radians(USUAL_OF_SLIDE if slides else USUAL_OF_ROCKER))
+    limit = cell("alpha_limit", data.get("pressure_angle", usual), ANGLE, ("pressure_angle",))
+    clockwise = data.get("turns", 1) == -1
+    if "roller" in data:
+        roller = data["roller"]
+        if roller is BAD or BAD in (roller["point"], roller["radius"]):
+            return None
+        wheel = cell("roller_radius", roller["radius"], LENGTH, ("roller", "radius"))
+        if scope.number(wheel) < 0:
+            scope.report.at(("cam", "roller", "radius"), say("a radius is not negative; 0 is a knife edge"))
+        if not _moves(roller["point"], links, ("cam", "roller", "point"), scope):
+            return None
+        cam = Cam(links[-1].name, data["center"], clockwise, radius, roller["point"], limit, wheel)
+    else:
+        face = data.get("face", BAD)
+        if face is BAD or BAD in (face["link"], face["point"]):
+            return None
+        link, path = face["link"], ("cam", "face")
+        if not ends.has_link(link, (*path, "link")) or not ends.has_point(link, face["point"], (*path, "point")):
+            return None
+        if link == links[0].name:
+            scope.report.at((*path, "link"), say("the face is on the ground: the cam could not move it"))
+            return None
+        angle = cell("face_angle", face.get("angle", 0), ANGLE, ("face", "angle"))
+        cam = Cam(links[-1].name, data["center"], clockwise, radius, face["point"], limit, None, link, angle)
+    start = None
+    if isinstance(driver, dict) and "start" not in driver:
+        start = _Start(cam, driver, links, joints, scope).node()
+    return ReadCam(cam, tuple(cells), start)
+
+
+def declare(cam: Cam, scope: Scope) -> None:
+    """Enter the names of the cam's columns, which must be free."""
+    scope.of_cam.update(cam.symbols)
+    for name in dict.fromkeys(symbol.partition(".")[0] for symbol in cam.symbols):
+        scope.symbols.claim(name, "column of the cam", ("cam",), say("rename it: the cam has a column of that name"))
+
+
+def _moves(point: str, links: tuple[Link, ...], path: tuple[str, ...], scope: Scope) -> bool:
+    owners = [link for link in links if point in link.points]
+    if not owners:
+        scope.report.at(path, say("no link has a point {point}", point=quoted(point)))
+    elif owners[0] is links[0]:
+        scope.report.at(
+            path, say("{name} is a point of the ground: the cam could not move a roller there", name=quoted(point))
+        )
+        return False
+    return bool(owners)
+
+
+class _Start:
+    """Where the follower stands when its roller or face touches the base circle, of a slide or a rocker on the ground.
+
+    Of two such places it is the one from which the first rise goes outwards.
+    """
+
+    def __init__(
+        self, cam: Cam, driver: dict[str, Any], links: tuple[Link, ...], joints: tuple[Joint, ...], scope: Scope
+    ) -> None:
+        self.cam, self.driver, self.links, self.joints, self.scope = cam, driver, links, joints, scope
+        self.ground = links[0]
+
+    def node(self) -> Node | None:
+        """The displacement or angle; None where the base circle alone does not say it."""
+        touching = next((link for link in self.links[1:] if self.cam.point in link.points), None)
+        where = self.ground.points.get(self.cam.center)
+        center = None if where is None else _place(where)
+        own = None if touching is None else _place(touching.points[self.cam.point])
+        if touching is None or center is None or own is None:
+            return None
+        if "joint" in self.driver and "link" not in self.driver:
+            joint = next((one for one in self.joints if one.name == self.driver["joint"]), None)
+            if (
+                joint is None
+                or joint.kind != "prismatic"
+                or (joint.link, joint.on) != (touching.name, self.ground.name)
+            ):
+                return None
+            pin = _place(touching.points[joint.point])
+            return None if pin is None else self._slide(joint, center, own, pin)
+        link = self.driver.get("link", BAD)
+        if link != touching.name or self.driver.get("relative_to", self.ground.name) != self.ground.name:
+            return None
+        shared = next((point for point in touching.points if point in self.ground.points), None)
+        if shared is None or self.cam.radius is None:
+            return None
+        pivot, pin = _place(self.ground.points[shared]), _place(touching.points[shared])
+        return None if pivot is None or pin is None else self._rocker(_less(pivot, center), _less(own, pin))
+
+    def _slide(self, joint: Joint, center: _Vector, own: _Vector, pin: _Vector) -> Node | None:
+        through = joint.through
+        base = _place(self.ground.points[through]) if isinstance(through, str) else _place(Cartesian(*through))
+        if base is None:
+            return None
+        line = _angle(joint.angle)
+        turned = line + _angle(joint.orientation)
+        along = _direction(line)
+        way = _plus(_less(base, center), _turned(_less(own, pin), turned))
+        outwards = self._outwards()
+        if self.cam.radius is not None:
+            reach = al.add(al.as_node(self.cam.base_radius), al.as_node(self.cam.radius))
+            across, before = _cross(way, along), _dot(way, along)
+            square = al.sub(al.square(reach), al.square(across))
+            if self.scope.number(square) < 0:
+                message = say("the slide passes the centre at {offset:.6g}: a base circle of {radius:.6g} does not reach it",
+                              offset=abs(self.scope.number(across)), radius=self.scope.number(reach))  # fmt: skip
+                self.scope.report.at(("cam", "base_radius"), message)
+                return None
+            root = al.sqrt(square)
+            return al.sub(root if outwards else al.neg(root), before)
+        normal = _direction(turned + _angle(self.cam.face) + Angle(degrees=90))
+        moved = _dot(normal, along)
+        if abs(self.scope.number(moved)) < SQUARE:
+            message = say("the face is nowhere tangent to the cam: it lies along the way of the slide")
+            self.scope.report.at(("cam", "face"), message)
+            return None
+        radius = al.as_node(self.cam.base_radius)
+        far = radius if (self.scope.number(moved) > 0) == outwards else al.neg(radius)
+        return al.div(al.sub(far, _dot(normal, way)), moved)
+
+    def _rocker(self, pivot: _Vector, arm: _Vector) -> Node | None:
+        reach = al.add(al.as_node(self.cam.base_radius), al.as_node(self.cam.radius or 0.0))
+        far, long = (al.add(al.square(x), al.square(y)) for x, y in (pivot, arm))
+        cosine = al.div(
+            al.sub(al.sub(al.square(reach), far), long), al.mul(al.TWO, al.mul(al.sqrt(far), al.sqrt(long)))
+        )
+        if not abs(self.scope.number(cosine)) <= 1:
+            self.scope.report.at(
+                ("cam", "base_radius"), say("the rocker's roller never touches a base circle of this radius")
+            )
+            return None
+        between = Call("ACOS", (cosine,))
+        facing = al.sub(al.atan2(*pivot), al.atan2(*arm))
+        return al.sub(facing, between) if self._outwards() else al.add(facing, between)
+
+    def _outwards(self) -> bool:
+        """Whether the first part that moves goes towards larger values."""
+        segments = self.driver.get("segments", ())
+        for each in () if segments is BAD else segments:
+            if each is BAD or each.get("law") == "dwell":
+                continue
+            way = each.get("by", each.get("to", 0.0))
+            kind = LENGTH if "joint" in self.driver and "link" not in self.driver else ANGLE
+            told = len(self.scope.report.faults)
+            number = self.scope.number(self.scope.quantity(way, kind, ("driver", "segments")))
+            del self.scope.report.faults[told:]
+            return not number < 0
+        return True
+
+
+def _place(place: Place) -> _Vector | None:
+    match place:
+        case Cartesian(x, y):
+            return al.as_node(x), al.as_node(y)
+        case Polar(r, angle):
+            direction = _direction(_angle(angle))
+            return al.mul(al.as_node(r), direction[0]), al.mul(al.as_node(r), direction[1])
+    return None
+
+
+def _angle(quantity: Quantity) -> Angle:
+    return right_angle(quantity) if isinstance(quantity, float) else Angle(quantity)
+
+
+def _direction(angle: Angle) -> _Vector:
+    return al.cos(angle), al.sin(angle)
+
+
+def _turned(vector: _Vector, angle: Angle) -> _Vector:
+    (x, y), (c, s) = vector, _direction(angle)
+    return al.sub(al.mul(x, c), al.mul(y, s)), al.add(al.mul(x, s), al.mul(y, c))
+
+
+def _plus(a: _Vector, b: _Vector) -> _Vector:
+    return al.add(a[0], b[0]), al.add(a[1], b[1])
+
+
+def _less(a: _Vector, b: _Vector) -> _Vector:
+    return al.sub(a[0], b[0]), al.sub(a[1], b[1])
+
+
+def _dot(a: _Vector, b: _Vector) -> Node:
+    return al.add(al.mul(a[0], b[0]), al.mul(a[1], b[1]))
+
+
+def _cross(a: _Vector, b: _Vector) -> Node:
+    return al.sub(al.mul(a[0], b[1]), al.mul(a[1], b[0]))

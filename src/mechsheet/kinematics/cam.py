@@ -1,0 +1,180 @@
+"""The profile of a cam: what a roller or a flat face on some link envelops, in the axes of the cam.
+
+P is the roller's centre seen from the cam's, a prime the derivative by the cam's angle phi, s = 1 for a cam that turns
+counter-clockwise and -1 for the other; J v = (-v_y, v_x), R(a) a turn by a. In the axes of the cam
+
+    pitch curve   R(-s phi) P,  its tangent    T = P' - s J P,    its change    A = P'' - 2 s J P' - P
+    curvature     kappa = -s (T x A)/|T|^3,    outwards    n = s J T/|T|,    profile    R(-s phi) (P - r n)
+    pressure      tan alpha = -s f.T/(f x T)   where f is the way in which the follower moves P
+
+A flat face lies along f through F, with normal g = J f. It touches where it does not move against the cam along g, at
+F + x f, and the radius of curvature is that of the support function p = g.F over the normal's direction in the cam:
+
+    x = (s F.f - F'.g)/(theta' - s),    rho = p + d^2p/dpsi^2 where p > 0, else its opposite,    psi' = theta' - s
+Source: R. L. Norton, Cam Design and Manufacturing Handbook, chapter 7; the support function: any text on convex curves.
+"""
+
+from __future__ import annotations
+
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol
+from mechsheet.kinematics.equations import CAM, Condition, Role
+from mechsheet.kinematics.ledger import Ledger
+from mechsheet.kinematics.points_in_link import angle_of
+from mechsheet.kinematics.poses import Poses
+from mechsheet.kinematics.rates.motions import Motions, PointRate
+from mechsheet.kinematics.rates.rate_columns import RateColumns
+from mechsheet.kinematics.vectors import Vector, cross, dot, minus, plus, size, times, turned
+from mechsheet.model import Cam, Words
+from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
+from mechsheet.words.equations import phrase
+
+STRAIGHT = 1e-9
+"""A curvature below this part of one over the largest length is that of a straight line, which has no radius."""
+
+RESTING = 1e-9
+"""A point that moves by less than this part of the largest length in a radian shows no direction."""
+
+
+def write_cam(poses: Poses, motions: Motions, columns: RateColumns) -> None:
+    """Write the cam's columns down, behind those of rates."""
+    cam = poses.mechanism.cam
+    if cam is None:
+        return
+    group, poses.ledger.group = poses.ledger.group, CAM
+    _Writer(cam, poses, motions, columns).write()
+    poses.ledger.group = group
+
+
+class _Writer:
+    def __init__(self, cam: Cam, poses: Poses, motions: Motions, columns: RateColumns) -> None:
+        self.cam, self.poses, self.motions, self.columns = cam, poses, motions, columns
+        self.ledger: Ledger = poses.ledger
+        self.phi = Symbol(poses.mechanism.driver.symbol)
+
+    def write(self) -> None:
+        """The columns of a roller, or those of a face."""
+        point = self.cam.point
+        moved = self.motions.of_point(point, self.columns.length)
+        place = minus(self.poses.xy[point], self.poses.xy[self.cam.center])
+        if self.cam.radius is None:
+            self._face(place, moved)
+        else:
+            self._roller(place, moved, self.cam.radius)
+
+    def _roller(self, place: Vector, moved: PointRate, radius: Node | float) -> None:
+        tangent = self._vector("T", minus(moved.first, self._with_cam(turned(place))))
+        change = minus(minus(moved.second, self._with_cam(times(al.TWO, turned(moved.first)))), place)
+        long = self._inner("T", size(tangent), LENGTH)
+        curved = self._sense(al.neg(cross(tangent, change)))
+        kappa = self._define("kappa", al.div(curved, Binary("^", long, Number(3.0))), self._per_length())
+        outwards = self._with_cam(turned(tangent))
+        part = al.div(al.as_node(radius), long)
+        self._curve("pitch", place)
+        self._curve("cam", place if al.is_zero(part) else minus(place, times(part, outwards)))
+        self._alpha(tangent)
+        there = Condition(Call("ABS", (al.mul(kappa, self.ledger.size()),)), Number(STRAIGHT))
+        self._define("rho", al.sub(al.div(al.ONE, kappa), al.as_node(radius)), LENGTH, there)
+
+    def _face(self, place: Vector, moved: PointRate) -> None:
+        link = self.cam.follower
+        angle = self.poses.known[link].angle + angle_of(self.cam.face)
+        along: Vector = (al.cos(angle), al.sin(angle))
+        normal = turned(along)
+        turning = self.motions.turning[link]
+        one = al.neg(al.ONE) if self.cam.clockwise else al.ONE
+        turned_by = al.sub(turning.first, one)  # how fast the face turns in the cam
+        there = Condition(Call("ABS", (turned_by,)), Number(STRAIGHT))
+        forth, across = dot(place, along), self._inner("p", dot(place, normal), LENGTH)
+        moves = self._inner("p'", al.sub(dot(moved.first, normal), al.mul(turning.first, forth)), LENGTH)
+        contact = self._define(
+            "contact",
+            al.neg(al.add(forth, al.div(moves, turned_by))),
+            LENGTH,
+            *(() if self._plain(turned_by) else (there,)),
+        )
+        self._curve("cam", plus(place, times(contact, along)))
+        self._alpha_of_face(contact, along, normal)
+        second = al.sub(
+            al.sub(dot(moved.second, normal), al.mul(al.square(turning.first), across)),
+            al.add(al.mul(turning.second, forth), al.mul(al.mul(al.TWO, turning.first), dot(moved.first, along))),
+        )
+        bent = al.div(
+            al.sub(al.mul(second, turned_by), al.mul(moves, turning.second)), Binary("^", turned_by, Number(3.0))
+        )
+        self._define("rho", al.mul(Call("SIGN", (across,)), al.add(across, bent)), LENGTH)
+
+    # --- how the follower presses ----------------------------------------------------------------------------------
+
+    def _alpha(self, tangent: Vector) -> None:
+        """Of a roller: between the normal and the way in which its centre moves."""
+        way, exists = self._way(self.poses.xy[self.cam.point])
+        tangens = al.div(self._sense(al.neg(dot(way, tangent))), cross(way, tangent))
+        self._define("alpha", Call("ATAN", (tangens,)), ANGLE, *exists)
+
+    def _alpha_of_face(self, contact: Node, along: Vector, normal: Vector) -> None:
+        place = plus(self.poses.xy[self.cam.point], times(contact, along))
+        way, exists = self._way(place)
+        self._define("alpha", Call("ATAN", (al.div(self._sense(dot(way, along)), dot(way, normal)),)), ANGLE, *exists)
+
+    def _way(self, at: Vector) -> tuple[Vector, tuple[Condition, ...]]:
+        """The direction in which a place of the follower at these coordinates moves, and when there is one.
+
+        Of a slide or a rocker on the ground it is that of the joint, at rest, too.
+        """
+        mechanism = self.poses.mechanism
+        follower = next(driver for driver in mechanism.drivers if driver.segments is not None)
+        touching = next(link for link in mechanism.links[1:] if self.cam.point in link.points)
+        ground = mechanism.ground
+        joint = next((one for one in mechanism.joints if one.name == follower.joint), None)
+        if joint is not None and {joint.link, joint.on} == {touching.name, ground.name}:
+            line = self.poses.known[joint.on].angle + angle_of(joint.angle)
+            return (al.cos(line), al.sin(line)), ()
+        if follower.link == touching.name and follower.relative_to == ground.name:
+            pivot = next(point for point in touching.points if point in ground.points)
+            return turned(minus(at, self.poses.xy[pivot])), ()
+        moved = self.motions.motion[touching.name](at).first
+        return moved, (Condition(size(moved), al.mul(Number(RESTING), self.ledger.size())),)
+
+    # --- what they share -------------------------------------------------------------------------------------------
+
+    def _sense(self, node: Node) -> Node:
+        return al.neg(node) if self.cam.clockwise else node
+
+    def _with_cam(self, vector: Vector) -> Vector:
+        return (al.neg(vector[0]), al.neg(vector[1])) if self.cam.clockwise else vector
+
+    def _curve(self, name: str, place: Vector) -> None:
+        """A place in the axes of the cam."""
+        x, y = self._vector(name, place) if name == "cam" else place
+        c, s = Call("COS", (self.phi,)), self._sense(Call("SIN", (self.phi,)))
+        self._define(f"{name}.x", al.add(al.mul(x, c), al.mul(y, s)), LENGTH)
+        self._define(f"{name}.y", al.sub(al.mul(y, c), al.mul(x, s)), LENGTH)
+
+    def _vector(self, name: str, vector: Vector) -> Vector:
+        """Both parts in columns of their own where they are no short sums."""
+        found = [self._inner(f"{name}_{axis}", part, LENGTH, axis) for axis, part in zip("xy", vector, strict=True)]
+        return found[0], found[1]
+
+    def _inner(self, name: str, node: Node, unit: Unit, axis: str = "") -> Node:
+        if al.is_simple(node):
+            return node
+        key = name.rstrip("_xy").rstrip("'")
+        label = phrase(f"cam_{key}", axis=axis)
+        return self._written(
+            self.ledger.reserve(name.replace("'", "_d"), numbered=False), node, unit, label, "coefficient"
+        )
+
+    def _define(self, name: str, node: Node, unit: Unit, *exists: Condition) -> Symbol:
+        key, _, axis = name.partition(".")
+        return self._written(name, node, unit, phrase(f"cam_is_{key}", axis=axis), "rate", *exists)
+
+    def _written(self, name: str, node: Node, unit: Unit, label: Words, role: Role, *exists: Condition) -> Symbol:
+        return self.ledger.define(name, node, unit, label, role, exists)
+
+    def _per_length(self) -> Unit:
+        length = self.poses.mechanism.length_unit
+        return Unit("number", f"1/{length}") if length else NUMBER
+
+    def _plain(self, node: Node) -> bool:
+        return al.value_of(node) is not None

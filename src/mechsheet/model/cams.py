@@ -1,0 +1,83 @@
+"""Cams as data: the segments of a motion over the cam's angle, and the roller or face that a cam's profile is made for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from livesheet.formula.nodes import Node
+
+from .symbols import Quantity
+
+SEGMENT_LAWS = (
+    "dwell", "uniform", "parabolic", "harmonic", "cycloidal", "3-4-5", "4-5-6-7", "modified trapezoid", "modified sine",
+)  # fmt: skip
+"""Names of the laws by which a follower goes from one height to the next."""
+
+LAWS_THAT_LEAP = {"uniform": 1, "parabolic": 2, "harmonic": 2}
+"""The order of the derivative that leaps where such a segment begins or ends: velocity, acceleration."""
+
+TAU, WAVE, HALF, PIECE = "tau", "w", "half", "piece"
+"""Stand in a law for the part of the segment that has been passed; and in one that is made of pieces for 4 pi times that
+part, counted from the nearer end, 1 in the second half, and the number of the piece."""
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """A part of the motion, over the cam's angle.
+
+    law     one of `SEGMENT_LAWS`
+    begins, over  at which angle of the cam, and over how much of it [rad], over dimensions
+    lift, by  how far from the start it begins, and how far it goes
+    way     f, f', f'', f''' over these
+    """
+
+    law: str
+    begins: Node
+    over: Node
+    lift: Node
+    by: Node
+    way: tuple[Node, Node, Node, Node]
+
+
+@dataclass(frozen=True, slots=True)
+class Segments:
+    """The motion of a follower over one turn of its cam.
+
+    start   where it is at angle 0
+    parts   one after another
+    closed  whether it comes back and goes on with every turn; else it stays where it ends
+    """
+
+    start: Node
+    parts: tuple[Segment, ...]
+    closed: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Cam:
+    """A cam: the link that turns with the driver, and what its profile touches.
+
+    link         its name;  center: the point of the ground about which it turns
+    clockwise    whether it turns so while its angle grows
+    base_radius  of the base circle, over dimensions
+    point        the roller's centre, or a point of the face
+    pressure_angle  up to which followers are said to run well [rad]
+    radius       of the roller; None for a flat face
+    follower     the link with the face, "" for a roller;  face: direction of the face against its x axis [rad]
+    """
+
+    link: str
+    center: str
+    clockwise: bool
+    base_radius: Quantity
+    point: str
+    pressure_angle: Quantity
+    radius: Quantity | None = None
+    follower: str = ""
+    face: Quantity = 0.0
+
+    @property
+    def symbols(self) -> tuple[str, ...]:
+        """What its columns are called: pitch curve, profile, curvature, pressure angle, radius of curvature, contact."""
+        own = ("contact",) if self.radius is None else ("pitch.x", "pitch.y", "kappa")
+        return (*own, "cam.x", "cam.y", "alpha", "rho")
