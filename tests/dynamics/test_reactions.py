@@ -27,7 +27,8 @@ def weighed(text, seed, static=False):
     random = np.random.default_rng(seed)
     text = re.sub(r"(?m)^layout *=.*$", "", text)
     text = re.sub(r"(?m)^(mass|center|inertia) *=.*$", "", text)  # its own go: the layouts are what is wanted
-    text = re.sub(r"(?ms)^\[\[?(loads|dynamics|flywheel|summary|tolerance|charts)\]\]?$.*?(?=^\[|\Z)", "", text)
+    others = "loads|dynamics|flywheel|outputs|summary|tolerance|charts|tables|exercise|study"
+    text = re.sub(rf"(?ms)^\[\[?({others})\]\]?$.*?(?=^\[|\Z)", "", text)
     mechanism = loads(text)
     if not static:
         text = re.sub(r"(?m)^(speed|acceleration) *=.*$", "", text)
