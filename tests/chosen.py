@@ -24,8 +24,8 @@ ITERATED = ("double-butterfly", "planar-3rpr", "stephenson-ii-class-iv", "stephe
 """Templates with groups that Newton's method solves: there are no pages and functions of these."""
 
 LOADED = (
-    "engine", "four-bar-forces", "planar-3rpr", "scissor-lift-between-arms", "six-link-dwell", "slotted-lever",
-    "toggle-press",
+    "desk-lamp", "double-wishbone", "engine", "four-bar-forces", "planar-3rpr", "scissor-lift-between-arms", "shaper",
+    "six-link-dwell", "slotted-lever", "toggle-press",
 )  # fmt: skip
 """Templates with masses or loads."""
 

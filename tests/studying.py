@@ -15,8 +15,9 @@ vary = { a2 = [20, 60, 5], a3 = { from = 46, to = 118, by = 8 }, a4 = { values =
 
 
 def study_of(part: str = FOUR_BAR, template: str = "four-bar", rows: int | None = None) -> Mechanism:
-    """A template with a study."""
-    return loads(f"{template_text(template)}\n{part}", overrides=Overrides(rows=None if rows is None else str(rows)))
+    """A template with a study; its own, which stands last in it, is left out."""
+    text = template_text(template).partition("\n[study]")[0]
+    return loads(f"{text}\n{part}", overrides=Overrides(rows=None if rows is None else str(rows)))
 
 
 def small(count: int = 30_000) -> Mechanism:

@@ -15,7 +15,7 @@ from mechsheet.drawing_page.reading import read
 TEMPLATES = sorted((Path(__file__).parents[2] / "templates").glob("*.toml"))
 SHARED = (
     "chebyshev", "parallelogram", "pantograph", "peaucellier", "roberts", "watt-straight-line", "oldham", "scissor-lift",
-    "scissor-lift-between-arms", "five-bar-robot",
+    "scissor-lift-between-arms", "five-bar-robot", "desk-lamp",
 )  # fmt: skip
 """One dimension is the length of several links: to drag one changes the others."""
 FOUND = tuple(path.stem for path in TEMPLATES if "[synthesis]" in path.read_text(encoding="utf-8"))
@@ -150,3 +150,13 @@ def test_the_other_assembly_is_sketched_where_no_sketch_was(tmp_path):
     off, _, _, new = dragged(path, "B", (-0.02, -0.85))
     assert off < 2e-3
     assert re.search(r"^B = \[", new, re.MULTILINE)
+
+
+def test_a_length_with_its_unit_is_dragged_as_one_without():
+    text = (TEMPLATES[0].parent / "four-bar.toml").read_text(encoding="utf-8")
+    text = re.sub(r"(?m)^a2 = .*$", 'a2 = "3.5 cm"', text)
+    reading = read(text, "four-bar.toml")
+    before = drawn_now(reading, None, {}).places
+    assert math.dist(before["A0"], before["A"]) == pytest.approx(35)
+    new, _ = moved(reading, "A", (before["A0"][0] + 40.0, before["A0"][1]), None, {})
+    assert re.search(r"(?m)^a2 = 40(\.0)?$", new)

@@ -30,7 +30,8 @@ def weighed(text, seed, static=False):
     text = (
         re.sub(r"(?m)^(mass|center|inertia) *=.*$", "", links) + cam + besides
     )  # its own go: the layouts are what is wanted
-    text = re.sub(r"(?ms)^\[\[?(loads|dynamics|flywheel|summary|tolerance|charts)\]\]?$.*?(?=^\[|\Z)", "", text)
+    others = "loads|dynamics|flywheel|outputs|summary|tolerance|charts|tables|exercise|study"
+    text = re.sub(rf"(?ms)^\[\[?({others})\]\]?$.*?(?=^\[|\Z)", "", text)
     mechanism = loads(text)
     if not static:
         text = re.sub(r"(?m)^(speed|acceleration) *=.*$", "", text)

@@ -381,3 +381,33 @@ def test_toggle_press_dwells_at_the_bottom():
     ram = sweep(longer, solve(longer), np.radians(np.arange(-90.0, 91.0)))["s16"]
     bottoms = [i for i in range(1, len(ram) - 1) if ram[i] > ram[i - 1] and ram[i] >= ram[i + 1]]
     assert len(bottoms) == 2
+
+
+# ---- springs and loads
+
+
+def test_the_lamp_stays_where_it_is_put_when_its_spring_has_no_free_length():
+    motion = template("desk-lamp", {"l0": 0}).solve()
+    weight = motion["of_weight"].max()
+    assert np.abs(motion["T12"]).max() < 1e-12 * weight
+    common = template("desk-lamp").solve()
+    assert common.summary["T_part"] == pytest.approx(common["T12"].max() / (weight / math.cos(0)), rel=1e-3)
+    assert np.ptp(common["theta14"]) < 1e-9  # the head stays upright
+
+
+def test_the_shaper_has_the_stroke_and_the_time_ratio_of_the_formulas():
+    linkage = template("shaper")
+    motion, verdicts = linkage.solve(), linkage.verdicts()
+    assert motion.summary["stroke"] == pytest.approx(2 * 300 * 60 / 150, rel=1e-6)
+    ratio = (math.pi + 2 * math.asin(0.4)) / (math.pi - 2 * math.asin(0.4))
+    assert verdicts["time_ratio_s15"].value == pytest.approx(ratio, rel=1e-3)
+    force = motion["T12"] * motion["omega12"]  # the motor works where the ram cuts, to the left
+    assert force[motion["s15.v"] < 0].mean() > 5 * force[motion["s15.v"] > 0].mean()
+
+
+def test_the_wishbones_lean_the_wheel_inwards_as_it_rises_and_its_spring_carries_the_car():
+    motion = template("double-wishbone").solve()
+    above = motion["rise"] > motion["rise"][12]
+    assert (np.diff(motion["camber"][above]) < 0).all()
+    assert (np.diff(motion["T12"]) > 0).all()
+    assert abs(motion["theta12"][np.abs(motion["T12"]).argmin()]) <= 2

@@ -62,7 +62,7 @@ def parts_of(source: Source) -> Parts:
     report = Report(source)
     data = fit(source.data, UNFINISHED, (), report)
     scope = scope_of(part(data, "mechanism", {}), report)
-    given, bodies = part(data, "dimensions", {}), part(data, "links", {})
+    given, bodies = dimensions.spelled_out(part(data, "dimensions", {}), scope), part(data, "links", {})
     listed = part(data, "joints", [])
     bare = links.declare(bodies, scope)
     dimensions.declare(given, scope)

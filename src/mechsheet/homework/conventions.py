@@ -56,7 +56,7 @@ def _in_one_sense(
     """The outputs that may follow the columns' conventions: angles counted one way and the other give no sum."""
     angles = {link.angle_symbol for link in mechanism.links}
     for output in mechanism.outputs:
-        named = angles.intersection(symbols(output.formula))
+        named = angles.intersection(_behind(mechanism, {output.symbol}))
         senses = {counted[symbol][1].sense if symbol in counted else 1 for symbol in named}
         if output.symbol in outputs and output.symbol not in counted and len(senses) <= 1:
             yield output.symbol

@@ -46,6 +46,15 @@ def test_derived_dimensions_outputs_and_summaries_are_defined(steering):
     assert "worst: largest error" in lines
 
 
+def test_an_output_that_reads_others_is_defined_with_them():
+    text = mechsheet.template("four-bar", language="en").text.split("[outputs]")[0].split("[summary]")[0]
+    text += '[outputs]\nhalf = "height/2"\nheight = "B.y"\nother = "B.x"\n[exercise]\nasked = { half = 1 }\n'
+    lines = told(statement(loads(text, "own")).meanings())
+    assert "half [mm] = height/2" in lines
+    assert "height [mm] = yB" in lines
+    assert not any(line.startswith("other") for line in lines)
+
+
 def test_points_stand_along_a_line_of_their_link(steering):
     lines = told(statement(steering).links())
     assert lines[0] == "1  ground: L0 (0; 0);  R0 (track; 0)  (x to the right, y upwards in the figure)"

@@ -5,7 +5,7 @@ Everything that the asked quantities follow from is said, in the description's s
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Number, Symbol, symbols
@@ -156,7 +156,7 @@ class Statement:
         outputs = {output.symbol: output for output in (*self.mechanism.outputs, *self.mechanism.motion_outputs)}
         summaries = {summary.symbol: summary for summary in self.mechanism.summaries}
         of = [summaries[symbol].of for symbol in self.asked if symbol in summaries]
-        for symbol in dict.fromkeys((*self.asked, *of)):
+        for symbol in self._read((*self.asked, *of), {name: output.formula for name, output in outputs.items()}):
             if symbol in summaries:
                 one = summaries[symbol]
                 label = one.label.of(self.language) if one.label else ""
@@ -175,6 +175,19 @@ class Statement:
             elif meant.get(symbol):
                 yield Rich(((f"{symbol}: {meant[symbol]}", ""),))
         yield Rich(((self.text("angles"), ""),))
+
+    def _read(self, asked: Iterable[str], formulas: Mapping[str, Node]) -> dict[str, None]:
+        """What is asked, each followed by the outputs that its formula reads: they are no names of the figure."""
+        found: dict[str, None] = {}
+        waiting = list(asked)[::-1]
+        while waiting:
+            symbol = waiting.pop()
+            if symbol not in found:
+                found[symbol] = None
+                waiting += (
+                    [name for name in symbols(formulas[symbol]) if name in formulas] if symbol in formulas else []
+                )
+        return found
 
     # --- parts of lines -----------------------------------------------------------------------------------------------
 
