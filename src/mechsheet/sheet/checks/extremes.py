@@ -467,7 +467,7 @@ class Extremes:
             low, high = (self.blocks[group.transmission, way].row for way in WAYS.values())
             found, rows = (
                 Call("MIN", acute(self.probes.cell(low + at, SIDE + work), self.probes.cell(high + at, SIDE + work),
-                                  group.kind != "RRR")[0])
+                                  group.kind != "RRR"))
                 for at, work in ((2, 0), (0, 3))
             )  # fmt: skip
             tests.append(formula("found<part*rows", found=found, rows=rows, part=NEARER))

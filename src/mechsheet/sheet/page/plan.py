@@ -19,6 +19,7 @@ from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.drawing.charts import remarkable_points
 from mechsheet.sheet.first.classification import FourBar, classification
+from mechsheet.sheet.first.grashof import is_all
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.plan import SHEETS, VALUE, VERDICT_ROW, Block, Plan, TableColumn
@@ -171,11 +172,12 @@ def _plan_top(plan: PagePlan) -> None:
         plan.lengths |= {key: tree for key, tree in sides_of(plan, loop) if len(set(symbols(tree))) > 1}
     _block(plan, "derived", [*(dim.symbol for dim in derived), *plan.lengths, *constants])
     grashof = [f"grashof_{loop.group}" for loop in found.four_bars]
+    bounds = [f"bound_{loop.group}" for loop in found.four_bars if is_all(loop, plan)]
     transmission = [f"transmission_{group.number}" for group in found.transmission]
     _block(
         plan,
         "verdicts",
-        ["inputs", *(["task", "task_miss"] if found.task else []), "rows_closed", *grashof, *transmission],
+        ["inputs", *(["task", "task_miss"] if found.task else []), "rows_closed", *grashof, *bounds, *transmission],
     )
     _block(plan, "summary", (each.symbol for each in mechanism.motion_numbers))
     _block(plan, "variables", ())

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from mechsheet.formula import algebra as al
 from mechsheet.formula.nodes import CellRef, Node, RangeRef, Text
 from mechsheet.sheet import styles
-from mechsheet.sheet.first.grashof import named
+from mechsheet.sheet.first.grashof import BEGINS, named
 from mechsheet.sheet.first.transmission import POOR
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
@@ -284,7 +284,9 @@ class Does:
             lost = LOST.replace("value", "used")
             words.append((lost, joined(said, page.text("grashof.rounded"))))
             amber = f"OR({amber},{lost})"
-        self._entry(key, excess, page.unit_text("length"), words, said, "said=opened", amber, over=over)
+        self._entry(
+            key, excess, page.unit_text("length"), words, said, BEGINS.replace("begin", "opened"), amber, over=over
+        )
 
     def _sensitivity(self, key: str) -> None:
         """The largest change of a length for a small change of one input, as a part of the length."""
