@@ -46,6 +46,22 @@ Function WholeText(path As String) As String
     stream.closeInput()
 End Function
 
+Function Place(document As Object, name As String) As Object
+    Dim found As Object, cell As New com.sun.star.table.CellAddress
+    found = document.NamedRanges.getByName(name).getReferredCells().getRangeAddress()
+    cell.Sheet = found.Sheet
+    cell.Column = found.StartColumn
+    cell.Row = found.StartRow
+    Place = cell
+End Function
+
+Sub Seek(document As Object, goal As Variant)
+    Dim found As Object, changed As Object
+    found = document.seekGoal(Place(document, CStr(goal(0))), Place(document, CStr(goal(1))), CStr(goal(2)))
+    changed = document.NamedRanges.getByName(goal(1)).getReferredCells()
+    changed.getCellByPosition(0, 0).setValue(found.Result)
+End Sub
+
 Sub Work(folder As String)
     Dim jobs As Variant, lines As Variant, number As Long, row As Long
     Dim document As Object, library As Object, url As String, stem As String, origin As Object
@@ -62,6 +78,7 @@ Sub Work(folder As String)
             document.Sheets.importSheet(origin, origin.Sheets.getByIndex(0).Name, 0)
             origin.close(True)
         End If
+        If FileExists(stem & ".goal") Then Seek document, Split(WholeText(stem & ".goal"), Chr(10))
         If FileExists(stem & ".bas") Then
             If Not document.BasicLibraries.hasByName("Standard") Then document.BasicLibraries.createLibrary("Standard")
             library = document.BasicLibraries.getByName("Standard")
@@ -91,12 +108,14 @@ class Job:
     """A document to open, or a module with the formulas of column A of a new document.
 
     copied  True: the document's first sheet is copied into a new document, which is what is computed
+    sought  a cell with a formula, the cell that is changed for it, both by name, and what the first is to be: Goal Seek
     """
 
     document: Path | None = None
     copied: bool = False
     module: bytes = b""
     formulas: Sequence[str] = ()
+    sought: tuple[str, str, float] | None = None
 
 
 def with_macros(jobs: Sequence[Job]) -> list[Answers]:
@@ -116,6 +135,8 @@ def with_macros(jobs: Sequence[Job]) -> list[Answers]:
                 shutil.copy(job.document, folder / f"{number}{job.document.suffix}")
             if job.copied:
                 (folder / f"{number}.copied").touch()
+            if job.sought:
+                (folder / f"{number}.goal").write_text("\n".join(map(str, job.sought)), encoding="utf-8")
             if job.module:
                 (folder / f"{number}.bas").write_bytes(job.module)
                 (folder / f"{number}.txt").write_text("\n".join(job.formulas), encoding="utf-8")

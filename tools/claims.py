@@ -203,7 +203,7 @@ KINDS = {
     "Grashof": ("grashof", "grashof words"),
     "swings, strokes, crank or rocker": ("swing", "swing words", "stroke", "stroke words", "unsure"),
     "time ratios": ("time_ratio",),
-    "transmission angle": ("transmission", "transmission at", "transmission range", "transmission words"),
+    "transmission angle": ("transmission", "transmission at", "transmission words"),
     "summaries": ("summary", "without bound"),
     "wrong inputs": ("wrong input", "impossible"),
     "the line under the title, its colour": ("verdict", "verdict colour"),

@@ -53,7 +53,7 @@ IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anch
 
 ELSEWHERE = {"names": 400, "anchors": 520}
 """Characters of the longest formula beside the table of several sheets."""
-LONGER = {"planar-3rpr": 430, "stephenson-iii-output": 417, "stephenson-ii-class-iv": 405}
+LONGER = {"planar-3rpr": 430, "stephenson-iii-output": 418, "stephenson-ii-class-iv": 409}
 """Whether the accelerations of four links fit, which Newton's method has found at once."""
 
 

@@ -50,7 +50,7 @@ def test_nothing_is_red(name):
     assert laid.spot("rows_closed") > 0
     assert laid.words("largest_gap") in CLOSED
     assert laid.spot("typed") == 0
-    assert laid.verdict.startswith(("closes in ", "kapandığı konum sayısı", f"{laid.plan.rows} konumun hepsinde"))
+    assert laid.verdict.startswith(("closes in ", "kapandığı konum", f"{laid.plan.rows} konumun hepsinde"))
     lines = [line for line in laid.plan.blocks["verdicts"].rows if line != "limits" or name not in UNDETERMINED]
     words = [laid.words(line) for line in lines]
     assert not [word for word in words if isinstance(word, ErrorValue)]

@@ -17,14 +17,11 @@ from mechsheet.words.workbook import Language, words
 
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 
-_CLOSES = ("verdict.line.all", "verdict.line.one", "verdict.line.closes", "page.verdict.all", "page.verdict.some")
-"""How a line begins that is not red, on sheets and on a page."""
+_CLOSES = ("verdict.line.all", "verdict.line.one", "verdict.line.closes")
+"""How a line begins that is not red."""
 
 _BEGUN = "verdict.same_assembly.begun"
 """What a line says that is amber and does not begin so."""
-
-_NOWHERE = ("verdict.line.nowhere", "page.verdict.nowhere")
-"""Red lines, some of which begin as green ones do."""
 
 
 def first_sheet(book: Book) -> str | None:
@@ -47,8 +44,8 @@ def red_line(book: Book, values: Any) -> str:
 
 
 def _says_that_it_closes(line: str) -> bool:
-    if line in {words(language, key) for language in LANGUAGES for key in _NOWHERE}:
-        return False
+    if line.startswith(tuple(words(language, "verdict.line.nowhere") for language in LANGUAGES)):
+        return False  # though it begins as a green one does
     if line in {words(language, _BEGUN) for language in LANGUAGES}:
         return True
     begins = (words(language, key, rows="\0") for language in LANGUAGES for key in _CLOSES)

@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
-from livesheet.formula.nodes import Node
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.sheet.classification import FourBar
+from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.symbols import plain
 from mechsheet.words.equations import link_words
 from mechsheet.words.workbook import Language
 
 SAME = 1e-9
 """Shortest + longest and the other two are equal (a change point) up to this part of the longest link of the loop: a
 micrometre in a kilometre, and far more than sums of lengths that were computed are off by rounding."""
+
+
+OPEN = 2 * (1 + SAME)
+"""A loop cannot be closed where the excess is more than so many times its shortest link: then the longest is longer than all
+others together."""
 
 
 def excess_of(plan: Plan, shortest: Node, longest: Node, total: Node) -> Node:
@@ -26,22 +35,95 @@ def excess_of(plan: Plan, shortest: Node, longest: Node, total: Node) -> Node:
     )  # fmt: skip
 
 
-def type_of(shortest: Node, excess: Node, which: Node, text: Callable[[str], str]) -> Node:
+def bound_of(sides: Sides, shortest: Node, excess: Node) -> Node:
+    """What would mend it, in words: up to which length of its longest link a loop closes that cannot be closed, or of its
+    first link this one turns fully, where no link does. Below 0 where no length is short enough.
+    """
+    ground, first, coupler, last = sides.lengths
+    longest, total = Call("MAX", sides.all), Call("SUM", sides.all)
+    closes = joined(sides.longest(longest), AT_MOST, _at_most(al.sub(total, longest), sides.places))
+    others: tuple[Node, ...] = (ground, coupler, last)
+    if isinstance(coupler, CellRef) and isinstance(last, CellRef) and len(sides.all) == 1:  # side by side
+        others = (ground, RangeRef(coupler, replace(last, sheet=coupler.sheet)))
+    turns = formula("total-first-2*most", total=total, first=first, most=Call("MAX", others))
+    return formula(
+        'IF(excess>open_from*shortest,closes,IF(excess>0,turns,""))', excess=excess, shortest=shortest, open_from=OPEN,
+        closes=closes, turns=joined(sides.names[1] + AT_MOST, _at_most(turns, sides.places)),
+    )  # fmt: skip
+
+
+AT_MOST = " ≤ "
+
+BEGINS = "LEFT(said,LEN(begin))=begin"
+"""Whether words begin so: what would mend it follows."""
+
+
+def type_of(
+    shortest: Node, excess: Node, which: Node, text: Callable[[str], str], bound: Node | None = None
+) -> Node:  # fmt: skip
     """The type in words, by the excess as `excess_of` has it.
 
     which  what it is called where some link turns fully
     text   the words of `open`, `change`, `none`
+    bound  what would mend it, as `bound_of` says: a cell
     """
+    opened, none = (
+        Text(text(word)) if bound is None else joined(text(word) + text("unless"), bound) for word in ("open", "none")
+    )
     return formula(
-        "IF(excess>open_from*shortest,open,IF(excess=0,change,IF(excess>0,none,which)))",
-        excess=excess, shortest=shortest, open_from=2 * (1 + SAME), which=which, open=text("open"),
-        change=text("change"), none=text("none"),
+        "IF(excess>open_from*shortest,opened,IF(excess=0,change,IF(excess>0,none,which)))",
+        excess=excess, shortest=shortest, open_from=OPEN, which=which, opened=opened,
+        change=text("change"), none=none,
     )  # fmt: skip
+
+
+def _at_most(bound: Node, places: int) -> Node:
+    """A bound as words say it: rounded to what is still allowed, but for what is rounding already."""
+    return formula("ROUND(bound-half,digits)", bound=bound, half=0.499999 * 10.0**-places, digits=places)
+
+
+@dataclass(frozen=True, slots=True)
+class Sides:
+    """Ground, first link, coupler and last link of a loop in cells.
+
+    lengths  each;  all: the arguments of a function of all four;  places: decimals of a length
+    names    what they are called: dimensions, or their pins;  longest: the name of the side that is so long
+    """
+
+    lengths: Sequence[Node]
+    all: tuple[Node, ...]
+    names: Sequence[str]
+    longest: Callable[[Node], Node]
+    places: int
+
+
+def names_of_sides(loop: FourBar, plan: Plan) -> list[str]:
+    """What the lengths of a loop's sides are called: the dimension that a side is, else its two pins."""
+    found = []
+    for link, one, other in loop.sides(plan.mechanism.ground):
+        match length_in_cells(link, one, other, plan.equations.poses):
+            case Symbol(name) | Call("ABS", (Symbol(name),)):
+                found.append(plain(name))
+            case _:
+                found.append(one + other)
+    return found
+
+
+def why_nowhere(plan: Plan, words: int) -> Node:
+    """What the line under the title says where no position closes: of a four-bar its type, too.
+
+    words  the column of the words of its type
+    """
+    nowhere = plan.text("verdict.line.nowhere")
+    loop = next((loop for loop in plan.found.four_bars[:1] if is_all(loop, plan)), None)
+    if loop is None:
+        return Text(nowhere)
+    return joined(f"{nowhere}; ", CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], words, True, True))
 
 
 def named(loop: FourBar, plan: Plan) -> str:
     """The loop as its type is said of it; where the mechanism has other links, too, it is said of the loop alone."""
-    return loop.name if _is_all(loop, plan) else plan.text("verdict.grashof.alone", loop=loop.name)
+    return loop.name if is_all(loop, plan) else plan.text("verdict.grashof.alone", loop=loop.name)
 
 
 def in_summary(loop: FourBar, plan: Plan, words: Node, complete: Node) -> Node:
@@ -49,10 +131,11 @@ def in_summary(loop: FourBar, plan: Plan, words: Node, complete: Node) -> Node:
     the loop it says nothing: then only where all is complete.
     """
     said = formula('"; "&words', words=words)
-    return said if _is_all(loop, plan) else formula('IF(complete,said,"")', complete=complete, said=said)
+    return said if is_all(loop, plan) else formula('IF(complete,said,"")', complete=complete, said=said)
 
 
-def _is_all(loop: FourBar, plan: Plan) -> bool:
+def is_all(loop: FourBar, plan: Plan) -> bool:
+    """Whether the mechanism has no links but those of the loop."""
     return len(plan.mechanism.links) == len(loop.sides(plan.mechanism.ground))
 
 

@@ -15,6 +15,7 @@ from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing.charts import chart_requests, charts_of, with_room
 from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.first.mechanism import controls, mechanism_sheet
+from mechsheet.sheet.notes.formulas import with_formulas
 from mechsheet.sheet.notes.notes import notes_sheet
 from mechsheet.sheet.plan import HIDDEN, Plan, plan_of
 from mechsheet.sheet.synthesis.alt import alt_sheet
@@ -42,6 +43,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     tolerance = Tolerance(plan)
     requests = chart_requests(plan)
     drawing = drawing_of(plan, requests)
+    notes, places = notes_sheet(plan)
     sheets = (
         with_room(
             mechanism_sheet(plan, checks, extremes, tolerance, charts_of(plan, requests, drawing), controls(plan))
@@ -53,7 +55,7 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
         *((forces_sheet(plan),) if plan.forces else ()),
         *((tolerance.sheet(),) if plan.bands else ()),
         *table_sheets(plan),
-        notes_sheet(plan),
+        notes,
         drawing.sheet,
         checks_sheet(plan, checks),
         extremes.sheet(),
@@ -62,7 +64,8 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     )
     hidden = {plan.at.titles.get(key) for key in HIDDEN}
     sheets = tuple(replace(sheet, hidden=sheet.hidden or sheet.title in hidden) for sheet in sheets)
-    return with_typed_constants(Workbook(sheets, tuple(plan.names), properties_of(plan))), plan
+    workbook = with_typed_constants(Workbook(sheets, tuple(plan.names), properties_of(plan)))
+    return with_formulas(workbook, notes.title, places), plan
 
 
 def properties_of(plan: Plan) -> Properties:

@@ -16,9 +16,9 @@ from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import ENERGY, TAKES, Condition, Mechanism, Study, Take, Way
-from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.classification import FourBar, classification
 from mechsheet.sheet.columns.lowering import lowered
+from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.grashof import SAME
 
 Mask = NDArray[np.bool_]

@@ -148,6 +148,7 @@ NOTES: dict[str, tuple[str, str]] = {
     "notes.head.key": ("In the description", "Tanımda"),
     "notes.head.equation": ("Equation", "Denklem"),
     "notes.head.place": ("Where", "Yeri"),
+    "notes.head.formula": ("The cell's formula (in English)", "Hücrenin formülü (İngilizce adlarla)"),
     "notes.fixed": ("fixed", "sabit"),
     "notes.left": ("left of {first}→{second}", "{first}→{second} solunda"),
     "notes.right": ("right of {first}→{second}", "{first}→{second} sağında"),

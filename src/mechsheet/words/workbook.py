@@ -53,17 +53,17 @@ WORDS: dict[str, tuple[str, str]] = {
     "column.here": ("→ the row that the drawing shows", "→ çizimin gösterdiği satır"),
     "verdict.line.all": ("closes in all {rows} positions", "{rows} konumun hepsinde kapanıyor"),
     "verdict.line.one": ("closes in its one position", "tek konumunda kapanıyor"),
-    "verdict.line.closes": ("closes in", "kapandığı konum sayısı:"),
+    "verdict.line.closes": ("closes in", "kapandığı konum:"),
     "verdict.line.positions": ("positions", ""),
     "verdict.line.nowhere": (
-        "closes in no position: these links cannot be joined", "hiçbir konumda kapanmıyor: bu uzuvlar birleştirilemez"
+        "closes in no position: these links cannot be joined", "hiçbir konumda kapanmıyor: bu uzuvlar birleşmiyor"
     ),
     "verdict.inputs": ("yellow cells", "sarı hücre"),
     "verdict.inputs.fine": ("all hold possible values", "hepsinde olabilecek bir değer var"),
     "verdict.inputs.wrong": ("look at {symbol}: no value that it can have", "{symbol} hücresine bakın: boş ya da olamaz"),
     "verdict.inputs.misfit": ("look at the yellow cells: they do not fit", "sarı hücrelere bakın: birbirine uymuyor"),
     "verdict.task": ("task", "görev"),
-    "verdict.line.transmission": ("transmission angle", "bağlama açısı"),
+    "verdict.line.transmission": ("transmission angle:", "bağlama açısı:"),
     "verdict.rows": ("closes", "kapanan"),
     "verdict.rows.all": ("closes in every position", "her konumda kapanıyor"),
     "verdict.rows.none": ("closes nowhere", "hiçbir yerde kapanmıyor"),
@@ -100,6 +100,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "verdict.grashof.change": ("change point", "katlanabilir (sınır durum)"),
     "verdict.grashof.reach": (" (tolerances reach a change point)", " (toleranslar sınır duruma ulaşır)"),
     "verdict.grashof.open": ("cannot be closed", "kapatılamaz"),
+    "verdict.grashof.unless": (" unless ", "; gereken: "),
     "verdict.crank": ("crank: turns fully", "krank: tam döner"),
     "verdict.rocker": ("rocker: swings by this much", "sarkaç: bu kadar salınır"),
     "verdict.turned": ("turns by this much in this range", "bu aralıkta bu kadar döner"),
@@ -118,8 +119,9 @@ WORDS: dict[str, tuple[str, str]] = {
     ),
     "verdict.ratio.uneven": ("ratio of {symbol}: needs a constant speed", "{symbol} oranı: hız sabit olmalıdır"),
     "verdict.ratio.none": ("time ratio of {symbol}: needs a whole turn", "{symbol} zaman oranı: tam bir tur gerekir"),
-    "verdict.fair": ("good transmission", "bağlama iyi"),
-    "verdict.poor": ("poor below 40°", "40° altı kötü"),
+    "verdict.worst": ("worst {angle} at {place}", "en kötü {angle}, yeri {place}"),
+    "verdict.fair": (" (good)", " (iyi)"),
+    "verdict.poor": (" (below 40°: poor)", " (40° altı: kötü)"),
     "extremes.title": ("Extremes between the rows", "Satırlar arasındaki uç değerler"),
     "extremes.about": (
         "The table's formulas at further values of the driver: "

@@ -36,7 +36,7 @@ class Drawn:
 
     def at(self, row):
         """(series, points, words) of all series."""
-        spot = self.plan.at.spots["#position"]
+        spot = self.plan.places.position
         self.cells.set((self.cells.plan.layout.sheets[spot.sheet], spot.row, spot.col), float(row))
         values = self.cells.asked()
         for series in self.chart.series:

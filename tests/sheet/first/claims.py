@@ -20,12 +20,13 @@ from livesheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.rates.sensitivity import toleranced
 from mechsheet.kinematics.search import TURN
-from mechsheet.sheet.checks.geometry import distance
 from mechsheet.sheet.checks.limits import STRETCHES
 from mechsheet.sheet.first.verdicts import closes_in_all
-from mechsheet.sheet.grashof import named
+from mechsheet.sheet.geometry import distance
+from mechsheet.sheet.grashof import is_all, named
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.symbols import plain
+from mechsheet.sheet.table.positions import places as decimals
 from mechsheet.words.equations import link_words
 
 EXTREME = 1e-4
@@ -334,7 +335,7 @@ class _Judge:
             return  # which assembly Newton's method has found, a search from row to row does not know
         if truth.count == 0:
             ended = self.plan.newton and line == self.verdict("line.ended")
-            self.say("verdict", ended or line == self.verdict("line.nowhere"), line)
+            self.say("verdict", ended or line.startswith(self.verdict("line.nowhere")), line)
             self.say("verdict colour", colour == "red", colour)
             return
         if self.plan.newton and (lost := self.rows_off_their_trend()):
@@ -379,6 +380,19 @@ class _Judge:
             begun = np.cumsum(begins)
             off += int(np.sum(truth.row_there & np.where(begins, begun > 1, largest > 1)))
         return off
+
+    @property
+    def digit(self):
+        """A unit of the last decimal in which lengths are said."""
+        return 10.0 ** -decimals(self.plan, "length")
+
+    @staticmethod
+    def bound_of(lengths, word):
+        """The longest that closes, or the longest first link that turns fully."""
+        ground, _, *others = lengths
+        if word == "open":
+            return sum(lengths) - max(lengths)
+        return sum((ground, *others)) - 2 * max(ground, *others)
 
     def grashof(self, loop):
         truth, sheets = self.truth, self.sheets
@@ -426,7 +440,18 @@ class _Judge:
         else:
             word = ("both", "one", "coupler", "one")[index]
         link = link_words(names[index]).of(self.plan.language) if names[index] else ""
-        expected = f"{named(loop, self.plan)}: {self.verdict(f'grashof.{word}', link=link)}"
+        bound = sheets.of(key, TOLERANCE)
+        if word in ("open", "none") and is_all(loop, self.plan):  # up to which length it is not
+            most = self.bound_of(lengths, word)
+            shown = numbers_in(str(bound).rpartition("≤")[2])
+            fits = len(shown) == 1 and -1e-9 * high <= most - shown[0] <= self.digit
+            self.say("grashof words", fits, bound, most)
+        else:
+            self.say("grashof words", not bound, bound)
+        begin = f"{named(loop, self.plan)}: "
+        expected = begin + self.verdict(f"grashof.{word}", link=link)
+        if bound:
+            expected += self.verdict("grashof.unless") + bound
         doubtful = abs(abs(excess) - near) < near or (len(ties) > 1 and word in ("both", "one", "coupler"))
         if not doubtful:
             self.say("grashof words", words == expected, words, expected)
@@ -590,14 +615,12 @@ class _Judge:
             self.say("transmission words", (self.verdict("fair") in words) == (not poor and not several), words)
             colour = sheets.colour(self.plan.blocks["verdicts"].rows[key], MEANING)
             self.say("transmission colour", colour == ("amber" if poor else "" if several else "green"), colour, words)
-        said = numbers_in(words.partition(":")[0])
+        said = numbers_in(words.partition("(")[0])
         digits = 0.051 if degrees else 0.0051
         if self.verdict("about") in words:
             digits += 0.02 * scale
-        # the best is said where it is the motion's: a right angle that it goes through need not be in a row
-        expected = [least * scale] if several or self.plan.rows_only else [least * scale, most * scale]
-        right = len(said) == len(expected) and np.allclose(said, expected, rtol=0, atol=digits) and max(said) <= 90.0
-        self.say("transmission range", right, words, *expected)
+        right = len(said) == 2 and abs(said[0] - least * scale) <= digits and isinstance(at, float)
+        self.say("transmission words", right and abs(said[1] - at) <= 0.051, words, least * scale, at)
 
     def mean(self, column):
         """Over the motion: of a turn without the row that closes it all rows count."""

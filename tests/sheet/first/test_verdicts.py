@@ -38,7 +38,7 @@ def test_transmission_angle():
     laid = Laid(FOUR_BAR)
     assert laid.spot("transmission_1") == pytest.approx(min(low, 180 - high), abs=1e-6)
     assert laid.spot("transmission_1_at") == pytest.approx(0 if low < 180 - high else 180, abs=1e-3)
-    assert laid.words("transmission_1") == f"{low:.1f}° … 90°: poor below 40°"
+    assert laid.words("transmission_1") == f"worst {low:.1f}° at 0° (below 40°: poor)"
 
 
 def _ratio(way):
@@ -55,7 +55,7 @@ def test_slider_crank(offset):
     assert laid.spot("time_ratio_s14") == pytest.approx(_ratio(way), abs=1e-4)
     worst = 90 - math.degrees(math.asin((r + offset) / rod))
     assert laid.spot("transmission_1") == pytest.approx(worst, abs=1e-6)
-    assert laid.words("transmission_1").endswith(": good transmission")
+    assert laid.words("transmission_1").endswith(" (good)")
 
 
 def test_time_ratio_by_a_motion_law_is_one_of_times():
@@ -106,7 +106,7 @@ def test_what_stands_still_beside_a_driver_set_by_hand_is_not_judged():
     lines = laid.plan.blocks["verdicts"].rows
     assert {"transmission_2", "transmission_3"} <= set(lines)
     assert not {"transmission_1", "swing_theta12", "swing_theta14"} & set(lines)
-    assert "poor below 40°" in laid.verdict
+    assert "below 40°: poor" in laid.verdict
 
 
 @pytest.mark.parametrize(

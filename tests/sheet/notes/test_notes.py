@@ -11,7 +11,7 @@ from livesheet.formula.nodes import Binary, Call, CellRef, Number, Previous, Ran
 from livesheet.formula.parser import parse_description
 from livesheet.workbook import Rich
 from mechsheet.sheet.mathematics import written
-from mechsheet.sheet.notes.notes import EQUATION, MEANING, PLACE, SYMBOL, WIDTHS
+from mechsheet.sheet.notes.notes import EQUATION, FORMULA, MEANING, PLACE, SYMBOL, WIDTHS
 from mechsheet.words.workbook import WORDS
 
 CASES = tomllib.loads((ROOT / "tests/cases/mathematics.toml").read_text(encoding="utf-8"))["case"]
@@ -70,7 +70,12 @@ def test_rows_are_high_enough(name):
     high = 0
     for row, line in found.items():
         needed = max(
-            (len(str(text)) / (WIDTHS[col] * 1.05) for col, text in line.items() if col != SYMBOL and text), default=0
+            (
+                len(str(text)) / (WIDTHS[col] * 1.05)
+                for col, text in line.items()
+                if col not in (SYMBOL, FORMULA) and text
+            ),
+            default=0,
         )
         if needed > 1 and EQUATION in line:
             high += 1
@@ -144,6 +149,8 @@ def test_turkish_throughout(name):
     given |= {summary.symbol for summary in own.summaries} | {dim.cell or "" for dim in own.dimensions}
     english = english_words() - {word for text in given for word in re.findall(r"[^\W\d_]{3,}", text.lower())}
     for title, text in texts(laid):
+        if title == laid.plan.at.titles["notes"] and text.startswith("="):
+            continue  # the formula of a cell, whose functions and names are what they are
         found = english.intersection(re.findall(r"[^\W\d_]{3,}", text.lower()))
         assert not found, (title, text, found)
 

@@ -271,7 +271,7 @@ def test_a_row_that_does_not_exist_says_so_and_nothing_else_does():
     assert 0 < np.count_nonzero(closed) < len(closed)
     assert worst(page) < DISTANT
     assert np.isfinite(page.column("s")).all()
-    assert page.cell("verdict").startswith(f"closes in {np.count_nonzero(closed)} of 25 positions; ")
+    assert page.cell("verdict").startswith(f"closes in {np.count_nonzero(closed)} / 25 positions; ")
 
 
 @pytest.mark.parametrize(
@@ -289,9 +289,13 @@ def test_verdict_says_rows_only():
     (note,) = [comment for comment in page.sheet.comments if comment.text.startswith("Grashof: shortest + longest")]
     assert next(cell for cell in page.sheet.cells if (cell.row, cell.col) == (note.row, note.col)).content == "A0ABB0"
     said = page.cell("verdict")
-    assert said.startswith("closes in all 25 positions; crank-rocker, crank can turn fully; ")
-    assert said.endswith("; transmission 33.9°, these rows: poor below 40°")
-    assert Page(text_of("four-bar"), "tr").cell("verdict").startswith("bütün konumlarda kapanıyor: 25; krank-sarkaç")
+    assert said.startswith("closes in all 25 positions; A0ABB0: crank-rocker, crank can turn fully; ")
+    assert said.endswith("; transmission angle: worst 33.9° at 0° (below 40°: poor) (rows only)")
+    assert (
+        Page(text_of("four-bar"), "tr")
+        .cell("verdict")
+        .startswith("25 konumun hepsinde kapanıyor; A0ABB0: krank-sarkaç")
+    )
 
 
 def test_many_rows_do_not_add_up_rounding():

@@ -229,17 +229,13 @@ class _Judge:
             return
         some = f"{search.count} / {search.rows}"
         if search.count == 0:
-            expected = plan.text("page.verdict.nowhere" if self.page else "verdict.line.nowhere")
-            right = line == expected or (plan.newton and line == plan.text("verdict.line.ended"))
+            expected = plan.text("verdict.line.nowhere")
+            right = line.startswith(expected) or (plan.newton and line == plan.text("verdict.line.ended"))
         elif not self.page and (misfit := self._misfit()[1]):
             expected = plan.text("verdict.gap.redundant", link=misfit, sheet=plan.at.titles["checks"])
             right = line == expected
         elif search.count == search.rows:
-            begin, end = (
-                plan.text("page.verdict.all"),
-                plan.text(f"page.verdict.position{'s' if search.rows > 1 else ''}"),
-            )
-            expected = f"{begin}{search.rows}{end}" if self.page else closes_in_all(plan)
+            expected = closes_in_all(plan)
             right = line.startswith(expected)
         else:
             expected = some

@@ -6,7 +6,7 @@ from typing import Literal
 
 from livesheet.formula.nodes import Call, Node, Symbol
 from mechsheet.kinematics.equations import JOINT_FORCES
-from mechsheet.sheet.checks.geometry import largest_length
+from mechsheet.sheet.geometry import largest_length
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 

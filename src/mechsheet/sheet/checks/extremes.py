@@ -32,7 +32,6 @@ from mechsheet.sheet.checks.boundless import (
     unsigned_divisor,
 )
 from mechsheet.sheet.checks.checks import rows_apart
-from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.parabolas import BESIDE, DIFFERENCES, Parabolas, neighbours, vertex_of
 from mechsheet.sheet.checks.probes import ALL_ROWS, AT, SIDE, VALUE, Block, Probes
@@ -40,6 +39,7 @@ from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.columns.bands import band_of_constant
 from mechsheet.sheet.driving import driver_at
+from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.over_rows import ends_meet
 from mechsheet.sheet.plan import DRIVER, LEAST_PROBED, NUMBER, ROW_COUNT, STATUS, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
@@ -467,7 +467,7 @@ class Extremes:
             low, high = (self.blocks[group.transmission, way].row for way in WAYS.values())
             found, rows = (
                 Call("MIN", acute(self.probes.cell(low + at, SIDE + work), self.probes.cell(high + at, SIDE + work),
-                                  group.kind != "RRR")[0])
+                                  group.kind != "RRR"))
                 for at, work in ((2, 0), (0, 3))
             )  # fmt: skip
             tests.append(formula("found<part*rows", found=found, rows=rows, part=NEARER))

@@ -12,7 +12,7 @@ from typing import Literal, TypeAlias
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node, Symbol, symbols
 from mechsheet.sheet.checks.gaps import chunks_of
-from mechsheet.sheet.checks.geometry import largest_length
+from mechsheet.sheet.geometry import largest_length
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.units import ANGLE, LENGTH, Unit

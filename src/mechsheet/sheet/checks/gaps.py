@@ -16,7 +16,7 @@ from livesheet.formula.printer import print_formula
 from livesheet.formula.spellings import longest_spelling
 from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.model import Joint, Link
-from mechsheet.sheet.checks.geometry import base_point, distance, measured_pairs, place
+from mechsheet.sheet.geometry import base_point, distance, measured_pairs, place
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.words.equations import link_words

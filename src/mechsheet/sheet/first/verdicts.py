@@ -6,10 +6,11 @@ there, rows that exist only; whether these make a whole turn is asked of the cel
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Literal
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Boolean, Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.formula.nodes import Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, Text
 from livesheet.workbook import Area, Conditional, Content, Merge, Style
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import ENERGY, Link, Synthesis, Way, inertia_unit
@@ -23,7 +24,19 @@ from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import cam, inputs, task
 from mechsheet.sheet.first.blocks import Writer
-from mechsheet.sheet.grashof import excess_of, in_summary, named, turning_types, type_of
+from mechsheet.sheet.grashof import (
+    BEGINS,
+    Sides,
+    bound_of,
+    excess_of,
+    in_summary,
+    is_all,
+    named,
+    names_of_sides,
+    turning_types,
+    type_of,
+    why_nowhere,
+)
 from mechsheet.sheet.over_rows import but_first, but_last
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW, Plan
@@ -31,7 +44,7 @@ from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.start_table import assemblies_lost
-from mechsheet.sheet.transmission import acute, from_to, poor_limit, some_poor
+from mechsheet.sheet.transmission import acute, poor_limit, some_poor, worst_words
 from mechsheet.units import behind_number
 from mechsheet.units import turn as whole_turn
 
@@ -341,7 +354,7 @@ class _Block:
         """Shortest + longest - the other two: negative where some link turns fully; and the loop's type in words."""
         key = f"grashof_{loop.group}"
         lengths = self.extremes.lengths_of(loop)
-        shortest, longest, total = (Call(name, (lengths,)) for name in ("MIN", "MAX", "SUM"))
+        shortest, most, total = (Call(name, (lengths,)) for name in ("MIN", "MAX", "SUM"))
 
         def text(word: str, **parts: object) -> str:
             return self.text(f"grashof.{word}", **parts)
@@ -350,19 +363,35 @@ class _Block:
             "CHOOSE(MATCH(shortest,lengths,0),both,crank,rockers,follower)", lengths=lengths, shortest=shortest,
             **turning_types(loop, self.plan.language, text),
         )  # fmt: skip
-        said = type_of(shortest, self.value(key), which, text)
+        bound: CellRef | None = None
+        if is_all(loop, self.plan):
+            bound = CellRef(self.rows[key], TOLERANCE, True, True)
+            self._bound(key, loop, lengths, shortest)
+        said = type_of(shortest, self.value(key), which, text, bound)
         begin = f"{named(loop, self.plan)}: "
         bands = self.plan.mechanism.bands is not None
         reach = self.bound("reach", reach=self.found.reach[loop.group].cell) if bands else ""
         words = formula('IFERROR(said,"")', said=joined(begin, said, reach))
-        excess = self.bound("excess", excess=excess_of(self.plan, shortest, longest, total))
+        excess = self.bound("excess", excess=excess_of(self.plan, shortest, most, total))
         self.line(
             key, self.text("grashof"), self.plan.mechanism.length_unit, excess, places(self.plan, "length"), words
         )
-        self.colour(key, "said=open", styles.BAD, said=self.words(key), open=begin + text("open"))
+        self.colour(key, BEGINS, styles.BAD, said=self.words(key), begin=begin + text("open"))
         self.colour(key, "said=change", styles.WARN, said=self.words(key), change=begin + text("change"))
         if bands:
             self.colour(key, "ISNUMBER(FIND(reach,said))", styles.WARN, said=self.words(key), reach=text("reach"))
+
+    def _bound(self, key: str, loop: FourBar, lengths: RangeRef, shortest: Node) -> None:
+        """Up to which length the longest link closes, or the first turns fully: beside the type of a four-bar."""
+        names = names_of_sides(loop, self.plan)
+        cells = [replace(lengths.start, col=lengths.start.col + at) for at in range(4)]
+
+        def longest(length: Node) -> Node:
+            return Call("CHOOSE", (Call("MATCH", (length, lengths, Number(0.0))), *map(Text, names)))
+
+        sides = Sides(cells, (lengths,), names, longest, places(self.plan, "length"))
+        mend = formula('IFERROR(mend,"")', mend=bound_of(sides, shortest, self.value(key)))
+        self.writer.formula(self.rows[key], TOLERANCE, mend, replace(styles.UNIT, name="", align="right"))
 
     def swing(self, link: Link) -> None:
         """By how much a link turns, and whether it is a crank or a rocker."""
@@ -454,10 +483,12 @@ class _Block:
         """The angle of transmission that is farthest from 90 degrees, as an acute angle."""
         key = f"transmission_{group.number}"
         high, low = (self.found.extremes[way, group.transmission] for way in HIGH_LOW)
-        folded, best = acute(low.value.cell, high.value.cell, from_right=group.kind != "RRR")
+        folded = acute(low.value.cell, high.value.cell, from_right=group.kind != "RRR")
         unit, cell = self.plan.mechanism.angle_unit, self.value(key)
         poor = formula("value<limit", value=cell, limit=poor_limit(self.plan.mechanism))
-        said = from_to(self.plan, cell, _in(best, unit.in_degrees), poor)
+        place = CellRef(self.rows[key], TOLERANCE, True, True)
+        of_rows = self.plan.between_unseen if self.plan.rows_only else self.found.rows_only.cell
+        said = worst_words(self.plan, cell, place, poor, of_rows)
         words = self.bound('IFERROR(said&about,"")', said=said, about=self.about(group.transmission))
         node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), unit.in_degrees))
         self.line(key, f"μ{group.number}", unit.text, node, places(self.plan, "angle"), words)
@@ -569,7 +600,7 @@ class _Block:
         """All in one line: whether it closes, what it is, how well it transmits force; or what is wrong, and where."""
         plan = self.plan
         count, rows = self.value("rows_closed"), self.of_rows
-        parts: list[Node | str] = [self._closes_in(count, rows)]
+        parts: list[Node | str] = [closes_in(plan, count, rows)]
         if plan.found.limits:
             parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
         for loop in plan.found.four_bars[:1]:
@@ -582,7 +613,7 @@ class _Block:
         if plan.found.task is not None:
             good = task.with_task(good, self.value("task"), self.words("task"))
         lost: Node | None = None
-        nowhere: Node = Text(self.text("line.nowhere"))
+        nowhere = why_nowhere(plan, MEANING)
         if plan.found.newton:
             nowhere = formula("IF(ends>0,ended,nowhere)", ends=assemblies_lost(plan), ended=self.text("line.ended"),
                               nowhere=nowhere)  # fmt: skip
@@ -598,8 +629,7 @@ class _Block:
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING)
         said = CellRef(VERDICT_ROW, SYMBOL, True, True)
         # rules read this sheet only: other programs refuse another's cells
-        bad = formula("OR(said=nowhere,said=inputs,said=gap)", said=said, gap=gap, nowhere=self.text("line.nowhere"),
-                      inputs=self.words("inputs"))  # fmt: skip
+        bad = formula("OR(n=0,said=inputs,said=gap)", said=said, gap=gap, n=count, inputs=self.words("inputs"))
         if plan.found.task is not None:
             bad = formula("OR(bad,wrong>0)", bad=bad, wrong=self.value("task"))
         if lost is not None:
@@ -622,18 +652,6 @@ class _Block:
         self.writer.conditionals.append(Conditional(area, doubts, styles.WARN))
         self.writer.conditionals.append(Conditional(area, formula("count=rows", count=count, rows=rows), styles.GOOD))
 
-    def _closes_in(self, count: Node, rows: Node) -> Node:
-        """In how many of how many positions; of all what `closes_in_all` says, of the rows that there are."""
-        some, end = joined(self.text("line.closes"), " ", count, " / ", rows), f" {self.text('line.positions')}"
-        before, after = self.text("line.all", rows="#").split("#")
-        everywhere = joined(before, rows)
-        if self.plan.rows == 1:
-            everywhere, after = Text(closes_in_all(self.plan)), ""
-        if after != end:  # else it is said once
-            everywhere, some, end = joined(everywhere, after), joined(some, end), ""
-        counted = formula("IF(count=rows,everywhere,some)", count=count, rows=rows, everywhere=everywhere, some=some)
-        return joined(counted, end)
-
     def _transmissions(self, col: int) -> RangeRef:
         """The cells of a column in the lines of all angles of transmission."""
         rows = [self.rows[f"transmission_{group.number}"] for group in self.plan.found.transmission]
@@ -651,6 +669,22 @@ class _Block:
             'IFERROR(what&INDEX(symbols,worst)&" "&INDEX(said,worst),"")', what=what, symbols=symbols, said=said,
             worst=there(self.found.worst_group).cell,
         )  # fmt: skip
+
+
+def closes_in(plan: Plan, count: Node, rows: Node) -> Node:
+    """In how many of how many positions; of all what `closes_in_all` says, of the rows that there are."""
+    text = plan.text
+    some, end = joined(text("verdict.line.closes"), " ", count, " / ", rows), f" {text('verdict.line.positions')}"
+    before, after = text("verdict.line.all", rows="#").split("#")
+    everywhere = joined(before, rows)
+    if plan.rows == 1:
+        everywhere = formula("IF(rows=1,one,many)", rows=rows, one=closes_in_all(plan), many=joined(everywhere, after))
+        after = ""
+    if after != end:  # else it is said once
+        everywhere, some, end = joined(everywhere, after), joined(some, end), ""
+    return joined(
+        formula("IF(count=rows,everywhere,some)", count=count, rows=rows, everywhere=everywhere, some=some), end
+    )
 
 
 def closes_in_all(plan: Plan) -> str:

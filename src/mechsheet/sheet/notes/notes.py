@@ -8,6 +8,7 @@ from livesheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, R
 from mechsheet.kinematics.equations import BANDS, FORCES, RATES
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.columns.lowering import Assignment
 from mechsheet.sheet.first.given import words_of
 from mechsheet.sheet.mathematics import Part, symbol_parts, written
@@ -19,9 +20,10 @@ from mechsheet.sheet.wrapping import wrapped_lines
 from mechsheet.units import DEG, NUMBER
 from mechsheet.words.equations import body_words, link_words
 
-SYMBOL, UNIT, EQUATION, MEANING, PLACE = range(5)
+SYMBOL, UNIT, EQUATION, MEANING, PLACE, FORMULA = range(6)
 WIDTHS = (13, 9, 78, 44, 18)
-"""Widths of the columns in characters."""
+"""Widths of the columns in characters; that of the cells' formulas is beside them, and not printed."""
+FORMULA_WIDTH = 90
 
 LINE = 14.0
 """Height of one line of text [points]."""
@@ -60,8 +62,8 @@ COLOURS: tuple[tuple[str, Style], ...] = (
 )
 
 
-def notes_sheet(plan: Plan) -> Sheet:
-    """The sheet."""
+def notes_sheet(plan: Plan) -> tuple[Sheet, dict[int, Spot]]:
+    """The sheet, and by row where the quantity stands whose equation it has."""
     page = _Page(plan)
     page.opening()
     page.colours()
@@ -69,16 +71,17 @@ def notes_sheet(plan: Plan) -> Sheet:
     page.list_of("assumptions", ASSUMPTIONS + rates + (FORCE_ASSUMPTIONS if plan.forces else ()))
     page.links()
     page.equations()
-    return Sheet(
+    sheet = Sheet(
         plan.at.titles["notes"],
         tuple(page.cells),
-        columns=tuple(Column(col, col, width) for col, width in enumerate(WIDTHS)),
+        columns=tuple(Column(col, col, width) for col, width in enumerate((*WIDTHS, FORMULA_WIDTH))),
         row_heights=tuple(sorted(page.heights.items())),
         merges=tuple(page.merges),
         gridlines=False,
         tab_color="6B7280",
-        print_setup=PrintSetup(footer=plan.footer),
+        print_setup=PrintSetup(footer=plan.footer, area=Area(0, 0, page.row - 1, PLACE)),
     )
+    return sheet, page.places
 
 
 class _Page:
@@ -90,6 +93,7 @@ class _Page:
         self.merges: list[Merge] = []
         self.heights: dict[int, float] = {}
         self.row = 0
+        self.places: dict[int, Spot] = {}
 
     def text(self, key: str, **parts: object) -> str:
         """A word of the workbook."""
@@ -262,6 +266,7 @@ class _Page:
             EQUATION: self.text("head.equation"),
         }
         self.line({**head, MEANING: self.plan.text("head.meaning"), PLACE: self.text("head.place")}, styles.HEAD_LEFT)
+        self.cells.append(Cell(self.row - 1, FORMULA, self.text("head.formula"), styles.HEAD_LEFT))
         self._dimensions()
         self._group(self.text("constants"))
         for equation in self.plan.equations.constants:
@@ -383,6 +388,7 @@ class _Page:
 
     def _row(self, symbol: str, unit: str, content: Content, label: str, place: str = "") -> None:
         name = Rich(tuple(symbol_parts(symbol)))
+        self.places[self.row] = self.plan.at.spots[symbol]
         self._entry(name, unit, content, label, place or self._place(symbol))
 
     def _place(self, symbol: str) -> str:

@@ -19,9 +19,10 @@ from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.model import Mechanism
 from mechsheet.shapes.points import remarkable_points
 from mechsheet.sheet.addresses import Addresses, Spot
-from mechsheet.sheet.checks.geometry import length_in_cells
 from mechsheet.sheet.classification import FourBar, classification
 from mechsheet.sheet.columns.averaged import with_averaged
+from mechsheet.sheet.geometry import length_in_cells
+from mechsheet.sheet.grashof import is_all
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.places import Places
@@ -179,11 +180,12 @@ def _plan_top(plan: PagePlan) -> list[str]:
         plan.lengths |= {key: tree for key, tree in sides_of(plan, loop) if len(set(symbols(tree))) > 1}
     _block(plan, "derived", [*(dim.symbol for dim in derived), *(f"length {key}" for key in plan.lengths), *constants])
     grashof = [f"grashof_{loop.group}" for loop in found.four_bars]
+    bounds = [f"bound_{loop.group}" for loop in found.four_bars if is_all(loop, plan)]
     transmission = [f"transmission_{group.number}" for group in found.transmission]
     _block(
         plan,
         "verdicts",
-        ["inputs", *(["task", "task_miss"] if found.task else []), "rows_closed", *grashof, *transmission],
+        ["inputs", *(["task", "task_miss"] if found.task else []), "rows_closed", *grashof, *bounds, *transmission],
     )
     _block(plan, "summary", (each.symbol for each in mechanism.motion_numbers))
     _block(plan, "variables", ())

@@ -17,7 +17,19 @@ from mechsheet.sheet.first import inputs, task
 from mechsheet.sheet.first.blocks import value_style
 from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.grashof import excess_of, in_summary, named, turning_types, type_of
+from mechsheet.sheet.first.verdicts import closes_in
+from mechsheet.sheet.grashof import (
+    Sides,
+    bound_of,
+    excess_of,
+    in_summary,
+    is_all,
+    named,
+    names_of_sides,
+    turning_types,
+    type_of,
+    why_nowhere,
+)
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, over_rows
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
@@ -25,7 +37,7 @@ from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.shown import input_validation, unit_of_column
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
-from mechsheet.sheet.transmission import angle_words, poor_limit, some_poor
+from mechsheet.sheet.transmission import poor_limit, some_poor, worst_words
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import ANGLE, LENGTH, Unit, turn
 
@@ -277,12 +289,31 @@ class Top:
             ground=ground, first=first, coupler=coupler, a=others[0], b=others[1], c=others[2],
             **turning_types(loop, plan.language, text),
         )  # fmt: skip
-        begin = "" if (name := named(loop, plan)) == loop.name else f"{name}: "
-        words = formula('IFERROR(said,"")', said=joined(begin, type_of(shortest, excess, which, text)))
+        mend: CellRef | None = None
+        if is_all(loop, plan):
+            mend = CellRef(plan.blocks["verdicts"].rows[f"bound_{loop.group}"], VALUE, True, True)
+            self._bound(mend.row, loop, lengths, excess)
+        said = type_of(shortest, excess, which, text, mend)
+        words = formula('IFERROR(said,"")', said=joined(f"{named(loop, plan)}: ", said))
         self.line(row, loop.name, plan.mechanism.length_unit, words)
         self.comments.append(Comment(row, SYMBOL, plan.text("notes.use.grashof")))
         value = excess_of(plan, shortest, longest, total)
         self.fill(row, VALUE, value, value_style(plan, LENGTH))
+
+    def _bound(self, row: int, loop: FourBar, lengths: tuple[Node, ...], excess: Node) -> None:
+        """Up to which length the longest link closes, or the first turns fully."""
+        plan, (ground, first, coupler, _), names = self.plan, lengths, names_of_sides(loop, self.plan)
+
+        def longest(length: Node) -> Node:
+            return formula(
+                "IF(length=ground,a,IF(length=first,b,IF(length=coupler,c,d)))", length=length, ground=ground, first=first,
+                coupler=coupler, **dict(zip("abcd", names, strict=True)),
+            )  # fmt: skip
+
+        sides = Sides(lengths, lengths, names, longest, places_of(plan, LENGTH))
+        self.line(row, "≤", plan.mechanism.length_unit, plan.text("page.bound"))
+        mend = formula('IFERROR(mend,"")', mend=bound_of(sides, Call("MIN", lengths), excess))
+        self.fill(row, VALUE, mend, replace(styles.RESULT, name=""))
 
     def _length(self, key: str, length: Node) -> Node:
         """A length without the bars that its sign does not need; one that is no dimension has a cell."""
@@ -304,9 +335,15 @@ class Top:
         cell, limit = CellRef(row, VALUE, True, True), poor_limit(plan.mechanism)
         unit = plan.mechanism.angle_unit
         poor = formula("AND(ISNUMBER(value),value<limit)", value=cell, limit=limit)
-        bad = formula('IF(poor,words,"")', poor=poor, words=f": {plan.text('verdict.poor')}")
-        said, after = angle_words(plan, cell)
-        words = joined(said, f"{after}{plan.text('page.transmission.rows')}", bad)
+        drivers, angles = (self.column(symbol) for symbol in (plan.mechanism.driver.symbol, group.transmission))
+        if group.kind == "RRR":  # the angle itself, or what is missing to 180 degrees
+            place = formula("IFERROR(INDEX(drivers,MATCH(cell,angles,0)),INDEX(drivers,MATCH(high,angles,0)))",
+                            drivers=drivers, angles=angles, cell=cell, high=high)  # fmt: skip
+        else:
+            place = formula("INDEX(drivers,MATCH(IF(cell=half/2-high,high,low),angles,0))", drivers=drivers,
+                            angles=angles, cell=cell, half=half, high=high, low=low)  # fmt: skip
+        which = f"μ{group.number} " if len(plan.found.transmission) > 1 else ""  # the line under the title says it
+        words = joined(which, worst_words(plan, cell, place, poor, True), plan.text("verdict.rows.only"))
         self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=words))
         self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=plan.places.closed.cell, least=least)
@@ -316,12 +353,7 @@ class Top:
         """Whether it closes in the rows of the table, its type, its transmission; or that an input is none."""
         plan, text = self.plan, self.plan.text
         count, rows = plan.places.closed.cell, plan.places.rows.cell
-        some = joined(text("page.verdict.some"), count, text("page.verdict.of"))
-        counted = formula("IF(n=rows,every,some)", n=count, rows=rows, every=text("page.verdict.all"), some=some)
-        positions: Node | str = text("page.verdict.positions")
-        if plan.rows == 1:  # the table can be filled down
-            positions = formula("IF(rows=1,one,many)", rows=rows, one=text("page.verdict.position"), many=positions)
-        parts: list[Node | str] = [counted, rows, positions]
+        parts: list[Node | str] = [closes_in(plan, count, rows)]
         for loop in plan.found.four_bars[:1]:
             kind = CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], MEANING, True, True)
             parts.append(in_summary(loop, plan, kind, formula("n=rows", n=count, rows=rows)))
@@ -334,7 +366,8 @@ class Top:
             )
             any_poor = some_poor(plan.mechanism, angles)
             worst = formula("INDEX(said,MATCH(MIN(angles),angles,0))", said=said, angles=angles)
-            parts += ["; ", text("page.transmission"), worst if len(lines) > 1 else said.start]
+            what = f"; {text('verdict.line.transmission')} "
+            parts += [what, worst if len(lines) > 1 else said.start]
         wrong, there = plan.places.inputs.cell, self._there()
         closes: Node = joined(*parts)
         missed: Node = Boolean(False)
@@ -345,7 +378,7 @@ class Top:
             closes = task.with_task(closes, number, met)
             missed = formula("number>0", number=number)
             doubts = task.doubtful(plan, met)
-        good = formula("IF(n=0,nowhere,good)", n=count, good=closes, nowhere=text("page.verdict.nowhere"))
+        good = formula("IF(n=0,nowhere,good)", n=count, good=closes, nowhere=why_nowhere(plan, MEANING))
         words = inputs.words(plan, wrong, there, good)
         self.fill(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)

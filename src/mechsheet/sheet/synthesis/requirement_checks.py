@@ -8,7 +8,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
 from livesheet.workbook import Area, Conditional
 from mechsheet.sheet import styles
-from mechsheet.sheet.grashof import named
+from mechsheet.sheet.grashof import BEGINS, named
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
@@ -285,7 +285,9 @@ class Does:
             lost = LOST.replace("value", "used")
             words.append((lost, joined(said, page.text("grashof.rounded"))))
             amber = f"OR({amber},{lost})"
-        self._entry(key, excess, page.unit_text("length"), words, said, "said=opened", amber, over=over)
+        self._entry(
+            key, excess, page.unit_text("length"), words, said, BEGINS.replace("begin", "opened"), amber, over=over
+        )
 
     def _sensitivity(self, key: str) -> None:
         """The largest change of a length for a small change of one input, as a part of the length."""

@@ -6,7 +6,7 @@ import pytest
 
 from livesheet.formula.scalar import evaluate
 from mechsheet.model import Cartesian, Distances, Link, Polar
-from mechsheet.sheet.checks.geometry import base_point, distance, place
+from mechsheet.sheet.geometry import base_point, distance, place
 
 ENDS = {"A": Cartesian(1.0, 2.0), "B": Polar(5.0, 0.4)}
 
