@@ -407,7 +407,7 @@ def controls(plan: Plan) -> tuple[Control, ...]:
     """The scroll bar and the spin button of the position cell; a scroll bar beside the driver's speed or duration."""
     if plan.rows < 2:
         return ()
-    return *_motion_controls(plan), *position_controls(plan, Anchor(2, CHARTS, 420, 20), VALUE, MARGIN)
+    return *_motion_controls(plan), *position_controls(plan, Anchor(2, CHARTS, 350, 20), VALUE, MARGIN)
 
 
 def position_controls(plan: Plan, bar: Anchor, value: int, button: int) -> tuple[Control, Control]:
