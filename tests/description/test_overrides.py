@@ -107,7 +107,7 @@ def test_spellings(typed: str, value: float) -> None:
         ("gamma3", "1", 'the dimension "gamma3" is derived from others\n       = change the dimensions in its'),
         ("a1", "65,5", 'expected a number, found "65,5"\n       = write 65.5'),
         ("a1", "−5", 'expected a number, found "−5"\n       = write -5'),
-        ("a1", "3 cm", 'expected a number, found "3 cm"\n       = a plain number in the dimension\'s own unit'),
+        ("a1", "3 mm", 'expected a number, found "3 mm"\n       = a plain number in the dimension\'s own unit'),
         ("a1", "", 'expected a number, found ""\n       = a plain number in the dimension\'s own unit'),
         ("a1", "2*", 'a1=2*: in "2*": expected a number, a name, a function or "(", found the end at column 3'),
         ("a1", "2a2", 'found "a2" at column 2\n       = a product is written with "*"'),
@@ -237,3 +237,15 @@ def test_a_value_of_a_task_is_set_likewise() -> None:
     task = loads(text, overrides=Overrides({"stroke": "120"}))
     assert {dimension.symbol: dimension.shown for dimension in task.dimensions}["stroke"] == 120
     assert "stroke = 120\n" in task.text
+
+
+@pytest.mark.parametrize(("name", "typed"), [("a1", "20 mm"), ("a1", "20mm"), ("phi0", "20°"), ("phi0", "20 derece")])
+def test_a_number_may_have_its_own_unit_behind_it(name: str, typed: str) -> None:
+    found = loads(BAR, overrides=Overrides({name: typed}))
+    assert next(dim.shown for dim in found.dimensions if dim.symbol == name) == 20
+
+
+@pytest.mark.parametrize(("name", "typed"), [("a1", "20 cm"), ("a1", "20°"), ("half", "20 mm"), ("turn", "20°")])
+def test_another_unit_is_refused(name: str, typed: str) -> None:
+    with pytest.raises(DescriptionError, match="expected a number"):
+        loads(BAR, overrides=Overrides({name: typed}))

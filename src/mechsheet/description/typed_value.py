@@ -17,7 +17,7 @@ from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.scope import Scope
 from mechsheet.description.shape import fit
 from mechsheet.description.text.index import Path
-from mechsheet.description.text.numbers import typed_number
+from mechsheet.description.text.numbers import typed_number, without_unit
 from mechsheet.description.text.rewrite import number_text
 from mechsheet.description.text.source import Source
 from mechsheet.diagnostics import Fault
@@ -61,11 +61,11 @@ def scope_for(source: Source, option: str) -> Scope:
 def typed_value(text: str, unit: Unit, whose: str, scope: Scope) -> str | None:
     """The number in `unit` that is meant, as TOML writes it; None, and a fault in `scope.report`, where there is none.
 
-    A plain number stays as it was typed. An expression of numbers, `+ - * / ^` and parentheses is in `unit`. One with
+    A plain number stays as it was typed; its own unit may stand behind it. An expression of numbers, `+ - * / ^` and parentheses is in `unit`. One with
     functions, `pi` or names of dimensions computes as in a description, angles in radians; its value is brought into
     `unit`. Both are rounded to DIGITS digits. `whose` unit it is stands in messages: "the dimension's".
     """
-    text = unicodedata.normalize("NFC", text)  # as the description's names are
+    text = without_unit(unicodedata.normalize("NFC", text), unit.symbol)  # as the description's names are
     number = typed_number(text)
     if number is not None and not number.unit and not number.why and math.isfinite(float(number.text)):
         return number.text

@@ -209,6 +209,8 @@ def test_orders_that_make_no_sense_are_refused(order, said):
     [
         ("a2", "40", "a2 = { value = 40,"),
         ("a2", "20+5", "a2 = { value = 25"),
+        ("a2", "20 mm", "a2 = { value = 20"),
+        ("driver.step", "7.5°", "step = 7.5"),
         ("driver.step", "7,5", "step = 7.5"),
         ("gamma3", "30", "gamma3 = { value = 30,"),
     ],

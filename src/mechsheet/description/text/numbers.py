@@ -62,6 +62,14 @@ def typed_number(text: str) -> Typed | None:
     return Typed(sign + plain, unit, _why(found["sign"], number, unit))
 
 
+def without_unit(text: str, unit: str) -> str:
+    """The text without the unit behind its number, where it is this one: `20 mm` of a length in mm is 20."""
+    found = _TYPED.fullmatch(text.strip())
+    if found is None or not found["unit"] or plain_unit(found["unit"].rstrip(".")) != plain_unit(unit):
+        return text
+    return text.strip()[: found.start("unit")].rstrip()
+
+
 def _why(sign: str, number: str, unit: str) -> str:
     if sign in tuple(MINUS):
         return say("{sign} (U+{code:04X}) is not the minus sign of a keyboard", sign=quoted(sign), code=ord(sign))

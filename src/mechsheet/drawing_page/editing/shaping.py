@@ -12,7 +12,7 @@ import numpy as np
 from mechsheet.description.overrides import with_values
 from mechsheet.description.parts import Parts
 from mechsheet.description.quoting import quoted
-from mechsheet.description.text.numbers import typed_number
+from mechsheet.description.text.numbers import typed_number, without_unit
 from mechsheet.description.text.rewrite import number_text, with_number, with_value, without_key
 from mechsheet.description.text.rewrite_tables import with_last_key
 from mechsheet.description.text.source import Source
@@ -262,9 +262,9 @@ def _with_at(source: Source, reading: Reading, parts: Parts, at: float | None) -
 SWEEP = {f"driver.{key}": key for key in ("start", "stop", "step")}
 
 
-def _swept(source: Source, key: str, value: str) -> str:
-    """The text with a number of the driver's sweep. Raises DescriptionError for what is no number."""
-    number = typed_number(value)
+def _swept(source: Source, key: str, value: str, unit: str) -> str:
+    """The text with a number of the driver's sweep, in `unit`. Raises DescriptionError for what is no number."""
+    number = typed_number(without_unit(value, unit))
     if number is None or number.unit:
         raise DescriptionError(
             Fault(say("{value} is no number", value=quoted(value)), source.file, key=f"driver.{key}")
@@ -284,7 +284,8 @@ def typed(reading: Reading, name: str, value: str) -> str:
     if source is None:
         return reading.text
     if name in SWEEP:
-        return _swept(source, SWEEP[name], value)
+        driver = reading.parts.driver if reading.parts is not None else None
+        return _swept(source, SWEEP[name], value, driver.unit.symbol if driver is not None else "")
     new, faults = with_values(source, [(name, value)])
     if faults:
         raise DescriptionError(faults)
