@@ -1,6 +1,7 @@
 """Pictures hold no lengths: where points should be is compared after the one scale and shift that fit best."""
 
 import numpy as np
+
 from mechsheet.shapes.points import moving_points, pins_of
 
 
