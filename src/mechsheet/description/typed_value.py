@@ -62,9 +62,9 @@ def typed_value(text: str, unit: Unit, whose: str, scope: Scope) -> str | None:
     """The number in `unit` that is meant, as TOML writes it; None, and a fault in `scope.report`, where there is none.
 
     A plain number stays as it was typed; its own unit may stand behind it. An expression of numbers, `+ - * / ^` and
-    parentheses is in `unit`. One with functions, `pi` or names of dimensions computes as in a description, angles in radians;
-    its value is brought into `unit`. Both are rounded to DIGITS digits. `whose` unit it is stands in messages: "the
-    dimension's".
+    parentheses is in `unit`. One with functions, `pi` or names of dimensions computes as in a description, angles in
+    radians; its value is brought into `unit`. Both are rounded to DIGITS digits. `whose` unit it is stands in messages:
+    "the dimension's".
     """
     text = without_unit(unicodedata.normalize("NFC", text), unit.symbol)  # as the description's names are
     number = typed_number(text)
