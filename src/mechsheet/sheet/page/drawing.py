@@ -17,8 +17,9 @@ from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.workbook import Chart, Column, Content, Style
 
-WORDS = replace(styles.INNER, name="", align="left", wrap=True)
-"""Wrapped: a text that is too long would be drawn over the columns beside those that are folded away."""
+WORDS = replace(styles.INNER, name="", align="left", shrink=True)
+"""Shrunk: a text that is too long would be drawn over the columns beside those that are folded away, and one that is wrapped
+makes the table's rows higher."""
 
 
 class _Beside(Page):
