@@ -214,7 +214,9 @@ class Listed:
             self._need(name)
         sized = [each for each in (*self.found.shapes, *self.found.names) if not isinstance(each, Mark)]
         sizes = {each.size for each in sized if each.size is not None}
-        counts = Counter(part for node in nodes for part in set(walk(node)) if _is_costly(part) or part in sizes)
+        counts = Counter(
+            part for node in nodes for part in dict.fromkeys(walk(node)) if _is_costly(part) or part in sizes
+        )
         parts = [part for part, count in counts.items() if count > 1 or part in sizes]
         for part in sorted(parts, key=lambda each: sum(1 for _ in walk(each))):
             page.put(NAME, page.plan.text("drawing.size" if part in sizes else "drawing.part"))
