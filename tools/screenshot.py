@@ -18,7 +18,7 @@ SIZE = (1366, 768)
 """The screen of a small notebook: what a class sees without scrolling."""
 START = 30
 """Seconds until LibreOffice shows the sheet, on a slow machine."""
-ARROW = (1204, 195)
+ARROW = (1152, 195)
 """Where the right arrow of the scroll bar is, in pixels."""
 
 

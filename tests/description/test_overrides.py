@@ -237,3 +237,9 @@ def test_a_value_of_a_task_is_set_likewise() -> None:
     task = loads(text, overrides=Overrides({"stroke": "120"}))
     assert {dimension.symbol: dimension.shown for dimension in task.dimensions}["stroke"] == 120
     assert "stroke = 120\n" in task.text
+
+
+@pytest.mark.parametrize(("name", "typed"), [("a1", "20 mm"), ("a1", "20mm"), ("phi0", "20°"), ("phi0", "20 derece")])
+def test_a_number_may_have_its_own_unit_behind_it(name: str, typed: str) -> None:
+    found = loads(BAR, overrides=Overrides({name: typed}))
+    assert next(dim.shown for dim in found.dimensions if dim.symbol == name) == 20

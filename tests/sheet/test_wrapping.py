@@ -75,6 +75,7 @@ def test_a_text_that_a_formula_writes_becomes_smaller_rather_than_wider(ending, 
     """How long it will be depends on what is typed."""
     workbook = told(loads(CRANK.replace("LAYOUT", "sheets")))
     written = [fill.style for fill in workbook.workbook.sheets[0].fills if fill.col == MEANING]
-    assert written and set(written) == {styles.LABEL_SAID}
+    assert written and set(written) == {styles.LABEL_SAID, styles.LEGEND}
+    assert all(style.shrink for style in written)
     (path,) = write_all(workbook, [Target(tmp_path / f"x.{ending}", ending)])
     assert smaller in zipfile.ZipFile(path).read(part)

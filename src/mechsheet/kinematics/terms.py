@@ -11,7 +11,7 @@ from mechsheet.kinematics.equations import FORCES, RATES, Equations
 from mechsheet.kinematics.numeric import Array, value
 
 ROUNDING = 1e-9
-"""What is less than this part of its terms in every row is rounding: more than what is lost, far less than what is meant."""
+"""What is less than this part of its terms in every row is rounding: far more than is lost, far less than is meant."""
 
 CANCELS = (*RATES, *FORCES, "output")
 """Roles of quantities whose terms are looked at through those that they are found from."""

@@ -16,7 +16,9 @@ from livesheet.workbook import Axis, Chart, Series
 from mechsheet.plotting.axes import Scale, scale_of, tick_text
 from mechsheet.plotting.scenes import Curves, Piece, Points
 from mechsheet.shapes.positions import RING, Disc, Item, Label, Scene, Stroke, Window
-from mechsheet.sheet.drawing.drawing import SIZE
+
+SIZE = 480
+"""Pixels of the drawing: square."""
 
 PIXELS = 4 / 3
 """Pixels of a point."""

@@ -28,7 +28,7 @@ WIDTHS = {
 TALL, DEEP = 0.74, 0.98
 """How high the letters of a text are over its whole height; where some go below the line."""
 
-BELOW = frozenset("_,;gjpqyçşĞÇŞμ")
+BELOW = frozenset("_,;gjpqy\u00e7\u015f\u00c7\u015eμ")
 
 PAD = 0.008
 """What stays free around a text."""

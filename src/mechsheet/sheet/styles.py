@@ -62,7 +62,8 @@ LINE = Style(
     "mechsheet verdict line", bold=True, color=INK, fill=DERIVED_FILL, border="thin", border_color=RULE, align="left",
     valign="center", wrap=True, indent=1,
 )  # fmt: skip
-LEGEND = Style("mechsheet legend", color=QUIET, size=8, align="left", indent=1)
+LEGEND = Style("mechsheet legend", color=QUIET, size=8, align="left", shrink=True, indent=1)
+MARK = Style("mechsheet mark", color=INK, size=8, align="center")
 DETERMINANT = "0.000E+00"
 ERROR = Style("mechsheet error", color=INK, align="right", number_format="0.0E+00")
 GOOD = Style("mechsheet good", color="1B5E20", fill=GOOD_FILL, bold=True)

@@ -209,6 +209,8 @@ def test_orders_that_make_no_sense_are_refused(order, said):
     [
         ("a2", "40", "a2 = { value = 40,"),
         ("a2", "20+5", "a2 = { value = 25"),
+        ("a2", "20 mm", "a2 = { value = 20"),
+        ("driver.step", "7.5°", "step = 7.5"),
         ("driver.step", "7,5", "step = 7.5"),
         ("gamma3", "30", "gamma3 = { value = 30,"),
     ],
@@ -224,7 +226,7 @@ def test_numbers_that_are_typed(name, value, there):
         ("a2", "x", '"x" is not a dimension'),
         ("a9", "1", 'no dimension is called "a9"'),
         ("driver.step", "fast", 'driver.step: "fast" is no number'),
-        ("driver.start", "3 mm", 'driver.start: "3 mm" is no number'),
+        ("driver.start", "3 mm", 'driver.start: "3 mm" where ° are needed'),
     ],
 )
 def test_numbers_that_are_none_are_refused(name, value, said):

@@ -9,6 +9,7 @@ import pytest
 from laid import ROOT, Laid, template_text
 
 from livesheet.formula.nodes import ErrorValue
+from mechsheet.sheet.plan import LEGEND_ROW, MEANING
 
 NA = ErrorValue("#N/A")
 CASES = tomllib.loads((ROOT / "tests/cases/stands.toml").read_text(encoding="utf-8"))
@@ -136,3 +137,23 @@ def test_values_that_go_to_and_fro_reach_from_the_least_to_the_largest():
     """Listed values may end where they began: the driver has moved all the same."""
     laid = Laid(re.sub(r"start = 0\nstop = 360\nstep = 15", "values = [90, 120, 60, 90]", FOUR_BAR))
     assert (laid.spot("input_from"), laid.spot("input_to")) == pytest.approx((60, 120))
+
+
+def test_what_became_amber_or_red_is_named_under_the_line_with_its_cell():
+    """Only the words are far below; red before amber, and beside each line its mark."""
+    laid = Laid(FOUR_BAR)
+    rows = laid.plan.blocks["verdicts"].rows
+
+    def pointed():
+        return laid.values.get(laid.plan.main, LEGEND_ROW, MEANING).partition(" · ")[0]
+
+    def mark(key):
+        return laid.values.get(laid.plan.main, rows[key], MEANING + 1)
+
+    assert (pointed(), mark("transmission_1")) == (f"▲ μ1: E{rows['transmission_1'] + 1}", "▲")
+    laid.change(a2=90.0)
+    assert (pointed(), mark("rows_closed")) == (f"▲ closes: E{rows['rows_closed'] + 1}", "▲")
+    laid.change(a2=-1.0)
+    assert (pointed(), mark("inputs")) == (f"● yellow cells: E{rows['inputs'] + 1}", "●")
+    laid.change(a1=100.0, a2=30.0, a3=90.0, a4=80.0)
+    assert laid.values.get(laid.plan.main, LEGEND_ROW, MEANING) == laid.plan.text("legend.missing")

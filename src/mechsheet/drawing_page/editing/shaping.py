@@ -18,6 +18,7 @@ from mechsheet.description.text.numbers import typed_number
 from mechsheet.description.text.rewrite import number_text, with_number, with_value, without_key
 from mechsheet.description.text.rewrite_tables import with_last_key
 from mechsheet.description.text.source import Source
+from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import DescriptionError, MechsheetError
 from mechsheet.drawing_page.fitting import Fit, fitted
 from mechsheet.drawing_page.looking import shown_value, values_at
@@ -35,6 +36,7 @@ from mechsheet.drawing_page.questions import Impossible
 from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.library.modes_from_sketch import with_modes
+from mechsheet.units import NUMBER, Unit
 
 DIGITS = 5
 """Of the mechanism's size: a dragged length is rounded to so many."""
@@ -263,14 +265,18 @@ def _with_at(source: Source, reading: Reading, parts: Parts, at: float | None) -
 SWEEP = {f"driver.{key}": key for key in ("start", "stop", "step")}
 
 
-def _swept(source: Source, key: str, value: str) -> str:
-    """The text with a number of the driver's sweep. Raises DescriptionError for what is no number."""
-    number = typed_number(value)
-    if number is None or number.unit:
-        raise DescriptionError(
-            Fault(say("{value} is no number", value=quoted(value)), source.file, key=f"driver.{key}")
-        )
-    return with_value(source, ("driver", key), number.text).text
+def _swept(source: Source, key: str, value: str, unit: Unit) -> str:
+    """The text with a number of the driver's sweep, in `unit` or with its own. Raises DescriptionError for others."""
+    number, option = typed_number(value), f"driver.{key}"
+    text = None if number is None else number.text
+    if number is not None and number.unit:
+        scope = scope_for(source, option)
+        text = typed_value(value, unit, "the driver's", scope)
+        if text is None:
+            raise DescriptionError(scope.report.faults)
+    if text is None:
+        raise DescriptionError(Fault(say("{value} is no number", value=quoted(value)), source.file, key=option))
+    return with_value(source, ("driver", key), text).text
 
 
 # --- numbers that were typed -----------------------------------------------------------------------------------------
@@ -285,7 +291,8 @@ def typed(reading: Reading, name: str, value: str) -> str:
     if source is None:
         return reading.text
     if name in SWEEP:
-        return _swept(source, SWEEP[name], value)
+        driver = None if reading.parts is None else reading.parts.driver
+        return _swept(source, SWEEP[name], value, NUMBER if driver is None else driver.unit)
     new, faults = with_values(source, [(name, value)])
     if faults:
         raise DescriptionError(faults)

@@ -37,8 +37,8 @@ ROWS_OF_AN_UPRIGHT_PAGE = 78
 """Rows on an upright page at that size."""
 READABLE = 50
 """Percent: a sheet that is a page less at that size, or a larger one, is printed so."""
-HEIGHT = (SIZE - GAP) // 2
-"""Two curves are as high as the drawing beside them."""
+HEIGHT = 230
+"""Pixels of a chart of curves, in which numbers on the axes have room."""
 
 COLUMN_WIDTH, COLUMN_CHARACTERS = 80, 10.7
 """Pixels of a row and of a column beside the blocks, by which charts are placed: both are set, not left to a program."""

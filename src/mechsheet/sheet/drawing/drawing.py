@@ -14,7 +14,8 @@ from livesheet.formula.nodes import Symbol
 from livesheet.workbook import Anchor, Chart, Column, PrintSetup, Series, SeriesRef, Sheet
 from mechsheet.model import ChartRequest
 from mechsheet.shapes.colors import INK
-from mechsheet.shapes.forms import CAPTION, CAPTION_AT
+from mechsheet.shapes.forms import CAPTION, CAPTION_AT, LETTERS
+from mechsheet.shapes.names import POINTS
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.drawing.frames import (
@@ -37,15 +38,18 @@ from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.units import behind_number
 
-SIZE = 480
-"""Pixels of a drawing and of a chart of paths: square."""
+SIZE = 390
+"""Pixels of a drawing and of a chart of paths: square. With title and line above it is seen as a whole on 1366 x 768."""
 
 PATH_MARGIN = 1.15
 """How much larger than all of a path its window is."""
 
 DRAWING_INNER = (0.01, 0.01, 0.98, 0.98)
+
 PATH_INNER = (0.08, 0.12, 0.85, 0.85)
 
+
+POINTS_OF_A_PIXEL = 0.75
 
 MOST_SERIES = 255
 """Series that a chart of a spreadsheet takes: of mechanisms of very many points the last are drawn without their names."""
@@ -73,7 +77,7 @@ def drawing_of(plan: Plan, requests: Sequence[ChartRequest]) -> Drawing:
     page.row += 1
     page.put(NAME, text("drawing.note"), styles.SUBTITLE)
     page.row += 1
-    listed = Listed(page, lambda: caption(page))
+    listed = Listed(page, letters_in(SIZE), lambda: caption(page))
     half = listed.frame.half
     plan.window["half"] = Spot(page.title, half.row, half.col)
     shown = _shown(page, requests, listed.points)
@@ -82,6 +86,11 @@ def drawing_of(plan: Plan, requests: Sequence[ChartRequest]) -> Drawing:
         if request.hodographs:
             paths[request] = hodograph_chart(page, request, SIZE, PATH_INNER)
     return Drawing(_sheet(page), chart_of(plan, listed.series, SIZE), paths, listed.points, shown)
+
+
+def letters_in(size: int) -> float:
+    """How high names are in a drawing of so many pixels [points of a drawing whose half window has POINTS]."""
+    return LETTERS * POINTS / (size * DRAWING_INNER[2] / 2 * POINTS_OF_A_PIXEL)
 
 
 def chart_of(plan: Plan, series: Sequence[Series], size: int) -> Chart:

@@ -19,7 +19,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, symbols, transform, walk
 from livesheet.workbook import Area, Axis, Cell, Content, Fill, Series, SeriesRef, Style
 from mechsheet.shapes.colors import INK
-from mechsheet.shapes.forms import BOTTOM, LEFT, LETTERS
+from mechsheet.shapes.forms import BOTTOM, LEFT
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.gaps import chunks_of
@@ -48,11 +48,8 @@ class Page:
     """Collects cells; `row` is the next free row of the left part, `col` the next free sweep column.
 
     left     the column in which the left part begins
-    letters  how high names in the drawing are, were it as large as that of the first sheet [points]
     known    what symbols of the list of shapes stand for that are no quantities of the mechanism
     """
-
-    letters = LETTERS
 
     def __init__(self, plan: Plan, title: str, left: int = 0, row: int = 0, stride: int = 1) -> None:
         self.plan = plan

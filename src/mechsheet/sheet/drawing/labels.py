@@ -43,13 +43,13 @@ class _Solved:
     values: Mapping[str, Array]
 
 
-def ways_beside(page: Page, vectors: Collection[Kind], name: CellRef) -> tuple[Node, Node]:
+def ways_beside(page: Page, vectors: Collection[Kind], letters: float, name: CellRef) -> tuple[Node, Node]:
     """How far from its place the name with the number in a cell stands in x and in y [half windows].
 
     The changes are sorted by  number rows + position,  so that one look-up finds the last before the position shown.
     """
     plan, first, left = page.plan, page.first, page.col
-    changes = _changes(plan, vectors, page.letters)
+    changes = _changes(plan, vectors, letters)
     heads = (plan.text("drawing.change"), plan.text("drawing.name.x"), plan.text("drawing.name.y"))
     page.cells += [Cell(first - 1, col, head, styles.HEAD) for col, head in enumerate(heads, left)]
     for row, (number, position, *ways) in enumerate(changes, first):

@@ -101,14 +101,16 @@ class _Corner:
 class Listed:
     """A list of shapes, written on a page from its present row on.
 
-    frame   the window;  points  the cells of every point;  series  what the chart draws, from back to front
+    letters  how high names are (`letters_in`);  besides  writes what is drawn besides
+
+    frame    the window;  points  the cells of every point;  series  what the chart draws, from back to front
     """
 
-    def __init__(self, page: Page, besides: Callable[[], Series]) -> None:
+    def __init__(self, page: Page, letters: float, besides: Callable[[], Series]) -> None:
         plan = page.plan
         self._vectors: list[Kind] = [KINDS[kind] for kind in plan.arrows]
         found = shapes_of(plan.mechanism, plan.equations.equations, self._vectors)
-        self.page, self.found = page, found
+        self.page, self.found, self._letters = page, found, letters
         self.known: dict[Node, Node] = {}
         self._numbers: dict[tuple[Vector, Vector, Vector, Node | None], int] = {}
         self.points: dict[str, PointCells] = {}
@@ -475,7 +477,7 @@ class Listed:
             x, y = page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y)
             yield Series(words, x, y, show_name=True, label_side="center", in_legend=False)
             page.row += 1
-        ways = ways_beside(page, self._vectors, page.cell(NINTH, start, anchored=False))
+        ways = ways_beside(page, self._vectors, self._letters, page.cell(NINTH, start, anchored=False))
         for col, chart_col, way in ((FIRST, CHART_X, ways[0]), (SECOND, CHART_Y, ways[1])):
             self._filled(col, way, start, page.row - 1)
             origins = page.column_of(chart_col, self.first_place, self.last_place)

@@ -127,7 +127,6 @@ def _legend(writer: Writer) -> None:
     text = writer.plan.text
     writer.put(LEGEND_ROW, SYMBOL, text("legend.input"), styles.numbered(styles.INPUT, "@"))
     writer.put(LEGEND_ROW, VALUE, text("legend.result"), styles.RESULT)
-    writer.put(LEGEND_ROW, MEANING, text("legend.missing"), styles.LEGEND)
 
 
 # --- blocks ------------------------------------------------------------------------------------------------------
@@ -407,7 +406,7 @@ def controls(plan: Plan) -> tuple[Control, ...]:
     """The scroll bar and the spin button of the position cell; a scroll bar beside the driver's speed or duration."""
     if plan.rows < 2:
         return ()
-    return *_motion_controls(plan), *position_controls(plan, Anchor(2, CHARTS, 420, 20), VALUE, MARGIN)
+    return *_motion_controls(plan), *position_controls(plan, Anchor(2, CHARTS, 350, 20), VALUE, MARGIN)
 
 
 def position_controls(plan: Plan, bar: Anchor, value: int, button: int) -> tuple[Control, Control]:

@@ -39,7 +39,7 @@ from mechsheet.sheet.grashof import (
 )
 from mechsheet.sheet.over_rows import but_first, but_last
 from mechsheet.sheet.places import there
-from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW, Plan
+from mechsheet.sheet.plan import LEGEND_ROW, MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places, places_of
@@ -49,6 +49,9 @@ from mechsheet.units import behind_number
 from mechsheet.units import turn as whole_turn
 
 HIGH_LOW: tuple[Way, Way] = ("max", "min")
+
+MARKS = {styles.BAD: "●", styles.WARN: "▲"}
+"""Beside what is red, and what is amber: in print without colours, too."""
 
 
 def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[Merge]:
@@ -87,6 +90,7 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
         cam.write(block)
     if found.flywheel:
         block.flywheel()
+    block.marks()
     block.line_under_the_title()
     return [Merge(Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING))]
 
@@ -103,6 +107,7 @@ class _Block:
         self.driver = writer.plan.mechanism.driver
         self.turning = self.driver.unit.kind == "angle"
         self.unit = behind_number(self.driver.unit.text)
+        self.levels: dict[str, list[tuple[Node, str]]] = {}
 
     # --- small things -----------------------------------------------------------------------------------------
 
@@ -154,6 +159,7 @@ class _Block:
         row = self.rows[key]
         area = Area(row, MEANING, row, MEANING)
         self.writer.conditionals.append(Conditional(area, formula(test, **holes), style))
+        self.levels.setdefault(key, []).append((formula(test, **holes), MARKS.get(style, "")))
 
     def driver_text(self, value: Node) -> Node:
         """A value of the driver in words: 48.3°."""
@@ -593,6 +599,35 @@ class _Block:
         unit = inertia_unit(dynamics, plan.mechanism.length_unit) if dynamics else ""
         self.line("flywheel", self.text("flywheel"), unit, inertia, style,
                   said("flywheel", self.text("flywheel.words")))  # fmt: skip
+
+    # --- what is amber or red --------------------------------------------------------------------------------
+
+    def marks(self) -> None:
+        """Beside each line that is red or amber a mark; under the line under the title which the first of them is, and
+        where: it may be far below."""
+        writer, names = self.writer, list(self.rows.values())
+        for key, levels in self.levels.items():
+            mark: Node = Text("")
+            for test, level in reversed(levels):
+                mark = formula("IF(test,level,mark)", test=test, level=level, mark=mark)
+            writer.formula(self.rows[key], MEANING + 1, formula('IFERROR(mark,"")', mark=mark), styles.MARK)
+        column, symbols = (
+            RangeRef(CellRef(names[0], col, True, True), CellRef(names[-1], col, True, True))
+            for col in (MEANING + 1, SYMBOL)
+        )
+        missing = self.plan.text("legend.missing")
+        said: Node = Text(missing)
+        for sign in reversed(MARKS.values()):
+            place = formula("MATCH(sign,column,0)", sign=sign, column=column)
+            words = joined(f"{sign} ", formula("INDEX(symbols,place)", symbols=symbols, place=place), ": E",
+                           formula("ROW(first)+place-1", first=column.start, place=place), f" · {missing}")  # fmt: skip
+            said = formula("IFERROR(words,said)", words=words, said=said)
+        writer.formula(LEGEND_ROW, MEANING, said, styles.LEGEND)
+        area, cell = Area(LEGEND_ROW, MEANING, LEGEND_ROW, MEANING), CellRef(LEGEND_ROW, MEANING, True, True)
+        writer.conditionals += [
+            Conditional(area, formula("LEFT(cell,1)=mark", cell=cell, mark=mark), style)
+            for style, mark in MARKS.items()
+        ]
 
     # --- the line under the title -----------------------------------------------------------------------------
 

@@ -8,25 +8,24 @@ from dataclasses import replace
 from livesheet.formula.nodes import CellRef, Node, transform
 from livesheet.workbook import Chart, Column, Content, Style
 from mechsheet.model import ChartRequest
-from mechsheet.shapes.forms import LETTERS
 from mechsheet.sheet import styles
 from mechsheet.sheet.degrees import degrees_together
-from mechsheet.sheet.drawing.drawing import PATH_INNER, SIZE, caption, chart_of
+from mechsheet.sheet.drawing.drawing import PATH_INNER, caption, chart_of, letters_in
 from mechsheet.sheet.drawing.frames import FIRST, NAME, NUMBER_STYLE, Page
 from mechsheet.sheet.drawing.hodographs import hodograph_chart
 from mechsheet.sheet.drawing.listed import Listed
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan
 from mechsheet.sheet.symbols import rich
 
-WORDS = replace(styles.INNER, name="", align="left", wrap=True)
-"""Wrapped: a text that is too long would be drawn over the columns beside those that are folded away."""
+WORDS = replace(styles.INNER, name="", align="left", shrink=True)
+"""Shrunk: a text that is too long would be drawn over the columns beside those that are folded away, and one that is wrapped
+makes the table's rows higher."""
 
 
 class _Beside(Page):
     """Cells to the right of the table, in its own manner."""
 
     plan: PagePlan
-    letters = LETTERS * SIZE / CHART_HEIGHT
 
     def put(self, col: int, content: Content, style: Style = styles.LABEL) -> None:
         """A constant in the present row; an empty text is no cell."""
@@ -58,7 +57,7 @@ class PageDrawing:
             page.put(NAME, rich(symbol))
             self.shown[symbol] = page.formula(FIRST, page.indexed(plan.at.spots[symbol]))
             page.row += 1
-        listed = Listed(page, lambda: caption(page))
+        listed = Listed(page, letters_in(CHART_HEIGHT), lambda: caption(page))
         self.chart = chart_of(plan, listed.series, CHART_HEIGHT)
 
     @property
