@@ -41,6 +41,10 @@ class Cells:
             Validation(area, kind, operator, low, high, choices, title, message, title, message, stop)
         )
 
+    def colour(self, area: Area, test: Node, style: Style) -> None:
+        """How cells look where a test of them, written for the upper left one, holds."""
+        self.conditionals.append(Conditional(area, self.plan.at.bind(test, self.title), style))
+
     def merge(self, row: int, first: int, last: int) -> None:
         """Cells side by side that are shown as one."""
         self.merges.append(Merge(Area(row, first, row, last)))

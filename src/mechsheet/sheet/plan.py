@@ -94,7 +94,8 @@ class TableColumn:
     """One column of the table: the row's number, the driver, what it says of the row, the time of a law, what is listed
     beside the driver's values, or a quantity.
 
-    inner  an intermediate quantity, in quieter ink
+    symbol  of the quantity, "" of the row's number and of what it says
+    inner   an intermediate quantity, in quieter ink
     """
 
     col: int

@@ -25,7 +25,7 @@ from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.table.rates import dead_words
 from mechsheet.sheet.table.status import status_words
-from mechsheet.sheet.workbook import Area, Column, Conditional, PrintSetup, Sheet
+from mechsheet.sheet.workbook import Area, Column, PrintSetup, Sheet
 
 ROUNDING = 1e3
 """Lengths are equal up to so many times what counts as zero (1e-12 of the largest length): 1e-9 of it."""
@@ -200,7 +200,7 @@ class _Writer(Cells):
         self.formula(TYPED_ROW, WORDS, words, styles.VERDICT)
         area = Area(TYPED_ROW, WORDS, TYPED_ROW, WORDS)
         typed = formula("count<>0", count=CellRef(TYPED_ROW, VALUE, True, True))
-        self.conditionals.append(Conditional(area, typed, styles.BAD))
+        self.colour(area, typed, styles.BAD)
         rounding = formula("times*tolerance", times=ROUNDING, tolerance=Symbol(plan.equations.tolerance))
         self.formula(ROUNDING_ROW, VALUE, rounding, styles.numbered(styles.RESULT, styles.ERROR.number_format))
         for index, words_ in enumerate(self.at.reasons):
@@ -275,7 +275,7 @@ class _Writer(Cells):
         if gaps:
             missing = formula("ISTEXT(gap)", gap=CellRef(self.at.first, gaps[-1], col_abs=True))
             area = Area(self.at.first, 0, self.at.last, DATA + len(self.at.checks) - 1)
-            self.conditionals.append(Conditional(area, missing, styles.MISSING))
+            self.colour(area, missing, styles.MISSING)
 
 
 _WORST = {"gap": "MAX", "margin": "MIN", "crossing": "MIN", "leap": "SUM", "velocity": "MAX", "acceleration": "MAX"}

@@ -165,7 +165,7 @@ def _from_synthesis(writer: Writer, dim: Dimension, row: int) -> None:
     value: Node = dim.value if not isinstance(dim.value, float) else Text("")
     value = Call("DEGREES", (value,)) if dim.unit.in_degrees else value
     solved = formula("IF(unsolved>0,NA(),value)", unsolved=there(plan.places.unsolved).cell, value=value)
-    writer.formula(row, VALUE, plan.at.bind(solved, plan.main), value_style(plan, dim.unit.kind))
+    writer.formula(row, VALUE, solved, value_style(plan, dim.unit.kind))
 
 
 def _label(plan: Plan, dim: Dimension) -> str:
@@ -193,8 +193,7 @@ def _derived(writer: Writer) -> None:
 
 
 def _result(writer: Writer, row: int, expression: Node, degrees: bool, style: Style) -> None:
-    node = writer.plan.at.bind(expression, writer.plan.main, None)
-    writer.formula(row, VALUE, Call("DEGREES", (node,)) if degrees else node, style)
+    writer.formula(row, VALUE, Call("DEGREES", (expression,)) if degrees else expression, style)
 
 
 def _sweep(writer: Writer) -> None:
@@ -264,7 +263,7 @@ def _assembly(writer: Writer) -> None:
         writer.formula(row, MEANING, _mode_words(plan, group, row), styles.LABEL_SAID)
         if group.follows is not None:
             mode = formula("IF(unsolved>0,NA(),mode)", unsolved=there(plan.places.unsolved).cell, mode=group.follows)
-            writer.formula(row, VALUE, plan.at.bind(mode, plan.main), styles.RESULT)
+            writer.formula(row, VALUE, mode, styles.RESULT)
             continue
         writer.put(row, VALUE, float(group.mode_value), styles.INPUT)
         choices = tuple(str(value) for value in group.mode_values)
@@ -277,7 +276,7 @@ def _mode_hint(plan: Plan, group: Group) -> str:
 
 def _mode_words(plan: Plan, group: Group, row: int) -> Node:
     if group.system is not None:
-        return plan.at.bind(start_words(plan, group.system), plan.main)
+        return start_words(plan, group.system)
     plus, minus = (Text(words.of(plan.language)) for words in group.assemblies)
     return formula("IF(cell>0,plus,minus)", cell=CellRef(row, VALUE, True, True), plus=plus, minus=minus)
 
@@ -303,7 +302,7 @@ def start_words(plan: Plan, system: System) -> Node:
 def _at_position(plan: Plan, column: RangeRef) -> Node:
     """The value of a column in the row of the position shown."""
     position = there(plan.places.position).cell
-    return plan.at.bind(formula("INDEX(column,position+1)", column=column, position=position), plan.main)
+    return formula("INDEX(column,position+1)", column=column, position=position)
 
 
 def _position(writer: Writer) -> None:
@@ -314,7 +313,7 @@ def _position(writer: Writer) -> None:
     last = plan.rows - 1
     writer.line(rows["position"], plan.text("name.position"), "", None)
     before, after = plan.text("position.number", last="#").split("#")
-    number = plan.at.bind(joined(before, formula("rows-1", rows=plan.places.rows.cell), after), plan.main)
+    number = joined(before, formula("rows-1", rows=plan.places.rows.cell), after)
     writer.formula(rows["position"], MEANING, number, styles.LABEL_SAID)
     writer.put(rows["position"], VALUE, float(plan.first_existing), styles.INPUT)
     title, message = plan.text("hint.position.title"), plan.text("hint.position", last=last)

@@ -26,7 +26,7 @@ from mechsheet.sheet.shown import input_validation, unit_of_column
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.transmission import angle_words, poor_limit, some_poor
-from mechsheet.sheet.workbook import Area, Comment, Conditional, Content, Fill, Merge, Style
+from mechsheet.sheet.workbook import Area, Comment, Content, Fill, Merge, Style
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit, turn
 
@@ -229,8 +229,8 @@ class Top(Cells):
         self.formula(row, VALUE, task.wrong(plan, asked), styles.decimals(styles.RESULT, 0))
         area, words = Area(row, MEANING, row, LAST), CellRef(row, MEANING, True, True)
         doubt = task.doubtful(plan, words)
-        self.conditionals.append(Conditional(area, formula("count>0", count=count), styles.BAD))
-        self.conditionals.append(Conditional(area, doubt, styles.WARN))
+        self.colour(area, formula("count>0", count=count), styles.BAD)
+        self.colour(area, doubt, styles.WARN)
 
     def _there(self) -> Node:
         """Whether the position that is drawn is a row of the table."""
@@ -287,7 +287,7 @@ class Top(Cells):
         said, after = angle_words(plan, cell)
         words = joined(said, f"{after}{plan.text('page.transmission.rows')}", bad)
         self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=words))
-        self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
+        self.colour(Area(row, MEANING, row, LAST), poor, styles.WARN)
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=plan.places.closed.cell, least=least)
         self.formula(row, VALUE, value, value_style(plan, "angle"))
 
@@ -334,13 +334,10 @@ class Top(Cells):
             ("OR(n<rows,poor,doubts)", styles.WARN),
             ("n=rows", styles.GOOD),
         ):
-            condition = plan.at.bind(
-                formula(
-                    test, wrong=wrong, there=there, n=count, rows=rows, poor=any_poor, missed=missed, doubts=doubts
-                ),
-                plan.main,
+            condition = formula(
+                test, wrong=wrong, there=there, n=count, rows=rows, poor=any_poor, missed=missed, doubts=doubts
             )
-            self.conditionals.append(Conditional(area, condition, style))
+            self.colour(area, condition, style)
 
     def _summaries(self) -> None:
         plan = self.plan

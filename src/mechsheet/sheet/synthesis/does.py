@@ -18,7 +18,7 @@ from mechsheet.sheet.synthesis.sensitivity import largest
 from mechsheet.sheet.synthesis.tables import MU, curve_columns, exact_column, has_points, sensitivity_columns
 from mechsheet.sheet.task_rows import INPUTS, LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, UNSOLVED, USED, VALUE
 from mechsheet.sheet.transmission import POOR
-from mechsheet.sheet.workbook import Area, Conditional
+from mechsheet.sheet.workbook import Area
 from mechsheet.units import behind_number
 
 YES, DOUBT, NO = "✓", "!", "✗"
@@ -102,7 +102,7 @@ class Does:
         area = Area(row, ROUNDED, row, MEANING)
         for mark, colours in ((NO, styles.BAD), (DOUBT, styles.WARN), (YES, styles.GOOD)):
             condition = formula("mark=own", mark=CellRef(row, ROUNDED, True, True), own=mark)
-            page.conditionals.append(Conditional(area, condition, colours))
+            page.colour(area, condition, colours)
 
     def _inputs(self) -> None:
         """The number of the first input that cannot be, 0 where all can."""
@@ -321,4 +321,4 @@ class Does:
             (formula("AND(red=0,amber>0)", red=red, amber=amber), styles.WARN),
             (formula("red+amber=0", red=red, amber=amber), styles.GOOD),
         ):
-            page.conditionals.append(Conditional(area, condition, style))
+            page.colour(area, condition, style)
