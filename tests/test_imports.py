@@ -292,7 +292,18 @@ SHEET = (
     # which columns there are: the equations as cells compute them, before anything has a place
     {"columns"},
     # the plan, which gives everything its place, and what is said in formulas over these places alone
-    {"classification", "task_rows", "plan", "driving", "over_rows", "shown", "transmission", "geometry", "grashof"},
+    {
+        "classification",
+        "task_rows",
+        "plan",
+        "driving",
+        "over_rows",
+        "shown",
+        "cells",
+        "transmission",
+        "geometry",
+        "grashof",
+    },
     # rows first, then what is measured and searched in rows, then what draws and judges by that
     {"table"},
     {"checks"},

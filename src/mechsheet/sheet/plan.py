@@ -96,7 +96,8 @@ class TableColumn:
     """One column of the table: the row's number, the driver, what it says of the row, the time of a law, what is listed
     beside the driver's values, or a quantity.
 
-    inner  an intermediate quantity, in quieter ink
+    symbol  of the quantity, "" of the row's number and of what it says
+    inner   an intermediate quantity, in quieter ink
     """
 
     col: int
@@ -294,11 +295,6 @@ class Plan:
         return there(self.checks)
 
     @property
-    def named(self) -> bool:
-        """Whether formulas read cells by their names."""
-        return self.mechanism.references == "names"
-
-    @property
     def main(self) -> str:
         """Title of the first sheet."""
         return self.at.titles["mechanism"]
@@ -342,9 +338,7 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
     found = {} if mechanism.synthesis is None else mechanism.synthesis.taken
     inputs = [dim for dim in own if not dim.derived or dim.symbol in found]
     derived = sorted((dim for dim in own if dim not in inputs), key=lambda dim: order[dim.symbol])
-    taken = {folded(dim.cell) for dim in mechanism.dimensions if dim.cell}
-    singles = mechanism.motion_numbers
-    taken |= {folded(each.cell) for each in (*singles, *mechanism.outputs) if each.cell}
+    named, singles = Named(plan), mechanism.motion_numbers
     plan.next_row = FIRST_BLOCK
     shown = [f"show_{kind}" for kind in plan.arrows]
     _block(plan, "position", ["position", mechanism.driver.symbol, "status", *shown])
@@ -369,54 +363,40 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
         _block(plan, "bands", [*mechanism.bands.quantities, *mechanism.bands.summaries])
     _block(plan, "verdicts", plan.found.entries)
     _block(plan, "derived", [dim.symbol for dim in derived] + [eq.symbol for eq in plan.equations.constants])
-    placed = [dim for dim in mechanism.dimensions if block_of(dim) != "synthesis"]
-    names = names_of_dimensions(mechanism, placed, taken, kept_names(mechanism, [*plan.found.entries, *shown]))
-    for dim in placed:
-        _place_dimension(plan, dim, names[dim.symbol], taken)
-    unsolved, task = _place_synthesis(plan, taken)
     spots, rows = plan.at.spots, {key: block.rows for key, block in plan.blocks.items()}
+    placed = [dim for dim in mechanism.dimensions if block_of(dim) != "synthesis"]
+    called = names_of_dimensions(mechanism, placed, named.taken, kept_names(mechanism, [*plan.found.entries, *shown]))
+    for dim in placed:
+        own_rows = rows[block_of(dim) or ("dimensions" if dim.symbol in rows["dimensions"] else "derived")]
+        row, name = own_rows[dim.symbol], called[dim.symbol]
+        spots[dim.symbol] = named.cell(row, dim.symbol, degrees=dim.unit.in_degrees, own=name)
+    unsolved, line = _place_synthesis(plan, named)
     for equation in plan.equations.constants:
         symbol, degrees = equation.symbol, mechanism.shown(equation.unit).in_degrees
-        spots[symbol] = _cell(plan, rows["derived"][symbol], safe_name(symbol, taken), taken, degrees=degrees)
+        spots[symbol] = named.cell(rows["derived"][symbol], symbol, degrees=degrees)
     bands = {}
     if mechanism.bands:
         for dim in toleranced(mechanism):
-            symbol, name = tolerance_symbol(dim.symbol), safe_name(f"tol_{dim.symbol}", taken)
-            spots[symbol] = _cell(plan, rows["dimensions"][dim.symbol], name, taken, TOLERANCE)
-        for symbol, row in rows["bands"].items():
-            bands[symbol] = _cell(plan, row, safe_name(f"band_{symbol}", taken), taken)
+            row = rows["dimensions"][dim.symbol]
+            spots[tolerance_symbol(dim.symbol)] = named.cell(row, f"tol_{dim.symbol}", TOLERANCE)
+        bands = {symbol: named.cell(row, f"band_{symbol}") for symbol, row in rows["bands"].items()}
     for mode in modes:
-        spots[mode] = _cell(plan, rows["assembly"][mode], safe_name(mode, taken), taken)
-    start, step = (
-        _cell(
-            plan,
-            rows["sweep"][key],
-            safe_name(plan.text(f"name.{key}"), taken),
-            taken,
-            degrees=mechanism.driver.unit.in_degrees,
-        )
-        if "sweep" in rows
-        else None
-        for key in ("start", "step")
-    )
-    summaries = {
-        each.symbol: _cell(plan, rows["summary"][each.symbol], each.cell or safe_name(each.symbol, taken), taken)
-        for each in singles
-    }
+        spots[mode] = named.cell(rows["assembly"][mode], mode)
+    start, step = named.sweep(rows)
+    summaries = {each.symbol: named.cell(rows["summary"][each.symbol], each.symbol, own=each.cell) for each in singles}
     for output in mechanism.outputs:
         if output.cell:
             plan.names.append(Name(output.cell, plan.main, rows["variables"][output.symbol], VALUE))
-    position = _cell(plan, rows["position"]["position"], safe_name(plan.text("name.position"), taken), taken)
+    position = named.cell(rows["position"]["position"], plan.text("name.position"))
     arrows: dict[str, Spot] = {
-        kind: _cell(plan, rows["position"][key], safe_name(key, taken), taken)
-        for kind, key in zip(plan.arrows, shown, strict=True)
+        kind: named.cell(rows["position"][key], key) for kind, key in zip(plan.arrows, shown, strict=True)
     }
-    verdict = _cell(plan, VERDICT_ROW, safe_name("verdict", taken), taken, SYMBOL)
+    verdict = named.cell(VERDICT_ROW, "verdict", SYMBOL)
     lines, occurs = {}, {}
-    for key in plan.found.entries:
-        lines[key] = _cell(plan, rows["verdicts"][key], safe_name(key, taken), taken)
+    for key, row in rows["verdicts"].items():
+        lines[key] = named.cell(row, key)
         if key in plan.found.placed:
-            occurs[key] = _cell(plan, rows["verdicts"][key], safe_name(f"{key}_at", taken), taken, TOLERANCE)
+            occurs[key] = named.cell(row, f"{key}_at", TOLERANCE)
     if "mean_torque" in lines:
         spots[MEAN] = lines["mean_torque"]
     first = plan.at.first
@@ -424,9 +404,37 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
     rates = Spot(plan.at.titles["rates"], first, RATES_STATUS, plan.rows) if plan.rates else None
     count = Spot(plan.main, rows["verdicts"]["rows_closed"], UNIT)
     plan.places = Places(
-        status, count, verdict, lines, summaries, number, rates, position, start, step, unsolved, task, arrows, occurs,
+        status, count, verdict, lines, summaries, number, rates, position, start, step, unsolved, line, arrows, occurs,
         bands, starts=starts,
     )  # fmt: skip
+
+
+class Named:
+    """Gives names to cells, each its own; those that the description asks for are taken beforehand."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan, mechanism = plan, plan.mechanism
+        named = (*mechanism.dimensions, *mechanism.motion_numbers, *mechanism.outputs)
+        self.taken = {folded(each.cell) for each in named if each.cell}
+
+    def cell(
+        self, row: int, wish: str, col: int = VALUE, degrees: bool = False, own: str | None = "", sheet: str = ""
+    ) -> Spot:
+        """A cell of the first sheet where no other is said, under a name that is asked for or one like the wish."""
+        title, name = sheet or self.plan.main, own or safe_name(wish, self.taken)
+        self.taken.add(folded(name))
+        self.plan.names.append(Name(name, title, row, col))
+        return Spot(title, row, col, 0, degrees, name, self.plan.mechanism.references == "names")
+
+    def sweep(self, rows: Mapping[str, Mapping[str, int]]) -> tuple[Spot | None, Spot | None]:
+        """The driver's start and step, where its values are not listed."""
+        if "sweep" not in rows:
+            return None, None
+        degrees = self.plan.mechanism.driver.unit.in_degrees
+        start, step = (
+            self.cell(rows["sweep"][key], self.plan.text(f"name.{key}"), degrees=degrees) for key in ("start", "step")
+        )
+        return start, step
 
 
 INPUT_BLOCKS = ("motion", "cam", "drivers", "gears", "masses", "loads")
@@ -443,33 +451,18 @@ def block_of(dim: Dimension) -> str:
     return places[str(dim.place[0])] if dim.place else ""
 
 
-def _place_dimension(plan: Plan, dim: Dimension, name: str, taken: set[str]) -> None:
-    block = plan.blocks[block_of(dim) or ("dimensions" if dim.symbol in plan.blocks["dimensions"].rows else "derived")]
-    plan.at.spots[dim.symbol] = _cell(plan, block.rows[dim.symbol], name, taken, degrees=dim.unit.in_degrees)
-
-
-def _place_synthesis(plan: Plan, taken: set[str]) -> tuple[Spot | None, Spot | None]:
+def _place_synthesis(plan: Plan, named: Named) -> tuple[Spot | None, Spot | None]:
     """The task's inputs and its steps; whether it has a solution, and the line of what is said of it."""
     task = plan.mechanism.synthesis
     if task is None:
         return None, None
-    title = plan.at.titles["synthesis"]
 
-    def place(row: int, col: int, degrees: bool, wanted: str) -> Spot:
-        return _cell(plan, row, safe_name(wanted, taken), taken, col, degrees, title)
+    def place(row: int, col: int, degrees: bool, wish: str) -> Spot:
+        return named.cell(row, wish, col, degrees, sheet=plan.at.titles["synthesis"])
 
     plan.synthesis, spots, line, unsolved = plan_rows(plan.mechanism, task, bool(plan.found.four_bars), place)
     plan.at.spots.update(spots)
     return unsolved, line
-
-
-def _cell(
-    plan: Plan, row: int, name: str, taken: set[str], col: int = VALUE, degrees: bool = False, sheet: str = ""
-) -> Spot:
-    """A cell with a name, of the first sheet where no other is said."""
-    taken.add(folded(name))
-    plan.names.append(Name(name, sheet or plan.main, row, col))
-    return Spot(sheet or plan.main, row, col, 0, degrees, name, plan.named)
 
 
 def _block(plan: Plan, key: str, entries: list[str]) -> Block:

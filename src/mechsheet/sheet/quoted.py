@@ -1,9 +1,9 @@
 """Formulas written as they read: `formula("IF(ISNUMBER(low), high - low, NA())", low=..., high=...)`.
 
 A name in the text is a hole when an argument of that name is given, else the symbol of a quantity (`theta14`, `C.x`), which
-`Addresses.bind` turns into a cell. A leading underscore names what is no quantity of the mechanism: `_start` is the cell
-`#start`. `ALL(x)` is the whole column of x, `SHOWN(x)` its cell as people read it (degrees, not radians). A symbol
-that would read as a cell's address (`s14`) comes through a hole of another name.
+`Addresses.bind` turns into a cell; cells that are no quantities come through holes, as `Plan.places` has them. `ALL(x)` is
+the whole column of x, `SHOWN(x)` its cell as people read it (degrees, not radians). A symbol that would read as a cell's
+address (`s14`) comes through a hole of another name.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def formula(text: str, **holes: Node | float | str) -> Node:
             case NameRef(name, None) if name in given:
                 return given[name]
             case NameRef(name, None):
-                return Symbol(f"#{name[1:]}" if name.startswith("_") else name)
+                return Symbol(f"#{name[1:]}" if name.startswith("_") else name)  # see `checks/keyed`
             case Call("ALL" | "SHOWN" as way, (Symbol(name),)):
                 return Symbol(f"{way} {name}")
         return part

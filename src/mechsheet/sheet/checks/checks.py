@@ -11,10 +11,11 @@ from typing import Literal
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
-from livesheet.workbook import Area, Cell, Column, Conditional, Content, Fill, Merge, PrintSetup, Sheet, Style
+from livesheet.workbook import Area, Column, PrintSetup, Sheet
 from mechsheet.kinematics.numeric import runs_of
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.checks.assemblies import assembly_columns
 from mechsheet.sheet.checks.efforts import AGREES, effort_columns
 from mechsheet.sheet.checks.fits import fit_columns
@@ -152,22 +153,18 @@ def checks_sheet(plan: Plan, checks: Checks) -> Sheet:
     return _Writer(plan, checks).sheet()
 
 
-class _Writer:
+class _Writer(Cells):
     def __init__(self, plan: Plan, checks: Checks) -> None:
-        self.plan = plan
+        super().__init__(plan, checks.title)
         self.at = checks
-        self.cells: list[Cell] = []
-        self.fills: list[Fill] = []
-        self.conditionals: list[Conditional] = []
-        self.merges: list[Merge] = []
 
     def sheet(self) -> Sheet:
         """The finished sheet."""
         plan, at = self.plan, self.at
-        self._put(TITLE_ROW, 0, plan.text("checks.title"), styles.TITLE)
-        self._put(ABOUT_ROW, 0, plan.text("checks.about"), styles.NOTE_TEXT)
+        self.put(TITLE_ROW, 0, plan.text("checks.title"), styles.TITLE)
+        self.put(ABOUT_ROW, 0, plan.text("checks.about"), styles.NOTE_TEXT)
         last_col = max(DATA + len(at.checks) - 1, WORDS + 4)
-        self.merges.append(Merge(Area(ABOUT_ROW, 0, ABOUT_ROW, last_col)))
+        self.merge(ABOUT_ROW, 0, last_col)
         self._whole()
         self._table()
         for index, check in enumerate(at.checks):
@@ -188,39 +185,32 @@ class _Writer:
             print_setup=PrintSetup(repeat_rows=(at.group_row, at.at_row), footer=plan.footer),
         )
 
-    def _put(self, row: int, col: int, content: Content, style: Style) -> None:
-        self.cells.append(Cell(row, col, content, style))
-
-    def _formula(self, row: int, col: int, node: Node, style: Style, rows: int = 1) -> None:
-        self.fills.append(Fill(row, col, node, style, rows=rows))
-
     # --- what holds for the whole table -----------------------------------------------------------------------
 
     def _whole(self) -> None:
         """Cells typed over, what counts as rounding, and the words for rows without a position."""
         plan = self.plan
         for row, key in ((TYPED_ROW, "typed"), (ROUNDING_ROW, "rounding"), (REASONS_ROW, "reasons")):
-            self._put(row, 0, plan.text(f"checks.{key}"), styles.LABEL)
-            self._put(row, 1, None, styles.LABEL)
-            self.merges.append(Merge(Area(row, 0, row, 1)))
-        self._formula(TYPED_ROW, VALUE, typed_over(plan), styles.decimals(styles.RESULT, 0))
+            self.put(row, 0, plan.text(f"checks.{key}"), styles.LABEL)
+            self.put(row, 1, None, styles.LABEL)
+            self.merge(row, 0, 1)
+        self.formula(TYPED_ROW, VALUE, typed_over(plan), styles.decimals(styles.RESULT, 0))
         words = formula("IF(count=0,fine,look)", count=CellRef(TYPED_ROW, VALUE, True, True),
                         fine=plan.text("checks.all_formulas"), look=plan.text("checks.some_typed"))  # fmt: skip
-        self._formula(TYPED_ROW, WORDS, words, styles.VERDICT)
+        self.formula(TYPED_ROW, WORDS, words, styles.VERDICT)
         area = Area(TYPED_ROW, WORDS, TYPED_ROW, WORDS)
         typed = formula("count<>0", count=CellRef(TYPED_ROW, VALUE, True, True))
-        self.conditionals.append(Conditional(area, typed, styles.BAD))
-        tolerance = plan.at.bind(Symbol(plan.equations.tolerance), self.at.title)
-        rounding = formula("times*tolerance", times=ROUNDING, tolerance=tolerance)
-        self._formula(ROUNDING_ROW, VALUE, rounding, styles.numbered(styles.RESULT, styles.ERROR.number_format))
+        self.colour(area, typed, styles.BAD)
+        rounding = formula("times*tolerance", times=ROUNDING, tolerance=Symbol(plan.equations.tolerance))
+        self.formula(ROUNDING_ROW, VALUE, rounding, styles.numbered(styles.RESULT, styles.ERROR.number_format))
         for index, words_ in enumerate(self.at.reasons):
-            self._put(REASONS_ROW + index, VALUE, words_, styles.VERDICT)
+            self.put(REASONS_ROW + index, VALUE, words_, styles.VERDICT)
         if self.at.dead:
-            self._put(self.at.dead_row, 0, plan.text("checks.dead", rates=plan.at.titles["rates"]), styles.LABEL)
-            self._put(self.at.dead_row, 1, None, styles.LABEL)
-            self.merges.append(Merge(Area(self.at.dead_row, 0, self.at.dead_row, 1)))
+            self.put(self.at.dead_row, 0, plan.text("checks.dead", rates=plan.at.titles["rates"]), styles.LABEL)
+            self.put(self.at.dead_row, 1, None, styles.LABEL)
+            self.merge(self.at.dead_row, 0, 1)
             for index, words_ in enumerate([*self.at.dead, plan.text("status.ok")]):
-                self._put(self.at.dead_row + index, VALUE, words_, styles.VERDICT)
+                self.put(self.at.dead_row + index, VALUE, words_, styles.VERDICT)
 
     # --- the table --------------------------------------------------------------------------------------------
 
@@ -228,38 +218,38 @@ class _Writer:
         """The driver, and how many stretches of positions have begun."""
         plan, at, first = self.plan, self.at, self.at.first
         driver = plan.at.cell(plan.mechanism.driver.symbol, at.title, plan.at.first)
-        self._formula(first, DRIVER_COL, driver, styles.decimals(styles.COLUMN, 2), plan.rows)
+        self.formula(first, DRIVER_COL, driver, styles.decimals(styles.COLUMN, 2), plan.rows)
         ok = plan.text("status.ok")
         said = CellRef(plan.at.first, STATUS, sheet=plan.table)
         counted = styles.decimals(styles.INNER, 0)
         # over the first row is nothing here, and a heading there
         begins = formula("before+IF(AND(said=ok,said_before<>ok),1,0)", before=CellRef(first - 1, COUNT_COL),
                          said=said, said_before=shifted(said, -1), ok=ok)  # fmt: skip
-        self._formula(first, COUNT_COL, begins, counted, plan.rows)
+        self.formula(first, COUNT_COL, begins, counted, plan.rows)
         heads = (heading(plan, plan.columns[DRIVER]), plan.text("checks.begun"))
         for col, head in enumerate(heads):
-            self._put(at.head_row, col, head, styles.HEAD)
-        self._put(at.group_row, 0, plan.text("checks.rows"), styles.SECTION)
+            self.put(at.head_row, col, head, styles.HEAD)
+        self.put(at.group_row, 0, plan.text("checks.rows"), styles.SECTION)
         for col in range(1, DATA + len(at.checks)):
-            self._put(at.group_row, col, None, styles.SECTION)
+            self.put(at.group_row, col, None, styles.SECTION)
         for row, key in ((at.most_row, "most"), (at.at_row, "at")):
-            self._put(row, 0, plan.text(f"checks.{key}"), styles.LABEL)
-            self._put(row, 1, None, styles.LABEL)
-            self.merges.append(Merge(Area(row, 0, row, COUNT_COL)))
+            self.put(row, 0, plan.text(f"checks.{key}"), styles.LABEL)
+            self.put(row, 1, None, styles.LABEL)
+            self.merge(row, 0, COUNT_COL)
 
     def _column(self, col: int, check: Check) -> None:
         """The column, its head, its worst value and where it is."""
         plan, at = self.plan, self.at
         unit = self._unit(check.kind)
         words = plan.text(f"checks.{check.kind}", number=check.group)
-        self._put(at.head_row, col, f"{words} [{unit}]" if unit else words, styles.HEAD)
+        self.put(at.head_row, col, f"{words} [{unit}]" if unit else words, styles.HEAD)
         style = styles.decimals(styles.COLUMN, 4 if check.kind in ("margin", "crossing", *SIZES) else 0)
         style = styles.ERROR if check.kind in ROUNDED else style
         style = styles.numbered(styles.COLUMN, styles.DETERMINANT) if check.kind == "det" else style
-        self._formula(at.first, col, plan.at.bind(check.formula, at.title), style, plan.rows)
+        self.formula(at.first, col, check.formula, style, plan.rows)
         column = RangeRef(CellRef(at.first, col, True), CellRef(at.last, col, True))
         most = formula('IF(COUNT(column)=0,"",worst)', column=column, worst=Call(_WORST[check.kind], (column,)))
-        self._formula(at.most_row, col, most, styles.numbered(styles.RESULT, style.number_format))
+        self.formula(at.most_row, col, most, styles.numbered(styles.RESULT, style.number_format))
         drivers = RangeRef(CellRef(at.first, DRIVER_COL, True, True), CellRef(at.last, DRIVER_COL, True, True))
         sought: Node = al.ONE if check.kind in COUNTED else CellRef(at.most_row, col, True)
         where = formula("INDEX(drivers,MATCH(sought,column,0))", drivers=drivers, sought=sought, column=column)
@@ -267,7 +257,7 @@ class _Writer:
             rounding = al.number(AGREES) if check.kind == "torque" else CellRef(ROUNDING_ROW, VALUE, True, True)
             where = formula('IF(worst>rounding,where,"")', worst=sought, rounding=rounding, where=where)
         where = formula('IFERROR(where,"")', where=where)
-        self._formula(at.at_row, col, where, styles.numbered(styles.RESULT, "0.00"))
+        self.formula(at.at_row, col, where, styles.numbered(styles.RESULT, "0.00"))
 
     def _unit(self, kind: Kind) -> str:
         """The unit of a column."""
@@ -285,7 +275,7 @@ class _Writer:
         if gaps:
             missing = formula("ISTEXT(gap)", gap=CellRef(self.at.first, gaps[-1], col_abs=True))
             area = Area(self.at.first, 0, self.at.last, DATA + len(self.at.checks) - 1)
-            self.conditionals.append(Conditional(area, missing, styles.MISSING))
+            self.colour(area, missing, styles.MISSING)
 
 
 _WORST = {"gap": "MAX", "margin": "MIN", "crossing": "MIN", "leap": "SUM", "velocity": "MAX", "acceleration": "MAX"}

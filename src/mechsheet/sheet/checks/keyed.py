@@ -40,7 +40,7 @@ def handed_out(extremes: Extremes) -> Searched:
         spots.get("#worst_group"),
         [Stretch(*(at(f"{key}_{number}") for key in ("first", "last", "from", "to", "stretch")))
          for number in range(1, STRETCHES + 1)],
-        [replace(spot, named=plan.named) for spot in limits],
+        [replace(spot, named=plan.mechanism.references == "names") for spot in limits],
         {
             (way, symbol): Extreme(
                 at(f"{way}_{symbol}"), at(f"{way}_at_{symbol}"), spots.get(f"#{way}_turns_{symbol}")

@@ -32,7 +32,7 @@ def _write(writer: Writer, tolerance: Tolerance, line: Line) -> None:
     for col, part in ((VALUE, WORST), (TOLERANCE, ROOT)):
         _band(writer, row, col, line, part)
     words = formula("IFERROR(words,none)", words=_words(tolerance, line), none=plan.text("bands.none"))
-    writer.formula(row, MEANING, plan.at.bind(words, plan.main), styles.LABEL_SAID)
+    writer.formula(row, MEANING, words, styles.LABEL_SAID)
 
 
 def _words(tolerance: Tolerance, line: Line) -> Node:
@@ -76,4 +76,4 @@ def _band(writer: Writer, row: int, col: int, line: Line, part: str) -> None:
     plan = writer.plan
     style = styles.decimals(styles.RESULT, plan.band_places.get(line.quantity, 4) + 1)
     value = formula("IFERROR(value,NA())", value=line.spot(plan, part).cell)
-    writer.formula(row, col, plan.at.bind(value, plan.main), style)
+    writer.formula(row, col, value, style)

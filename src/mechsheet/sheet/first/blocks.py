@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from livesheet.formula.nodes import Node
-from livesheet.workbook import Cell, Conditional, Content, Fill, Style, Validation
+from livesheet.workbook import Content, Style
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan
 from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.wrapping import height_of, label_lines
@@ -17,24 +17,8 @@ COLUMN = 7
 """Least pixels of a character of a column's width: Excel's."""
 
 
-class Writer:
+class Writer(Cells):
     """Collects the cells of the sheet; `heights` of rows with a label of several lines."""
-
-    def __init__(self, plan: Plan) -> None:
-        self.plan = plan
-        self.cells: list[Cell] = []
-        self.fills: list[Fill] = []
-        self.validations: list[Validation] = []
-        self.conditionals: list[Conditional] = []
-        self.heights: dict[int, float] = {}
-
-    def put(self, row: int, col: int, content: Content, style: Style) -> None:
-        """A constant."""
-        self.cells.append(Cell(row, col, content, style))
-
-    def formula(self, row: int, col: int, node: Node, style: Style) -> None:
-        """A formula, already bound."""
-        self.fills.append(Fill(row, col, node, style))
 
     def line(self, row: int, symbol: Content, unit: str | None, meaning: str | None) -> None:
         """The fixed parts of an entry: everything but its value (and its unit or meaning, when that is a formula: None)."""

@@ -43,7 +43,7 @@ def write(block: _Block) -> None:
 def _pressure(block: _Block) -> None:
     """The largest pressure angle, either way."""
     key, column = "pressure_angle", Symbol(f"{ALL}alpha")
-    value = block.bound('MAX(MAXIFS(all,all,">0"),-MINIFS(all,all,"<0"))', all=column)
+    value = formula('MAX(MAXIFS(all,all,">0"),-MINIFS(all,all,"<0"))', all=column)
     cam, degrees = block.plan.mechanism.cam, block.plan.mechanism.angle_unit.in_degrees
     usual = al.as_node(cam.pressure_angle if cam else 0.0)
     known = (
@@ -67,16 +67,16 @@ def _sharpest(block: _Block) -> None:
     roller = cam is not None and cam.radius is not None
     curved = Symbol(f"{ALL}kappa")
     value = (
-        block.bound(f'MINIFS(all,all,"{_NUMBERS}",curved,">0")', all=column, curved=curved)
+        formula(f'MINIFS(all,all,"{_NUMBERS}",curved,">0")', all=column, curved=curved)
         if roller
-        else block.bound(f'MINIFS(all,all,"{_NUMBERS}")', all=column)
+        else formula(f'MINIFS(all,all,"{_NUMBERS}")', all=column)
     )
     cell = block.value(key)
     fine: Node = Text(block.text(f"{key}.fine"))
     undercut: Node = Text(block.text(f"{key}.undercut"))
     if roller:
-        hollow = block.bound('COUNTIFS(curved,"<0")', curved=curved)
-        cutter = block.bound(f'-MAXIFS(all,all,"{_NUMBERS}",curved,"<0")', all=column, curved=curved)
+        hollow = formula('COUNTIFS(curved,"<0")', curved=curved)
+        cutter = formula(f'-MAXIFS(all,all,"{_NUMBERS}",curved,"<0")', all=column, curved=curved)
         concave = joined(block.text(f"{key}.concave"), " ", formula("ROUND(cutter,2)", cutter=cutter))
         fine = joined(fine, formula('IF(hollow>0,concave,"")', hollow=hollow, concave=concave))
     elif plan.mechanism.cam is not None and not plan.mechanism.drivers[0].link:  # rho grows as the base circle does
@@ -93,7 +93,7 @@ def _sharpest(block: _Block) -> None:
 
 def _place(block: _Block, row: str, **holes: Node) -> Node:
     drivers = Symbol(ALL + block.plan.mechanism.driver.symbol)
-    return block.bound(f'IFERROR(INDEX(drivers,{row}),"")', drivers=drivers, **holes)
+    return formula(f'IFERROR(INDEX(drivers,{row}),"")', drivers=drivers, **holes)
 
 
 def _leaps(block: _Block, motion: Segments, order: int, key: str, style: Style) -> None:
@@ -103,9 +103,9 @@ def _leaps(block: _Block, motion: Segments, order: int, key: str, style: Style) 
     where: list[Node | str] = []
     degrees = block.plan.mechanism.angle_unit.in_degrees
     for angle, step in _steps(motion, order):
-        leaps = block.bound("ABS(step)>most", step=step, most=most)
+        leaps = formula("ABS(step)>most", step=step, most=most)
         count = al.add(count, formula("IF(leaps,1,0)", leaps=leaps))
-        shown = block.bound("ROUND(DEGREES(angle),2)" if degrees else "ROUND(angle,4)", angle=angle)
+        shown = formula("ROUND(DEGREES(angle),2)" if degrees else "ROUND(angle,4)", angle=angle)
         where.append(formula('IF(leaps,at,"")', leaps=leaps, at=joined(" ", shown, block.unit)))
     some = joined(block.text(key), *where) if where else Text("")
     words = formula("IF(count=0,none,some)", count=block.value(key), none=block.text(f"{key}.none"), some=some)

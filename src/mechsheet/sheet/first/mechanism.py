@@ -66,7 +66,7 @@ def mechanism_sheet(
     controls: tuple[Control, ...],
 ) -> Sheet:
     """The sheet, with the charts and controls that others have made for it."""
-    writer = Writer(plan)
+    writer = Writer(plan, plan.main)
     mechanism = plan.mechanism
     writer.put(0, 0, mechanism.title.of(plan.language), styles.TITLE)
     source = mechanism.source.of(plan.language)
@@ -149,17 +149,9 @@ def _dimensions(writer: Writer) -> None:
         read = tolerance_symbol(dim.symbol) in plan.at.spots
         writer.put(row, TOLERANCE, dim.tolerance, styles.INPUT if read else styles.UNIT)
         if read:
-            writer.validations.append(_tolerance_validation(plan, row))
+            title, message = plan.text("hint.tolerance.title"), plan.text("hint.tolerance")
+            writer.takes(row, TOLERANCE, "decimal", title, message, ">=", Number(0.0))
         writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), dim.symbol))
-
-
-def _tolerance_validation(plan: Plan, row: int) -> Validation:
-    """A tolerance is not negative."""
-    title, message = plan.text("hint.tolerance.title"), plan.text("hint.tolerance")
-    return Validation(
-        Area(row, TOLERANCE, row, TOLERANCE), "decimal", ">=", Number(0.0), error_title=title, error_message=message,
-        input_title=title, input_message=message,
-    )  # fmt: skip
 
 
 def _from_synthesis(writer: Writer, dim: Dimension, row: int) -> None:
@@ -172,7 +164,7 @@ def _from_synthesis(writer: Writer, dim: Dimension, row: int) -> None:
     value: Node = dim.value if not isinstance(dim.value, float) else Text("")
     value = Call("DEGREES", (value,)) if dim.unit.in_degrees else value
     solved = formula("IF(unsolved>0,NA(),value)", unsolved=there(plan.places.unsolved).cell, value=value)
-    writer.formula(row, VALUE, plan.at.bind(solved, plan.main), value_style(plan, dim.unit))
+    writer.formula(row, VALUE, solved, value_style(plan, dim.unit))
 
 
 def _label(plan: Plan, dim: Dimension) -> str:
@@ -200,8 +192,7 @@ def _derived(writer: Writer) -> None:
 
 
 def _result(writer: Writer, row: int, expression: Node, degrees: bool, style: Style) -> None:
-    node = writer.plan.at.bind(expression, writer.plan.main, None)
-    writer.formula(row, VALUE, Call("DEGREES", (node,)) if degrees else node, style)
+    writer.formula(row, VALUE, Call("DEGREES", (expression,)) if degrees else expression, style)
 
 
 def _sweep(writer: Writer) -> None:
@@ -272,20 +263,11 @@ def _assembly(writer: Writer) -> None:
         writer.formula(row, MEANING, _mode_words(plan, group, row), styles.LABEL_SAID)
         if group.follows is not None:
             mode = formula("IF(unsolved>0,NA(),mode)", unsolved=there(plan.places.unsolved).cell, mode=group.follows)
-            writer.formula(row, VALUE, plan.at.bind(mode, plan.main), styles.RESULT)
+            writer.formula(row, VALUE, mode, styles.RESULT)
             continue
         writer.put(row, VALUE, float(group.mode_value), styles.INPUT)
-        writer.validations.append(
-            Validation(
-                Area(row, VALUE, row, VALUE),
-                "list",
-                choices=tuple(str(value) for value in group.mode_values),
-                input_title=plan.text("hint.mode.title"),
-                input_message=_mode_hint(plan, group),
-                error_title=plan.text("hint.mode.title"),
-                error_message=_mode_hint(plan, group),
-            )
-        )
+        choices = tuple(str(value) for value in group.mode_values)
+        writer.takes(row, VALUE, "list", plan.text("hint.mode.title"), _mode_hint(plan, group), choices=choices)
 
 
 def _mode_hint(plan: Plan, group: Group) -> str:
@@ -294,7 +276,7 @@ def _mode_hint(plan: Plan, group: Group) -> str:
 
 def _mode_words(plan: Plan, group: Group, row: int) -> Node:
     if group.system is not None:
-        return plan.at.bind(start_words(plan, group.system), plan.main)
+        return start_words(plan, group.system)
     plus, minus = (Text(words.of(plan.language)) for words in group.assemblies)
     return formula("IF(cell>0,plus,minus)", cell=CellRef(row, VALUE, True, True), plus=plus, minus=minus)
 
@@ -320,7 +302,7 @@ def start_words(plan: Plan, system: System) -> Node:
 def _at_position(plan: Plan, column: RangeRef) -> Node:
     """The value of a column in the row of the position shown."""
     position = there(plan.places.position).cell
-    return plan.at.bind(formula("INDEX(column,position+1)", column=column, position=position), plan.main)
+    return formula("INDEX(column,position+1)", column=column, position=position)
 
 
 def _position(writer: Writer) -> None:
@@ -331,20 +313,11 @@ def _position(writer: Writer) -> None:
     last = plan.rows - 1
     writer.line(rows["position"], plan.text("name.position"), "", None)
     before, after = plan.text("position.number", last="#").split("#")
-    number = plan.at.bind(joined(before, formula("rows-1", rows=plan.places.rows.cell), after), plan.main)
+    number = joined(before, formula("rows-1", rows=plan.places.rows.cell), after)
     writer.formula(rows["position"], MEANING, number, styles.LABEL_SAID)
     writer.put(rows["position"], VALUE, float(plan.first_existing), styles.INPUT)
-    writer.validations.append(
-        Validation(
-            Area(rows["position"], VALUE, rows["position"], VALUE),
-            "list",
-            low=there(plan.places.number).whole(plan.main),
-            input_title=plan.text("hint.position.title"),
-            input_message=plan.text("hint.position", last=last),
-            error_title=plan.text("hint.position.title"),
-            error_message=plan.text("hint.position", last=last),
-        )
-    )
+    title, message = plan.text("hint.position.title"), plan.text("hint.position", last=last)
+    writer.takes(rows["position"], VALUE, "list", title, message, low=there(plan.places.number).whole(plan.main))
     writer.line(rows[driver.symbol], rich(driver.symbol), driver.unit.text, plan.text("position.driver"))
     writer.formula(
         rows[driver.symbol],
@@ -360,12 +333,7 @@ def _position(writer: Writer) -> None:
         writer.line(row, plan.text("name.arrows"), "", plan.text(f"position.show_{kind}"))
         writer.put(row, VALUE, 1.0, styles.INPUT)
         title, message = plan.text(f"arrows.{kind}"), plan.text(f"position.show_{kind}")
-        writer.validations.append(
-            Validation(
-                Area(row, VALUE, row, VALUE), "list", choices=("1", "0"), input_title=title, input_message=message,
-                error_title=title, error_message=message,
-            )
-        )  # fmt: skip
+        writer.takes(row, VALUE, "list", title, message, choices=("1", "0"))
 
 
 def _variables(writer: Writer) -> None:

@@ -4,7 +4,7 @@ the outputs that follow from these numbers."""
 from __future__ import annotations
 
 from livesheet.formula.nodes import Call, CellRef, Node, Symbol, transform
-from livesheet.workbook import Area, Conditional
+from livesheet.workbook import Area
 from mechsheet.model import WAYS, Output, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
@@ -41,7 +41,7 @@ def _write(writer: Writer, summary: Summary) -> None:
         doubts = about(
             plan, same.group.transmission if same else summary.of, ("min", "max") if same else summary.take.ways
         )
-        words = plan.at.bind(joined(words, doubts), plan.main)
+        words = joined(words, doubts)
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     _said(writer, row, words)
     unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
@@ -51,11 +51,9 @@ def _write(writer: Writer, summary: Summary) -> None:
     value, where = _of(plan, summary)
     if searched and not same_angle(plan, summary.of):
         value = where_bounded(plan, summary.of, value, summary.take.ways)
-        no_number = plan.at.bind(
-            formula("AND(closed>0,ISNA(value))", closed=plan.places.closed.cell, value=CellRef(row, VALUE, True, True)),
-            plan.main,
-        )
-        writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), no_number, styles.WARN))
+        no_number = formula("AND(closed>0,ISNA(value))", closed=plan.places.closed.cell,
+                            value=CellRef(row, VALUE, True, True))  # fmt: skip
+        writer.colour(Area(row, MEANING, row, MEANING), no_number, styles.WARN)
     writer.formula(row, VALUE, _where_it_closes(plan, value), style)
     if where is not None:
         writer.formula(row, TOLERANCE, _where_it_closes(plan, where), value_style(plan, ANGLE))
@@ -63,14 +61,12 @@ def _write(writer: Writer, summary: Summary) -> None:
 
 def _where_it_closes(plan: Plan, value: Node) -> Node:
     """Over nothing: no number, and no 0 that somebody who looks for the smallest would take."""
-    return plan.at.bind(
-        formula("IF(closed=0,NA(),IFERROR(value,NA()))", closed=plan.places.closed.cell, value=value), plan.main
-    )
+    return formula("IF(closed=0,NA(),IFERROR(value,NA()))", closed=plan.places.closed.cell, value=value)
 
 
 def _with_part(plan: Plan, label: str) -> Node:
     """The label; where only a part of the sweep exists, of how many positions."""
-    closed, rows = (plan.at.bind(spot.cell, plan.main) for spot in (plan.places.closed, plan.places.rows))
+    closed, rows = plan.places.closed.cell, plan.places.rows.cell
     before, between, after = plan.text("summary.part", count="#", rows="#").split("#")
     part = joined(f"{label}: {before}", closed, between, rows, after)
     return formula("IF(closed=rows,label,part)", closed=closed, rows=rows, label=label, part=part)
@@ -80,10 +76,8 @@ def _said(writer: Writer, row: int, words: Node) -> None:
     """The words of a line, amber where only a part of the sweep exists."""
     plan = writer.plan
     writer.formula(row, MEANING, words, styles.LABEL_SAID)
-    partial = plan.at.bind(
-        formula("closed<rows", closed=plan.places.closed.cell, rows=plan.places.rows.cell), plan.main
-    )
-    writer.conditionals.append(Conditional(Area(row, MEANING, row, MEANING), partial, styles.WARN))
+    partial = formula("closed<rows", closed=plan.places.closed.cell, rows=plan.places.rows.cell)
+    writer.colour(Area(row, MEANING, row, MEANING), partial, styles.WARN)
 
 
 def _write_output(writer: Writer, output: Output) -> None:

@@ -115,10 +115,6 @@ class _Block:
         """A word of the workbook."""
         return self.plan.text(f"verdict.{key}", **parts)
 
-    def bound(self, text: str, **holes: Node | float | str) -> Node:
-        """A formula of the first sheet."""
-        return self.plan.at.bind(formula(text, **holes), self.plan.main)
-
     def line(
         self, key: str, symbol: Content, unit: str | Node, value: Node, digits: int | Style, words: Node
     ) -> CellRef:
@@ -140,7 +136,7 @@ class _Block:
     @property
     def of_rows(self) -> Node:
         """The cell with the number of rows of the table."""
-        return self.plan.at.bind(self.plan.places.rows.cell, self.plan.main)
+        return self.plan.places.rows.cell
 
     def value(self, key: str) -> CellRef:
         """The cell of a line's value."""
@@ -158,8 +154,8 @@ class _Block:
         """The words' colour where a test of this sheet's own cells holds: other programs refuse another's cells."""
         row = self.rows[key]
         area = Area(row, MEANING, row, MEANING)
-        self.writer.conditionals.append(Conditional(area, formula(test, **holes), style))
         self.levels.setdefault(key, []).append((formula(test, **holes), MARKS.get(style, "")))
+        self.writer.colour(area, formula(test, **holes), style)
 
     def driver_text(self, value: Node) -> Node:
         """A value of the driver in words: 48.3°."""
@@ -178,8 +174,7 @@ class _Block:
             "IF(known,fine,misfit)", known=self.found.fine.cell, fine=fine, misfit=self.text("inputs.misfit")
         )
         words = inputs.words(self.plan, cell, self.found.there.cell, fits)
-        self.line("inputs", self.text("inputs"), "", self.bound("number", number=inputs.first_wrong(self.plan)), 0,
-                  self.bound("words", words=words))  # fmt: skip
+        self.line("inputs", self.text("inputs"), "", inputs.first_wrong(self.plan), 0, words)
         self.colour("inputs", "said<>fine", styles.BAD, said=said, fine=fine)
         self.colour("inputs", "said=fine", styles.GOOD, said=said, fine=fine)
         nowhere = formula("said=words", said=said, words=inputs.no_position(self.plan))
@@ -189,9 +184,9 @@ class _Block:
         """Whether the dimensions that are found from a task do what it asks."""
         if self.plan.synthesis is None:
             raise ValueError("a task without the rows of its sheet")
-        words = self.bound("words", words=task.said(self.plan, self.plan.synthesis, self.value("task")))
+        words = task.said(self.plan, self.plan.synthesis, self.value("task"))
         doubt = task.doubtful(self.plan, self.words("task"))
-        self.line("task", self.text("task"), "", self.bound("wrong", wrong=task.wrong(self.plan, asked)), 0, words)
+        self.line("task", self.text("task"), "", task.wrong(self.plan, asked), 0, words)
         self.colour("task", "wrong>0", styles.BAD, wrong=self.value("task"))
         self.colour("task", "doubt", styles.WARN, doubt=doubt)
         self.colour("task", "said=exactly", styles.GOOD, said=self.words("task"), exactly=task.exactly(self.plan))
@@ -203,16 +198,16 @@ class _Block:
         plan = self.plan
         key, rows = "rows_closed", self.of_rows
         said, ok = plan.places.status.whole(), plan.text("status.ok")
-        count = self.bound("COUNTIF(said,ok)", said=said, ok=ok)
+        count = formula("COUNTIF(said,ok)", said=said, ok=ok)
         stretches = [stretch.words.cell for stretch in self.found.stretches]
         more = formula('IF(stretches>most," …","")', stretches=self.found.count.cell, most=len(stretches))
         some = joined(self.text("rows.some"), " ", *stretches, self.unit, more)
         cell = self.value(key)
-        words = self.bound(
+        words = formula(
             "IF(count=0,nowhere,IF(count=rows,everywhere,some))", count=cell, rows=rows,
             nowhere=self.text("rows.none"), everywhere=self.text("rows.all"), some=some,
         )  # fmt: skip
-        self.line(key, self.text("rows"), self.bound("ROWS(said)", said=said), count, 0, words)
+        self.line(key, self.text("rows"), formula("ROWS(said)", said=said), count, 0, words)
         self.colour(key, "count=0", styles.BAD, count=cell)
         self.colour(key, "count<rows", styles.WARN, count=cell, rows=rows)
         self.colour(key, "count=rows", styles.GOOD, count=cell, rows=rows)
@@ -226,8 +221,8 @@ class _Block:
         if self.plan.rows == 1:
             self.line("limits", self.text("limits"), "", al.ZERO, 0, Text(""))
             return
-        count = self.bound("SUMPRODUCT(((later=ok)<>(earlier=ok))*1)", later=but_first(column),
-                           earlier=but_last(column), ok=self.plan.text("status.ok"))  # fmt: skip
+        count = formula("SUMPRODUCT(((later=ok)<>(earlier=ok))*1)", later=but_first(column),
+                        earlier=but_last(column), ok=self.plan.text("status.ok"))  # fmt: skip
         cell = self.value("limits")
         parts: list[Node | str] = []
         for number, spot in enumerate(self.found.limits, 1):
@@ -237,7 +232,7 @@ class _Block:
         more = formula('IF(count>most," …","")', count=cell, most=LIMITS)
         if self.found.limits:
             more = joined(more, self._within_a_step())
-        words = self.bound(
+        words = formula(
             'IF(count>0,IFERROR(found,""),IF(AND(closed>0,passes=0),none,""))', count=cell, closed=self.value("rows_closed"),
             passes=self.value("passes"), none=self.text("limits.none"), found=joined(*parts, more),
         )  # fmt: skip
@@ -264,17 +259,17 @@ class _Block:
                              whole=self.found.whole.cell, passes=self.value("passes"))  # fmt: skip
         free = formula("IF(everywhere,free,range)", everywhere=everywhere, free=self.text("input.free"),
                        range=self.text("input.range"))  # fmt: skip
-        words = self.bound("IF(stretches=0,nowhere,IF(stretches>1,first,free)&within)", stretches=count,
-                           nowhere=self.text("rows.none"), first=self.text("input.first"), free=free,
-                           within=self._within_a_step())  # fmt: skip
+        words = formula("IF(stretches=0,nowhere,IF(stretches>1,first,free)&within)", stretches=count,
+                        nowhere=self.text("rows.none"), first=self.text("input.first"), free=free,
+                        within=self._within_a_step())  # fmt: skip
         digits = self._driver_places()
-        low, high = (self.bound("IF(stretches=0,NA(),value)", stretches=count, value=end) for end in ends)
+        low, high = (formula("IF(stretches=0,NA(),value)", stretches=count, value=end) for end in ends)
         self.line("input_from", self.text("input"), unit, low, digits, words)
         self.line("input_to", "", unit, high, digits, Text(""))
 
     def passes(self) -> None:
         """Whether a group comes apart between two rows that exist, or lines of it turn parallel."""
-        tolerance = self.plan.at.bind(Symbol(self.plan.equations.tolerance), self.plan.main)
+        tolerance = Symbol(self.plan.equations.tolerance)
         found: Node = al.ZERO
         where: Node = Text("")
         for least, row in reversed([*self.found.gaps.values()]):
@@ -292,8 +287,8 @@ class _Block:
         words = formula('IF(closed=0,"",IF(count=0,through,between))', closed=self.value("rows_closed"), count=cell,
                         through=self.text("passes.all"),
                         between=joined(before, formula("ROUND(place,1)", place=place), self.unit, after))  # fmt: skip
-        self.line("passes", self.text("passes"), "", self.bound("found", found=found), 0, words)
-        self.at("passes", self.bound("where", where=where))
+        self.line("passes", self.text("passes"), "", found, 0, words)
+        self.at("passes", where)
         self.colour("passes", "count>0", styles.WARN, count=cell)
 
     def gap_and_leaps(self) -> None:
@@ -314,8 +309,7 @@ class _Block:
                         rounding=rounding, over=self.text("gap.typed", sheet=self.checks.title),
                         closed=self.text("gap.closed"), open=left_open)  # fmt: skip
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
-        self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style,
-                  self.bound("words", words=words))  # fmt: skip
+        self.line(key, self.text("gap"), plan.mechanism.length_unit, self.checks.worst("gap"), style, words)
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("gap")))
         wrong["over"] = self.text("gap.typed", sheet=self.checks.title)
         said = ",".join(f"said={name}" for name in wrong)
@@ -376,9 +370,9 @@ class _Block:
         said = type_of(shortest, self.value(key), which, text, bound)
         begin = f"{named(loop, self.plan)}: "
         bands = self.plan.mechanism.bands is not None
-        reach = self.bound("reach", reach=self.found.reach[loop.group].cell) if bands else ""
+        reach = self.found.reach[loop.group].cell if bands else ""
         words = formula('IFERROR(said,"")', said=joined(begin, said, reach))
-        excess = self.bound("excess", excess=excess_of(self.plan, shortest, most, total))
+        excess = formula("excess", excess=excess_of(self.plan, shortest, most, total))
         self.line(
             key, self.text("grashof"), self.plan.mechanism.length_unit, excess, places(self.plan, "length"), words
         )
@@ -423,8 +417,8 @@ class _Block:
 
     def _extent(self, key: str, symbol: str, unit: str, value: Node, kind: str, words: Node) -> None:
         """A swing or stroke: of one stretch; #N/A of several, which the mechanism cannot pass between."""
-        node = self.bound("IF(stretches<>1,NA(),IFERROR(value,NA()))", stretches=self.found.count.cell, value=value)
-        said = self.bound(
+        node = formula("IF(stretches<>1,NA(),IFERROR(value,NA()))", stretches=self.found.count.cell, value=value)
+        said = formula(
             'IF(stretches=0,"",IF(stretches>1,several,IF(leaps>0,unsure,words&about)))', words=words,
             stretches=self.found.count.cell, leaps=self.plan.places.leaps.cell,
             about=about(self.plan, symbol), several=self.text("swing.several"), unsure=self.text("unsure"),
@@ -473,11 +467,11 @@ class _Block:
         period = formula("rows-1", rows=self.of_rows) if law else formula("turn/ABS(step)", turn=turn, step=step)
         way = formula("MOD(high-low,period)", high=high, low=low, period=period)
         value = formula("MAX(way,period-way)/MIN(way,period-way)", way=way, period=period)
-        node = self.bound("IF(closes,IFERROR(value,NA()),NA())", value=value, closes=closes)
+        node = formula("IF(closes,IFERROR(value,NA()),NA())", value=value, closes=closes)
         if self.driver.uneven:
             node, none = formula("NA()"), "ratio.uneven"
         cell = self.value(f"time_ratio_{symbol}")
-        words = self.bound(
+        words = formula(
             'IF(stretches=0,"",IF(ISNUMBER(ratio),IF(leaps>0,unsure,ways&about),none))',
             stretches=self.found.count.cell, leaps=self.plan.places.leaps.cell,
             ratio=cell, unsure=self.text("unsure"), about=about_turns(self.plan, symbol),
@@ -495,8 +489,8 @@ class _Block:
         place = CellRef(self.rows[key], TOLERANCE, True, True)
         of_rows = self.plan.between_unseen if self.plan.rows_only else self.found.rows_only.cell
         said = worst_words(self.plan, cell, place, poor, of_rows)
-        words = self.bound('IFERROR(said&about,"")', said=said, about=self.about(group.transmission))
-        node = self.bound("IFERROR(value,NA())", value=_in(Call("MIN", folded), unit.in_degrees))
+        words = formula('IFERROR(said&about,"")', said=said, about=self.about(group.transmission))
+        node = formula("IFERROR(value,NA())", value=_in(Call("MIN", folded), unit.in_degrees))
         self.line(key, f"μ{group.number}", unit.text, node, places(self.plan, "angle"), words)
         at_low = formula(
             "IF(one<=other+1E-6,place,elsewhere)",
@@ -505,7 +499,7 @@ class _Block:
             place=low.occurs.cell,
             elsewhere=high.occurs.cell,
         )
-        self.at(key, self.bound("IFERROR(place,NA())", place=at_low))
+        self.at(key, formula("IFERROR(place,NA())", place=at_low))
         self.colour(key, "AND(ISNUMBER(value),poor)", styles.WARN, value=cell, poor=poor)
         good = formula("ISNUMBER(FIND(good,said))", said=self.words(key), good=self.text("fair"))
         self.colour(key, "good", styles.GOOD, good=good)
@@ -516,8 +510,8 @@ class _Block:
         """In how many rows that close there are no velocities."""
         key, cell = "dead_centres", self.value("dead_centres")
         said = there(self.plan.places.rates).whole()
-        count = self.bound("closed-COUNTIF(said,ok)", closed=self.value("rows_closed"), said=said,
-                           ok=self.plan.text("status.ok"))  # fmt: skip
+        count = formula("closed-COUNTIF(said,ok)", closed=self.value("rows_closed"), said=said,
+                        ok=self.plan.text("status.ok"))  # fmt: skip
         some = self.text("dead_centres.some", rates=self.plan.at.titles["rates"])
         words = formula("IF(count=0,none,some)", count=cell, none=self.text("dead_centres.none"), some=some)
         self.line(key, self.text(key), self.of_rows, count, 0, self.where_it_closes(words))
@@ -553,9 +547,7 @@ class _Block:
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("effort")))
         key, cell = "largest_force", self.value("largest_force")
         names: list[Node | str] = [
-            self.bound(
-                'IF(COUNTIF(column,most)>0,name,"")', column=Symbol(ALL + name), most=cell, name=f" {plain(name)}"
-            )
+            formula('IF(COUNTIF(column,most)>0,name,"")', column=Symbol(ALL + name), most=cell, name=f" {plain(name)}")
             for name in plan.equations.equations.forces("size")
         ]
         force_unit = plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else ""
@@ -572,8 +564,8 @@ class _Block:
         even = formula("AND(whole=1,count=rows,speed<>0,acceleration=0)", count=self.value("rows_closed"),
                        rows=self.of_rows, whole=self.found.whole.cell, speed=speed, acceleration=acceleration)  # fmt: skip
         column = plan.at.column(torque, plan.main)
-        mean = self.bound("IF(even,(SUM(column)-(first+last)/2)/steps,NA())", even=even, column=column, first=column.start,
-                          last=column.end, steps=formula("MAX(1,rows-1)", rows=self.of_rows))  # fmt: skip
+        mean = formula("IF(even,(SUM(column)-(first+last)/2)/steps,NA())", even=even, column=column, first=column.start,
+                       last=column.end, steps=formula("MAX(1,rows-1)", rows=self.of_rows))  # fmt: skip
         style = styles.decimals(styles.RESULT, places(plan, "moment"))
         missing = self.text("flywheel.missing")
 
@@ -593,8 +585,8 @@ class _Block:
         change = formula("MAX(energy)-MIN(energy)", energy=energy)
         self.line("energy_change", "ΔE", plan.equations.of(ENERGY).unit.text, change, style,
                   said("energy_change", words))  # fmt: skip
-        inertia = self.bound("change/(fluctuation*speed^2)", change=self.value("energy_change"),
-                             fluctuation=Symbol("fluctuation"), speed=speed)  # fmt: skip
+        inertia = formula("change/(fluctuation*speed^2)", change=self.value("energy_change"),
+                          fluctuation=Symbol("fluctuation"), speed=speed)  # fmt: skip
         style, dynamics = styles.numbered(styles.RESULT, "0.000E+00"), plan.mechanism.dynamics
         unit = inertia_unit(dynamics, plan.mechanism.length_unit) if dynamics else ""
         self.line("flywheel", self.text("flywheel"), unit, inertia, style,
@@ -654,7 +646,7 @@ class _Block:
                               nowhere=nowhere)  # fmt: skip
             lost = self.words("same_assembly")
             good = formula("IF(lost=kept,good,lost)", lost=lost, kept=self.text("same_assembly.kept"), good=good)
-        words = self.bound(
+        words = formula(
             "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
             fine=self.found.fine.cell, count=count, nowhere=nowhere, gap=gap,
             closed=self.text("gap.closed"),
@@ -683,9 +675,9 @@ class _Block:
                              reach=self.text("grashof.reach"))  # fmt: skip
         if lost is not None:
             doubts = formula("OR(doubts,lost=begun)", doubts=doubts, lost=lost, begun=self.text("same_assembly.begun"))
-        self.writer.conditionals.append(Conditional(area, bad, styles.BAD))
-        self.writer.conditionals.append(Conditional(area, doubts, styles.WARN))
-        self.writer.conditionals.append(Conditional(area, formula("count=rows", count=count, rows=rows), styles.GOOD))
+        self.writer.colour(area, bad, styles.BAD)
+        self.writer.colour(area, doubts, styles.WARN)
+        self.writer.colour(area, formula("count=rows", count=count, rows=rows), styles.GOOD)
 
     def _transmissions(self, col: int) -> RangeRef:
         """The cells of a column in the lines of all angles of transmission."""

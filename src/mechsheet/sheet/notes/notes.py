@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from livesheet.formula.nodes import Node
 from livesheet.formula.references import cell_name, column_letters
-from livesheet.workbook import Area, Cell, Column, Content, Merge, PrintSetup, Rich, Sheet, Style
+from livesheet.workbook import Area, Cell, Column, Content, PrintSetup, Rich, Sheet, Style
 from mechsheet.kinematics.equations import BANDS, FORCES, RATES
 from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.columns.lowering import Assignment
 from mechsheet.sheet.first.given import words_of
 from mechsheet.sheet.mathematics import Part, symbol_parts, written
@@ -72,7 +73,7 @@ def notes_sheet(plan: Plan) -> tuple[Sheet, dict[int, Spot]]:
     page.links()
     page.equations()
     sheet = Sheet(
-        plan.at.titles["notes"],
+        page.title,
         tuple(page.cells),
         columns=tuple(Column(col, col, width) for col, width in enumerate((*WIDTHS, FORMULA_WIDTH))),
         row_heights=tuple(sorted(page.heights.items())),
@@ -84,14 +85,11 @@ def notes_sheet(plan: Plan) -> tuple[Sheet, dict[int, Spot]]:
     return sheet, page.places
 
 
-class _Page:
+class _Page(Cells):
     """The sheet, line by line."""
 
     def __init__(self, plan: Plan) -> None:
-        self.plan = plan
-        self.cells: list[Cell] = []
-        self.merges: list[Merge] = []
-        self.heights: dict[int, float] = {}
+        super().__init__(plan, plan.at.titles["notes"])
         self.row = 0
         self.places: dict[int, Spot] = {}
 
@@ -105,7 +103,7 @@ class _Page:
         """A line of cells, as high as its longest text needs."""
         lines = 1
         for col, content in contents.items():
-            self.cells.append(Cell(self.row, col, content, style))
+            self.put(self.row, col, content, style)
             lines = max(lines, wrapped_lines(content, WIDTHS[col]))
         if lines > 1:
             self.heights[self.row] = LINE * lines + 4
@@ -113,8 +111,8 @@ class _Page:
 
     def across(self, text: str, style: Style) -> None:
         """A text over all columns."""
-        self.cells.append(Cell(self.row, SYMBOL, text, style))
-        self.merges.append(Merge(Area(self.row, SYMBOL, self.row, PLACE)))
+        self.put(self.row, SYMBOL, text, style)
+        self.merge(self.row, SYMBOL, PLACE)
         lines = wrapped_lines(text, sum(WIDTHS))
         self.heights[self.row] = max(LINE * lines + (4 if lines > 1 else 0), style.size * 1.6)
         self.row += 1
@@ -187,9 +185,9 @@ class _Page:
         """A sample of each colour beside its meaning."""
         self.heading(self.text("colours"))
         for key, style in COLOURS:
-            self.cells.append(Cell(self.row, SYMBOL, self.text(f"sample.{key}"), styles.centred(style)))
-            self.cells.append(Cell(self.row, UNIT, self.text(f"colour.{key}"), styles.NOTE_TEXT))
-            self.merges.append(Merge(Area(self.row, UNIT, self.row, PLACE)))
+            self.put(self.row, SYMBOL, self.text(f"sample.{key}"), styles.centred(style))
+            self.put(self.row, UNIT, self.text(f"colour.{key}"), styles.NOTE_TEXT)
+            self.merge(self.row, UNIT, PLACE)
             self.row += 1
 
     def links(self) -> None:
@@ -340,8 +338,8 @@ class _Page:
 
     def _group(self, title: str) -> None:
         for col in range(PLACE + 1):
-            self.cells.append(Cell(self.row, col, title if col == SYMBOL else None, styles.HEAD_LEFT))
-        self.merges.append(Merge(Area(self.row, SYMBOL, self.row, PLACE)))
+            self.put(self.row, col, title if col == SYMBOL else None, styles.HEAD_LEFT)
+        self.merge(self.row, SYMBOL, PLACE)
         self.row += 1
 
     def _dimensions(self) -> None:

@@ -91,7 +91,7 @@ def _page(plan: PagePlan) -> Sheet:
         charts=charts,
         controls=_controls(plan),
         validations=tuple(top.validations),
-        conditionals=(*top.conditionals, *table.conditionals()),
+        conditionals=(*top.conditionals, *table.colours()),
         comments=(*top.comments, *table.comments),
         selected=(FIRST_ROW, VALUE),
         gridlines=False,

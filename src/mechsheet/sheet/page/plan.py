@@ -6,11 +6,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from livesheet.diagnostics import Fault
-from livesheet.formula.names import folded, safe_name
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, symbols
 from livesheet.formula.scalar import evaluate
 from livesheet.said import say
-from livesheet.workbook import Name
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import driver_values
@@ -26,7 +24,7 @@ from mechsheet.sheet.grashof import is_all
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.places import Places
-from mechsheet.sheet.plan import SHEETS, UNIT, VALUE, VERDICT_ROW, Block, Plan, TableColumn
+from mechsheet.sheet.plan import SHEETS, UNIT, VERDICT_ROW, Block, Named, Plan, TableColumn
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.workbook import words
 
@@ -112,9 +110,9 @@ def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
         mechanism, page, language, at, len(values), [float(value) for value in values], classification(mechanism, page),
         page=page, drawn=drawn,
     )  # fmt: skip
-    modes = _plan_top(plan)
+    _plan_top(plan)
     _plan_table(plan)
-    _name_places(plan, modes)
+    _name_places(plan)
     return plan
 
 
@@ -163,7 +161,7 @@ def sides_of(plan: PagePlan, loop: FourBar) -> list[tuple[str, Node]]:
 # --- the top ---------------------------------------------------------------------------------------------------------
 
 
-def _plan_top(plan: PagePlan) -> list[str]:
+def _plan_top(plan: PagePlan) -> None:
     mechanism, found = plan.mechanism, plan.found
     plan.next_row = FIRST_ROW
     _block(plan, "dimensions", (dim.symbol for dim in mechanism.dimensions if not dim.derived))
@@ -189,7 +187,6 @@ def _plan_top(plan: PagePlan) -> list[str]:
     )
     _block(plan, "summary", (each.symbol for each in mechanism.motion_numbers))
     _block(plan, "variables", ())
-    return modes
 
 
 def _block(plan: PagePlan, key: str, entries: Iterable[str]) -> None:
@@ -199,44 +196,33 @@ def _block(plan: PagePlan, key: str, entries: Iterable[str]) -> None:
     plan.next_row += len(names)
 
 
-def _name_places(plan: PagePlan, modes: list[str]) -> None:
+def _name_places(plan: PagePlan) -> None:
     """A place and a name for everything on top, whether the page's own formulas read names or not."""
-    mechanism, rows = plan.mechanism, {key: block.rows for key, block in plan.blocks.items()}
-    cells = {each.symbol: each.cell for each in mechanism.motion_numbers}
-    taken = {folded(each.cell) for each in (*mechanism.dimensions, *mechanism.motion_numbers) if each.cell}
-    names = names_of_dimensions(mechanism, mechanism.dimensions, taken, kept_names(mechanism, rows["verdicts"]))
+    mechanism, rows, spots = plan.mechanism, {key: block.rows for key, block in plan.blocks.items()}, plan.at.spots
+    named = Named(plan)
+    called = names_of_dimensions(mechanism, mechanism.dimensions, named.taken, kept_names(mechanism, rows["verdicts"]))
     for dim in mechanism.dimensions:
         row = rows["derived" if dim.derived else "dimensions"][dim.symbol]
-        plan.at.spots[dim.symbol] = _cell(plan, row, names[dim.symbol], taken, degrees=dim.unit.in_degrees)
+        spots[dim.symbol] = named.cell(row, dim.symbol, degrees=dim.unit.in_degrees, own=called[dim.symbol])
     for equation in plan.equations.constants:
         symbol, degrees = equation.symbol, mechanism.shown(equation.unit).in_degrees
-        plan.at.spots[symbol] = _cell(plan, rows["derived"][symbol], symbol, taken, degrees=degrees)
-    lengths = {key: _cell(plan, rows["derived"][f"length {key}"], f"length_{key}", taken) for key in plan.lengths}
-    for mode in modes:
-        plan.at.spots[mode] = _cell(plan, rows["assembly"][mode], mode, taken)
-    degrees = mechanism.driver.unit.in_degrees
-    start, step = (
-        _cell(plan, rows["sweep"][key], plan.text(f"name.{key}"), taken, degrees=degrees) if "sweep" in rows else None
-        for key in ("start", "step")
-    )
-    position = None
-    for row in rows.get("position", {}).values():
-        position = _cell(plan, row, plan.text("name.position"), taken)
-    lines = {key: _cell(plan, row, key, taken) for key, row in rows["verdicts"].items()}
-    summaries = {symbol: _cell(plan, row, cells[symbol] or symbol, taken) for symbol, row in rows["summary"].items()}
-    verdict = _cell(plan, VERDICT_ROW, "verdict", taken, 0)
+        spots[symbol] = named.cell(rows["derived"][symbol], symbol, degrees=degrees)
+    lengths = {key: named.cell(rows["derived"][f"length {key}"], f"length_{key}") for key in plan.lengths}
+    for mode, row in rows["assembly"].items():
+        spots[mode] = named.cell(row, mode)
+    start, step = named.sweep(rows)
+    position = named.cell(rows["position"]["position"], plan.text("name.position")) if plan.drawn else None
+    lines = {key: named.cell(row, key) for key, row in rows["verdicts"].items()}
+    summaries = {
+        each.symbol: named.cell(rows["summary"][each.symbol], each.symbol, own=each.cell)
+        for each in mechanism.motion_numbers
+    }
+    verdict = named.cell(VERDICT_ROW, "verdict", 0)
     status = Spot(plan.main, plan.at.first, plan.columns[-1].col, plan.rows)
     count = Spot(plan.main, rows["verdicts"]["rows_closed"], UNIT)
     plan.places = Places(
         status, count, verdict, lines, summaries, position=position, start=start, step=step, lengths=lengths
     )
-
-
-def _cell(plan: PagePlan, row: int, wish: str, taken: set[str], col: int = VALUE, degrees: bool = False) -> Spot:
-    name = wish if folded(wish) in taken else safe_name(wish, taken)
-    taken.add(folded(name))
-    plan.names.append(Name(name, plan.main, row, col))
-    return Spot(plan.main, row, col, 0, degrees, name, plan.named)
 
 
 # --- the table -------------------------------------------------------------------------------------------------------

@@ -6,10 +6,11 @@ import math
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, transform, walk
-from livesheet.workbook import Area, Cell, Comment, Conditional, Fill, Merge, Rich, Style, plain_text
+from livesheet.workbook import Area, Comment, Conditional, Fill, Rich, Style, plain_text
 from mechsheet.kinematics.equations import CAM, Group
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.driving import by_time, driver_after, rows_before, time_after
 from mechsheet.sheet.mathematics import written
@@ -36,15 +37,12 @@ CHARACTERS, LINE, MOST_LINES = 1.65, 12.0, 4
 """Small characters in a character's width, the height of such a line [pixels], and the lines before a column widens."""
 
 
-class Table:
+class Table(Cells):
     """Collects the cells of the table."""
 
     def __init__(self, plan: PagePlan) -> None:
-        self.plan = plan
-        self.cells: list[Cell] = []
-        self.fills: list[Fill] = []
-        self.merges: list[Merge] = []
-        self.comments: list[Comment] = []
+        super().__init__(plan, plan.main)
+        self.plan: PagePlan = plan
         self.mathematics = {column.col: self._mathematics(column) for column in plan.columns}
         self.widths = [self._width(column) for column in plan.columns]
         self._note()
@@ -65,8 +63,8 @@ class Table:
         key = "page.note" if "ACOS" in used else "page.note.legs" if "ASIN" in used else "page.note.plain"
         left_out = any(request.of_summary for request in plan.mechanism.tables)
         note = plan.text(key) + (" " + plan.text("page.note.summaries") if left_out else "")
-        self.cells.append(Cell(plan.note_row, 0, note, styles.NOTE))
-        self.merges.append(Merge(Area(plan.note_row, 0, plan.note_row, note_last(plan))))
+        self.put(plan.note_row, 0, note, styles.NOTE)
+        self.merge(plan.note_row, 0, note_last(plan))
 
     def _group_title(self, number: int) -> str:
         plan = self.plan
@@ -107,10 +105,8 @@ class Table:
         plan, first = self.plan, self.plan.at.first
         unit = shown_unit(plan, column.symbol) if column.kind != "status" else ""
         title = rich(column.symbol, f" [{unit}]" if unit else "") if column.kind != "status" else ""
-        self.cells.append(Cell(plan.symbol_row, column.col, title or None, styles.HEAD))
-        self.cells.append(
-            Cell(plan.symbol_row + 1, column.col, self.mathematics[column.col] or None, styles.FORMULA_TEXT)
-        )
+        self.put(plan.symbol_row, column.col, title or None, styles.HEAD)
+        self.put(plan.symbol_row + 1, column.col, self.mathematics[column.col] or None, styles.FORMULA_TEXT)
         match column.kind:
             case "driver":
                 self._driver()
@@ -150,7 +146,7 @@ class Table:
         unit = self.plan.mechanism.given_unit(symbol) or SECONDS
         for row, value in enumerate(self.plan.mechanism.listed[symbol], self.plan.at.first):
             if isinstance(value, float):
-                self.cells.append(Cell(row, col, unit.written(value), styles.INPUT))
+                self.put(row, col, unit.written(value), styles.INPUT)
             else:
                 node = self._bound(value, row)
                 self.fills.append(Fill(row, col, in_degrees(node) if unit.in_degrees else node, style))
@@ -177,7 +173,7 @@ class Table:
 
     # --- colours ----------------------------------------------------------------------------------------------
 
-    def conditionals(self) -> list[Conditional]:
+    def colours(self) -> list[Conditional]:
         """The row that is drawn stands out; rows without a position are grey."""
         plan, first = self.plan, self.plan.at.first
         area = Area(first, 0, plan.last_looked_at, plan.status_column)

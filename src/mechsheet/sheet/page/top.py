@@ -6,11 +6,12 @@ from dataclasses import replace
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
-from livesheet.workbook import Area, Cell, Comment, Conditional, Content, Fill, Merge, Style, Validation
+from livesheet.workbook import Area, Comment, Content, Fill, Merge, Style
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.model import WAYS, Summary, Synthesis
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.first import inputs, task
@@ -47,7 +48,7 @@ SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 SOURCE = replace(styles.SUBTITLE, name="", valign="center", indent=1)
 
 
-class Top:
+class Top(Cells):
     """Collects the cells of the top; the table, the drawing and the charts have their own.
 
     room     pixels of the columns that say what a line is
@@ -55,14 +56,9 @@ class Top:
     """
 
     def __init__(self, plan: PagePlan, room: int) -> None:
-        self.plan, self.room = plan, room
-        self.heights: dict[int, float] = {}
-        self.cells: list[Cell] = []
-        self.fills: list[Fill] = []
-        self.merges: list[Merge] = []
-        self.validations: list[Validation] = []
-        self.comments: list[Comment] = []
-        self.conditionals: list[Conditional] = []
+        super().__init__(plan, plan.main)
+        self.plan: PagePlan = plan
+        self.room = room
         self._title()
         self._dimensions()
         self._sweep()
@@ -73,14 +69,6 @@ class Top:
         self._summaries()
 
     # --- small things -----------------------------------------------------------------------------------------
-
-    def put(self, row: int, col: int, content: Content, style: Style) -> None:
-        """A constant."""
-        self.cells.append(Cell(row, col, content, style))
-
-    def fill(self, row: int, col: int, node: Node, style: Style) -> None:
-        """A formula over symbols."""
-        self.fills.append(Fill(row, col, self.plan.at.bind(node, self.plan.main), style))
 
     def line(self, row: int, symbol: Content, unit: str | None, meaning: str | Node) -> None:
         """All of a line but its value (and its unit, when that is a formula: None)."""
@@ -93,10 +81,10 @@ class Top:
             if lines > 1:
                 self.heights[row] = height_of(lines)
         else:
-            self.fill(row, MEANING, meaning, styles.LABEL_SAID)
+            self.formula(row, MEANING, meaning, styles.LABEL_SAID)
         for col in range(MEANING + 1, LAST + 1):
             self.put(row, col, None, styles.LABEL)
-        self.merges.append(Merge(Area(row, MEANING, row, LAST)))
+        self.merge(row, MEANING, LAST)
 
     def column(self, symbol: str) -> RangeRef:
         """The cells of a column, and those below that a person may fill."""
@@ -173,12 +161,7 @@ class Top:
                                                              plus=plus, minus=minus))  # fmt: skip
                 self.put(row, VALUE, float(group.mode_value), styles.INPUT)
                 title, message = plan.text("hint.mode.title"), plan.text("hint.mode")
-                self.validations.append(
-                    Validation(
-                        Area(row, VALUE, row, VALUE), "list", choices=("1", "-1"), input_title=title,
-                        input_message=message, error_title=title, error_message=message,
-                    )
-                )  # fmt: skip
+                self.takes(row, VALUE, "list", title, message, choices=("1", "-1"))
 
     def _position(self) -> None:
         plan = self.plan
@@ -186,12 +169,8 @@ class Top:
             self.line(row, plan.text("name.position"), "", plan.text("page.position"))
             self.put(row, VALUE, float(plan.first_existing), styles.INPUT)
             title, message = plan.text("hint.position.title"), plan.text("hint.position", last=plan.rows - 1)
-            self.validations.append(
-                Validation(
-                    Area(row, VALUE, row, VALUE), "whole", "between", Number(0.0), Number(plan.rows - 1.0),
-                    input_title=title, input_message=message, error_title=title, error_message=message, stop=False,
-                )
-            )  # fmt: skip
+            last = Number(plan.rows - 1.0)
+            self.takes(row, VALUE, "whole", title, message, low=Number(0.0), high=last, stop=False)
 
     # --- results ----------------------------------------------------------------------------------------------
 
@@ -231,9 +210,9 @@ class Top:
         self.line(row, "n", None, plan.text("page.rows"))
         self._inputs(rows["inputs"], self._there())
         count = formula('COUNTIFS(filled,numbers,said,"")', filled=filled, numbers=NUMBERS, said=said)
-        self.fill(row, VALUE, count, styles.decimals(styles.RESULT, 0))
+        self.formula(row, VALUE, count, styles.decimals(styles.RESULT, 0))
         of_rows = f'"{plan.text("page.of")}"0'
-        self.fill(row, UNIT, Call("COUNT", (filled,)), styles.numbered(styles.UNIT, of_rows))
+        self.formula(row, UNIT, Call("COUNT", (filled,)), styles.numbered(styles.UNIT, of_rows))
         if plan.found.task is not None:
             self._task(rows["task"], rows["task_miss"], plan.found.task)
         for loop in plan.found.four_bars:
@@ -246,7 +225,7 @@ class Top:
         """The number of the first yellow cell that cannot be; it is red."""
         plan = self.plan
         self.line(row, plan.text("verdict.inputs"), "", plan.text("page.inputs"))
-        self.fill(row, VALUE, inputs.first_wrong(plan), styles.decimals(styles.RESULT, 0))
+        self.formula(row, VALUE, inputs.first_wrong(plan), styles.decimals(styles.RESULT, 0))
         no_position = plan.at.bind(Call("NOT", (there,)), plan.main)
         self.conditionals += inputs.red_where_wrong(plan, no_position if plan.drawn else None)
 
@@ -258,12 +237,12 @@ class Top:
         )
         self.line(row_of_miss, plan.text("verdict.task"), "", plan.text("verdict.task.miss"))
         miss = formula("IFERROR(most,NA())", most=task.most_missed(plan, asked))
-        self.fill(row_of_miss, VALUE, miss, styles.numbered(styles.RESULT, "0.0E+00"))
-        self.fill(row, VALUE, task.wrong(plan, asked), styles.decimals(styles.RESULT, 0))
+        self.formula(row_of_miss, VALUE, miss, styles.numbered(styles.RESULT, "0.0E+00"))
+        self.formula(row, VALUE, task.wrong(plan, asked), styles.decimals(styles.RESULT, 0))
         area, words = Area(row, MEANING, row, LAST), CellRef(row, MEANING, True, True)
         doubt = task.doubtful(plan, words)
-        self.conditionals.append(Conditional(area, formula("count>0", count=count), styles.BAD))
-        self.conditionals.append(Conditional(area, doubt, styles.WARN))
+        self.colour(area, formula("count>0", count=count), styles.BAD)
+        self.colour(area, doubt, styles.WARN)
 
     def _there(self) -> Node:
         """Whether the position that is drawn is a row of the table."""
@@ -298,7 +277,7 @@ class Top:
         self.line(row, loop.name, plan.mechanism.length_unit, words)
         self.comments.append(Comment(row, SYMBOL, plan.text("notes.use.grashof")))
         value = excess_of(plan, shortest, longest, total)
-        self.fill(row, VALUE, value, value_style(plan, LENGTH))
+        self.formula(row, VALUE, value, value_style(plan, LENGTH))
 
     def _bound(self, row: int, loop: FourBar, lengths: tuple[Node, ...], excess: Node) -> None:
         """Up to which length the longest link closes, or the first turns fully."""
@@ -313,7 +292,7 @@ class Top:
         sides = Sides(lengths, lengths, names, longest, places_of(plan, LENGTH))
         self.line(row, "≤", plan.mechanism.length_unit, plan.text("page.bound"))
         mend = formula('IFERROR(mend,"")', mend=bound_of(sides, Call("MIN", lengths), excess))
-        self.fill(row, VALUE, mend, replace(styles.RESULT, name=""))
+        self.formula(row, VALUE, mend, replace(styles.RESULT, name=""))
 
     def _length(self, key: str, length: Node) -> Node:
         """A length without the bars that its sign does not need; one that is no dimension has a cell."""
@@ -345,9 +324,9 @@ class Top:
         which = f"μ{group.number} " if len(plan.found.transmission) > 1 else ""  # the line under the title says it
         words = joined(which, worst_words(plan, cell, place, poor, True), plan.text("verdict.rows.only"))
         self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=words))
-        self.conditionals.append(Conditional(Area(row, MEANING, row, LAST), poor, styles.WARN))
+        self.colour(Area(row, MEANING, row, LAST), poor, styles.WARN)
         value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=plan.places.closed.cell, least=least)
-        self.fill(row, VALUE, value, value_style(plan, ANGLE))
+        self.formula(row, VALUE, value, value_style(plan, ANGLE))
 
     def _line_under_the_title(self) -> None:
         """Whether it closes in the rows of the table, its type, its transmission; or that an input is none."""
@@ -380,7 +359,7 @@ class Top:
             doubts = task.doubtful(plan, met)
         good = formula("IF(n=0,nowhere,good)", n=count, good=closes, nowhere=why_nowhere(plan, MEANING))
         words = inputs.words(plan, wrong, there, good)
-        self.fill(VERDICT_ROW, SYMBOL, words, styles.LINE)
+        self.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))
         for test, style in (
@@ -388,13 +367,10 @@ class Top:
             ("OR(n<rows,poor,doubts)", styles.WARN),
             ("n=rows", styles.GOOD),
         ):
-            condition = plan.at.bind(
-                formula(
-                    test, wrong=wrong, there=there, n=count, rows=rows, poor=any_poor, missed=missed, doubts=doubts
-                ),
-                plan.main,
+            condition = formula(
+                test, wrong=wrong, there=there, n=count, rows=rows, poor=any_poor, missed=missed, doubts=doubts
             )
-            self.conditionals.append(Conditional(area, condition, style))
+            self.colour(area, condition, style)
 
     def _summaries(self) -> None:
         plan = self.plan
@@ -411,7 +387,7 @@ class Top:
         row = plan.blocks["summary"].rows[symbol]
         self.line(row, rich(symbol), unit.text, plan.text("page.take.rows", label=label))
         found = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=plan.places.closed.cell, value=value)
-        self.fill(row, VALUE, found, value_style(plan, unit))
+        self.formula(row, VALUE, found, value_style(plan, unit))
 
     def _taken(self, summary: Summary) -> Node:
         """Over the rows in which the quantity has a value."""

@@ -42,6 +42,7 @@ from livesheet.workbook import (
     Style,
 )
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.naming import Naming
@@ -77,19 +78,16 @@ def alt_sheet(plan: Plan) -> Sheet:
     return _Alt(plan).sheet()
 
 
-class _Alt:
+class _Alt(Cells):
     """The sheet while it is being laid out."""
 
     def __init__(self, plan: Plan) -> None:
-        self.plan = plan
-        self.title = plan.at.titles["alt"]
+        super().__init__(plan, plan.at.titles["alt"])
         task = plan.mechanism.synthesis
         if task is None:
             raise ValueError("the mechanism has no synthesis")
         self.naming = Naming(plan, task)
         self.own = CellRef(RATIOS + 2, HELPERS, True, True)
-        self.cells: list[Cell] = []
-        self.fills: list[Fill] = []
         self.best_angle, self.best_ratio = (CellRef(first + 1 + DOWN, ACROSS, True, True) for first in (ANGLES, RATIOS))
 
     def text(self, key: str) -> str:
@@ -98,7 +96,7 @@ class _Alt:
 
     def sheet(self) -> Sheet:
         """Everything on it."""
-        self.cells.append(Cell(TITLE_ROW, 0, self.text("title"), styles.TITLE))
+        self.put(TITLE_ROW, 0, self.text("title"), styles.TITLE)
         self._across(LINE_ROW, self._line(), styles.LINE)
         self._across(HINT_ROW, self.text("hint"), styles.NOTE)
         self._table(ANGLES, "angles", self._angle(), 1)
@@ -144,9 +142,9 @@ class _Alt:
     def _across(self, row: int, content: Node | str, style: Style) -> None:
         """A text over all columns of the tables."""
         if isinstance(content, str):
-            self.cells.append(Cell(row, 0, content, style))
+            self.put(row, 0, content, style)
         else:
-            self.fills.append(Fill(row, 0, content, style))
+            self.formula(row, 0, content, style)
         self.cells.extend(Cell(row, col, None, style) for col in range(1, ACROSS + 1))
 
     def _table(self, first: int, key: str, node: Node, places: int) -> None:
@@ -154,12 +152,12 @@ class _Alt:
         across = [self.text(key), self.text("swing"), *[None] * (ACROSS - 1)]
         self.cells.extend(Cell(first, col, content, styles.SECTION) for col, content in enumerate(across))
         head = first + 1
-        self.cells.append(Cell(head, 0, self.text("turn"), styles.HEAD))
+        self.put(head, 0, self.text("turn"), styles.HEAD)
         self.cells.extend(Cell(head, col, float(psi), styles.HEAD) for col, psi in enumerate(SWINGS, 1))
         self.cells.extend(Cell(head + number, 0, float(phi), styles.HEAD) for number, phi in enumerate(TURNS, 1))
         own = styles.decimals(styles.HEAD, 1)
-        self.fills.append(Fill(head, ACROSS, self._asked("psi"), own))
-        self.fills.append(Fill(head + DOWN, 0, self._asked("phi"), own))
+        self.formula(head, ACROSS, self._asked("psi"), own)
+        self.formula(head + DOWN, 0, self._asked("phi"), own)
         self.fills.append(Fill(head + 1, 1, node, styles.decimals(styles.centred(styles.COLUMN), places), DOWN, ACROSS))
 
     def _asked(self, name: str) -> Node:
@@ -206,8 +204,8 @@ class _Alt:
             "IF(inside,(square*(1+square)/TAN(RADIANS(phi-psi)/2)^2/2-8/27-square/3)/s^3,NA())",
             inside=inside, square=at["t2"], s=at["s"], psi=at["psi"], phi=at["phi"],
         )  # fmt: skip
-        self.cells.append(Cell(RATIOS + 1, HELPERS, self.text("own"), styles.HEAD))
-        self.fills.append(Fill(self.own.row, HELPERS, self._asked("mu_min"), style))
+        self.put(RATIOS + 1, HELPERS, self.text("own"), styles.HEAD)
+        self.formula(self.own.row, HELPERS, self._asked("mu_min"), style)
         for col, node, cols in ((0, t2, 1), (1, s, 1), (2, w, ACROSS)):
             self.fills.append(Fill(ANGLES + 2, HELPERS + col, node, style, DOWN, cols))
 

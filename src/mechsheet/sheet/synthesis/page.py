@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from livesheet.formula.nodes import Call, CellRef, Node, Symbol, with_symbols
-from livesheet.workbook import Area, Cell, Chart, Conditional, Content, Fill, Merge, Style, Validation
+from livesheet.workbook import Chart, Content, Style
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.model import Dimension, Synthesis
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.synthesis.naming import MODE, Naming
@@ -17,34 +18,21 @@ LARGE = 1e6
 """A number from here on would not fit its cell with six decimals."""
 
 
-class Page:
+class Page(Cells):
     """Collects the cells."""
 
     def __init__(self, plan: Plan, task: Synthesis, rows: Rows) -> None:
-        self.plan, self.given, self.rows = plan, task, rows
+        super().__init__(plan, plan.at.titles["synthesis"])
+        self.given, self.rows = task, rows
         self.kind = kind_of(task)
-        self.title = plan.at.titles["synthesis"]
         self.naming, self.exact_naming = Naming(plan, task), Naming(plan, task, exact=True)
         self.dimensions: dict[str, Dimension] = {dim.symbol: dim for dim in plan.mechanism.dimensions}
-        self.cells: list[Cell] = []
-        self.fills: list[Fill] = []
-        self.merges: list[Merge] = []
-        self.validations: list[Validation] = []
-        self.conditionals: list[Conditional] = []
         self.charts: list[Chart] = []
         self.nominal = dimension_values(plan.mechanism)
 
     def text(self, key: str, **parts: object) -> str:
         """A word of the sheet."""
         return self.plan.text(f"synthesis.{key}", **parts)
-
-    def put(self, row: int, col: int, content: Content, style: Style) -> None:
-        """A constant."""
-        self.cells.append(Cell(row, col, content, style))
-
-    def formula(self, row: int, col: int, node: Node, style: Style, rows: int = 1) -> None:
-        """A formula over symbols."""
-        self.fills.append(Fill(row, col, self.plan.at.bind(node, self.title), style, rows=rows))
 
     def cell(self, symbol: str) -> Node:
         """A quantity as people read it."""
@@ -127,4 +115,4 @@ class Page:
     def _rest(self, row: int, first: int, last: int, style: Style) -> None:
         for col in range(first + 1, last + 1):
             self.put(row, col, None, style)
-        self.merges.append(Merge(Area(row, first, row, last)))
+        self.merge(row, first, last)

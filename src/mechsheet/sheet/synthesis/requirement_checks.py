@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
-from livesheet.workbook import Area, Conditional
+from livesheet.workbook import Area
 from mechsheet.sheet import styles
 from mechsheet.sheet.grashof import BEGINS, named
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
@@ -102,7 +102,7 @@ class Does:
         area = Area(row, ROUNDED, row, MEANING)
         for mark, colours in ((NO, styles.BAD), (DOUBT, styles.WARN), (YES, styles.GOOD)):
             condition = formula("mark=own", mark=CellRef(row, ROUNDED, True, True), own=mark)
-            page.conditionals.append(Conditional(area, condition, colours))
+            page.colour(area, condition, colours)
 
     def _inputs(self) -> None:
         """The number of the first input that cannot be, 0 where all can."""
@@ -323,4 +323,4 @@ class Does:
             (formula("AND(red=0,amber>0)", red=red, amber=amber), styles.WARN),
             (formula("red+amber=0", red=red, amber=amber), styles.GOOD),
         ):
-            page.conditionals.append(Conditional(area, condition, style))
+            page.colour(area, condition, style)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from livesheet.formula.nodes import Call, CellRef
-from livesheet.workbook import Area, Column, Conditional, PrintSetup, Sheet
+from livesheet.workbook import Area, Column, PrintSetup, Sheet
 from mechsheet.sheet import styles
 from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.plan import Plan
@@ -88,7 +88,7 @@ def _task(page: Page) -> None:
         area = Area(row, VALUE, row, VALUE)
         page.validations.append(input_validation(page.plan, area, symbol))
         wrong = formula("NOT(good)", good=can_be(page, symbol))
-        page.conditionals.append(Conditional(area, page.plan.at.bind(wrong, page.title), styles.BAD))
+        page.colour(area, wrong, styles.BAD)
 
 
 def _results(page: Page) -> None:
@@ -111,7 +111,7 @@ def _results(page: Page) -> None:
             page.formula(row, USED, used[name], style)
             here, found = CellRef(row, USED, True, True), CellRef(row, ROUNDED if rounds else VALUE, True, True)
             apart = formula("IFERROR(ABS(here-found)>0.000000001*(1+ABS(found)),FALSE)", here=here, found=found)
-            page.conditionals.append(Conditional(Area(row, USED, row, USED), apart, styles.WARN))
+            page.colour(Area(row, USED, row, USED), apart, styles.WARN)
         else:
             page.put(row, USED, None, style)
         page.put(row, MEANING, dim.label.of(page.plan.language) if dim.label else "", styles.LABEL)

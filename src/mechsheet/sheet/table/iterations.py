@@ -9,10 +9,11 @@ from dataclasses import replace
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
-from livesheet.workbook import Cell, Column, Content, Fill, Merge, Sheet, Style
+from livesheet.workbook import Column, Fill, Sheet
 from mechsheet.kinematics.equations import Group, System
 from mechsheet.kinematics.newton.system import SETTLED
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.plan import BLOCKS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
@@ -27,7 +28,7 @@ def iterations_sheet(plan: Plan) -> Sheet:
     """The sheet."""
     said = plan.places.status.in_row(plan.at.first)
     sheet = sheet_beside(plan, "iterations", plan.iterations, said, "9CA3AF", lambda number: _block_title(plan, number))
-    writer = _Writer(plan)
+    writer = _Writer(plan, sheet.title)
     for group in plan.equations.groups:
         if group.system is not None:
             writer.needed(group, group.system)
@@ -66,15 +67,8 @@ def _block_title(plan: Plan, number: int) -> str:
     return plan.text("iterations.pass", group=group, number=block)
 
 
-class _Writer:
+class _Writer(Cells):
     """Collects what stands beside the blocks."""
-
-    def __init__(self, plan: Plan) -> None:
-        self.plan = plan
-        self.title = plan.at.titles["iterations"]
-        self.cells: list[Cell] = []
-        self.fills: list[Fill] = []
-        self.merges: list[Merge] = []
 
     def start(self, table: StartTable) -> None:
         """Where a group begins."""
@@ -82,10 +76,6 @@ class _Writer:
         self.cells += table.cells
         self.fills += table.fills
         self.merges += table.merges
-
-    def put(self, row: int, col: int, content: Content, style: Style) -> None:
-        """A constant."""
-        self.cells.append(Cell(row, col, content, style))
 
     def needed(self, group: Group, system: System) -> None:
         """How many passes each row took until its residual was nothing but rounding."""

@@ -10,12 +10,13 @@ from __future__ import annotations
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
-from livesheet.workbook import Area, Cell, Content, Fill, Merge, Style
+from livesheet.workbook import Fill
 from mechsheet.kinematics.equations import Group, System
 from mechsheet.kinematics.newton.lost_assembly import STEADY, trends
 from mechsheet.kinematics.newton.system import FIRST_PASSES, LED, SETTLED
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses, Spot
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.columns.start_columns import begun, start_columns
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
@@ -24,19 +25,16 @@ from mechsheet.sheet.table.positions import FORMULA_ROW, GROUP_ROW, SYMBOL_ROW, 
 from mechsheet.units import DEG
 
 
-class StartTable:
+class StartTable(Cells):
     """Collects the cells of one group's table, and of its start values."""
 
     def __init__(self, plan: Plan, group: Group, system: System) -> None:
-        self.plan, self.group, self.system = plan, group, system
-        self.title = plan.at.titles["iterations"]
+        super().__init__(plan, plan.at.titles["iterations"])
+        self.group, self.system = group, system
         self.columns = start_columns(plan.equations, system)
         self.places = plan.places.starts[group.number]
         self.left = self.places.table.col
         self.first, self.row = plan.at.first, plan.at.first + system.row
-        self.cells: list[Cell] = []
-        self.fills: list[Fill] = []
-        self.merges: list[Merge] = []
         self.now = self._at({})
         names = (*self.columns.given, *(each.symbol for each in self.columns.way), *self.columns.passes)
         self.place = {name: self.left + index for index, name in enumerate(names, 1)}
@@ -64,9 +62,6 @@ class StartTable:
         self._lost()
         self._starts()
 
-    def _put(self, row: int, col: int, content: Content, style: Style) -> None:
-        self.cells.append(Cell(row, col, content, style))
-
     def _fill(self, row: int, col: int, node: Node, rows: int, number_format: str = "0.0000") -> None:
         bound = self.at.bind(node, self.title, row)
         self.fills.append(Fill(row, col, bound, styles.numbered(styles.INNER, number_format), rows=rows))
@@ -75,17 +70,17 @@ class StartTable:
         plan, columns = self.plan, self.columns
         last = self.left + columns.width - 1
         title = plan.text("iterations.start", group=self.group.number, led=LED, number=FIRST_PASSES - LED)
-        self._put(GROUP_ROW, self.left, title, styles.SECTION)
+        self.put(GROUP_ROW, self.left, title, styles.SECTION)
         for col in range(self.left + 1, last + 1):
-            self._put(GROUP_ROW, col, None, styles.SECTION)
-        self.merges.append(Merge(Area(GROUP_ROW, self.left, GROUP_ROW, last)))
+            self.put(GROUP_ROW, col, None, styles.SECTION)
+        self.merge(GROUP_ROW, self.left, last)
         for symbol, col in self.place.items():
             degrees = symbol in columns.given and self.at.spots[symbol].degrees
-            self._put(SYMBOL_ROW, col, rich(symbol, f" [{DEG.text}]" if degrees else ""), styles.HEAD)
-        self._put(SYMBOL_ROW, self.left, plan.text("iterations.share"), styles.HEAD)
-        self._put(SYMBOL_ROW, last, plan.text("iterations.lost"), styles.HEAD)
+            self.put(SYMBOL_ROW, col, rich(symbol, f" [{DEG.text}]" if degrees else ""), styles.HEAD)
+        self.put(SYMBOL_ROW, self.left, plan.text("iterations.share"), styles.HEAD)
+        self.put(SYMBOL_ROW, last, plan.text("iterations.lost"), styles.HEAD)
         for col in range(self.left, last + 1):
-            self._put(FORMULA_ROW, col, None, styles.FORMULA_TEXT)
+            self.put(FORMULA_ROW, col, None, styles.FORMULA_TEXT)
 
     def _way(self) -> None:
         """The share of the way, and what is given, from the described values to those that are there."""
@@ -95,7 +90,7 @@ class StartTable:
         for symbol in self.columns.given:
             spot, col = self.at.spots[symbol], self.place[symbol]
             value = DEG.written(described[symbol]) if spot.degrees else described[symbol]
-            self._put(self.first, col, value, styles.INPUT)
+            self.put(self.first, col, value, styles.INPUT)
             begin = CellRef(self.first, col, True, True)
             node = formula("begin+share*(there-begin)", begin=begin, share=CellRef(self.first + 1, self.left, False, True),
                            there=self.now.cell(symbol, self.title, None))  # fmt: skip
@@ -146,16 +141,16 @@ class StartTable:
         """The start values of each assembly: inputs."""
         plan, system = self.plan, self.system
         left = self.places.values.col
-        self._put(SYMBOL_ROW, left, plan.text("iterations.starts"), styles.HEAD)
-        self._put(FORMULA_ROW, left, None, styles.FORMULA_TEXT)
+        self.put(SYMBOL_ROW, left, plan.text("iterations.starts"), styles.HEAD)
+        self.put(FORMULA_ROW, left, None, styles.FORMULA_TEXT)
         units = [plan.mechanism.shown(plan.equations.of(variable).unit) for variable in system.variables]
         for index, (variable, unit) in enumerate(zip(system.variables, units, strict=True), 1):
-            self._put(SYMBOL_ROW, left + index, rich(variable, f" [{unit.text}]"), styles.HEAD)
-            self._put(FORMULA_ROW, left + index, None, styles.FORMULA_TEXT)
+            self.put(SYMBOL_ROW, left + index, rich(variable, f" [{unit.text}]"), styles.HEAD)
+            self.put(FORMULA_ROW, left + index, None, styles.FORMULA_TEXT)
         for number, start in enumerate(system.starts):
-            self._put(self.first + number, left, float(number + 1), styles.decimals(styles.INNER, 0))
+            self.put(self.first + number, left, float(number + 1), styles.decimals(styles.INNER, 0))
             for index, (unit, value) in enumerate(zip(units, start, strict=True), 1):
-                self._put(self.first + number, left + index, unit.written(value), styles.INPUT)
+                self.put(self.first + number, left + index, unit.written(value), styles.INPUT)
 
 
 def assemblies_lost(plan: Plan) -> Node:
