@@ -14,7 +14,7 @@ from mechsheet.description import Overrides
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.engine import evaluate
 from mechsheet.library.changed import loads
-from mechsheet.sheet.checks.extremes import BEYOND
+from mechsheet.sheet.checks.one_extreme import BEYOND
 from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.table.requested import tables_of
 from mechsheet.studies.designs import Designs
