@@ -38,6 +38,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "DEGREES": np.degrees,
     "EXP": portable.exp,
     "IF": np.where,
+    "IFERROR": lambda x, other: np.where(np.isfinite(x), x, other),
     "ISNUMBER": lambda x: ~np.isnan(x),
     "LN": portable.log,
     "MAX": lambda *args: _fold(np.maximum, args),

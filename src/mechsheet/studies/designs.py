@@ -26,8 +26,7 @@ from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.period import Periods
 from mechsheet.model import Condition, Mechanism, Study
-from mechsheet.sheet.checks.boundless import bounded, divisor_of
-from mechsheet.sheet.checks.turning import derivatives, differentiated
+from mechsheet.sheet.checks.boundless import bounded, divisor_of, seen_by_rates
 from mechsheet.sheet.classification import classification
 from mechsheet.sheet.columns.lowering import lowered
 from mechsheet.sheet.plan import LEAST_PROBED
@@ -69,7 +68,7 @@ class Designs:
     row_given  the same as arrays of one design
     constants  the program for what rows do not change
     ruling     the one for what conditions ask of the rows;  in_rows: for all quantities there
-    at_places  by quantity the one for it at other places;  derivatives: for its derivatives, where the workbook has them
+    at_places  by quantity the one for it at other places;  seen_by_rates: those that have columns of both derivatives
     closing    there, for how far groups are from coming apart
     spiking    groups whose dead centres make spikes in what is asked for;  spiky: quantities that have them
     may_grow   quantities that can be without bound;  divisors: what those of them are divided by as absolute values
@@ -176,11 +175,7 @@ class Designs:
         self.closing = Called(lowering.columns([], rows=False, closing=True))
         self.at_places = {of: Called(lowering.columns([of], rows=False)) for of in wanted}
         rates = {equation.symbol for equation in self.equations.columns if equation.role in RATES}
-        self.derivatives = {
-            of: Called(lowering.columns(derivatives(of), rows=False))
-            for of in wanted
-            if differentiated(mechanism, rates, of)
-        }
+        self.seen_by_rates = {of for of in wanted if seen_by_rates(mechanism, rates, of)}
         self.decisive = [quantity.name for quantity in questions.quantities if quantity.name in self._read]
 
     def _doubts(self, wanted: Iterable[str]) -> None:

@@ -1,11 +1,8 @@
 """The smallest and the largest value of quantities over a motion, of many designs at once: as the workbook finds them.
 
-As the sheet of extremes does (`sheet/checks/extremes.py`): the best row (or the best away from an end of the motion), a
-probe at the vertex of the parabola through it and its neighbours, one beside it or on the row's other side, then two at the
-vertices of parabolas through what is known; beside a limit all parabolas are over the root of the distance from it; where
-the workbook has the quantity's derivatives, two probes where the first changes its sign. What is given has been attained:
-the best of the row, the probes and both ends of the stretch. Of several stretches, and of one of one row, the rows are all.
-Places count rows from 1.
+From the best row (or the best away from an end of the motion), or from where the stretch begins or ends, the search goes on
+by the workbook's own rule (`sheet/checks/bracket.py`), evaluated over arrays. What is given has been attained. Of several
+stretches, and of one of one row, the rows are all. Places count rows from 1.
 """
 
 from __future__ import annotations
@@ -17,27 +14,15 @@ from typing import Literal, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from mechsheet.kinematics.numeric import value as value_of
 from mechsheet.kinematics.period import SAME_AGAIN
+from mechsheet.sheet.checks.bracket import FIRST_PROBE, NARROWED, PLACE, PROBE, PROBES, ROOTED, VERTEX
 from mechsheet.studies.remarks import ABOUT, BEYOND, Codes, at_pole, unsettled
-from mechsheet.studies.rivals import beyond, promised
+from mechsheet.studies.rivals import beyond as beyond_found
+from mechsheet.studies.rivals import promised
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-
-BESIDE = 0.1
-"""How far beside the first probe the second is made, in rows."""
-
-FROM_LIMIT = 0.125
-"""How far from a limit the second probe is made, at least: as a part of the root of the row's distance."""
-
-AT_LIMIT = 1e-3
-"""The same where the quantity has no number at the limit, where the row's then stands: it may grow without bound there."""
-
-BEFORE = -9.0
-"""A place before all others: of no limit."""
-
-FROM_END = 0.25
-"""How far from the motion's first or last row the first probe is made, where the parabola's vertex lies beyond it."""
 
 STRETCHES = 3
 """Stretches of rows that are looked at: of more there are no extremes."""
@@ -103,21 +88,19 @@ class Anchors:
 
     most, worst          the best value of all rows, and the other extreme of them
     here, best           the row (from 1) from which the probes go on, and its value
-    middle               the row whose neighbours the first parabola goes through; before, value, after: values there
+    edges                values in the first and the last row of the stretch;  beside: in the rows before and after `here`
     wraps                1, 2 where the ends of the motion are neighbours (their row twice, or not), else 0
     turns                values, in the best row, of the angles without jumps that probes need
     rival                the most that another row promises beside it (`rivals`)
-    pole                 whether the middle row and its neighbours are those beside a place where the quantity has no bound
+    pole                 whether that row and its neighbours are those beside a place where the quantity has no bound
     """
 
     most: Array
     worst: Array
     here: Array
     best: Array
-    middle: Array
-    before: Array
-    value: Array
-    after: Array
+    edges: Array
+    beside: Array
     wraps: Array
     turns: Array
     rival: Array
@@ -169,9 +152,13 @@ def anchors_of(
     turns = np.empty((designs, len(angles)))
     for at, angle in enumerate(angles):
         turns[:, at] = angle[each, place]
-    at_row, at_middle = (np.asarray(index + 1.0, float) for index in (place, middle))
+    before_and_after = [
+        np.where(beyond > 0, (place + step) % turned, np.clip(place + step, first - 1, last - 1)) for step in (-1, 1)
+    ]
+    neighbours = np.stack([column[each, np.minimum(index, rows - 1)] for index in before_and_after], axis=1)
+    edges = np.stack([column[each, first - 1], column[each, last - 1]], axis=1)
     rival = promised(way == "max", column, place, (first, last), beyond, most, worst)
-    return Anchors(most, worst, at_row, value, at_middle, before, here, after, wraps, turns, rival, pole)
+    return Anchors(most, worst, np.asarray(place + 1.0, float), value, edges, neighbours, wraps, turns, rival, pole)
 
 
 def _begun_from(way: Way, column: Array, place: NDArray[np.intp], looked_at: Mask) -> NDArray[np.intp]:
@@ -207,169 +194,85 @@ def joined(parts: list[OfDesigns]) -> OfDesigns:
 Probe = Callable[[Array], Array]
 """The quantity at places (n, k)."""
 
-Slopes = Callable[[Array], tuple[Array, Array]]
-"""Its first and second derivative by the number of the row at places (n,)."""
-
-
-@dataclass(frozen=True, slots=True)
-class Around:
-    """Where an extreme is sought, for each design.
-
-    low, high  where the stretch begins and ends, between rows;  first, last: its rows
-    beyond     whether the ends of the motion are neighbours, so that places go on beyond them
-    """
-
-    low: Array
-    high: Array
-    first: NDArray[np.int64]
-    last: NDArray[np.int64]
-    beyond: Mask
-
-    def within(self, places: Array) -> Array:
-        """Places, none beyond the stretch."""
-        return np.where(self.beyond, places, np.maximum(self.low, np.minimum(self.high, places)))
-
 
 def refined(
-    way: Way,
-    anchors: Anchors,
-    stretches: Stretches,
-    edges: tuple[Array, Array],
-    ends: bool,
-    probe: Probe,
-    slopes: Slopes | None = None,
+    way: Way, anchors: Anchors, stretches: Stretches, edges: tuple[Array, Array], ends: bool, probe: Probe
 ) -> tuple[Array, Codes]:
     """The extremes of designs of one stretch, and what is to be said of them.
 
     edges   where their stretches begin and end, between rows;  ends: as in `anchors_of`
-    slopes  where the workbook has the quantity's derivatives, too
     """
     first, last = stretches.first, stretches.last
     low, high = edges
     here, best = anchors.here, anchors.best
-    around = Around(low, high, first, last, anchors.wraps > 0 if ends else np.zeros(len(here), bool))
+    beyond = anchors.wraps > 0 if ends else np.zeros(len(here), bool)
 
-    def found(*places: Array) -> list[Array]:
-        values = probe(np.stack(places, axis=1))
-        return [np.where(np.isfinite(column), column, best) for column in values.T]
+    def found(places: Array, known: Array) -> Array:
+        values = probe(places[:, None])[:, 0]
+        return np.where(np.isfinite(values), values, known)
 
     with np.errstate(all="ignore"):
-        partial = (low < first) | (high > last)
-        at_ends = [best, best]
-        if partial.any():
-            at_ends = found(np.where(partial, low, here), np.where(partial, high, here))
-            at_ends = [np.where(partial, column, best) for column in at_ends]
-        if slopes is None:
-            places, probed = _by_parabolas(way, anchors, around, at_ends, found)
-        else:
-            places = list(_where_it_turns(way, anchors, around, slopes))
-            probed = found(*places)
-        # what is best of all only in a row is so in one at an end
-        stacked = np.array([best, *probed, *at_ends, anchors.most])
-        taken = np.argmin(stacked, axis=0) if way == "min" else np.argmax(stacked, axis=0)
-        extreme = stacked[taken, np.arange(len(best))]
-        place = np.array([here, *places, low, high, np.where(taken > 0, low, here)])[taken, np.arange(len(best))]
-        at_end = ~around.beyond & ((place == low) | (place == high))
-        about = unsettled(best, probed, extreme, anchors.worst, at_end)
+        limited = ((low < first) & ~beyond, (high > last) & ~beyond)
+        at_low, at_high = (
+            found(np.where(there, end, here), best) if there.any() else best
+            for there, end in zip(limited, (low, high), strict=True)
+        )
+        state = _begun(1.0 if way == "min" else -1.0, anchors, (low, high), limited, (at_low, at_high), beyond)
+        before = last_value = best
+        for number in range(PROBES):
+            state["vertex"] = value_of(VERTEX, state)
+            state["probe"] = value_of(PROBE if number else FIRST_PROBE, state)
+            before = state["f_middle"]
+            state["value"] = last_value = found(np.asarray(value_of(PLACE, state)), before)
+            above = {f"{name}_above": state[name] for name in ("probe", "middle")}
+            state |= {name: value_of(tree, state) for name, tree in NARROWED.items()} | above
+        probed = state["f_middle"]
+        extreme = np.where(state["sense"] * (anchors.most - probed) < 0, anchors.most, probed)
+        place = np.where(extreme == probed, value_of(PLACE, state | {"probe": state["middle"]}), low)
+        at_end = ~beyond & ((place == low) | (place == high))
+        about = unsettled(extreme, last_value, before, anchors.worst, at_end)
     of_rows = (stretches.number > 1) | (first == last) | ~np.isfinite(best)
-    elsewhere = beyond(way == "max", anchors.rival, extreme, anchors.most, anchors.worst)
+    elsewhere = beyond_found(way == "max", anchors.rival, extreme, anchors.most, anchors.worst)
     codes = np.where(of_rows, 0, np.where(elsewhere, BEYOND, np.where(about, ABOUT, 0))).astype(np.int8)
     return np.where(of_rows, anchors.most, extreme), codes
 
 
-Point = tuple[Array, Array]
+def _begun(
+    sense: float,
+    anchors: Anchors,
+    ends: tuple[Array, Array],
+    limited: tuple[Mask, Mask],
+    at_ends: tuple[Array, Array],
+    beyond: Mask,
+) -> dict[str, Array]:
+    """What the first row of each search knows.
 
-
-@dataclass(frozen=True, slots=True)
-class Roots:
-    """Places by the root of their distance from a limit, as a part of the best row's; without limit, by the distance from a
-    place before all."""
-
-    here: Array
-    limit: Array
-    limited: Mask
-
-    def of(self, places: Array) -> Array:
-        """The roots of places."""
-        part = (places - self.limit) / (self.here - self.limit)
-        return np.where(self.limited, np.sqrt(part), part)
-
-    def place(self, roots: Array) -> Array:
-        """The other way round."""
-        return np.asarray(self.limit + (self.here - self.limit) * np.where(self.limited, roots**2, roots))
-
-    def first(self, there: Array, best: Array, value: Array) -> Array:
-        """Where the parabolas through the limit (`there` is the value), the row and the next have their vertices:
-
-        y(w) = y0 + b w + c w^2 with w^2 = |u - limit|.
-        """
-        far, rise, next_rise = np.abs(self.here - self.limit), best - there, value - there
-        root = ((far + 1) * rise - far * next_rise) / (2 * (np.sqrt(far + 1) * rise - np.sqrt(far) * next_rise))
-        root = np.where(np.isfinite(root), np.maximum(0.0, root), 0.0)
-        return self._off(np.maximum(far / 4.0, np.minimum(far + 1.0, root**2)))
-
-    def second(self, there: Array, best: Array, one: Point) -> Array:
-        """The same through the limit, the first probe and the row."""
-        far, w, rise, row_rise = np.abs(self.here - self.limit), self.of(one[0]), one[1] - there, best - there
-        root = (rise - w**2 * row_rise) / (2 * (rise - w * row_rise))
-        root = np.where(np.isfinite(root), np.maximum(FROM_LIMIT, root), FROM_LIMIT)
-        root = np.where(there == best, AT_LIMIT, root)
-        return self._off(np.minimum(far + 1.0, far * root**2))
-
-    def _off(self, far: Array) -> Array:
-        return np.asarray(self.limit + np.sign(self.here - self.limit) * far)
-
-
-def _by_parabolas(
-    way: Way, anchors: Anchors, around: Around, at_ends: list[Array], found: Callable[..., list[Array]]
-) -> tuple[list[Array], list[Array]]:
-    """The places of four probes and the values there, each placed by what is known before it."""
-    low, high, beyond = around.low, around.high, around.beyond
+    ends     where the stretches begin and end;  limited: whether at limits;  at_ends: values there
+    beyond   whether the ends of the motion are neighbours, so that places go on beyond them
+    """
     here, best = anchors.here, anchors.best
-    before, value, after = anchors.before, anchors.value, anchors.after
-    step = (before - after) / (2.0 * (before - 2.0 * value + after))
-    vertex = anchors.middle + np.where(np.isfinite(step), step, 0.0)
-    at_first, at_last = ~beyond & (here == around.first), ~beyond & (here == around.last)
-    least = np.where(at_first & (low == around.first), here + FROM_END, low)
-    most = np.where(at_last & (high == around.last), here - FROM_END, high)
-    near = np.minimum(here + 1.0, vertex)
-    one = np.where(beyond, np.maximum(here - 1.0, near),
-                   np.maximum(np.maximum(least, here - 1.0), np.minimum(most, near)))  # fmt: skip
-    at_low = at_first & (low < around.first)
-    limited = at_low | (at_last & (high > around.last))
-    roots = Roots(here, np.where(at_low, low, np.where(limited, high, BEFORE)), limited)
-    there = np.where(at_low, *at_ends)
-    one = np.where(limited, roots.first(there, best, value), one)
-    (y_one,) = found(one)
-    worse = y_one > best if way == "min" else y_one < best
-    aside = np.where(worse, 2.0 * here - one, one + np.where(one - here > 1e-6, -BESIDE, BESIDE))
-    two = around.within(np.where(limited, roots.second(there, best, (one, y_one)), aside))
-    (y_two,) = found(two)
-    three = _further(one, (here + one) / 2.0, around, roots, (here, best), (one, y_one), (two, y_two))
-    (y_three,) = found(three)
-    four = _further(one, one, around, roots, (one, y_one), (two, y_two), (three, y_three))
-    return [one, two, three, four], [y_one, y_two, y_three, *found(four)]
+    (low, high), (at_low, at_high) = ends, at_ends
+    from_high = limited[1] & (sense * (at_high - best) < 0)
+    from_low = limited[0] & (sense * (at_low - best) < 0)
+    from_high = np.where(from_low, sense * (at_high - at_low) < 0, from_high)
+    from_low &= ~from_high
+    start = np.where(from_low, low, np.where(from_high, high, here))
+    left = np.where(beyond, start - 1, np.maximum(low, np.ceil(start) - 1))
+    right = np.where(beyond, start + 1, np.minimum(high, np.floor(start) + 1))
+    at_left, at_right = limited[0] & (left == low), limited[1] & (right == high)
+    side = np.where(at_left, 1.0, np.where(at_right, -1.0, 0.0))
+    counted = {"side": side, "limit": np.where(side < 0, high, low), "sense": np.full(len(here), sense)}
+    places = {"left": left, "middle": start, "right": right}
+    before, after = anchors.beside.T
+    return counted | {
+        "f_left": np.where(at_left, at_low, np.where(from_high, anchors.edges[:, 1], before)),
+        "f_middle": np.where(from_low, at_low, np.where(from_high, at_high, best)),
+        "f_right": np.where(at_right, at_high, np.where(from_low, anchors.edges[:, 0], after)),
+        **{name: np.asarray(value_of(ROOTED, counted | {"place": place})) for name, place in places.items()},
+    }
 
 
-def _where_it_turns(way: Way, anchors: Anchors, around: Around, slopes: Slopes) -> tuple[Array, Array]:
-    """The two places of `sheet/checks/turning.py`: inverse Hermite interpolation of the derivative, then a Newton step."""
-    here = anchors.here
-    once, twice = slopes(here)
-    side = np.where(once > 0 if way == "max" else once < 0, 1.0, -1.0)
-    turned = np.where(anchors.wraps == 1, around.last - 1, around.last)
-    neighbour = np.maximum(around.first, np.minimum(around.last, here + side))
-    there_once, there_twice = slopes(np.where(around.beyond, 1.0 + (here + side - 1.0) % turned, neighbour))
-    t = once / (once - there_once)
-    t = np.where(np.isfinite(t), t, 0.0)
-    s = t**2 * (3 - 2 * t) + side * t * (1 - t) * (there_once - once) * ((1 - t) / twice - t / there_twice)
-    inside = (t > 0) & (t < 1)
-
-    def newton(at: Array, rate: Array, change: Array) -> Array:
-        step = np.maximum(here - 1.0, np.minimum(here + 1.0, at - rate / change))
-        return np.where(np.isfinite(step), around.within(step), at)
-
-    one = np.where(inside, here + side * np.where((s > 0) & (s < 1), s, t), newton(here, once, twice))
-    return one, newton(one, *slopes(one))
+Point = tuple[Array, Array]
 
 
 def vertex_of(one: Point, two: Point, three: Point) -> Array:
@@ -380,14 +283,6 @@ def vertex_of(one: Point, two: Point, three: Point) -> Array:
         u_two
         - (a**2 * (y_two - y_three) - b**2 * (y_two - y_one)) / (2 * (a * (y_two - y_three) - b * (y_two - y_one)))
     )
-
-
-def _further(middle: Array, known: Array, around: Around, roots: Roots, *points: Point) -> Array:
-    """The vertex through three points, no farther than a row from the middle; where there is none the place known."""
-    one, two, three = ((roots.of(place), value) for place, value in points)
-    vertex = roots.place(np.maximum(0.0, vertex_of(one, two, three)))
-    place = around.within(np.maximum(middle - 1.0, np.minimum(middle + 1.0, vertex)))
-    return np.where(np.isfinite(place), place, known)
 
 
 def edges_of(first: Array, last: Array, rows: int, inside: Callable[[Array], Mask]) -> tuple[Array, Array]:

@@ -18,11 +18,9 @@ from livesheet.formula.nodes import Node, Symbol, symbols
 from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.kinematics.numeric import OPERATORS, Array, value
 from mechsheet.model import WAYS, Condition, Take
-from mechsheet.sheet.checks.extremes import NEARER
-from mechsheet.sheet.checks.turning import derivatives
+from mechsheet.sheet.checks.one_extreme import NEARER
 from mechsheet.studies.extremes import (
     Anchors,
-    Slopes,
     Stretches,
     Way,
     anchors_of,
@@ -175,7 +173,7 @@ class Motion:
             own = anchors[quantity.of, way]
             rows = stretches.last - stretches.first + 1
             without |= beyond_rows(found[quantity.of, way], own.most, own.worst, rows)
-            if quantity.of not in designs.derivatives:
+            if quantity.of not in designs.seen_by_rates:
                 without |= own.pole
         return without & (stretches.count > 0)
 
@@ -201,23 +199,8 @@ class Motion:
             near = {name: own_anchors.turns[:, at][:, None] for name, at in zip(names, columns, strict=True)}
             given = {**inside, **near}
             probe = _column_of(symbol, _at_places(designs, program, given))
-            slopes = self._slopes(symbol, given)
-            found[symbol, way] = refined(way, own_anchors, stretches, (low, high), moves, probe, slopes)
+            found[symbol, way] = refined(way, own_anchors, stretches, (low, high), moves, probe)
         return found
-
-    def _slopes(self, symbol: str, given: Mapping[str, Array]) -> Slopes | None:
-        """The derivatives of a quantity by the number of the row, where the workbook has a column of each."""
-        designs = self.designs
-        if symbol not in designs.derivatives:
-            return None
-        at_places = _at_places(designs, designs.derivatives[symbol], given)
-
-        def slopes(places: Array) -> tuple[Array, Array]:
-            out = at_places(places[:, None])
-            once, twice = (out[name][:, 0] for name in derivatives(symbol))
-            return once * designs.step, twice * designs.step**2
-
-        return slopes
 
     def _edges(self, first: Array, last: Array, inside: Mapping[str, Array]) -> tuple[Array, Array]:
         closing = _at_places(self.designs, self.designs.closing, inside)

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.sheet.checks.boundless import GROWN, LEAST_ROWS, STRAIGHT, STRAIGHT_SIGNED
-from mechsheet.sheet.checks.extremes import IMPROVED, SETTLED
+from mechsheet.sheet.checks.one_extreme import SETTLED
 from mechsheet.words.workbook import Language, words
 
 Array = NDArray[np.float64]
@@ -33,16 +33,15 @@ WORDS = {
 }
 
 
-def unsettled(best: Array, probes: list[Array], value: Array, worst: Array, at_end: Mask) -> Mask:
+def unsettled(value: Array, last: Array, before: Array, worst: Array, at_end: Mask) -> Mask:
     """Whether an extreme is about right only: the last probe is worse than it, or it alone is that good.
 
-    best    the value in the row from which the probes went on;  worst: the other extreme of the rows
+    last    what the last probe has found;  before: the best of what was known before it
+    worst   the other extreme of the rows
     at_end  where the extreme is at an end of the motion, where it is as it should be
     """
-    earlier = np.array([best, *probes[:-1]])
-    before = np.abs(value - earlier).min(axis=0)  # of values none of which is better
     span = np.abs(value - worst)
-    return np.asarray(~at_end & ((np.abs(value - probes[-1]) > SETTLED * span) | (before > IMPROVED * span)))
+    return np.asarray(~at_end & ((np.abs(value - last) > SETTLED * span) | (np.abs(value - before) > SETTLED * span)))
 
 
 def beyond_rows(value: Array, of_rows: Array, others: Array, rows: NDArray[np.int64]) -> Mask:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.sheet.checks.extremes import SETTLED
+from mechsheet.sheet.checks.one_extreme import SETTLED
 
 Array = NDArray[np.float64]
 

@@ -1,8 +1,8 @@
 """The two-way tables whose value is a summary: one dimension down, another across, what the sweep amounts to in the cells.
 
 Right of the chart, folded away, each pair of values has a column: its two values, below them the quantity at the driver's
-values (one formula, filled both ways), and below these probes between the rows, by the same formula, placed as on the sheet
-of extremes. Places count rows from the middle of three neighbours. What is given has been attained.
+values (one formula, filled both ways), and below these probes between the rows, by the same formula, at vertices of
+parabolas. Places count rows from the middle of three neighbours. What is given has been attained.
 """
 
 from __future__ import annotations
@@ -19,8 +19,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.asked.cell_formula import Blocks, CellFormula, helper_blocks
 from mechsheet.sheet.asked.two_way import CORNER_ROW, FIRST, HEAD_ROW, NAME_ROW, Body, Table, bracketed
 from mechsheet.sheet.checks import rivals
-from mechsheet.sheet.checks.extremes import SETTLED
-from mechsheet.sheet.checks.parabolas import BESIDE, PROBES, vertex_of
+from mechsheet.sheet.checks.one_extreme import SETTLED
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.over_rows import ENDS, NUMBERS, ends_meet, may_leave_out, mean_of_motion
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
@@ -28,6 +27,12 @@ from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.shown import input_validation, shown_unit
 from mechsheet.sheet.symbols import plain, rich
 from mechsheet.sheet.table.positions import places
+
+PROBES = 4
+"""Probes of each extreme."""
+
+BESIDE = 0.1
+"""How far beside the first probe the second is made, in rows."""
 
 
 class SummaryTable(Table):
@@ -275,27 +280,28 @@ class Helpers:
         allowed = formula(
             "settled*(most-least)", settled=SETTLED, most=self._over_rows("max"), least=self._over_rows("min")
         )
-        more, less, on, off = (">", "<", "+", "-") if way == "max" else ("<", ">", "-", "+")
+        sense = 1.0 if way == "min" else -1.0
         limits = {
-            "twin": formula(f"best{off}allowed", best=best, allowed=allowed),
-            "promise": formula(f"result{on}allowed", result=result, allowed=allowed),
+            "twin": formula("best+sense*allowed", best=best, sense=sense, allowed=allowed),
+            "promise": formula("result-sense*allowed", result=result, sense=sense, allowed=allowed),
+            "sense": al.number(sense),
         }
         count = formula(
-            f"SUMPRODUCT({rivals.FAR}*{rivals.peak(more)}*{rivals.promises(more, less)})", own=own, before=before,
+            f"SUMPRODUCT({rivals.FAR}*{rivals.PEAK}*{rivals.PROMISES})", own=own, before=before,
             after=after, number=formula("ROW(own)-offset", own=own, offset=FIRST + 1), here=here,
             again=formula(rivals.AGAIN, wraps=wraps, here=here, rows=self.of_rows), **limits,
         )  # fmt: skip
-        ends = [self._rival_at_end(at, wraps, here, rivals.at_end(more, less), limits) for at in (0, 1)]
+        ends = [self._rival_at_end(at, wraps, here, limits) for at in (0, 1)]
         return self._line("rivals", "IFERROR(count+one+other,0)", count=count, one=ends[0], other=ends[1])
 
-    def _rival_at_end(self, at: int, wraps: CellRef, here: CellRef, test: str, limits: dict[str, Node]) -> Node:
+    def _rival_at_end(self, at: int, wraps: CellRef, here: CellRef, limits: dict[str, Node]) -> Node:
         """The same of the first row (at 0) or the last one."""
         rows = [replace(self.column.start, row=row) for row in range(FIRST, self.table.rows_end + 1)]
         own, after, third, *_, near, far = rows if at == 0 else rows[::-1]
         outside = formula(rivals.OUTSIDE, wraps=wraps, own=own, after=after, third=third, near=near, far=far)
         end, other = (al.ONE, self.of_rows) if at == 0 else (self.of_rows, al.ONE)
         return formula(
-            test, here=here, end=end, other=other, wraps=wraps, outside=outside, own=own, after=after, **limits
+            rivals.AT_END, here=here, end=end, other=other, wraps=wraps, outside=outside, own=own, after=after, **limits
         )
 
     def _over_rows(self, way: Way) -> Node:
@@ -342,3 +348,13 @@ class Helpers:
         for index, (_, helper) in enumerate(found.helpers):
             self.fills.append(Fill(number, blocks.col(index), moved(helper), styles.INNER, cols=blocks.count))
         return self._put(self.plan.text("table.probe"), moved(found.formula), self.style)
+
+
+def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:
+    """Where the parabola through three points (u, y) has its vertex."""
+    (one, y_one), (two, y_two), (three, y_three) = points
+    return formula(
+        "two-((two-one)^2*(y_two-y_three)-(two-three)^2*(y_two-y_one))"
+        "/(2*((two-one)*(y_two-y_three)-(two-three)*(y_two-y_one)))",
+        one=one, two=two, three=three, y_one=y_one, y_two=y_two, y_three=y_three,
+    )  # fmt: skip

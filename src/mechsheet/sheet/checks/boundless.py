@@ -15,6 +15,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.derivatives import KEEP_BOUNDS, WITHIN_BOUNDS
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, symbols, transform, walk
 from mechsheet.kinematics.equations import Equations, Group
+from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula
@@ -38,6 +39,12 @@ def may_grow(plan: Plan, symbol: str) -> bool:
     return not plan.rows_only and symbol not in bounded(
         plan.mechanism, plan.equations.equations, plan.found.transmission
     )
+
+
+def seen_by_rates(mechanism: Mechanism, rates: Collection[str], symbol: str) -> bool:
+    """Whether a quantity has columns of both its derivatives by the driver: it is an angle or a place then, and changes its
+    sign where it likes."""
+    return mechanism.driver.law is None and all(symbol + each in rates for each in COEFFICIENTS)
 
 
 def bounded(mechanism: Mechanism, equations: Equations, transmission: Iterable[Group]) -> set[str]:

@@ -1,6 +1,6 @@
 """Places by key, for the modules of the sheet of extremes that still read and hand out places so.
 
-`extremes`, `limits`, `probes`, `parabolas`, `turning` and `rivals` find and leave cells that are no quantities in
+`extremes`, `one_extreme`, `limits` and `rivals` find and leave cells that are no quantities in
 `Addresses.spots`, under keys that begin with "#". Here these keys become `Searched`, and places become keys; nobody else
 knows any.
 """
@@ -45,7 +45,7 @@ def handed_out(extremes: Extremes) -> Searched:
             (way, symbol): Extreme(
                 at(f"{way}_{symbol}"), at(f"{way}_at_{symbol}"), spots.get(f"#{way}_turns_{symbol}")
             )
-            for symbol, way in extremes.blocks
+            for symbol, way in extremes.sought
         },
         {symbol: at(f"wraps_{symbol}") for symbol in extremes.quantities},
         {(way, name): at(f"{way} {name}") for symbol, way in extremes.bands for name in plan.banded[symbol].derivatives},

@@ -240,7 +240,7 @@ class _Block:
         self.colour("limits", "count>0", styles.WARN, count=cell)
 
     def _within_a_step(self) -> Node:
-        """What is added to limits that three probes have not found."""
+        """What is added to limits that the probes have not found."""
         return formula('IF(unsettled,within,"")', unsettled=self.found.unsettled.cell, within=self.text("within"))
 
     def input_range(self) -> None:

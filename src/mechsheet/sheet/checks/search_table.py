@@ -1,0 +1,191 @@
+"""The sheet of searches: the formulas of the table of positions, filled down at other values of the driver.
+
+Each row is a probe. Columns before those of the positions say what is known and where the probe is (`bracket`); behind them
+stands what it has found. All rows of a search have the same formulas, but for its first one, which begins from rows of
+*Positions*. Places are counted in rows: 1 is the first row of the table, 2.5 lies halfway between the second and the third.
+An angle without jumps is taken within half a turn of what it is in the row from which the search begins.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import replace
+
+from livesheet.formula.nodes import Call, CellRef, Node, Previous, RangeRef, Symbol, transform, with_symbols
+from livesheet.workbook import Cell, Content, Fill, Style
+from mechsheet.model import TIME
+from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.driving import by_time, driver_at, time_after
+from mechsheet.sheet.plan import NUMBER, STATUS, Plan, TableColumn
+from mechsheet.sheet.quoted import ALL, formula
+from mechsheet.sheet.table.positions import cell_formula, style_of
+
+ALL_ROWS = Symbol("#all_rows")
+"""How many rows the table has, on this sheet: there it is read most."""
+
+LABEL, NEAR, SENSE, LIMIT, SIDE = range(5)
+"""The first columns: in words what is sought; near which row angles are taken; 1 or -1 where the smallest or the largest
+value is sought; from which limit, and on which side of it, places are counted by roots."""
+
+KNOWN = 5
+"""The first of six columns of what a row knows."""
+
+VERTEX_COL, PROBE_COL, PLACE_COL = 11, 12, 13
+"""Where the parabola has its vertex (of a limit: on which part of the way the probe is), the probe, its place in rows."""
+
+DECIMALS = 6
+"""Of places and of what is known of them."""
+
+DRIVER_COL = 14
+"""The driver's value there; the table's columns follow."""
+
+
+class SearchTable:
+    """The cells of the sheet, and where its columns stand."""
+
+    def __init__(self, plan: Plan, title: str) -> None:
+        self.plan = plan
+        self.title = title
+        own = [column for column in plan.columns if column.col not in (NUMBER, STATUS)]
+        self.columns: list[TableColumn] = [
+            replace(column, col=col)
+            for col, column in enumerate((*own, *plan.rates, *plan.forces, *plan.bands), DRIVER_COL)
+        ]
+        # the table's columns on this sheet
+        spots = {each.symbol: replace(plan.at.spots[each.symbol], sheet=title, col=each.col) for each in self.columns}
+        self.at = replace(plan.at, spots=plan.at.spots | spots)
+        self.value_col = DRIVER_COL + len(self.columns)
+        self.side = self.value_col + 1
+        self.cells: list[Cell] = []
+        self.fills: list[Fill] = []
+        self._reads = {equation.symbol: equation.reads for equation in plan.equations.columns}
+
+    # --- places -----------------------------------------------------------------------------------------------
+
+    def spot(self, row: int, work: int) -> Spot:
+        """Where other sheets find a cell beside the table's columns."""
+        return Spot(self.title, row, self.side + work)
+
+    def fixed(self, row: int, work: int) -> CellRef:
+        """A cell beside the table's columns, wherever it is read."""
+        return CellRef(row, self.side + work, True, True)
+
+    def near(self, row: int, work: int) -> CellRef:
+        """The same, for formulas that are copied together with it."""
+        return CellRef(row, self.side + work, False, True)
+
+    def quantity(self, row: int, symbol: str) -> CellRef:
+        """What a probe has found of a quantity, as people read it."""
+        return CellRef(row, self.at.spots[symbol].col, False, True)
+
+    def down(self, row: int, work: int, count: int) -> RangeRef:
+        """Cells below each other, wherever they are read."""
+        return RangeRef(self.fixed(row, work), self.fixed(row + count - 1, work))
+
+    # --- cells ------------------------------------------------------------------------------------------------
+
+    def put(self, row: int, col: int, content: Content, style: Style) -> None:
+        """A constant."""
+        self.cells.append(Cell(row, col, content, style))
+
+    def fill(self, row: int, col: int, node: Node, rows: int = 1, style: Style = styles.INNER) -> CellRef:
+        """A formula, filled down; its first cell."""
+        self.fills.append(Fill(row, col, self.plan.at.bind(node, self.title), style, rows=rows))
+        return CellRef(row, col, False, True)
+
+    def work(
+        self, row: int, work: int, text: str, style: Style = styles.INNER, /, **holes: Node | float | str
+    ) -> CellRef:
+        """A formula beside the table's columns; its cell, for formulas that are copied together with it."""
+        return self.fill(row, self.side + work, formula(text, **holes), style=style)
+
+    # --- searches ---------------------------------------------------------------------------------------------
+
+    def search(
+        self,
+        row: int,
+        count: int,
+        first: Mapping[str, Node],
+        names: Sequence[str],
+        rules: Mapping[str, Node],
+        probing: Mapping[int, tuple[str, Node]],
+    ) -> dict[str, CellRef]:
+        """What the rows of a search know, and where they probe; the cells of the first row by name.
+
+        count    of rows, of which the last makes no probe;  first: what the first row knows
+        names    of the columns of what is known;  rules: that of the next row, over this one's
+        probing  name and tree of the columns that decide where the probe is
+        """
+        columns = {"sense": SENSE, "limit": LIMIT, "side": SIDE, "place": PLACE_COL, "value": self.value_col}
+        columns |= {name: KNOWN + at for at, name in enumerate(names)} | {
+            name: col for col, (name, _) in probing.items()
+        }
+
+        def at(number: int) -> dict[str, CellRef]:
+            return {name: CellRef(row + number, col, False, True) for name, col in columns.items()}
+
+        here, above = at(1), {f"{name}_above": cell for name, cell in at(0).items()}
+        for name, col in [(name, columns[name]) for name in names]:
+            self._down(row, col, count, first[name], with_symbols(rules[name], at(0)), at(0))
+        for name, col in (("near", NEAR), ("sense", SENSE), ("limit", LIMIT), ("side", SIDE)):
+            if name in first:
+                self._down(row, col, count, first[name], CellRef(row, col, False, True), at(0))
+        for col, (name, tree) in probing.items():
+            self._down(row, col, count, first.get(name, tree), with_symbols(tree, here | above), at(0))
+        return at(0)
+
+    def _down(self, row: int, col: int, count: int, first: Node, further: Node, here: Mapping[str, Node]) -> None:
+        """A column of a search: its first row, and the others."""
+        style = styles.INNER if col < KNOWN else styles.decimals(styles.INNER, DECIMALS)
+        self.fill(row, col, with_symbols(first, here), style=style)
+        self.fill(row + 1, col, further, count - 1, style)
+
+    def heads(self, row: int, first: int, names: Sequence[str]) -> None:
+        """What columns of searches hold, over them."""
+        for col, name in enumerate(names, first):
+            self.put(row, col, self.plan.text(f"extremes.{name}"), styles.HEAD)
+
+    # --- the table's columns ----------------------------------------------------------------------------------
+
+    def needed(self, symbols: Iterable[str]) -> frozenset[str]:
+        """The columns that quantities are computed from, and they themselves."""
+        found: set[str] = set()
+        stack = list(symbols)
+        while stack:
+            name = stack.pop()
+            if name in self._reads and name not in found:
+                found.add(name)
+                stack += self._reads[name]
+        return frozenset(found)
+
+    def lay(self, first: int, count: int, wanted: Collection[str]) -> None:
+        """The driver, and the table's columns that quantities need, in so many rows; place and nearest row stand there."""
+        plan = self.plan
+        place = CellRef(first, PLACE_COL, False, True)
+        law, style = plan.mechanism.driver.law, styles.decimals(styles.COLUMN, 4)
+        driver = driver_at(plan, place) if law is None else by_time(law, Symbol(TIME))
+        if law is not None:
+            self.fill(first, self.at.spots[TIME].col, time_after(law, formula("place-1", place=place)), count, style)
+        self.fills.append(Fill(first, DRIVER_COL, self.at.bind(driver, self.title, first), style, rows=count))
+        columns = self.needed(wanted)
+        near = CellRef(first, NEAR, False, True)
+        for column in self.columns:
+            if column.symbol not in columns or column.equation is None:
+                continue
+            style = styles.numbered(styles.INNER, style_of(plan, column).number_format)
+            expression = transform(column.equation.expression, lambda part: self._nearest(part, near))
+            value = cell_formula(plan, self.at, column, expression, self.title, first)
+            self.fills.append(Fill(first, column.col, value, style, rows=count))
+
+    def _nearest(self, part: Node, near: CellRef) -> Node:
+        """What a quantity is in the nearest row, in place of that of the row above."""
+        if not isinstance(part, Previous):
+            return part
+        there = formula("INDEX(column,near)", column=self.plan.at.column(part.name, self.title), near=near)
+        return Call("RADIANS", (there,)) if self.plan.at.spots[part.name].degrees else there
+
+
+def whole(symbol: str) -> Symbol:
+    """All rows of a quantity."""
+    return Symbol(ALL + symbol)
