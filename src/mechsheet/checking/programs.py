@@ -206,8 +206,12 @@ def _plain(value: object) -> Scalar:
         return bool(value)
     if isinstance(value, int | float | numpy.integer | numpy.floating):
         return float(value)
-    text = str(value)
-    return ErrorValue(text) if text.startswith("#") else text
+    return _said(str(value))
+
+
+def _said(text: str) -> Scalar:
+    """A text as it is, or the error whose code it is: one word that begins with #."""
+    return ErrorValue(text) if text.startswith("#") and " " not in text else text
 
 
 def _ironcalc(path: Path) -> Answers:
@@ -222,8 +226,8 @@ def _ironcalc(path: Path) -> Answers:
 
     def find(title: str, row: int, col: int) -> Scalar:
         value = model.get_cell_value(sheets[title.casefold()], row + 1, col + 1)
-        if isinstance(value, str) and value.startswith("#"):
-            return ErrorValue(value)
+        if isinstance(value, str):
+            return _said(value)
         return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
     return Answers(find)
