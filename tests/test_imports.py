@@ -53,6 +53,7 @@ ALLOWED = {
     },
     # a mechanism compiled: its equations, their values in numpy, its workbook with the values that the engine computes
     "compiled": {
+        "units",
         "model",
         "livesheet.formula",
         "kinematics",

@@ -30,7 +30,7 @@ outputs.double = {{ formula = "2*theta12", unit = "{output}" }}
         (RAD.per_time().per_time(), "rad/s²"),
         (DEG.per_time(), "°/s"),
         (NUMBER.per_time(), "1/s"),
-        (MM.per_time().per_time().per_time(), "mm/s^3"),
+        (MM.per_time().per_time().per_time(), "mm/s³"),
         (Unit("force", "N"), "N"),
         (Unit("moment", "N·m"), "N·m"),
     ],

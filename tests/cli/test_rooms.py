@@ -10,7 +10,7 @@ LINE = {"arguments", "cli", "diagnostics", "on_demand", "replacing", "said", "ti
 
 DESCRIPTIONS = LINE | {"description", "formula", "model", "portable", "synthesis", "units", "words"}
 WORKBOOKS = LINE | {"checking", "engine", "extras", "formats", "formula", "library", "portable"}
-MECHANISMS = DESCRIPTIONS | {"compiled", "dynamics", "kinematics", "library", "sheet"}
+MECHANISMS = DESCRIPTIONS | {"compiled", "dynamics", "kinematics", "library", "shapes", "sheet"}
 
 RUN = """
 import sys
@@ -18,7 +18,7 @@ from mechsheet.cli import main
 try:
     main()
 finally:
-    print({name.split(".")[1] for name in sys.modules if name.startswith("mechsheet.")}, file=sys.stderr)
+    print({name.split(".")[1] for name in sys.modules if name.startswith(("mechsheet.", "livesheet."))}, file=sys.stderr)
 """
 
 

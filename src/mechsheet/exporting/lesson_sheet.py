@@ -29,6 +29,7 @@ from mechsheet.exporting.routines import Source
 from mechsheet.model import Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.charts import driver_axis
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.shown import shown_unit
@@ -157,7 +158,7 @@ class _Lesson:
         plan = self.plan
         if not plan.mechanism.driver.stepped:
             return Call("INDEX", (plan.at.column(self.driver, ""), number))
-        start, step = (plan.at.cell(key, self.title, None) for key in ("#start", "#step"))
+        start, step = (there(spot).cell for spot in (plan.places.start, plan.places.step))
         return Binary("+", start, Binary("*", before, step))
 
     def _fill(self, col: int, formula: Node, style: Style) -> Fill:

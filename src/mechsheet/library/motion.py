@@ -85,7 +85,7 @@ class Motion(Mapping[str, NDArray[np.float64]]):
         """The numbers of the whole motion, `motion.summary["swing"]`, as the first sheet has them; NaN for none."""
         plan = self._compiled.plan
         singles = self._compiled.mechanism.motion_numbers
-        return Named((each.symbol, self._compiled.number(plan.at.spots[f"#summary {each.symbol}"])) for each in singles)
+        return Named((each.symbol, self._compiled.number(plan.places.summaries[each.symbol])) for each in singles)
 
     def frame(self) -> Any:
         """The columns as a pandas DataFrame, indexed by the driver. Raises MissingProgramError without pandas."""

@@ -508,7 +508,7 @@ def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[Table
         group = 0 if equation.symbol in first else equation.group
         inner = equation.role in INNER
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
-        degrees = not inner and plan.mechanism.shown(equation.unit).in_degrees
+        degrees = key == "rates" and not inner and plan.mechanism.shown(equation.unit).in_degrees
         plan.at.spots[equation.symbol] = Spot(plan.at.titles[key], plan.at.first, col, plan.rows, degrees)
     return columns
 
