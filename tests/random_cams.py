@@ -11,7 +11,7 @@ KINDS = ("slide", "rocker", "flat slide", "flat rocker", "coupler")
 def segments(dice: random.Random, most: float, laws=ALL_LAWS) -> str:
     """Segments that come back, with a dwell here and there."""
     count = 2 * dice.choice([1, 2, 3])
-    ends = [0, *sorted(dice.sample(range(30, 330, 5), count - 1)), 360]
+    ends = [0, *sorted(dice.sample(range(30, 330, 20), count - 1)), 360]
     text, lift = "", 0.0
     for place in range(count - 1):
         over = ends[place + 1] - ends[place]
@@ -32,7 +32,7 @@ def cam(seed: int, kind: str = "", laws=ALL_LAWS, step: float = 5) -> str:
     if kind in ("slide", "flat slide"):
         offset, angle = dice.uniform(-15, 15), dice.uniform(-180, 180)
         x, y = 3 - offset * math.sin(math.radians(angle)), 4 + offset * math.cos(math.radians(angle))
-        turned = dice.uniform(-30, 30) - (90 if kind == "flat slide" else 0)
+        turned = dice.uniform(-10, 10) - (90 if kind == "flat slide" else 0)
         text += f"""points = {{ O = [3, 4], G = [{x}, {y}] }}
 [links.f]
 points = {{ C = [2, 1], D = [60, 0] }}
