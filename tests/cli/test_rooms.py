@@ -10,7 +10,16 @@ LINE = {"arguments", "cli", "diagnostics", "on_demand", "replacing", "said", "ti
 
 DESCRIPTIONS = LINE | {"description", "formula", "model", "portable", "synthesis", "units", "words"}
 WORKBOOKS = LINE | {"checking", "engine", "extras", "formats", "formula", "library", "portable"}
-MECHANISMS = DESCRIPTIONS | {"compiled", "dynamics", "kinematics", "library", "shapes", "sheet"}
+MECHANISMS = DESCRIPTIONS | {
+    "compiled",
+    "dynamics",
+    "kinematics",
+    "library",
+    "shapes",
+    "sheet",
+    "workbook",
+    "evaluation",
+}
 
 RUN = """
 import sys

@@ -58,7 +58,11 @@ CASES = [(path, point) for path in but(TEMPLATES, *SHARED, *TIED, *FOUND, *CAMS)
 def test_a_dragged_point_lies_where_it_was_dragged(path, point):
     """And a solved mechanism comes of it; what is not one of its links keeps its dimensions."""
     off, _, text, new = dragged(path, point, (0.03, 0.02))
-    assert off < 0.05 if path.stem in ("cylinder-boom", "planar-3rpr", "inverted-slider-crank") else off < 2e-3
+    assert (
+        off < 0.05
+        if path.stem in ("cylinder-boom", "excavator", "planar-3rpr", "inverted-slider-crank")
+        else off < 2e-3
+    )
     assert len(new.splitlines()) <= len(text.splitlines()) + 4  # a sketch: its heading, `at`, the point
 
 

@@ -23,11 +23,11 @@ from office_macros import Job, with_macros
 
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 WITHOUT = {
-    "cardan-gear", "double-butterfly", "excavator", "five-bar-robot", "geared-five-bar", "planar-3rpr", "rack-slider",
-    "scissor-lift-between-arms", "stephenson-ii-class-iv", "stephenson-ii-motor", "stephenson-iii-output",
-    "sun-and-planet",
+    "cam-flat", "cam-linkage", "cam-rocker", "cam-slide", "cardan-gear", "double-butterfly", "excavator",
+    "five-bar-robot", "geared-five-bar", "planar-3rpr", "rack-slider", "scissor-lift-between-arms",
+    "stephenson-ii-class-iv", "stephenson-ii-motor", "stephenson-iii-output", "sun-and-planet",
 }  # fmt: skip
-"""Gears, further drivers, a driver between moving links, groups that Newton's method solves."""
+"""Cams, gears, further drivers, a driver between moving links, groups that Newton's method solves."""
 WITH = sorted(
     {path.stem for path in TEMPLATES.glob("*.toml") if "[synthesis]" not in path.read_text("utf-8")} - WITHOUT
 )

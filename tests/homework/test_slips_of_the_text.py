@@ -43,7 +43,7 @@ SLIPS = {
     "10: the sign of B0's ordinate": (
         "six-link-dwell",
         {"theta14": 1, "theta16": 1},
-        ("B39", "-$B$4*SIN($B$12)", "$B$4*SIN($B$12)"),
+        ("B40", "-$B$4*SIN($B$12)", "$B$4*SIN($B$12)"),
         {"theta14": "follows", "theta16": "follows"},
     ),
 }

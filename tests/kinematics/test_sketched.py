@@ -102,7 +102,7 @@ def as_if_first(mechanism, equations):
     return max(apart) < 0.06 * max(spans)
 
 
-@pytest.mark.parametrize("name", some(TEMPLATES, 4))
+@pytest.mark.parametrize("name", some(but(TEMPLATES, "sun-and-planet"), 4))  # its sketch is of a phase, not of a value
 def test_without_at_the_value_is_named(name):
     """The wrong assembly is never taken in silence: the warning, or the error, names the driver value that was drawn."""
     wanted = modes_of(loads(template_text(name)))

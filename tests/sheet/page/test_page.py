@@ -180,9 +180,8 @@ def test_formulas_are_short(name, language):
     for fill in page.sheet.fills:
         length = len(print_formula(fill.formula))
         # elsewhere the longest asks whether every yellow cell holds what it can be: 22 of an excavator; or names them all
-        assert length <= (
-            longest if fill.row >= page.plan.at.first and fill.col < len(page.plan.columns) else LONGEST_ON_TOP
-        ), fill
+        in_table = fill.row >= page.plan.at.first and fill.col < len(page.plan.columns)
+        assert length <= (longest if in_table else LONGEST_ON_TOP), fill
 
 
 @pytest.mark.parametrize("name", TEMPLATES)

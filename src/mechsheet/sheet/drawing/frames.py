@@ -61,6 +61,7 @@ class Page:
         self.col = left + SWEEP
         self.stride = stride
         self.first = plan.at.first
+        self.head_row = self.first - 1
         self.samples = math.ceil((plan.rows - 1) / self.stride) + 1
         self._swept: dict[Node, Area] = {}
         self.known: dict[str, Node] = {}
@@ -159,7 +160,7 @@ class Page:
 
     def column(self, head: str, node: Node) -> Area:
         """A new sweep column."""
-        self.cells.append(Cell(self.first - 1, self.col, head, styles.HEAD))
+        self.cells.append(Cell(self.head_row, self.col, head, styles.HEAD))
         self.fills.append(Fill(self.first, self.col, node, NUMBER_STYLE, rows=self.samples))
         self.col += 1
         return Area(self.first, self.col - 1, self.first + self.samples - 1, self.col - 1)

@@ -424,7 +424,7 @@ class Listed:
                 self.frame.chart_x(a), self.frame.chart_y(b)
             )  # fmt: skip
             x, y = (
-                SeriesRef(page.title, page.column(f"{axis} {shape.name}", node))
+                SeriesRef(page.title, page.column(f"{axis} · {shape.name}", node))
                 for axis, node in zip("XY", chart, strict=True)
             )
             found.append(Series(shape.name, x, y, line=shape.color, width=shape.width, in_legend=False))

@@ -50,6 +50,7 @@ class PageDrawing:
 
     def __init__(self, plan: PagePlan, start: int, charted: Sequence[str]) -> None:
         self._page = page = _Beside(plan, plan.main, start, 2)
+        page.head_row = plan.symbol_row
         self.cells, self.fills = page.cells, page.fills
         self.shown: dict[str, CellRef] = {}
         page.section(plan.text("page.drawing"))
