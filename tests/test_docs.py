@@ -154,7 +154,7 @@ LESSON = {
     ),
     "lecturer.tr.md": (
         r"B11'de, (\d+)\. satırdan.*? (\d+)\. satırda her sütunun.*?(F\d+) hücresi de\n\n```text\n(=.*?)\n```.*?"
-        r"şimdi (\d+)°'de.*?A(\d+)'den M(\d+)'ye kadar.*?köşesinden (\d+)\. satıra.*?\*(\d+) konumun hepsinde.*?(\d+)\. "
+        r"şimdi (\d+)°'de.*?A(\d+)'den M(\d+)'y?e kadar.*?köşesinden (\d+)\. satıra.*?\*(\d+) konumun hepsinde.*?(\d+)\. "
         r"satırın üstüne satır ekleyin ve (\d+)\. satırı .*?satırlarda ([\d,]+)°'dir.*?bakar ve ([\d,]+)° bulur.*?"
         r"\((\d+)–(\d+)\. satırlar\).*?formüllerini (\d+)\. satıra"
     ),
