@@ -14,7 +14,7 @@ from mechsheet.checking import against_reference
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
-from mechsheet.exporting.workbooks import functions_workbook
+from mechsheet.exporting.functions.workbooks import functions_workbook
 from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 
 TEMPLATES = Path(__file__).parents[2] / "templates"

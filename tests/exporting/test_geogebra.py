@@ -17,8 +17,8 @@ from mechsheet.compiled import compiled_of
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.exporting import Job, export, exported
+from mechsheet.exporting.functions.routines import Source
 from mechsheet.exporting.geogebra import construction_of, label_of
-from mechsheet.exporting.routines import Source
 from mechsheet.kinematics.angle_branch import WINDOWED
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values

@@ -12,9 +12,9 @@ from livesheet.formula.nodes import shifted
 from livesheet.formula.printer import print_formula
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, load
-from mechsheet.exporting.lesson import chain_of
-from mechsheet.exporting.lesson_sheet import DIFFERENCE_ROW, FIRST, TITLE
-from mechsheet.exporting.workbooks import functions_workbook
+from mechsheet.exporting.functions.lesson import chain_of
+from mechsheet.exporting.functions.lesson_sheet import DIFFERENCE_ROW, FIRST, TITLE
+from mechsheet.exporting.functions.workbooks import functions_workbook
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.library.building import build

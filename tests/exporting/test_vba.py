@@ -19,12 +19,12 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, load, loads
 from mechsheet.diagnostics import MechanismError
 from mechsheet.exporting import Job, exported
-from mechsheet.exporting.basic import function_names
-from mechsheet.exporting.basic_body import ascii_text
-from mechsheet.exporting.functions import TABLE_KEY, functions_of, in_degrees, prefix_of, variable_key
-from mechsheet.exporting.routines import Source
-from mechsheet.exporting.solvers import solvers_of
-from mechsheet.exporting.vba import write
+from mechsheet.exporting.functions.all_functions import TABLE_KEY, functions_of, in_degrees, prefix_of, variable_key
+from mechsheet.exporting.functions.basic import function_names
+from mechsheet.exporting.functions.basic_body import ascii_text
+from mechsheet.exporting.functions.routines import Source
+from mechsheet.exporting.functions.solvers import solvers_of
+from mechsheet.exporting.functions.vba import write
 from mechsheet.kinematics import numeric
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values

@@ -23,14 +23,14 @@ from mechsheet.cli import main
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.dynamics.solve import solve
-from mechsheet.exporting.calls import matches
-from mechsheet.exporting.function_sheet import DIFFERENCE_ROW
-from mechsheet.exporting.function_sheet import FIRST as FIRST_CALL
-from mechsheet.exporting.functions import functions_of
-from mechsheet.exporting.lambdas import named_functions
-from mechsheet.exporting.lesson_sheet import TITLE as LESSON
-from mechsheet.exporting.routines import Source
-from mechsheet.exporting.workbooks import NEEDS_ROW, functions_workbook
+from mechsheet.exporting.functions.all_functions import functions_of
+from mechsheet.exporting.functions.calls import matches
+from mechsheet.exporting.functions.function_sheet import DIFFERENCE_ROW
+from mechsheet.exporting.functions.function_sheet import FIRST as FIRST_CALL
+from mechsheet.exporting.functions.lambdas import named_functions
+from mechsheet.exporting.functions.lesson_sheet import TITLE as LESSON
+from mechsheet.exporting.functions.routines import Source
+from mechsheet.exporting.functions.workbooks import NEEDS_ROW, functions_workbook
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
 from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST

@@ -9,6 +9,7 @@ from typing import Any
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle, right_angle
 from livesheet.formula.nodes import Call, Node
+from livesheet.formula.vectors import Vector, cross, dot, minus, plus, times, turned
 from livesheet.said import say
 from mechsheet.description.joints import Ends
 from mechsheet.description.kinds import ANGLE, LENGTH
@@ -24,8 +25,6 @@ USUAL_OF_SLIDE, USUAL_OF_ROCKER = 30.0, 45.0
 
 SQUARE = 1e-9
 """A sine below this is no direction in which a face could be moved."""
-
-_Vector = tuple[Node, Node]
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,21 +140,21 @@ class _Start:
         if shared is None or self.cam.radius is None:
             return None
         pivot, pin = _place(self.ground.points[shared]), _place(touching.points[shared])
-        return None if pivot is None or pin is None else self._rocker(_less(pivot, center), _less(own, pin))
+        return None if pivot is None or pin is None else self._rocker(minus(pivot, center), minus(own, pin))
 
-    def _slide(self, joint: Joint, center: _Vector, own: _Vector, pin: _Vector) -> Node | None:
+    def _slide(self, joint: Joint, center: Vector, own: Vector, pin: Vector) -> Node | None:
         through = joint.through
         base = _place(self.ground.points[through]) if isinstance(through, str) else _place(Cartesian(*through))
         if base is None:
             return None
         line = _angle(joint.angle)
-        turned = line + _angle(joint.orientation)
+        aside = line + _angle(joint.orientation)
         along = _direction(line)
-        way = _plus(_less(base, center), _turned(_less(own, pin), turned))
+        way = plus(minus(base, center), _rotated(minus(own, pin), aside))
         outwards = self._outwards()
         if self.cam.radius is not None:
             reach = al.add(al.as_node(self.cam.base_radius), al.as_node(self.cam.radius))
-            across, before = _cross(way, along), _dot(way, along)
+            across, before = cross(way, along), dot(way, along)
             square = al.sub(al.square(reach), al.square(across))
             if self.scope.number(square) < 0:
                 message = say("the slide passes the centre at {offset:.6g}: a base circle of {radius:.6g} does not reach it",
@@ -164,17 +163,17 @@ class _Start:
                 return None
             root = al.sqrt(square)
             return al.sub(root if outwards else al.neg(root), before)
-        normal = _direction(turned + _angle(self.cam.face) + Angle(degrees=90))
-        moved = _dot(normal, along)
+        normal = _direction(aside + _angle(self.cam.face) + Angle(degrees=90))
+        moved = dot(normal, along)
         if abs(self.scope.number(moved)) < SQUARE:
             message = say("the face is nowhere tangent to the cam: it lies along the way of the slide")
             self.scope.report.at(("cam", "face"), message)
             return None
         radius = al.as_node(self.cam.base_radius)
         far = radius if (self.scope.number(moved) > 0) == outwards else al.neg(radius)
-        return al.div(al.sub(far, _dot(normal, way)), moved)
+        return al.div(al.sub(far, dot(normal, way)), moved)
 
-    def _rocker(self, pivot: _Vector, arm: _Vector) -> Node | None:
+    def _rocker(self, pivot: Vector, arm: Vector) -> Node | None:
         reach = al.add(al.as_node(self.cam.base_radius), al.as_node(self.cam.radius or 0.0))
         far, long = (al.add(al.square(x), al.square(y)) for x, y in (pivot, arm))
         cosine = al.div(
@@ -204,13 +203,12 @@ class _Start:
         return True
 
 
-def _place(place: Place) -> _Vector | None:
+def _place(place: Place) -> Vector | None:
     match place:
         case Cartesian(x, y):
             return al.as_node(x), al.as_node(y)
         case Polar(r, angle):
-            direction = _direction(_angle(angle))
-            return al.mul(al.as_node(r), direction[0]), al.mul(al.as_node(r), direction[1])
+            return times(al.as_node(r), _direction(_angle(angle)))
     return None
 
 
@@ -218,26 +216,10 @@ def _angle(quantity: Quantity) -> Angle:
     return right_angle(quantity) if isinstance(quantity, float) else Angle(quantity)
 
 
-def _direction(angle: Angle) -> _Vector:
+def _direction(angle: Angle) -> Vector:
     return al.cos(angle), al.sin(angle)
 
 
-def _turned(vector: _Vector, angle: Angle) -> _Vector:
-    (x, y), (c, s) = vector, _direction(angle)
-    return al.sub(al.mul(x, c), al.mul(y, s)), al.add(al.mul(x, s), al.mul(y, c))
-
-
-def _plus(a: _Vector, b: _Vector) -> _Vector:
-    return al.add(a[0], b[0]), al.add(a[1], b[1])
-
-
-def _less(a: _Vector, b: _Vector) -> _Vector:
-    return al.sub(a[0], b[0]), al.sub(a[1], b[1])
-
-
-def _dot(a: _Vector, b: _Vector) -> Node:
-    return al.add(al.mul(a[0], b[0]), al.mul(a[1], b[1]))
-
-
-def _cross(a: _Vector, b: _Vector) -> Node:
-    return al.sub(al.mul(a[0], b[1]), al.mul(a[1], b[0]))
+def _rotated(vector: Vector, angle: Angle) -> Vector:
+    along = _direction(angle)
+    return plus(times(vector[0], along), times(vector[1], turned(along)))

@@ -22,6 +22,7 @@ from dataclasses import dataclass, field
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol, renamed
+from livesheet.formula.vectors import Vector, cross, dot, minus, negative, over, times, together, turned
 from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
@@ -31,7 +32,6 @@ from mechsheet.kinematics.newton.newton_equations import Solution, Span, holder
 from mechsheet.kinematics.newton.rates import solved
 from mechsheet.kinematics.poses import Assembly, Poses
 from mechsheet.kinematics.rates.motions import Motions
-from mechsheet.kinematics.vectors import Vector, cross, dot, minus, negative, over, times, together, turned
 from mechsheet.model import Gear
 from mechsheet.units import NUMBER
 from mechsheet.words.equations import phrase

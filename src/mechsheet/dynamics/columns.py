@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
+from livesheet.formula.vectors import Vector, size
 from mechsheet.kinematics.cell_lengths import CellLengths
 from mechsheet.kinematics.equations import RATES, ForceKind
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.coefficients import asked
-from mechsheet.kinematics.vectors import Vector, size
 from mechsheet.model import Dynamics, Words, torque_unit
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase

@@ -18,6 +18,19 @@ from __future__ import annotations
 from livesheet.diagnostics import Fault
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node
+from livesheet.formula.vectors import (
+    NOWHERE,
+    Vector,
+    cross,
+    dot,
+    minus,
+    negative,
+    over,
+    plus,
+    times,
+    together,
+    turned,
+)
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.acting import ActingForces, Force
@@ -32,19 +45,6 @@ from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.rates.motions import Motions
-from mechsheet.kinematics.vectors import (
-    NOWHERE,
-    Vector,
-    cross,
-    dot,
-    minus,
-    negative,
-    over,
-    plus,
-    times,
-    together,
-    turned,
-)
 from mechsheet.words.equations import phrase
 
 

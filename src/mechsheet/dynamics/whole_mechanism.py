@@ -12,9 +12,9 @@ from __future__ import annotations
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node, Symbol
+from livesheet.formula.vectors import Vector, cross, size, times
 from mechsheet.dynamics.acting import ActingForces
 from mechsheet.kinematics.build_equations import Found
-from mechsheet.kinematics.vectors import Vector, cross, size, times
 from mechsheet.model import SHAKING, Mass, Words, center_symbol
 from mechsheet.units import LENGTH, Unit
 from mechsheet.words.equations import link_words, phrase

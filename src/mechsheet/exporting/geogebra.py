@@ -17,17 +17,17 @@ from html import escape
 
 from livesheet.formula.nodes import Node, Symbol, symbols, transform
 from livesheet.formula.printer import number_text, print_formula
+from livesheet.formula.vectors import Vector
 from livesheet.said import say
+from mechsheet.exporting.functions.routines import Parameter, Source, folded, missing_where, needed_for
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.program import one_line
-from mechsheet.exporting.routines import Parameter, Source, folded, missing_where, needed_for
 from mechsheet.kinematics.angle_branch import WINDOWED
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.newton.refusing import need_closed_form
-from mechsheet.kinematics.vectors import Vector
 from mechsheet.plotting.sampling import sample
-from mechsheet.shapes.forms import HALF, Mark, Shape
-from mechsheet.shapes.positions import Positions
+from mechsheet.shapes.forms import HALF, Mark, Shape, place_of
+from mechsheet.shapes.positions import Positions, longest
 from mechsheet.words.equations import body_words
 from mechsheet.words.symbols import GREEK, parts, plain
 from mechsheet.words.workbook import words
@@ -56,7 +56,7 @@ _GUI = """<gui>
 """The list of numbers and points at the left takes a quarter of the window."""
 
 STEPS = 200
-"""Into so many steps the range of a slider is divided, rounded to 1, 2 or 5 times a power of ten."""
+"""Into so many steps at least the range of a slider is divided, each 1, 2 or 5 times a power of ten."""
 
 _SUBSCRIPT = re.compile(r"([^\W\d_]+)(\d+)")
 _SPELLED = {letter: name for name, letter in reversed(GREEK.items())} | {"′": "d", "″": "dd"}
@@ -253,7 +253,7 @@ class Construction:
 
     def _point(self, point: str, x: Node, y: Node) -> _Element:
         mark = next(
-            (each for each in self.positions.list.shapes if isinstance(each, Mark) and each.at == _place(point)), None
+            (each for each in self.positions.list.shapes if isinstance(each, Mark) and each.at == place_of(point)), None
         )
         shown = f'<show object="{_yes(mark is not None)}" label="{_yes(mark is not None)}"/>\n'
         pin = mark is not None and mark.kind == "pin"
@@ -273,25 +273,25 @@ class Construction:
             self.there.add(symbol)
             self.labels[symbol] = self._take(label_of(symbol))
             if symbol in modes:
-                ends, step, value = (-1.0, 1.0), 2.0, float(modes[symbol])
+                ends, value = (-1.0, 1.0), float(modes[symbol])
             elif symbol in values:
                 value = values[symbol]
                 ends = _range(value, part.unit.kind, size)
-                step = _step(ends)
             else:
                 column = self.positions.compiled.values[symbol]
                 ends, value = (float(column.min()), float(column.max())), self.begun[symbol]
-                step = _step(ends)
-            yield self._slider(symbol, value, ends, step, part.unit.kind == "angle", place)
+            if part.unit.kind == "angle":
+                ends = (math.degrees(ends[0]), math.degrees(ends[1]))
+            width = ends[1] - ends[0]
+            step = width if symbol in modes else longest(width / STEPS or 1.0)
+            yield self._slider(symbol, value, (*ends, step), part.unit.kind == "angle", place)
 
     def _slider(
-        self, symbol: str, value: float, ends: tuple[float, float], step: float, angle: bool, place: int
+        self, symbol: str, value: float, numbers: tuple[float, float, float], angle: bool, place: int
     ) -> _Element:
-        if angle:
-            ends = (math.degrees(ends[0]), math.degrees(ends[1]))
-            step = _step(ends)
+        """A slider in its row; `numbers`: from where to where it goes, and its step, of an angle in degrees."""
         unit = "°" if angle else ""
-        low, high, by = (f"{number_text(part)}{unit}" for part in (*ends, step))
+        low, high, by = (f"{number_text(part)}{unit}" for part in numbers)
         top = 40 + SLIDER_STEP * place
         # unbounded, before the value is read: negative angles would be turned, and cut off at the end of the slider
         shown = ('<angleStyle val="3"/>\n' if angle else "") + f'<value val="{number_text(value)}"/>\n'
@@ -314,7 +314,7 @@ class Construction:
                 yield self._line(shape, number, self._corners(shape.corners))
                 continue
             frame = [self._take(f"{name}_{{f{number}}}") for name in ("O", "U", "V")]
-            for label, vector in zip(frame, (shape.frame.origin, shape.frame.along, shape.frame.across), strict=True):
+            for label, vector in zip(frame, shape.vectors, strict=True):
                 yield _Element(label, f"({self._text(vector[0])}, {self._text(vector[1])})", "point", HIDDEN)
             path = ", ".join(f"({number_text(a)}, {number_text(b)})" for a, b in shape.path)
             along, k = self._take(f"L_{{f{number}}}"), "k"
@@ -324,7 +324,7 @@ class Construction:
             yield self._line(shape, number, f"Sequence[{corner}, {k}, 1, {len(shape.path)}]")
         for shape in self.traced:
             (place,) = shape.corners
-            point = next(name for name in self.points if _place(name) == place)
+            point = next(name for name in self.points if place_of(name) == place)
             driver = self.labels[self.mechanism.driver.symbol]
             label = self._take(f"{self.places[point]}path")
             shown = (
@@ -336,7 +336,7 @@ class Construction:
         return "{" + ", ".join(self._corner(corner) for corner in corners) + "}"
 
     def _corner(self, corner: Vector) -> str:
-        point = next((name for name in self.points if _place(name) == corner), None)
+        point = next((name for name in self.points if place_of(name) == corner), None)
         return self.places[point] if point else f"({self._text(corner[0])}, {self._text(corner[1])})"
 
     def _line(self, shape: Shape, number: int, corners: str) -> _Element:
@@ -377,9 +377,7 @@ class Construction:
 
 
 def _reads(shape: Shape) -> set[str]:
-    frame = shape.frame
-    vectors = shape.corners if frame is None else (frame.origin, frame.along, frame.across)
-    return {name for vector in vectors for part in vector for name in symbols(part)}
+    return {name for vector in shape.vectors for part in vector for name in symbols(part)}
 
 
 def _needed_alone(pair: tuple[str, str], steps: Mapping[str, Node]) -> bool:
@@ -390,10 +388,6 @@ def _needed_alone(pair: tuple[str, str], steps: Mapping[str, Node]) -> bool:
     names = list(steps)
     between = names[names.index(order[0]) + 1 : names.index(order[1]) + 1]
     return any(order[0] in symbols(steps[name]) for name in between)
-
-
-def _place(point: str) -> Vector:
-    return Symbol(f"{point}.x"), Symbol(f"{point}.y")
 
 
 def _yes(shown: bool) -> str:
@@ -411,10 +405,3 @@ def _range(value: float, kind: str, size: float) -> tuple[float, float]:
         return value - math.pi, value + math.pi
     far = 2 * abs(value) or size
     return (0.0, far) if value > 0 else (-far, far)
-
-
-def _step(ends: tuple[float, float]) -> float:
-    """The largest of 1, 2 and 5 times a power of ten that divides a range into at least so many steps."""
-    fine = (ends[1] - ends[0]) / STEPS or 1.0
-    power = 10.0 ** math.floor(math.log10(fine))
-    return max(part * power for part in (1.0, 2.0, 5.0) if part * power <= fine * (1 + 1e-9))

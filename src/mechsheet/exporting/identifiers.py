@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Collection, Iterable
 from itertools import chain, count
 
-from mechsheet.sheet.symbols import GREEK
+from mechsheet.words.symbols import GREEK
 
 _SPELLED = str.maketrans({"ı": "i", "İ": "I", "ß": "ss", "ø": "o", "Ø": "O", "æ": "ae", "Æ": "AE", "ł": "l", "Ł": "L"})
 _GREEK = str.maketrans({letter: name for name, letter in GREEK.items()})

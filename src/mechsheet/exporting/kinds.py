@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from mechsheet.exporting import dxf, geogebra, latex, markdown, octave, python, svg, table, vba
+from mechsheet.exporting import dxf, geogebra, latex, markdown, octave, python, svg, table
+from mechsheet.exporting.functions import vba
 from mechsheet.exporting.job import Kind
 
 _ROWS = (

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.solution import Block, Display, Heading, Paragraph, Table, marked_up, solution
-from mechsheet.sheet.symbols import GREEK
+from mechsheet.words.symbols import GREEK
 
 HEAD = r"""\documentclass[a4paper,11pt]{article}
 \usepackage[margin=22mm]{geometry}

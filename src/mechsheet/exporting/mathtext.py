@@ -12,9 +12,9 @@ from livesheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol
 from livesheet.formula.printer import number_text, print_formula
 from mechsheet.exporting.position import Position
 from mechsheet.kinematics.closures import Vector
-from mechsheet.sheet.symbols import GREEK, parts
 from mechsheet.sheet.table.positions import decimals_of, places
 from mechsheet.units import NUMBER, Unit
+from mechsheet.words.symbols import GREEK, parts
 from mechsheet.words.workbook import Language
 
 RAW = "#"

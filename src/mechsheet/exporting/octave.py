@@ -13,6 +13,7 @@ from importlib.resources import files
 
 from livesheet.diagnostics import Fault
 from livesheet.formula.nodes import Node
+from livesheet.formula.vectors import Vector, minus, plus
 from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting.job import Job
@@ -20,7 +21,6 @@ from mechsheet.exporting.program import ColumnLine, Line, Loop, Program, comment
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
-from mechsheet.kinematics.vectors import Vector, minus, plus
 from mechsheet.model import TIME, ChartRequest
 from mechsheet.shapes.forms import ARROWS, HALF, LEAST, Extreme, Mark, Shape
 from mechsheet.shapes.listing import shapes_of

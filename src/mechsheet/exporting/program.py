@@ -14,8 +14,8 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, symbols, transform
 from livesheet.formula.printer import print_formula
 from mechsheet.compiled import Compiled
+from mechsheet.exporting.functions.routines import missing_where
 from mechsheet.exporting.identifiers import identifiers
-from mechsheet.exporting.routines import missing_where
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.equations import FORCES, RATES, Condition, Equation, Equations, Group, System
 from mechsheet.kinematics.newton.lost_assembly import scales

@@ -18,13 +18,13 @@ from __future__ import annotations
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol
+from livesheet.formula.vectors import Vector, cross, dot, minus, plus, size, times, turned
 from mechsheet.kinematics.equations import CAM, Condition, Role
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Motions, PointRate
 from mechsheet.kinematics.rates.rate_columns import RateColumns
-from mechsheet.kinematics.vectors import Vector, cross, dot, minus, plus, size, times, turned
 from mechsheet.model import Cam, Words
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase

@@ -100,7 +100,7 @@ def targets(
         stem = path.with_suffix("") if path.suffix else path
         found = [Target(path, form)]
     if extra:
-        from mechsheet.exporting.workbooks import FORMS
+        from mechsheet.exporting.functions.workbooks import FORMS
 
         found += [Target(_ending(stem, FORMS[form].suffix), form) for form in extra]
     return found
@@ -147,7 +147,7 @@ def write_all(compiled: Compiled, wanted: Sequence[Target], output: str | Path =
         for target in wanted:
             if target.form in FUNCTIONS:
                 from livesheet.evaluation import computed
-                from mechsheet.exporting.workbooks import functions_workbook
+                from mechsheet.exporting.functions.workbooks import functions_workbook
 
                 write(computed(functions_workbook(compiled, target.form)), target.path)
             else:

@@ -76,9 +76,9 @@ def _routines(language: Language) -> dict[str, tuple[str, Node]]:
     from mechsheet.compiled import Compiled
     from mechsheet.description import Overrides, loads
     from mechsheet.description.templates import template_text
-    from mechsheet.exporting.functions import functions_of
-    from mechsheet.exporting.lambdas import named_functions
-    from mechsheet.exporting.routines import Source
+    from mechsheet.exporting.functions.all_functions import functions_of
+    from mechsheet.exporting.functions.lambdas import named_functions
+    from mechsheet.exporting.functions.routines import Source
 
     mechanism = loads(template_text(PUMP), PUMP, Overrides(language=language))
     compiled = Compiled(mechanism)

@@ -26,9 +26,9 @@ from mechsheet.shapes.names import POINTS, half_box
 from mechsheet.shapes.positions import Item, Label, Positions, Scene, Stroke, Window, in_digits
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW
 from mechsheet.sheet.shown import shown_unit
-from mechsheet.sheet.symbols import plain
 from mechsheet.units import behind_number
 from mechsheet.words import pictures as words
+from mechsheet.words.symbols import plain
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -25,8 +25,8 @@ from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
 from mechsheet.shapes.points import moving_points
 from mechsheet.sheet.plan import STATUS
-from mechsheet.sheet.symbols import plain
 from mechsheet.units import behind_number
+from mechsheet.words.symbols import plain
 
 if TYPE_CHECKING:
     from livesheet.engine import Live

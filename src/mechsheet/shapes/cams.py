@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.vectors import Vector, minus, plus, size, times, turned
+from livesheet.formula.vectors import Vector, minus, plus, size, times, turned
 from mechsheet.model import Cam
 from mechsheet.shapes.colors import INK
 from mechsheet.shapes.described import Described

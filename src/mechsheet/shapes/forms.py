@@ -10,7 +10,7 @@ from typing import Literal, TypeAlias
 from livesheet import portable
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.vectors import Vector, minus, plus, size, times, turned
+from livesheet.formula.vectors import Vector, minus, plus, size, times, turned
 
 Kind: TypeAlias = Literal[
     "link", "ground", "slide", "cylinder", "gear", "belt", "rack", "cam", "spring", "damper", "load", "torque", "weight",
@@ -58,6 +58,12 @@ class Shape:
     corners: tuple[Vector, ...] = ()
     fill: str = ""
     size: Node | None = None
+
+    @property
+    def vectors(self) -> tuple[Vector, ...]:
+        """What its place follows from: the origin and the two vectors of its frame, or its corners."""
+        frame = self.frame
+        return self.corners if frame is None else (frame.origin, frame.along, frame.across)
 
     @property
     def is_curve(self) -> bool:

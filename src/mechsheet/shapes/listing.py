@@ -8,8 +8,8 @@ from livesheet import portable
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
 from livesheet.formula.scalar import evaluate
+from livesheet.formula.vectors import Vector, dot, minus, plus, size, times, together, turned
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.vectors import Vector, dot, minus, plus, size, times, together, turned
 from mechsheet.model import Joint, Mechanism, Rack
 from mechsheet.shapes.cams import cam_shapes
 from mechsheet.shapes.colors import INK, PATHS, SERIES

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
+from livesheet.formula.vectors import NOWHERE, Vector, minus, plus, size, times, together, turned
 from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.points_in_link import angle_of, cartesian, polar
-from mechsheet.kinematics.vectors import NOWHERE, Vector, minus, plus, size, times, together, turned
 from mechsheet.model import (
     Cartesian,
     Distances,

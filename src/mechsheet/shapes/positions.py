@@ -15,9 +15,9 @@ from typing import Any, Protocol
 import numpy as np
 
 from livesheet.formula.nodes import Node
+from livesheet.formula.vectors import Vector
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array, value
-from mechsheet.kinematics.vectors import Vector
 from mechsheet.model import Mechanism
 from mechsheet.shapes.colors import INK
 from mechsheet.shapes.forms import (
@@ -189,9 +189,7 @@ class Positions:
 
     def columns(self, shape: Shape) -> Array:
         """The vectors of a shape's frame, or its corners (rows, count, 2); NaN where it is not there."""
-        frame = shape.frame
-        vectors = shape.corners if frame is None else (frame.origin, frame.along, frame.across)
-        found = np.stack([self._vector(vector) for vector in vectors], axis=1)
+        found = np.stack([self._vector(vector) for vector in shape.vectors], axis=1)
         there = np.asarray(np.isfinite(found).all(axis=(1, 2)))
         if shape.size is not None:
             with np.errstate(invalid="ignore"):

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node, symbols
 from livesheet.formula.scalar import evaluate
+from livesheet.formula.vectors import minus, size
 from mechsheet.kinematics.equations import LinkPose
-from mechsheet.kinematics.vectors import minus, size
 from mechsheet.model import Gear, Link, Mechanism, Rack
 
 ALIKE = 1e-9

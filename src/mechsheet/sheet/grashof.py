@@ -11,8 +11,8 @@ from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.symbols import plain
 from mechsheet.words.equations import link_words
+from mechsheet.words.symbols import plain
 from mechsheet.words.workbook import Language
 
 SAME = 1e-9

@@ -22,7 +22,7 @@ from livesheet.formula.nodes import (
 from livesheet.formula.printer import number_text
 from livesheet.workbook import Rich
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.symbols import parts
+from mechsheet.words.symbols import parts
 from mechsheet.words.workbook import Language, words
 
 Part = tuple[str, str]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from livesheet.formula.nodes import Number, Unary
 from livesheet.workbook import Area, Validation
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.symbols import plain
 from mechsheet.units import Unit
+from mechsheet.words.symbols import plain
 
 
 def unit_of_column(plan: Plan, symbol: str) -> Unit:

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 from livesheet.workbook import Rich
-from mechsheet.words.symbols import GREEK as GREEK
-from mechsheet.words.symbols import SQUARED as SQUARED
-from mechsheet.words.symbols import parts as parts
-from mechsheet.words.symbols import plain as plain
+from mechsheet.words.symbols import parts
 
 
 def rich(symbol: str, after: str = "") -> Rich | str:

@@ -20,7 +20,7 @@ from livesheet.workbook import Area, Cell, Comment, Conditional, Fill, Name, She
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.dynamics.solve import solve
-from mechsheet.exporting.workbooks import functions_workbook
+from mechsheet.exporting.functions.workbooks import functions_workbook
 from mechsheet.sheet.constants import typed, with_typed_constants
 from mechsheet.sheet.layout import lay_out
 from random_mechanisms import Grower

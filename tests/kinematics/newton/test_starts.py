@@ -245,7 +245,7 @@ def test_a_pin_on_a_link_that_is_known_already_is_closed_wherever_that_link_stan
 def test_what_needs_a_closed_form_says_so():
     from mechsheet.compiled import Compiled
     from mechsheet.exporting import KINDS, Job
-    from mechsheet.exporting.workbooks import FORMS, functions_workbook
+    from mechsheet.exporting.functions.workbooks import FORMS, functions_workbook
 
     mechanism = platform()
     with pytest.raises(MechanismError, match="no closed form"):

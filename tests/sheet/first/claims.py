@@ -21,13 +21,13 @@ from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.rates.sensitivity import toleranced
 from mechsheet.kinematics.search import TURN
 from mechsheet.sheet.checks.limits import STRETCHES
-from mechsheet.sheet.first.verdicts import closes_in_all
+from mechsheet.sheet.first.title_line import closes_in_all
 from mechsheet.sheet.geometry import distance
 from mechsheet.sheet.grashof import is_all, named
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
-from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.positions import places as decimals
 from mechsheet.words.equations import link_words
+from mechsheet.words.symbols import plain
 
 EXTREME = 1e-4
 LIMIT = 1e-5

@@ -9,8 +9,8 @@ from livesheet.formula.references import cell_address
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.library.session import Session
-from mechsheet.sheet.symbols import plain
 from mechsheet.synthesis.kinds import kind_of
+from mechsheet.words.symbols import plain
 
 TEMPLATES = Path(__file__).parents[3] / "templates"
 NAMES = (

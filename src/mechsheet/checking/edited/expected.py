@@ -70,7 +70,7 @@ def _built(text: str, functions: str) -> Expected:
     """The last is kept: the .xlsx and the .ods of one description are judged one after the other."""
     compiled = Compiled(loads(text))
     if functions:
-        from mechsheet.exporting.workbooks import functions_workbook, in_sheets
+        from mechsheet.exporting.functions.workbooks import functions_workbook, in_sheets
 
         compiled = in_sheets(compiled)
         workbook = functions_workbook(compiled, functions)

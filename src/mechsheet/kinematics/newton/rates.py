@@ -23,6 +23,7 @@ from dataclasses import dataclass
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary as NodeBinary
 from livesheet.formula.nodes import Call, Node, Number, Symbol, renamed, transform
+from livesheet.formula.vectors import Vector, dot, minus, negative, turned
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import Condition, System
 from mechsheet.kinematics.gear_relations import terms_of
@@ -33,7 +34,6 @@ from mechsheet.kinematics.newton.newton_equations import Solution, holder
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.rates.motions import Motions, PointRate, Rate
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
-from mechsheet.kinematics.vectors import Vector, dot, minus, negative, turned
 from mechsheet.model import Rack, Relation
 
 SIDES = ((al.ONE, al.ZERO), (al.ZERO, al.ONE))

@@ -19,12 +19,12 @@ from typing import Protocol, TypeAlias
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node
+from livesheet.formula.vectors import NOWHERE, Vector, minus, plus, times, turned
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.gear_relations import Tied
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.kinematics.poses import Assembly, Poses
-from mechsheet.kinematics.vectors import NOWHERE, Vector, minus, plus, times, turned
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Collection
 
 from livesheet.formula.nodes import Node, Symbol
+from livesheet.formula.vectors import Vector
 from mechsheet.kinematics.cell_lengths import CellLengths
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.kinematics.vectors import Vector
 from mechsheet.model import Mechanism, Words
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase

@@ -25,8 +25,9 @@ from mechsheet.sheet.over_rows import ENDS, NUMBERS, ends_meet, may_leave_out, m
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.shown import input_validation, shown_unit
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places
+from mechsheet.words.symbols import plain
 
 PROBES = 4
 """Probes of each extreme."""

@@ -34,9 +34,10 @@ from mechsheet.sheet.drawing.charts import driver_axis
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.shown import input_validation, shown_unit
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places
 from mechsheet.units import behind_number
+from mechsheet.words.symbols import plain
 
 TITLE_ROW, ABOUT_ROW, HINT_ROW, _, CORNER_ROW, NAME_ROW, HEAD_ROW, FIRST = range(8)
 """Rows of the sheet: the head is row 7, the first values stand in row 8."""

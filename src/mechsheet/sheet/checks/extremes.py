@@ -55,9 +55,9 @@ from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.plan import LEAST_PROBED, ROW_COUNT, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
 from mechsheet.sheet.quoted import ALL, SHOWN, formula
-from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.positions import heading
 from mechsheet.units import turn as whole_turn
+from mechsheet.words.symbols import plain
 
 REACH = 6
 """The working cell of a loop that says whether tolerances reach a change point; how far they reach stands before it."""

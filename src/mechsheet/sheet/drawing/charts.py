@@ -24,8 +24,8 @@ from mechsheet.sheet.columns.bands import HIGH, LOW, part_of
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.plan import CHARTS, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.shown import shown_unit
-from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.wrapping import ROW_HEIGHT
+from mechsheet.words.symbols import plain
 
 GAP = 12
 ROWS_OF_ONE_PAGE = 64

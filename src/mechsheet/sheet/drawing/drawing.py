@@ -35,8 +35,9 @@ from mechsheet.sheet.drawing.listed import Listed, PointCells
 from mechsheet.sheet.over_rows import LEAST, MOST
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.units import behind_number
+from mechsheet.words.symbols import plain
 
 SIZE = 390
 """Pixels of a drawing and of a chart of paths: square. With title and line above it is seen as a whole on 1366 x 768."""

@@ -11,7 +11,8 @@ from mechsheet.shapes.colors import INK
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import CHART_X, CHART_Y, HIDDEN_AXIS, NAME, Frame, Page, write_frame
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
+from mechsheet.words.symbols import plain
 
 MARGIN = 1.2
 """How much larger than everything that is drawn the window is."""

@@ -16,8 +16,8 @@ from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, Symbol, Unary, symbols, transform, walk
+from livesheet.formula.vectors import NOWHERE, Vector
 from livesheet.workbook import Rich, Series, SeriesRef
-from mechsheet.kinematics.vectors import NOWHERE, Vector
 from mechsheet.shapes.colors import INK
 from mechsheet.shapes.forms import (
     ARROWS,
@@ -234,8 +234,7 @@ class Listed:
             if isinstance(shape, Mark):
                 yield from shape.at
             elif shape.kind != "path":
-                vectors = shape.corners if shape.frame is None else _vectors(shape)
-                yield from (node for vector in vectors for node in vector)
+                yield from (node for vector in shape.vectors for node in vector)
                 if shape.size is not None:
                     yield shape.size
         for name in self.found.names:
@@ -307,12 +306,12 @@ class Listed:
                 continue
             start = len(found)
             if shape.is_curve and shape.frame is not None:
-                self._curves[index] = self._place(shape.frame.origin, shape.name, _vectors(shape)[1:])
+                self._curves[index] = self._place(shape.frame.origin, shape.name, shape.vectors[1:])
                 continue
             if shape.frame is None:
                 found += [_Corner(shape.name, 0.0, 0.0, self._place(at, shape.name)) for at in shape.corners]
             else:
-                number = self._place(shape.frame.origin, shape.name, _vectors(shape)[1:], shape.size)
+                number = self._place(shape.frame.origin, shape.name, shape.vectors[1:], shape.size)
                 found += [_Corner(shape.name, a, b, number) for a, b in shape.path]
             self._rows[index] = start, len(found) - 1
         by_origin = {(at, size): number for (at, _, _, size), number in reversed(self._numbers.items())}
@@ -521,11 +520,6 @@ class Listed:
 def _point_at(at: Vector) -> str:
     """The point whose place is at."""
     return at[0].name.rpartition(".")[0] if isinstance(at[0], Symbol) else ""
-
-
-def _vectors(shape: Shape) -> tuple[Vector, ...]:
-    """Of a shape's frame."""
-    return () if shape.frame is None else (shape.frame.origin, shape.frame.along, shape.frame.across)
 
 
 def _is_costly(node: Node) -> bool:

@@ -9,9 +9,10 @@ from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.shown import shown_unit
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.tolerance import Line, Tolerance, shown_line
 from mechsheet.units import behind_number
+from mechsheet.words.symbols import plain
 
 
 def write_bands(writer: Writer, tolerance: Tolerance) -> None:

@@ -5,8 +5,6 @@ All is said of the rows as they stand. A column that has no number in some row i
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol, Text
 from livesheet.formula.scalar import evaluate
@@ -14,12 +12,10 @@ from livesheet.workbook import Style
 from mechsheet.model import LAWS_THAT_LEAP, TAU, Segment, Segments
 from mechsheet.sheet import styles
 from mechsheet.sheet.classification import segments_of
+from mechsheet.sheet.first.verdict_lines import VerdictLines
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places
-
-if TYPE_CHECKING:
-    from mechsheet.sheet.first.verdicts import _Block
 
 LEAPT = 1e-9
 """A step of a derivative, in sizes a radian, that is more than rounding."""
@@ -28,7 +24,7 @@ _NUMBERS = ">-1E+300"
 """What every number is."""
 
 
-def write(block: _Block) -> None:
+def write(block: VerdictLines) -> None:
     """The lines."""
     mechanism = block.plan.mechanism
     if mechanism.cam is not None:
@@ -40,7 +36,7 @@ def write(block: _Block) -> None:
         _leaps(block, motion, 2, "acceleration_leaps", styles.WARN)
 
 
-def _pressure(block: _Block) -> None:
+def _pressure(block: VerdictLines) -> None:
     """The largest pressure angle, either way."""
     key, column = "pressure_angle", Symbol(f"{ALL}alpha")
     value = formula('MAX(MAXIFS(all,all,">0"),-MINIFS(all,all,"<0"))', all=column)
@@ -60,7 +56,7 @@ def _pressure(block: _Block) -> None:
     block.colour(key, "value<=limit", styles.GOOD, value=block.value(key), limit=limit)
 
 
-def _sharpest(block: _Block) -> None:
+def _sharpest(block: VerdictLines) -> None:
     """The least radius of curvature where the profile is convex; where there is none left the cutter cuts too much away."""
     plan, key, column = block.plan, "least_rho", Symbol(f"{ALL}rho")
     cam = plan.mechanism.cam
@@ -91,12 +87,12 @@ def _sharpest(block: _Block) -> None:
     block.colour(key, "value>0", styles.GOOD, value=cell)
 
 
-def _place(block: _Block, row: str, **holes: Node) -> Node:
+def _place(block: VerdictLines, row: str, **holes: Node) -> Node:
     drivers = Symbol(ALL + block.plan.mechanism.driver.symbol)
     return formula(f'IFERROR(INDEX(drivers,{row}),"")', drivers=drivers, **holes)
 
 
-def _leaps(block: _Block, motion: Segments, order: int, key: str, style: Style) -> None:
+def _leaps(block: VerdictLines, motion: Segments, order: int, key: str, style: Style) -> None:
     """Angles at which a derivative leaps: where segments meet, and in the middle of a parabolic one."""
     most = al.number(LEAPT * block.plan.size)
     count: Node = al.ZERO

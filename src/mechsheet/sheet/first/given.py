@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from mechsheet.model import Dimension, Rack
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.symbols import plain
 from mechsheet.words.equations import link_words
+from mechsheet.words.symbols import plain
 
 
 def given_words(plan: Plan, dim: Dimension) -> str:

@@ -17,7 +17,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import SYMBOL, VALUE, Plan
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.symbols import plain
+from mechsheet.words.symbols import plain
 
 Kind = Literal["number", "length", "step", "mode", "choice", "task"]
 

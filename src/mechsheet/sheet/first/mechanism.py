@@ -44,11 +44,12 @@ from mechsheet.sheet.plan import (
 )
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.shown import input_validation, shown_unit
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.status import while_inputs_can_be
 from mechsheet.sheet.table.tolerance import Tolerance
 from mechsheet.sheet.wrapping import ROW_HEIGHT
+from mechsheet.words.symbols import plain
 
 MOST_OF_CONTROL = 30_000
 """The highest number that a scroll bar or spin button reaches."""

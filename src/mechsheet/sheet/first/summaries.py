@@ -14,9 +14,10 @@ from mechsheet.sheet.over_rows import first_row, last_row, mean_of_rows
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.shown import shown_unit, unit_of_column
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.units import ANGLE
+from mechsheet.words.symbols import plain
 
 
 def write_summaries(writer: Writer) -> None:

@@ -11,7 +11,7 @@ from typing import Literal
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, Text
-from livesheet.workbook import Area, Conditional, Content, Merge, Style
+from livesheet.workbook import Area, Merge
 from mechsheet.kinematics.equations import Group
 from mechsheet.model import ENERGY, Link, Synthesis, Way, inertia_unit
 from mechsheet.sheet import styles
@@ -24,39 +24,36 @@ from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import cam, inputs, task
 from mechsheet.sheet.first.blocks import Writer
+from mechsheet.sheet.first.title_line import write_marks, write_title_line
+from mechsheet.sheet.first.verdict_lines import VerdictLines
 from mechsheet.sheet.grashof import (
     BEGINS,
     Sides,
     bound_of,
     excess_of,
-    in_summary,
     is_all,
     named,
     names_of_sides,
     turning_types,
     type_of,
-    why_nowhere,
 )
 from mechsheet.sheet.over_rows import but_first, but_last
 from mechsheet.sheet.places import there
-from mechsheet.sheet.plan import LEGEND_ROW, MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW, Plan
+from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VERDICT_ROW
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.start_table import assemblies_lost
-from mechsheet.sheet.transmission import acute, poor_limit, some_poor, worst_words
-from mechsheet.units import behind_number
+from mechsheet.sheet.transmission import acute, poor_limit, worst_words
 from mechsheet.units import turn as whole_turn
+from mechsheet.words.symbols import plain
 
 HIGH_LOW: tuple[Way, Way] = ("max", "min")
-
-MARKS = {styles.BAD: "●", styles.WARN: "▲"}
-"""Beside what is red, and what is amber: in print without colours, too."""
 
 
 def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[Merge]:
     """Fill the block and the line under the title in; the merged cells of the line."""
-    block = _Block(writer, checks, extremes)
+    block = _Verdicts(writer, checks, extremes)
     writer.heading("verdicts", writer.plan.text("head.at"))
     found = writer.plan.found
     block.inputs()
@@ -90,79 +87,13 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
         cam.write(block)
     if found.flywheel:
         block.flywheel()
-    block.marks()
-    block.line_under_the_title()
+    write_marks(block)
+    write_title_line(block)
     return [Merge(Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING))]
 
 
-class _Block:
-    """The lines; each has a short symbol, a value, its unit, where it occurs, and words."""
-
-    def __init__(self, writer: Writer, checks: Checks, extremes: Extremes) -> None:
-        self.writer = writer
-        self.plan, self.found = writer.plan, writer.plan.searched
-        self.checks = checks
-        self.extremes = extremes
-        self.rows = writer.plan.blocks["verdicts"].rows
-        self.driver = writer.plan.mechanism.driver
-        self.turning = self.driver.unit.kind == "angle"
-        self.unit = behind_number(self.driver.unit.text)
-        self.levels: dict[str, list[tuple[Node, str]]] = {}
-
-    # --- small things -----------------------------------------------------------------------------------------
-
-    def text(self, key: str, **parts: object) -> str:
-        """A word of the workbook."""
-        return self.plan.text(f"verdict.{key}", **parts)
-
-    def line(
-        self, key: str, symbol: Content, unit: str | Node, value: Node, digits: int | Style, words: Node
-    ) -> CellRef:
-        """One line; the cell of its value, which has so many decimals or a style of its own. A unit that is a formula is
-        the number of rows that the value is of."""
-        row = self.rows[key]
-        self.writer.line(row, symbol, unit if isinstance(unit, str) else None, None)
-        if not isinstance(unit, str):
-            self.writer.formula(row, UNIT, unit, styles.numbered(styles.UNIT, '"/ "0'))
-        style = styles.decimals(styles.RESULT, digits) if isinstance(digits, int) else digits
-        self.writer.formula(row, VALUE, value, style)
-        self.writer.formula(row, MEANING, words, styles.LABEL_SAID)
-        return self.value(key)
-
-    def where_it_closes(self, words: Node | str) -> Node:
-        """Words about rows: nothing where no row closes."""
-        return formula('IF(closed=0,"",words)', closed=self.value("rows_closed"), words=words)
-
-    @property
-    def of_rows(self) -> Node:
-        """The cell with the number of rows of the table."""
-        return self.plan.places.rows.cell
-
-    def value(self, key: str) -> CellRef:
-        """The cell of a line's value."""
-        return CellRef(self.rows[key], VALUE, True, True)
-
-    def words(self, key: str) -> CellRef:
-        """The cell of a line's words."""
-        return CellRef(self.rows[key], MEANING, True, True)
-
-    def at(self, key: str, place: Node) -> None:
-        """Where it occurs: a value of the driver."""
-        self.writer.formula(self.rows[key], TOLERANCE, place, styles.decimals(styles.RESULT, self._driver_places()))
-
-    def colour(self, key: str, test: str, style: Style, **holes: Node | float | str) -> None:
-        """The words' colour where a test of this sheet's own cells holds: other programs refuse another's cells."""
-        row = self.rows[key]
-        area = Area(row, MEANING, row, MEANING)
-        self.levels.setdefault(key, []).append((formula(test, **holes), MARKS.get(style, "")))
-        self.writer.colour(area, formula(test, **holes), style)
-
-    def driver_text(self, value: Node) -> Node:
-        """A value of the driver in words: 48.3°."""
-        return joined(formula("ROUND(value,2)", value=value), self.unit)
-
-    def _driver_places(self) -> int:
-        return places(self.plan, "angle" if self.turning else "length")
+class _Verdicts(VerdictLines):
+    """What each of the lines says."""
 
     # --- inputs -----------------------------------------------------------------------------------------------
 
@@ -262,7 +193,7 @@ class _Block:
         words = formula("IF(stretches=0,nowhere,IF(stretches>1,first,free)&within)", stretches=count,
                         nowhere=self.text("rows.none"), first=self.text("input.first"), free=free,
                         within=self._within_a_step())  # fmt: skip
-        digits = self._driver_places()
+        digits = self.driver_places()
         low, high = (formula("IF(stretches=0,NA(),value)", stretches=count, value=end) for end in ends)
         self.line("input_from", self.text("input"), unit, low, digits, words)
         self.line("input_to", "", unit, high, digits, Text(""))
@@ -591,132 +522,6 @@ class _Block:
         unit = inertia_unit(dynamics, plan.mechanism.length_unit) if dynamics else ""
         self.line("flywheel", self.text("flywheel"), unit, inertia, style,
                   said("flywheel", self.text("flywheel.words")))  # fmt: skip
-
-    # --- what is amber or red --------------------------------------------------------------------------------
-
-    def marks(self) -> None:
-        """Beside each line that is red or amber a mark; under the line under the title which the first of them is, and
-        where: it may be far below."""
-        writer, names = self.writer, list(self.rows.values())
-        for key, levels in self.levels.items():
-            mark: Node = Text("")
-            for test, level in reversed(levels):
-                mark = formula("IF(test,level,mark)", test=test, level=level, mark=mark)
-            writer.formula(self.rows[key], MEANING + 1, formula('IFERROR(mark,"")', mark=mark), styles.MARK)
-        column, symbols = (
-            RangeRef(CellRef(names[0], col, True, True), CellRef(names[-1], col, True, True))
-            for col in (MEANING + 1, SYMBOL)
-        )
-        missing = self.plan.text("legend.missing")
-        said: Node = Text(missing)
-        for sign in reversed(MARKS.values()):
-            place = formula("MATCH(sign,column,0)", sign=sign, column=column)
-            words = joined(f"{sign} ", formula("INDEX(symbols,place)", symbols=symbols, place=place), ": E",
-                           formula("ROW(first)+place-1", first=column.start, place=place), f" · {missing}")  # fmt: skip
-            said = formula("IFERROR(words,said)", words=words, said=said)
-        writer.formula(LEGEND_ROW, MEANING, said, styles.LEGEND)
-        area, cell = Area(LEGEND_ROW, MEANING, LEGEND_ROW, MEANING), CellRef(LEGEND_ROW, MEANING, True, True)
-        writer.conditionals += [
-            Conditional(area, formula("LEFT(cell,1)=mark", cell=cell, mark=mark), style)
-            for style, mark in MARKS.items()
-        ]
-
-    # --- the line under the title -----------------------------------------------------------------------------
-
-    def line_under_the_title(self) -> None:
-        """All in one line: whether it closes, what it is, how well it transmits force; or what is wrong, and where."""
-        plan = self.plan
-        count, rows = self.value("rows_closed"), self.of_rows
-        parts: list[Node | str] = [closes_in(plan, count, rows)]
-        if plan.found.limits:
-            parts.append(formula('IF(passes>0,"; "&dips,"")', passes=self.value("passes"), dips=self.words("passes")))
-        for loop in plan.found.four_bars[:1]:
-            complete = formula("count=rows", count=count, rows=rows)
-            parts.append(in_summary(loop, plan, self.words(f"grashof_{loop.group}"), complete))
-        if plan.found.transmission:
-            parts.append(self._worst_transmission())
-        gap = self.words("largest_gap")
-        good = joined(*parts)
-        if plan.found.task is not None:
-            good = task.with_task(good, self.value("task"), self.words("task"))
-        lost: Node | None = None
-        nowhere = why_nowhere(plan, MEANING)
-        if plan.found.newton:
-            nowhere = formula("IF(ends>0,ended,nowhere)", ends=assemblies_lost(plan), ended=self.text("line.ended"),
-                              nowhere=nowhere)  # fmt: skip
-            lost = self.words("same_assembly")
-            good = formula("IF(lost=kept,good,lost)", lost=lost, kept=self.text("same_assembly.kept"), good=good)
-        words = formula(
-            "IF(fine,IF(count=0,nowhere,IF(gap=closed,good,gap)),inputs)",
-            fine=self.found.fine.cell, count=count, nowhere=nowhere, gap=gap,
-            closed=self.text("gap.closed"),
-            good=good, inputs=self.words("inputs"),
-        )  # fmt: skip
-        self.writer.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
-        area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING)
-        said = CellRef(VERDICT_ROW, SYMBOL, True, True)
-        # rules read this sheet only: other programs refuse another's cells
-        bad = formula("OR(n=0,said=inputs,said=gap)", said=said, gap=gap, n=count, inputs=self.words("inputs"))
-        if plan.found.task is not None:
-            bad = formula("OR(bad,wrong>0)", bad=bad, wrong=self.value("task"))
-        if lost is not None:
-            bad = formula("OR(bad,count=0,leapt>0)", bad=bad, count=count, leapt=self.value("same_assembly"))
-        doubts = formula("count<rows", count=count, rows=rows)
-        if plan.found.limits:
-            doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=self.value("passes"))
-        if plan.found.transmission:
-            doubts = formula(
-                "OR(doubts,poor)", doubts=doubts, poor=some_poor(plan.mechanism, self._transmissions(VALUE))
-            )
-        if plan.found.task is not None:
-            doubts = formula("OR(doubts,doubt)", doubts=doubts, doubt=task.doubtful(plan, self.words("task")))
-        if plan.found.four_bars and plan.mechanism.bands is not None:
-            doubts = formula("OR(doubts,ISNUMBER(FIND(reach,said)))", doubts=doubts, said=said,
-                             reach=self.text("grashof.reach"))  # fmt: skip
-        if lost is not None:
-            doubts = formula("OR(doubts,lost=begun)", doubts=doubts, lost=lost, begun=self.text("same_assembly.begun"))
-        self.writer.colour(area, bad, styles.BAD)
-        self.writer.colour(area, doubts, styles.WARN)
-        self.writer.colour(area, formula("count=rows", count=count, rows=rows), styles.GOOD)
-
-    def _transmissions(self, col: int) -> RangeRef:
-        """The cells of a column in the lines of all angles of transmission."""
-        rows = [self.rows[f"transmission_{group.number}"] for group in self.plan.found.transmission]
-        return RangeRef(CellRef(rows[0], col, True, True), CellRef(rows[-1], col, True, True))
-
-    def _worst_transmission(self) -> Node:
-        """The words of the group with the least angle of transmission; of several with its symbol."""
-        keys = [f"transmission_{group.number}" for group in self.plan.found.transmission]
-        what = f"; {self.text('line.transmission')} "
-        if len(keys) == 1:
-            return formula('IF(ISNUMBER(value),what&words,"")', value=self.value(keys[0]), what=what,
-                           words=self.words(keys[0]))  # fmt: skip
-        symbols, said = self._transmissions(SYMBOL), self._transmissions(MEANING)
-        return formula(
-            'IFERROR(what&INDEX(symbols,worst)&" "&INDEX(said,worst),"")', what=what, symbols=symbols, said=said,
-            worst=there(self.found.worst_group).cell,
-        )  # fmt: skip
-
-
-def closes_in(plan: Plan, count: Node, rows: Node) -> Node:
-    """In how many of how many positions; of all what `closes_in_all` says, of the rows that there are."""
-    text = plan.text
-    some, end = joined(text("verdict.line.closes"), " ", count, " / ", rows), f" {text('verdict.line.positions')}"
-    before, after = text("verdict.line.all", rows="#").split("#")
-    everywhere = joined(before, rows)
-    if plan.rows == 1:
-        everywhere = formula("IF(rows=1,one,many)", rows=rows, one=closes_in_all(plan), many=joined(everywhere, after))
-        after = ""
-    if after != end:  # else it is said once
-        everywhere, some, end = joined(everywhere, after), joined(some, end), ""
-    return joined(
-        formula("IF(count=rows,everywhere,some)", count=count, rows=rows, everywhere=everywhere, some=some), end
-    )
-
-
-def closes_in_all(plan: Plan) -> str:
-    """What the line says first of a mechanism that closes in all positions, of so many rows as were built."""
-    return plan.text("verdict.line.one") if plan.rows == 1 else plan.text("verdict.line.all", rows=plan.rows)
 
 
 def _in(value: Node, degrees: bool) -> Node:

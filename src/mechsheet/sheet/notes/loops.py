@@ -17,7 +17,7 @@ from mechsheet.kinematics.closures import Loop, Vector
 from mechsheet.model import rate_symbols
 from mechsheet.sheet.mathematics import Part, written
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.symbols import plain
+from mechsheet.words.symbols import plain
 
 Rate = tuple[Node, Node]
 

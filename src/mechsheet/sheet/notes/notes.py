@@ -15,11 +15,11 @@ from mechsheet.sheet.first.given import words_of
 from mechsheet.sheet.mathematics import Part, symbol_parts, written
 from mechsheet.sheet.notes.loops import LoopRates
 from mechsheet.sheet.plan import HIDDEN, STATUS, Plan
-from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.table.positions import column_unit, group_title, mathematics
 from mechsheet.sheet.wrapping import wrapped_lines
 from mechsheet.units import DEG, NUMBER
 from mechsheet.words.equations import body_words, link_words
+from mechsheet.words.symbols import plain
 
 SYMBOL, UNIT, EQUATION, MEANING, PLACE, FORMULA = range(6)
 WIDTHS = (13, 9, 78, 44, 18)

@@ -35,8 +35,8 @@ from mechsheet.sheet.page.table import Table, note_last
 from mechsheet.sheet.page.top import LAST, MEANING, UNIT, VALUE, Top
 from mechsheet.sheet.plan import VERDICT_ROW
 from mechsheet.sheet.shown import shown_unit
-from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.wrapping import ROW_HEIGHT
+from mechsheet.words.symbols import plain
 
 TOP_WIDTHS = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0)
 """Least widths of the columns over which the top stands, in characters."""

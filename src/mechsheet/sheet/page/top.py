@@ -18,7 +18,7 @@ from mechsheet.sheet.first import inputs, task
 from mechsheet.sheet.first.blocks import value_style
 from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.first.verdicts import closes_in
+from mechsheet.sheet.first.title_line import closes_in
 from mechsheet.sheet.grashof import (
     Sides,
     bound_of,
@@ -36,11 +36,12 @@ from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.shown import input_validation, unit_of_column
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.transmission import poor_limit, some_poor, worst_words
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import ANGLE, LENGTH, Unit, turn
+from mechsheet.words.symbols import plain
 
 SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
 """Columns of the top; the meaning has three of the table's columns."""

@@ -11,11 +11,11 @@ from livesheet.workbook import Anchor, Area, Axis, Chart, Series, SeriesRef
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.frames import HIDDEN_AXIS
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.tables import THETA, curve_columns, has_points
 from mechsheet.sheet.task_rows import CHARTS, FIRST_ROW, MEANING, ROUNDED, SYMBOL, UNIT, USED, VALUE, WINDOW
 from mechsheet.synthesis.kind import Line
+from mechsheet.words.symbols import plain
 
 SIZE, LEGEND, HEIGHT, GAP = 286, 72, 240, 12
 """Pixels: the side of the figure, what its title and legend take, the height of the curve below it, the space around."""

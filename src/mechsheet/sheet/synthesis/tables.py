@@ -8,13 +8,13 @@ from livesheet.workbook import Column
 from mechsheet.model import Synthesis
 from mechsheet.sheet import styles
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.symbols import plain
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.sensitivity import changes, mark
 from mechsheet.sheet.task_rows import MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
 from mechsheet.synthesis.four_bar import transmission_angle
 from mechsheet.synthesis.kind import Requirement
 from mechsheet.synthesis.kinds import kind_of
+from mechsheet.words.symbols import plain
 from mechsheet.words.synthesis import step_words
 
 MU, THETA = REMARK + 1, REMARK + 2

@@ -22,9 +22,10 @@ from mechsheet.sheet.over_rows import MOST, first_row, last_row, mean_of_rows, o
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import RATES_DRIVER, RATES_STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import style_of
 from mechsheet.sheet.table.rates import sheet_beside
+from mechsheet.words.symbols import plain
 
 GAP = 2
 """Empty rows below the table; the dimensions' names stand in the second."""

@@ -12,7 +12,7 @@ from typing import TypeAlias
 
 from livesheet.formula.nodes import Symbol
 from mechsheet.compiled import Compiled
-from mechsheet.exporting.routines import Source
+from mechsheet.exporting.functions.routines import Source
 from mechsheet.model import Cartesian, Dimension, Driver, Joint, Link, Mechanism, Quantity, Words
 from mechsheet.units import RAD, unit_of
 

@@ -12,9 +12,9 @@ from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Number, Symbol
-from mechsheet.exporting import small_mechanisms as small
+from mechsheet.exporting.functions import small_mechanisms as small
+from mechsheet.exporting.functions.routines import Parameter, Routine, Source, with_names, with_values
 from mechsheet.exporting.lowering import Step
-from mechsheet.exporting.routines import Parameter, Routine, Source, with_names, with_values
 from mechsheet.kinematics.angle_branch import AngleBranch
 from mechsheet.kinematics.ledger import CLOSING
 from mechsheet.model import Words

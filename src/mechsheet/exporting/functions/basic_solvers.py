@@ -13,11 +13,11 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node, Number, Symbol, symbols
 from livesheet.formula.printer import print_formula
-from mechsheet.exporting.basic_body import KEYWORDS, Body, comment, shown_name, wrapped
+from mechsheet.exporting.functions.basic_body import KEYWORDS, Body, comment, shown_name, wrapped
+from mechsheet.exporting.functions.routines import unknown_key
+from mechsheet.exporting.functions.solvers import Block, Solver
 from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step
-from mechsheet.exporting.routines import unknown_key
-from mechsheet.exporting.solvers import Block, Solver
 from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import Words

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from livesheet.formula.nodes import Call, Node, Symbol, children, transform
 from livesheet.formula.written import pairwise
+from mechsheet.exporting.functions.routines import Routine, mapped
 from mechsheet.exporting.lowering import Step
-from mechsheet.exporting.routines import Routine, mapped
 
 
 def with_calls(routine: Routine, patterns: Sequence[Routine]) -> Routine:

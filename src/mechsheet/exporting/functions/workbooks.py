@@ -14,16 +14,23 @@ from livesheet.formula.nodes import Call, CellRef, Node, Number, Text
 from livesheet.said import say
 from livesheet.workbook import Area, Cell, Conditional, Fill, Module, Sheet, Workbook
 from mechsheet.compiled import Compiled
-from mechsheet.exporting.basic import function_names, module
-from mechsheet.exporting.function_sheet import LIST_TITLE, functions_sheet
-from mechsheet.exporting.functions import TABLE_KEY, Function, functions_of, in_degrees, main_table, variable_key
-from mechsheet.exporting.lambdas import modes_read, named_functions
-from mechsheet.exporting.lesson import chain_of
-from mechsheet.exporting.lesson_sheet import TITLE as LESSON_TITLE
-from mechsheet.exporting.lesson_sheet import lesson_sheet
+from mechsheet.exporting.functions.all_functions import (
+    TABLE_KEY,
+    Function,
+    functions_of,
+    in_degrees,
+    main_table,
+    variable_key,
+)
+from mechsheet.exporting.functions.basic import function_names, module
+from mechsheet.exporting.functions.function_sheet import LIST_TITLE, functions_sheet
+from mechsheet.exporting.functions.lambdas import modes_read, named_functions
+from mechsheet.exporting.functions.lesson import chain_of
+from mechsheet.exporting.functions.lesson_sheet import TITLE as LESSON_TITLE
+from mechsheet.exporting.functions.lesson_sheet import lesson_sheet
+from mechsheet.exporting.functions.routines import Source
+from mechsheet.exporting.functions.vba import introduction
 from mechsheet.exporting.refusing import refuse_synthesis
-from mechsheet.exporting.routines import Source
-from mechsheet.exporting.vba import introduction
 from mechsheet.kinematics.newton.refusing import need_one_position
 from mechsheet.model import TableRequest, Words
 from mechsheet.sheet import styles

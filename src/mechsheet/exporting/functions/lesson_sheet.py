@@ -22,10 +22,10 @@ from livesheet.workbook import (
     Sheet,
     Style,
 )
-from mechsheet.exporting.function_sheet import MOST_ROWS, SMALL, difference
-from mechsheet.exporting.functions import in_degrees
-from mechsheet.exporting.lesson import Link
-from mechsheet.exporting.routines import Source
+from mechsheet.exporting.functions.all_functions import in_degrees
+from mechsheet.exporting.functions.function_sheet import MOST_ROWS, SMALL, difference
+from mechsheet.exporting.functions.lesson import Link
+from mechsheet.exporting.functions.routines import Source
 from mechsheet.model import Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.charts import driver_axis
@@ -33,9 +33,10 @@ from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.shown import shown_unit
-from mechsheet.sheet.symbols import plain, rich
+from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places
 from mechsheet.units import Unit
+from mechsheet.words.symbols import plain
 
 TITLE = Words("Step by step", "Adım adım")
 ABOUT = Words(

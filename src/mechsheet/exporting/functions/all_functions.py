@@ -9,10 +9,10 @@ from functools import lru_cache
 
 from livesheet.formula.names import folded, safe_name
 from livesheet.formula.nodes import Call, Node, Symbol
-from mechsheet.exporting.calls import with_calls
-from mechsheet.exporting.library import PARAMETERS, basics
+from mechsheet.exporting.functions.calls import with_calls
+from mechsheet.exporting.functions.library import PARAMETERS, basics
+from mechsheet.exporting.functions.routines import Routine, Source
 from mechsheet.exporting.lowering import Step
-from mechsheet.exporting.routines import Routine, Source
 from mechsheet.model import Mechanism, TableRequest, Words
 from mechsheet.units import DEG, NUMBER
 

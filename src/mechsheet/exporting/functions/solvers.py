@@ -23,11 +23,11 @@ import numpy as np
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Node, Symbol
 from mechsheet.compiled import Compiled
-from mechsheet.exporting.calls import with_calls
-from mechsheet.exporting.functions import patterns, prefix_of
+from mechsheet.exporting.functions.all_functions import patterns, prefix_of
+from mechsheet.exporting.functions.calls import with_calls
+from mechsheet.exporting.functions.routines import Routine, Source, folded, needed_for, unknown_key
 from mechsheet.exporting.lowering import Step
 from mechsheet.exporting.program import quantity
-from mechsheet.exporting.routines import Routine, Source, folded, needed_for, unknown_key
 from mechsheet.kinematics.angle_branch import WINDOWED
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Group, System

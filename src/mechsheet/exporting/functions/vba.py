@@ -5,12 +5,12 @@ from __future__ import annotations
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
-from mechsheet.exporting.basic import function_names, module
-from mechsheet.exporting.functions import Function, functions_of
+from mechsheet.exporting.functions.all_functions import Function, functions_of
+from mechsheet.exporting.functions.basic import function_names, module
+from mechsheet.exporting.functions.routines import Source
+from mechsheet.exporting.functions.solvers import solvers_of
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.refusing import refuse_synthesis
-from mechsheet.exporting.routines import Source
-from mechsheet.exporting.solvers import solvers_of
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import Words
 

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef, Text
 from livesheet.workbook import Area, Cell, Column, Conditional, Fill, Merge, PrintSetup, Sheet
-from mechsheet.exporting.functions import TABLE_KEY, Function, in_degrees, variable_key
-from mechsheet.exporting.routines import Source
+from mechsheet.exporting.functions.all_functions import TABLE_KEY, Function, in_degrees, variable_key
+from mechsheet.exporting.functions.routines import Source
 from mechsheet.model import Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import Plan

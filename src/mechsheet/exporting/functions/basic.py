@@ -9,13 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from mechsheet.exporting.basic_body import KEYWORDS, Body, comment, rule, wrapped
-from mechsheet.exporting.basic_solvers import declarations, procedures, solver_calls, solver_names
-from mechsheet.exporting.functions import Function
+from mechsheet.exporting.functions.all_functions import Function
+from mechsheet.exporting.functions.basic_body import KEYWORDS, Body, comment, rule, wrapped
+from mechsheet.exporting.functions.basic_solvers import declarations, procedures, solver_calls, solver_names
+from mechsheet.exporting.functions.routines import Parameter
+from mechsheet.exporting.functions.solvers import Solver
 from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step
-from mechsheet.exporting.routines import Parameter
-from mechsheet.exporting.solvers import Solver
 from mechsheet.model import Words
 from mechsheet.units import Unit
 
