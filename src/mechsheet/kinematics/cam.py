@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol
-from livesheet.formula.vectors import Vector, cross, dot, minus, plus, size, times, turned
+from livesheet.formula.vectors import Vector, cross, dot, minus, negative, plus, size, times, turned
 from mechsheet.kinematics.equations import CAM, Condition, Role
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.points_in_link import angle_of
@@ -91,7 +91,7 @@ class _Writer:
             "contact",
             al.neg(al.add(forth, al.div(moves, turned_by))),
             LENGTH,
-            *(() if self._plain(turned_by) else (there,)),
+            *(() if al.value_of(turned_by) is not None else (there,)),
         )
         self._curve("cam", plus(place, times(contact, along)))
         self._alpha_of_face(contact, along, normal)
@@ -142,7 +142,7 @@ class _Writer:
         return al.neg(node) if self.cam.clockwise else node
 
     def _with_cam(self, vector: Vector) -> Vector:
-        return (al.neg(vector[0]), al.neg(vector[1])) if self.cam.clockwise else vector
+        return negative(vector) if self.cam.clockwise else vector
 
     def _curve(self, name: str, place: Vector) -> None:
         """A place in the axes of the cam."""
@@ -175,6 +175,3 @@ class _Writer:
     def _per_length(self) -> Unit:
         length = self.poses.mechanism.length_unit
         return Unit("number", f"1/{length}") if length else NUMBER
-
-    def _plain(self, node: Node) -> bool:
-        return al.value_of(node) is not None

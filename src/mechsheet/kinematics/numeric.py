@@ -26,6 +26,14 @@ def _round(x: Any, digits: Any) -> Any:
     return np.sign(x) * np.floor(np.abs(x) * scale + 0.5) / scale
 
 
+def _chosen(number: Any, *values: Any) -> Any:
+    """The value of each row's number, from 1."""
+    result = values[0]
+    for place, each in enumerate(values[1:], 2):
+        result = np.where(np.asarray(number) >= place, each, result)
+    return result
+
+
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     "ABS": np.abs,
     "ACOS": portable.arccos,
@@ -33,7 +41,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "ASIN": portable.arcsin,
     "ATAN": portable.arctan,
     "ATAN2": lambda x, y: portable.arctan2(y, x),  # the sheet's order is x first, numpy's y first
-    "CHOOSE": lambda number, *values: _chosen(number, values),
+    "CHOOSE": _chosen,
     "COS": portable.cos,
     "DEGREES": np.degrees,
     "EXP": portable.exp,
@@ -74,14 +82,6 @@ def _fold(function: Callable[[Any, Any], Any], args: tuple[Any, ...]) -> Any:
     result = args[0]
     for arg in args[1:]:
         result = function(result, arg)
-    return result
-
-
-def _chosen(number: Any, values: tuple[Any, ...]) -> Any:
-    """The value of each row's number, from 1."""
-    result = values[0]
-    for place, each in enumerate(values[1:], 2):
-        result = np.where(np.asarray(number) >= place, each, result)
     return result
 
 

@@ -60,10 +60,3 @@ def block_has_line(mechanism: Mechanism, joint: Joint) -> bool:
     sizes = {link.name: len(link.points) for link in mechanism.links}
     on_ground = mechanism.ground.name in (joint.on, joint.link)
     return joint.kind == "prismatic" and not on_ground and sizes[joint.link] >= max(2, sizes[joint.on])
-
-
-def block_point(mechanism: Mechanism, joint: Joint) -> str:
-    """The point at which a sliding joint's block is drawn; "" when it has no name."""
-    if not block_has_line(mechanism, joint):
-        return joint.point
-    return joint.through if isinstance(joint.through, str) else ""

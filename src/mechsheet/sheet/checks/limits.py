@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from livesheet.formula.names import folded, safe_name
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, with_symbols
+from livesheet.formula.nodes import Call, CellRef, Node, Symbol, with_symbols
 from livesheet.workbook import Name
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
@@ -40,12 +40,6 @@ PLACE, INSIDE, OUTSIDE, FOUND, DRIVER, REST = range(6)
 
 FIRST_ROW, LAST_ROW, FROM, TO, WORDS = range(5)
 """Cells of a stretch, beside each other: its rows (from 1), where it begins and ends between rows, and its rows in words."""
-
-
-def last_rows(plan: Plan) -> RangeRef:
-    """The last row of every stretch: one range, so that it reads back as it was written."""
-    top, bottom = (plan.at.spots[f"#last_{number}"] for number in (1, STRETCHES))
-    return RangeRef(*(CellRef(spot.row, spot.col, True, True, spot.sheet) for spot in (top, bottom)))
 
 
 class Limits:
