@@ -66,8 +66,10 @@ def _drawn(draw: Callable[[Sheet, dict[str, Any]], Sheet]) -> Order:
 
 
 def _rename(sheet: Sheet, order: dict[str, Any]) -> Sheet:
-    kind = "point" if "point" in order else "link"
-    return rename(sheet, kind, text_in(order, kind), text_in(order, "to"))
+    to = text_in(order, "to")
+    if "point" in order:
+        return rename(sheet, "point", text_in(order, "point"), to)
+    return rename(sheet, "link", text_in(order, "link"), to)
 
 
 def _delete(sheet: Sheet, order: dict[str, Any]) -> Sheet:

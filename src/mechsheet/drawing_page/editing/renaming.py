@@ -5,24 +5,22 @@ from __future__ import annotations
 from dataclasses import replace
 
 from livesheet.formula.names import folded
-from mechsheet.description.renaming import renamed
+from mechsheet.description.renaming import Renamed, renamed
 from mechsheet.description.scope import symbol_fault
 from mechsheet.drawing_page.editing.sheet import Sheet
 from mechsheet.drawing_page.questions import Impossible, Refusal
 
 
-def rename(sheet: Sheet, kind: str, old: str, new: str) -> Sheet:
+def rename(sheet: Sheet, kind: Renamed, old: str, new: str) -> Sheet:
     """The sheet with another name for a point or a link, everywhere in its text. Raises Impossible for one that is taken."""
     new = new.strip()
     if kind == "point":
         taken = {point for link in sheet.parts.links for point in link.points}
         fault = symbol_fault(new)
-    elif kind == "link":
+    else:
         taken = {link.name for link in sheet.parts.links}
         sound = new[:1].isalpha() and all(sign.isalnum() or sign in "_-" for sign in new)
         fault = "" if sound else "-"
-    else:
-        raise Refusal(f'nothing of the kind "{kind}" has a name')
     if old not in taken:
         raise Refusal(f'there is no {kind} "{old}"')
     if new == old:
