@@ -7,6 +7,7 @@ CAMS: dict[str, str] = {
         "sabit uzvun taşıdığı bir kızakta ya da makaralı sarkaçta bunu temel daire söyler"
     ),
     "a cam turns once: give rows or step": "kam bir kez döner: ya satır sayısını ya adımı verin",
+    "a chart that is not wanted is left out": "istenmeyen grafik yazılmaz",
     "a dwell goes nowhere": "bekleme hiçbir yere gitmez",
     "a motion that does not close ends where its segments end: write another step in [driver]": (
         "kapanmayan hareket parçalarının bittiği yerde biter: [driver] içinde başka bir adım yazın"
@@ -42,6 +43,7 @@ CAMS: dict[str, str] = {
     "the slide passes the centre at {offset:.6g}: a base circle of {radius:.6g} does not reach it": (
         "kızak merkezden {offset:.6g} uzakta geçiyor: {radius:.6g} yarıçaplı temel daire ona ulaşmaz"
     ),
+    "there is no cam: a profile is that of [cam]": "kam yok: profil, [cam] bölümünün profilidir",
     "they must end before 360°": "360°'den önce bitmeleri gerekir",
     "write to = 0, or closed = false in [driver]": "to = 0 ya da [driver] içinde closed = false yazın",
     "{name} is a point of the ground: the cam could not move a roller there": (
