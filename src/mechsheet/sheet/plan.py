@@ -39,7 +39,7 @@ from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.places import Checked, Places, Searched, Starts, there
 from mechsheet.sheet.task_rows import Rows, plan_rows
 from mechsheet.synthesis.kinds import kind_of
-from mechsheet.words.workbook import Language, words
+from mechsheet.words.catalogue import Language, words
 
 ROW_COUNT = Symbol("#rows")
 """`Places.rows` by its key: see `checks/keyed`."""
