@@ -91,6 +91,7 @@ def test_every_key_has_an_example():
     assert known - shown == set()
 
 
+@pytest.mark.slow
 def test_the_site_is_built_and_its_links_lead_somewhere(tmp_path):
     command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(tmp_path / "site")]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
@@ -164,6 +165,8 @@ LESSON = {
 TURKISH = {"EĞERHATA": "IFERROR", "DERECE": "DEGREES", "YUVARLA": "ROUND", "YOKSAY": "NA", ";": ","}
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LESSON)
 def test_the_lesson_on_one_sheet_goes_as_the_page_says(name):
     page = openpyxl.load_workbook(ROOT / "generated" / "four-bar-page.xlsx").worksheets[0]
@@ -184,6 +187,7 @@ def test_the_lesson_on_one_sheet_goes_as_the_page_says(name):
     assert fits(exact["swing"], swing.replace(",", "."))
 
 
+@pytest.mark.slow
 def test_what_the_class_finds():
     """Grashof's number before and after, both limits, and lengths with a better transmission angle."""
     book = mechsheet.open_book(ROOT / "generated" / "four-bar.xlsx")
@@ -281,6 +285,7 @@ def test_the_row_by_hand(page):
     assert fits(float(theirs["T12"][6]), number_in(DOCS / page, r"T₁₂ = (\d+[.,]\d+) lbf")[0].replace(",", "."))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", [DOCS / "motor-sizing.md", DOCS / "motor-sizing.tr.md"], ids=lambda page: page.name)
 def test_the_press_that_gets_a_motor_and_a_flywheel(page):
     printed, press = rows_of(page.name), loaded("toggle-press")
