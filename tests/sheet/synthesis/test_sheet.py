@@ -8,11 +8,14 @@ from mechsheet.sheet.task_rows import INPUTS, REMARK, UNSOLVED, USED
 
 STEPS = pairs("step.")
 
+pytestmark = pytest.mark.slow
+
 TEXT = template_text("crank-rocker-swing")
 REASONS = {english for key, (english, _) in STEPS.items() if key.startswith("none.")}
 OF_OTHER_KINDS = {STEPS[key][0] for key in ("none.a3", "none.cubic_b")}
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     ("given", "typed", "reason"),
     [
