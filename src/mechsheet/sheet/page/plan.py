@@ -87,7 +87,7 @@ class PagePlan(Plan):
 
     @cached_property
     def unguarded(self) -> frozenset[str]:
-        """Columns that say where a group closes, with listed values of the driver: nothing that they read asks the inputs."""
+        """Columns that say where a group closes, with listed values of the driver, above which no cell asks the inputs."""
         return frozenset(self.page.closes.values()) if self.mechanism.driver.values else frozenset()
 
     @property
