@@ -12,7 +12,7 @@ from degenerate_cases import cases
 from livesheet.formula.nodes import ErrorValue
 from mechsheet.description import loads
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.plan import plan_of
+from mechsheet.sheet.planning import plan_of
 
 TESTS = Path(__file__).parents[1]
 
@@ -43,6 +43,8 @@ UNDETERMINED = ("kite",)
 TEXTS = {name: text for name, text in descriptions().items() if name not in NOT_BUILT}
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", part([name for name in TEXTS if name not in LEAPS], of=4))
 def test_nothing_is_red(name):
     """It closes somewhere, gaps are rounding, no cell counts as typed over; what can be said of it is said in words."""

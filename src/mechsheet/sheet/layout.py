@@ -10,14 +10,14 @@ from mechsheet.model import Mechanism
 from mechsheet.sheet.asked.requested import table_sheets
 from mechsheet.sheet.checks.checks import Checks, checks_sheet
 from mechsheet.sheet.checks.extremes import Extremes
-from mechsheet.sheet.checks.keyed import hand_in, handed_out
 from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing.charts import chart_requests, charts_of, with_room
 from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.first.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.notes.formulas import with_formulas
 from mechsheet.sheet.notes.notes import notes_sheet
-from mechsheet.sheet.plan import HIDDEN, Plan, plan_of
+from mechsheet.sheet.plan import HIDDEN, Plan
+from mechsheet.sheet.planning import plan_of
 from mechsheet.sheet.synthesis.alt import alt_sheet
 from mechsheet.sheet.synthesis.sheet import synthesis_sheet
 from mechsheet.sheet.table.forces import forces_sheet
@@ -36,10 +36,9 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     """The workbook (its formulas have no values yet) and the plan that it follows."""
     plan = plan_of(mechanism, equations)
     extremes = Extremes(plan)
-    plan.extremes = handed_out(extremes)
+    plan.extremes = extremes.places
     checks = Checks(plan)
     plan.checks = checks.places
-    hand_in(plan)
     tolerance = Tolerance(plan)
     requests = chart_requests(plan)
     drawing = drawing_of(plan, requests)
