@@ -29,6 +29,7 @@ def solved(text):
     return mechanism, equations, dimensions, sweep(mechanism, equations, given_values(mechanism, dimensions))
 
 
+@pytest.mark.cases(15)
 @pytest.mark.parametrize("seed", CASES)
 def test_every_column_is_the_references(seed):
     mechanism, equations, dimensions, found = solved(cam(seed))
@@ -73,6 +74,7 @@ def lowest(curve):
     return -curve.deriv(1)(0.0) / curve.deriv(2)(0.0)
 
 
+@pytest.mark.cases(7)
 @pytest.mark.parametrize("seed", CASES)
 def test_the_finished_profile_envelops_roller_and_face(seed):
     """In the cam's axes: the roller's centre keeps its distance to the curve, and the curve stays under the face."""

@@ -234,8 +234,8 @@ class _Verdicts(VerdictLines):
             left_open = formula("IF(own>rounding,misfit,other)", own=self.checks.worst("gap", group), rounding=rounding,
                                 misfit=misfit, other=left_open)  # fmt: skip
         wrong["apart"] = self.text("gap.apart", notes=plan.at.titles["notes"])
-        words = formula('IF(_rows_apart>0,apart,IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed))))',
-                        apart=wrong["apart"],
+        words = formula('IF(rows_apart>0,apart,IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed))))',
+                        apart=wrong["apart"], rows_apart=plan.searched.rows_apart.cell,
                         typed=plan.checked.typed.cell, count=self.value("rows_closed"), gap=cell,
                         rounding=rounding, over=self.text("gap.typed", sheet=self.checks.title),
                         closed=self.text("gap.closed"), open=left_open)  # fmt: skip
