@@ -11,6 +11,8 @@ import pytest
 
 from mechsheet.extras import EXTRAS
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parent.parent
 
 

@@ -102,6 +102,7 @@ def patience(request):
         yield
 
 
+@pytest.mark.slow
 @pytest.mark.usefixtures("patience")
 @settings(max_examples=examples(100), deadline=None)
 @given(CHANGES)
@@ -363,6 +364,7 @@ def test_the_cells_of_a_circle_are_errors():
         session.number("S!B1")
 
 
+@pytest.mark.slow
 def test_a_file_set_written_and_read_again(tmp_path):
     source = ROOT / "generated" / "four-bar.xlsx"
     session = mechsheet.open_book(source)
@@ -380,6 +382,7 @@ def test_a_file_set_written_and_read_again(tmp_path):
         Session(BOOK).write(output)
 
 
+@pytest.mark.slow
 def test_the_example_of_the_documentation(monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     for source in (ROOT / "generated/four-bar.xlsx", ROOT / "templates/four-bar.toml"):
@@ -441,6 +444,7 @@ def test_several_values_are_set_or_none():
     assert session["S!D1"] == 2.0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", [".xlsx", ".ods"])
 def test_recalc_refuses_the_same_values(suffix):
     source = ROOT / "generated" / f"scotch-yoke{suffix}"

@@ -84,6 +84,7 @@ def further(monkeypatch):
     )
 
 
+@pytest.mark.slow
 def test_its_workbook_solves_the_task_and_follows_what_is_typed():
     sheet = Laid(TEXT)
     assert sheet.spot("a2") == 40

@@ -41,8 +41,8 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "tools": ("Tools", "Araçlar"),
     "tool.shape": ("Shape", "Biçimle"),
     "tool.shape.hint": (
-        "Drag a point: the dimensions follow. Drag the sheet to move it.",
-        "Bir noktayı sürükleyin: boyutlar uyar. Sayfayı kaydırmak için boş yeri sürükleyin.",
+        "Drag a point: the dimensions follow. Double-click a point or a link to rename it.",
+        "Bir noktayı sürükleyin: boyutlar uyar. Adını değiştirmek için noktaya ya da uzva çift tıklayın.",
     ),
     "tool.turn": ("Move", "Hareket"),
     "tool.turn.hint": (
@@ -170,6 +170,14 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
         "Önce sabit bir mafsal çevresinde dönen bir uzuv çizin: dişli onunla eşlenir.",
     ),
     "impossible.does_not_fit": ("It does not fit this mechanism: {reason}", "Bu mekanizmaya uymuyor: {reason}"),
+    "impossible.point_name": (
+        "{name} cannot be the name of a point: it begins with a letter and goes on with letters, digits and _.",
+        "{name} bir noktanın adı olamaz: ad bir harfle başlar; harf, rakam ve _ ile sürer.",
+    ),
+    "impossible.link_name": (
+        "{name} cannot be the name of a link: it begins with a letter and goes on with letters, digits, - and _.",
+        "{name} bir uzvun adı olamaz: ad bir harfle başlar; harf, rakam, - ve _ ile sürer.",
+    ),
     # what is written, not drawn
     "insert": ("Insert …", "Ekle …"),
     "insert.hint": (
@@ -216,6 +224,17 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
         "- teeth of `on` / teeth of `link`; without the minus inside a ring, or with an open belt",
         "- `on` dişleri / `link` dişleri; içten dişlide ve düz kayışta eksisiz",
     ),
+    # names
+    "rename.point": (
+        "Another name for the point {name}, everywhere in the text:",
+        "{name} noktasının metnin her yerindeki yeni adı:",
+    ),
+    "rename.link": (
+        "Another name for the link {name}, everywhere in the text:",
+        "{name} uzvunun metnin her yerindeki yeni adı:",
+    ),
+    "rename.name": ("Name", "Ad"),
+    "rename.yes": ("Rename", "Yeniden adlandır"),
     # the sheet
     "drawing": ("Drawing", "Çizim"),
     "point": ("Point", "Nokta"),
@@ -335,6 +354,11 @@ DRAWING_PAGE: dict[str, tuple[str, str]] = {
     "help.enter": ("next point; click; start over", "noktadan noktaya; tıklama; baştan başlama"),
     "help.delete.keys": ("Delete", "Delete"),
     "help.delete": ("delete what is chosen", "seçileni siler"),
+    "help.rename.keys": ("double click, F2", "çift tıklama, F2"),
+    "help.rename": (
+        "rename a point or a link, everywhere in the text",
+        "bir noktayı ya da uzvu metnin her yerinde yeniden adlandırır",
+    ),
     "help.space.keys": ("Space", "Boşluk"),
     "help.space": ("play and pause, on the sheet", "sayfadayken oynatır ve durdurur"),
     "help.undo.keys": ("Ctrl+Z, Ctrl+Y", "Ctrl+Z, Ctrl+Y"),

@@ -159,6 +159,10 @@ PHRASES = {
     "spring_length": ("length of the spring {name}, {start}–{end}", "{name} yayının boyu, {start}–{end}"),
     "spring_velocity": ("ends of {name}, relative velocity, {axis} part", "{name} uçlarının bağıl hızı, {axis} bileşeni"),
     "spring_force": ("force of the spring {name}, positive where it pulls", "{name} yayının kuvveti, artıysa çeker"),
+    "spring_hold": (
+        "free length of {name} with which cam and follower would just touch",
+        "{name} yayının, kam ile izleyicinin ancak değeceği serbest boyu",
+    ),
     "sum_of_forces": (
         "weight, inertia and loads of {link}: force, {axis} part", "{link}: ağırlık, atalet ve yükler, {axis} bileşeni"
     ),
@@ -173,6 +177,9 @@ PHRASES = {
     "normal_force": ("normal force of {one} on {other}", "{one} → {other} normal kuvveti"),
     "slide_force": ("force of {one} on {other}, {axis} part", "{one} → {other} kuvveti, {axis} bileşeni"),
     "couple": ("couple of {one} on {other} about {point}", "{point} noktasına göre {one} → {other} kuvvet çifti"),
+    "contact_force": (
+        "force of {one} on {other}, along the profile's normal", "{one} → {other} kuvveti, profil normali boyunca"
+    ),
     "driving_torque": ("driving torque of {one} on {other}", "tahrik momenti, {one} → {other}"),
     "driving_force": ("driving force of {one} on {other}", "tahrik kuvveti, {one} → {other}"),
     "by_work": ("the same by virtual work", "aynısı, virtüel iş ile"),

@@ -48,6 +48,7 @@ def lines(laid):
     return sheet, found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four-bar", "jansen", "cylinder-boom", "adjustable-pump"])
 def test_one_line_for_every_symbol(name):
     laid = Laid(template_text(name))
@@ -61,6 +62,7 @@ def test_one_line_for_every_symbol(name):
         assert any(line.get(MEANING) == label and str(line[EQUATION]).startswith("=") for line in found.values()), label
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["adjustable-pump", "jansen"])
 def test_rows_are_high_enough(name):
     """At 1.05 characters to a unit of width, every text has the lines that it needs."""
@@ -127,6 +129,8 @@ def english_words():
     return (tokens(0) | kinematics | {"and", "coordinate", "fixed", "ground", "crank", "coupler", "rocker"}) - tokens(1)
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", some(TEMPLATES, 3))
 def test_turkish_throughout(name):
     """No English word in any cell, formula, comment, message, chart or sheet title of a Turkish workbook."""
@@ -177,6 +181,7 @@ def texts(laid):
             yield sheet.title, " ".join((chart.title, chart.x_axis.title, chart.y_axis.title))
 
 
+@pytest.mark.slow
 def test_what_may_be_deleted_is_read_by_nobody():
     """The notes say that they and two-way tables may go: no formula of another sheet reads them."""
     compiled = Laid(template_text("adjustable-pump"))

@@ -71,6 +71,7 @@ def unsaid(text):
     return missing + [each for part in text.parts.values() if isinstance(part, str) for each in unsaid(part)]
 
 
+@pytest.mark.slow
 def test_every_pattern_in_the_sources_has_its_turkish():
     patterns = {pattern for path in SOURCE.rglob("*.py") for pattern in said_in(path)}
     assert len(patterns) > 400
@@ -165,6 +166,7 @@ def unsaid_faults(path):
                     yield from filter(SENTENCE.search, texts)
 
 
+@pytest.mark.slow
 def test_every_fault_is_said():
     found = {(path.name, text) for path in SOURCE.rglob("*.py") for text in unsaid_faults(path)}
     assert {(name, text) for name, text in found if text not in UNSAID} == set()

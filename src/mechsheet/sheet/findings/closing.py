@@ -67,9 +67,10 @@ class LargestGap(Finding):
         wrong["apart"] = on.text("gap.apart", notes=plan.at.titles["notes"])
         wrong["over"] = on.text("gap.typed", sheet=on.checks.title)
         words = formula(
-            'IF(_rows_apart>0,apart,IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed))))',
-            apart=wrong["apart"], over=wrong["over"], typed=plan.checked.typed.cell, count=on.value("rows_closed"), gap=gap,
-            rounding=rounding, closed=closed, open=left_open,
+            'IF(rows_apart>0,apart,IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed))))',
+            rows_apart=plan.searched.rows_apart.cell, apart=wrong["apart"], over=wrong["over"],
+            typed=plan.checked.typed.cell, count=on.value("rows_closed"), gap=gap, rounding=rounding, closed=closed,
+            open=left_open,
         )  # fmt: skip
         said = on.words(self.key)
         some = ",".join(f"said={name}" for name in wrong)

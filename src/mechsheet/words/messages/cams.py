@@ -54,7 +54,14 @@ CAMS: dict[str, str] = {
     "write [[driver.segments]]": "[[driver.segments]] yazın",
     "goes with `segments`": "`segments` ile birlikte verilir",
     "rename it: the cam has a column of that name": "adını değiştirin: kamın bu adda bir sütunu var",
+    "take masses and loads away, or let the roller or the face be on what [driver] names": (
+        "kütleleri ve yükleri kaldırın ya da makarayı veya yüzü [driver] içinde adı geçen uzva koyun"
+    ),
+    "the cam presses on a link that its motion does not move directly: no forces yet": (
+        "kam, hareketin doğrudan sürmediği bir uzva basıyor: kuvvetler henüz hesaplanamıyor"
+    ),
     # what has a name
+    "contact force": "temas kuvveti",
     "column of the cam": "kamın sütunu",
     "angle of the cam": "kamın açısı",
     "cam": "kam",
