@@ -44,7 +44,7 @@ from mechsheet.sheet.plan import (
 )
 from mechsheet.sheet.task_rows import plan_rows
 from mechsheet.synthesis.kinds import kind_of
-from mechsheet.words.workbook import words
+from mechsheet.words.catalogue import words
 
 
 def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:

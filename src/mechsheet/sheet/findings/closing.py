@@ -99,7 +99,7 @@ class Leaps(Finding):
 def closes_in(plan: Plan, count: Node, rows: Node) -> Node:
     """In how many of how many positions; of all what `closes_in_all` says, of the rows that there are."""
     text = plan.text
-    some, end = joined(text("verdict.line.closes"), " ", count, " / ", rows), f" {text('verdict.line.positions')}"
+    some, end = joined(text("verdict.line.closes"), " ", count, " / ", rows), text("verdict.line.positions")
     before, after = text("verdict.line.all", rows="#").split("#")
     everywhere = joined(before, rows)
     if plan.rows == 1:
