@@ -100,12 +100,18 @@ class Stretch:
 
 @dataclass(frozen=True, slots=True)
 class Extreme:
-    """The smallest or the largest value of a quantity, and the driver's value there; where the quantity turns back [rows],
-    if a ratio of times is asked for."""
+    """The smallest or the largest value of a quantity, the driver's value there, and how much the value is to be doubted.
+
+    turns, turns_doubt  where the quantity turns back [rows], if a ratio of times is asked for, and how much that is
+    boundless           whether there is no such value, where there may be none
+    """
 
     value: Spot
     occurs: Spot
-    turns: Spot | None = None
+    doubt: Spot
+    turns: Spot | None
+    turns_doubt: Spot | None
+    boundless: Spot | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +120,7 @@ class Searched:
 
     whole      1 for whole turns whose last row is the first again, 2 where that row is left out, else 0
     fine, there  whether all inputs can be; whether the position that is drawn is one
-    rows       how many rows the table has
+    rows       how many rows the table has;  rows_apart: in how many of the sheets that have them they differ
     count      how many stretches there are, of which the first ones have places;  worst_group: which of several angles of
                transmission is the least
     unsettled  whether a limit is known to a step only;  rows_only: whether only rows are known
@@ -128,6 +134,7 @@ class Searched:
     fine: Spot
     there: Spot
     rows: Spot
+    rows_apart: Spot
     count: Spot
     unsettled: Spot
     rows_only: Spot

@@ -4,9 +4,9 @@ masses and of loads."""
 from __future__ import annotations
 
 from mechsheet.model import Dimension, Mechanism, Rack
+from mechsheet.words.catalogue import Language, words
 from mechsheet.words.equations import link_words
 from mechsheet.words.symbols import plain
-from mechsheet.words.workbook import Language, words
 
 
 def given_words(mechanism: Mechanism, language: Language, dim: Dimension) -> str:

@@ -21,7 +21,7 @@ from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.rates.sensitivity import toleranced
 from mechsheet.kinematics.search import TURN
 from mechsheet.sheet.checks.limits import STRETCHES
-from mechsheet.sheet.first.title_line import closes_in_all
+from mechsheet.sheet.findings.closing import closes_in_all
 from mechsheet.sheet.geometry import distance
 from mechsheet.sheet.grashof import is_all, named
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
@@ -116,7 +116,7 @@ class _Judge:
         self.line()
         if not self.truth.count:
             loops = [f"grashof_{loop.group}" for loop in self.found.four_bars]
-            for key in self.found.entries:
+            for key in self.plan.places.lines:
                 if key not in ("inputs", "rows_closed", "input_from", *loops):
                     self.say(
                         "nothing else said where nothing closes",
@@ -172,7 +172,7 @@ class _Judge:
 
     def no_errors_in_words(self):
         sheets = self.sheets
-        texts = [sheets.cell(VERDICT_ROW, 0), *(sheets.words(key) for key in self.found.entries)]
+        texts = [sheets.cell(VERDICT_ROW, 0), *(sheets.words(key) for key in self.plan.places.lines)]
         for summary in self.plan.mechanism.summaries:
             texts.append(sheets.cell(self.plan.blocks["summary"].rows[summary.symbol], MEANING))
         for text in texts:

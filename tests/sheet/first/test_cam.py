@@ -43,6 +43,7 @@ def test_undercut_roller():
     assert number <= 0 and words == "undercut: this profile cannot be made"
 
 
+@pytest.mark.slow
 def test_leaps():
     text = (TEMPLATES / "cam-slide.toml").read_text(encoding="utf-8")
     smooth = loads(text)

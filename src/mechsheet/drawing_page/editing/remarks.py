@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from mechsheet.description.text.index import key_text
 from mechsheet.drawing_page.editing.sheet import Sheet
-from mechsheet.words.drawing_page import DRAWING_PAGE
+from mechsheet.words.catalogue import words
 
 WIDE = 26
 """Characters before a remark, so that those of one table stand below one another."""
@@ -12,7 +12,7 @@ WIDE = 26
 
 def said(sheet: Sheet, key: str, **parts: str) -> str:
     """Words of the page in its language."""
-    return DRAWING_PAGE[key][sheet.language == "tr"].format(**parts)
+    return words(sheet.language, f"draw.{key}", **parts)
 
 
 def noted(sheet: Sheet, value: str, key: str, **parts: str) -> str:

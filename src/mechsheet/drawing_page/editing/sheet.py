@@ -16,7 +16,7 @@ from mechsheet.drawing_page.editing.shaping import Drawn, digits_for, size_of, w
 from mechsheet.drawing_page.positions import Point, Pose
 from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
 from mechsheet.model import Link
-from mechsheet.words.workbook import Language
+from mechsheet.words.catalogue import Language
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,10 +17,10 @@ from mechsheet.kinematics.equations import FORCES
 from mechsheet.model import Cartesian, Dimension, Distances, Gear, Joint, Link, Place, Polar, Quantity, Rack
 from mechsheet.sheet.mathematics import Part, written
 from mechsheet.units import DEG
+from mechsheet.words.catalogue import words
 from mechsheet.words.equations import body_words, link_words
 from mechsheet.words.given import given_words
 from mechsheet.words.homework import said
-from mechsheet.words.workbook import words
 
 Line = list[Part]
 NEXT: Part = (";  ", "")

@@ -14,10 +14,10 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.first import inputs, task
+from mechsheet.sheet.findings import inputs, task
+from mechsheet.sheet.findings.closing import closes_in
 from mechsheet.sheet.first.blocks import value_style
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.first.title_line import closes_in
 from mechsheet.sheet.grashof import (
     Sides,
     bound_of,
