@@ -25,10 +25,14 @@ MARKS = {"bad": "●", "look": "▲", "good": ""}
 
 @dataclass(frozen=True, slots=True)
 class Level:
-    """How good what is found is where a test of the sheet's own cells holds: other programs refuse another's cells."""
+    """How good what is found is where a test of the sheet's own cells holds: other programs refuse another's cells.
+
+    decides  whether the line under the title has this level, too, where no other line has a worse one
+    """
 
     kind: Literal["bad", "look", "good"]
     test: Node
+    decides: bool = True
 
 
 def bad(test: str, **holes: Node | float | str) -> Level:
@@ -39,6 +43,11 @@ def bad(test: str, **holes: Node | float | str) -> Level:
 def look(test: str, **holes: Node | float | str) -> Level:
     """A person should look at it."""
     return Level("look", formula(test, **holes))
+
+
+def note(test: str, **holes: Node | float | str) -> Level:
+    """A person should know it, and may well want it so: it leaves the line under the title as it is."""
+    return Level("look", formula(test, **holes), decides=False)
 
 
 def good(test: str, **holes: Node | float | str) -> Level:

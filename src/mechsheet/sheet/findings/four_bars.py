@@ -7,7 +7,7 @@ from dataclasses import replace
 from livesheet.formula.nodes import Call, Node, Number, RangeRef, Text
 from mechsheet.sheet import styles
 from mechsheet.sheet.classification import FourBar
-from mechsheet.sheet.findings.finding import Finding, InTitle, Level, Line, bad, look
+from mechsheet.sheet.findings.finding import Finding, InTitle, Level, Line, bad, look, note
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.grashof import (
     BEGINS,
@@ -52,7 +52,7 @@ class FourBarType(Finding):
         begin = f"{named(loop, plan)}: "
         levels: tuple[Level, ...] = (
             bad(BEGINS, said=said, begin=begin + text("open")),
-            look("said=change", said=said, change=begin + text("change")),
+            note("said=change", said=said, change=begin + text("change")),
         )
         reach: Node | str = ""
         if plan.mechanism.bands is not None:

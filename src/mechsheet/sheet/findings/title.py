@@ -3,16 +3,12 @@ wrong, and where."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
-from livesheet.formula.nodes import Node
-from mechsheet.sheet.findings import task
-from mechsheet.sheet.findings.finding import Finding, Level, bad, good
+from livesheet.formula.nodes import Call, Node
+from mechsheet.sheet.findings.finding import Finding, Level, Line, good
 from mechsheet.sheet.findings.reading import Reading
-from mechsheet.sheet.findings.transmission import column
-from mechsheet.sheet.plan import VALUE
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.transmission import some_poor
 
 
 def title_words(on: Reading, findings: Sequence[Finding]) -> Node:
@@ -25,28 +21,13 @@ def title_words(on: Reading, findings: Sequence[Finding]) -> Node:
     return title
 
 
-def title_colours(on: Reading, said: Node) -> list[Level]:
-    """Its levels; `said`: its words."""
-    plan, count, rows = on.plan, on.value("rows_closed"), on.of_rows
-    # rules read this sheet only: other programs refuse another's cells
-    wrong = formula("OR(n=0,said=inputs,said=gap)", said=said, gap=on.words("largest_gap"), n=count,
-                    inputs=on.words("inputs"))  # fmt: skip
-    if plan.found.task is not None:
-        wrong = formula("OR(bad,wrong>0)", bad=wrong, wrong=on.value("task"))
-    lost = on.words("same_assembly") if plan.found.newton else None
-    if lost is not None:
-        wrong = formula("OR(bad,count=0,leapt>0)", bad=wrong, count=count, leapt=on.value("same_assembly"))
-    doubts = formula("count<rows", count=count, rows=rows)
-    if plan.found.limits:
-        doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=on.value("passes"))
-    if plan.found.transmission:
-        poor = some_poor(plan.mechanism, column(on, plan.found.transmission, VALUE))
-        doubts = formula("OR(doubts,poor)", doubts=doubts, poor=poor)
-    if plan.found.task is not None:
-        doubts = formula("OR(doubts,doubt)", doubts=doubts, doubt=task.doubtful(plan, on.words("task")))
-    if plan.found.four_bars and plan.mechanism.bands is not None:
-        doubts = formula("OR(doubts,ISNUMBER(FIND(reach,said)))", doubts=doubts, said=said,
-                         reach=on.text("grashof.reach"))  # fmt: skip
-    if lost is not None:
-        doubts = formula("OR(doubts,lost=begun)", doubts=doubts, lost=lost, begun=on.text("same_assembly.begun"))
-    return [bad("wrong", wrong=wrong), Level("look", doubts), good("count=rows", count=count, rows=rows)]
+def title_levels(on: Reading, lines: Iterable[Line]) -> list[Level]:
+    """It is as bad as the worst line that decides it, and good where every row closes and no line says otherwise."""
+    levels = [level for line in lines for level in line.levels if level.decides]
+
+    def some(kind: str) -> Node:
+        tests = (formula("IFERROR(test,FALSE)", test=level.test) for level in levels if level.kind == kind)
+        return Call("OR", tuple(tests))
+
+    everywhere = good("count=rows", count=on.value("rows_closed"), rows=on.of_rows)
+    return [Level("bad", some("bad")), Level("look", some("look")), everywhere]

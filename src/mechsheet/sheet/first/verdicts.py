@@ -14,7 +14,7 @@ from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.findings.finding import LEVELS, MARKS, Line
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.findings.reading import Reading
-from mechsheet.sheet.findings.title import title_colours, title_words
+from mechsheet.sheet.findings.title import title_levels, title_words
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.plan import LEGEND_ROW, MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
@@ -31,7 +31,7 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
     _write_marks(writer, on, lines)
     writer.formula(VERDICT_ROW, SYMBOL, title_words(on, findings), styles.LINE)
     area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING)
-    for level in title_colours(on, CellRef(VERDICT_ROW, SYMBOL, True, True)):
+    for level in title_levels(on, lines.values()):
         writer.colour(area, level.test, LEVELS[level.kind])
     return [Merge(area)]
 
