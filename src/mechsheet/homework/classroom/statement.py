@@ -16,11 +16,11 @@ from mechsheet.homework.classroom.cam import cam_lines, sign_of
 from mechsheet.homework.classroom.directions import Direction, Directions
 from mechsheet.kinematics.equations import FORCES
 from mechsheet.model import Cartesian, Dimension, Distances, Gear, Joint, Link, Place, Polar, Quantity, Rack
-from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.mathematics import Part, written
 from mechsheet.units import DEG
 from mechsheet.words.catalogue import words
 from mechsheet.words.equations import body_words, link_words
+from mechsheet.words.given import given_words
 from mechsheet.words.homework import said
 
 Line = list[Part]
@@ -61,7 +61,7 @@ class Statement:
             found = self.mechanism.synthesis is not None and not dim.written and not dim.place
             if found or (isinstance(dim.value, float) and (not dim.place or dim.symbol in self.needed)):
                 known = dim.place[:1] not in ((), ("synthesis",)) and "center" not in dim.place
-                label = given_words(self.compiled.plan, dim) if known else ""
+                label = given_words(self.compiled.mechanism, self.language, dim) if known else ""
                 number = round(float(dim.unit.to_shown(values[dim.symbol])), 10)
                 yield dim, number, dim.label.of(self.language) if dim.label is not None else label
 
