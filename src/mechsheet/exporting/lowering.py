@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Direction, Node, Symbol, TriangleAngle, symbols
+from livesheet.said import Words
 from mechsheet.compiled import Compiled
 from mechsheet.kinematics.equations import Equation, Group
 from mechsheet.kinematics.naming import FreshNames, given_names, without_group
-from mechsheet.model import Words
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import NOTHING, phrase
 
