@@ -427,6 +427,7 @@ Ends: TypeAlias = tuple[float | None, float | None]
 class ChartRequest:
     """Curves of `y` against `x`, or the paths of points at true scale, or those of the ends of their velocity vectors.
 
+    profile         whether the profile of the cam is drawn instead
     x_ends, y_ends  where the axes of curves begin and end, as they are shown; None: chosen
     """
 
@@ -435,6 +436,7 @@ class ChartRequest:
     y: tuple[str, ...] = ()
     paths: tuple[str, ...] = ()
     hodographs: tuple[str, ...] = ()
+    profile: bool = False
     x_ends: Ends = (None, None)
     y_ends: Ends = (None, None)
 
