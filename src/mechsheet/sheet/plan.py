@@ -33,7 +33,7 @@ from mechsheet.sheet.columns.bands import Banded, sizes
 from mechsheet.sheet.columns.lowering import Assignment, Assignments
 from mechsheet.sheet.places import Checked, Places, Searched, there
 from mechsheet.sheet.task_rows import Rows
-from mechsheet.words.workbook import Language, words
+from mechsheet.words.catalogue import Language, words
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING, MARGIN, CHARTS = range(7)
 """Columns of the blocks on the first sheet, the narrow one beside them, and the first one of the charts."""

@@ -27,7 +27,7 @@ from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.places import Places
 from mechsheet.sheet.plan import SHEETS, UNIT, VERDICT_ROW, Block, Named, Plan, TableColumn
 from mechsheet.sheet.wrapping import ROW_HEIGHT
-from mechsheet.words.workbook import words
+from mechsheet.words.catalogue import words
 
 FIRST_ROW = 3
 """The row of the first dimension: its value is $B$4, as in the text."""
