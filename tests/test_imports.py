@@ -313,7 +313,9 @@ SHEET = (
     {"checks"},
     {"drawing"},
     {"synthesis"},
-    # the first sheet says what all of these find; notes and tables asked for repeat it in words and for other dimensions
+    # what can be said of the motion, of what all of these find
+    {"findings"},
+    # the first sheet says it; notes and tables asked for repeat it in words and for other dimensions
     {"first"},
     {"notes", "asked"},
     # everything gets its place

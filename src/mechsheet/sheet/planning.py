@@ -19,6 +19,7 @@ from mechsheet.sheet.columns.bands import found_bands, tolerance_symbol, with_ba
 from mechsheet.sheet.columns.flywheel import MEAN, with_energy
 from mechsheet.sheet.columns.lowering import Assignment, in_pass, lowered
 from mechsheet.sheet.columns.start_columns import start_columns
+from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.places import Places, Starts
 from mechsheet.sheet.plan import (
@@ -102,11 +103,13 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
         _block(plan, "summary", [each.symbol for each in singles])
     if mechanism.bands:
         _block(plan, "bands", [*mechanism.bands.quantities, *mechanism.bands.summaries])
-    _block(plan, "verdicts", plan.found.entries)
+    findings = findings_of(mechanism, plan.found)
+    keys = [finding.key for finding in findings]
+    _block(plan, "verdicts", keys)
     _block(plan, "derived", [dim.symbol for dim in derived] + [eq.symbol for eq in plan.equations.constants])
     spots, rows = plan.at.spots, {key: block.rows for key, block in plan.blocks.items()}
     placed = [dim for dim in mechanism.dimensions if block_of(dim) != "synthesis"]
-    called = names_of_dimensions(mechanism, placed, named.taken, kept_names(mechanism, [*plan.found.entries, *shown]))
+    called = names_of_dimensions(mechanism, placed, named.taken, kept_names(mechanism, [*keys, *shown]))
     for dim in placed:
         own_rows = rows[block_of(dim) or ("dimensions" if dim.symbol in rows["dimensions"] else "derived")]
         row, name = own_rows[dim.symbol], called[dim.symbol]
@@ -134,9 +137,10 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
     }
     verdict = named.cell(VERDICT_ROW, "verdict", SYMBOL)
     lines, occurs = {}, {}
-    for key, row in rows["verdicts"].items():
+    for finding in findings:
+        key, row = finding.key, rows["verdicts"][finding.key]
         lines[key] = named.cell(row, key)
-        if key in plan.found.placed:
+        if finding.placed:
             occurs[key] = named.cell(row, f"{key}_at", TOLERANCE)
     if "mean_torque" in lines:
         spots[MEAN] = lines["mean_torque"]

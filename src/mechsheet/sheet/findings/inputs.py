@@ -15,6 +15,8 @@ from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text
 from livesheet.workbook import Area, Conditional
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.findings.finding import Finding, Line, bad, good
+from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.plan import SYMBOL, VALUE, Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.words.symbols import plain
@@ -34,6 +36,26 @@ CAN_BE: dict[Kind, str] = {
 
 CHOICES = 29
 """So many LibreOffice's CHOOSE takes beside the number; Excel takes more."""
+
+
+class Inputs(Finding):
+    """Which yellow cell holds what cannot be; it is red, and so is the line."""
+
+    key = "inputs"
+
+    def line(self, on: Reading) -> Line:
+        plan, said = on.plan, on.words(self.key)
+        fine = on.text("inputs.fine")
+        fits = formula("IF(known,fine,misfit)", known=on.found.fine.cell, fine=fine, misfit=on.text("inputs.misfit"))
+        nowhere = formula("said=words", said=said, words=no_position(plan))
+        return Line(
+            on.text(self.key), first_wrong(plan), words(plan, on.value(self.key), on.found.there.cell, fits),
+            levels=(bad("said<>fine", said=said, fine=fine), good("said=fine", said=said, fine=fine)),
+            rules=red_where_wrong(plan, nowhere),
+        )  # fmt: skip
+
+    def overrules(self, on: Reading, title: Node) -> Node:
+        return formula("IF(fine,title,said)", fine=on.found.fine.cell, title=title, said=on.words(self.key))
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,9 @@ from __future__ import annotations
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import CellRef, Node, RangeRef
 from mechsheet.model import Synthesis
+from mechsheet.sheet.findings.finding import Finding, InTitle, Level, Line, bad, good
+from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.naming import Naming
@@ -17,6 +20,32 @@ from mechsheet.sheet.synthesis.requirement_checks import EXACT, NO
 from mechsheet.sheet.synthesis.tables import apart
 from mechsheet.sheet.task_rows import LINE_ROW, ROUNDED, SYMBOL, USED, Rows, verdicts_of
 from mechsheet.synthesis.kinds import kind_of
+
+
+class Task(Finding):
+    """Whether the dimensions that are found from a task do what it asks."""
+
+    key = "task"
+
+    def __init__(self, asked: Synthesis) -> None:
+        self.asked = asked
+
+    def line(self, on: Reading) -> Line:
+        plan, count, words = on.plan, on.value(self.key), on.words(self.key)
+        return Line(
+            on.text(self.key), wrong(plan, self.asked), said(plan, there(plan.synthesis), count),
+            levels=(
+                bad("wrong>0", wrong=count), Level("look", doubtful(plan, words)),
+                good("said=exactly", said=words, exactly=exactly(plan)),
+            ),
+        )  # fmt: skip
+
+    def in_title(self, on: Reading) -> InTitle:
+        first, last = (
+            formula(text, count=on.value(self.key), words=on.words(self.key))
+            for text in ('IF(count>0,words&"; ","")', 'IF(count>0,"","; "&words)')
+        )
+        return InTitle(first=first, last=last)
 
 
 def exactly(plan: Plan) -> str:
