@@ -16,12 +16,13 @@ one.)
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Node, Symbol
+from livesheet.formula.nodes import Node, Symbol
+from livesheet.said import Words
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.functions.all_functions import patterns, prefix_of
 from mechsheet.exporting.functions.calls import with_calls
@@ -35,7 +36,6 @@ from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.newton.lost_assembly import scales
 from mechsheet.kinematics.newton.tracing import STEP
 from mechsheet.kinematics.points_in_link import number
-from mechsheet.model import Words
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import NOTHING
 
@@ -149,21 +149,11 @@ def _solver(source: Source, compiled: Compiled, group: Group, system: System) ->
         scales(mechanism, source.equations, system),
         system.passes,
         described,
-        _block(asked, _with_lengths(source), still),
+        _block(asked, source.steps, still),
         earlier,
         _block((*still, *driven, *earlier), rules, [*names.values()]),
         _passing(system),
     )
-
-
-def _with_lengths(source: Source) -> dict[str, Step]:
-    """The steps; no number for the tolerance while a length is none."""
-    driver, tolerance = source.mechanism.driver.symbol, source.equations.tolerance
-    lengths = [Symbol(name) for name in source.equations.positive if name != driver]
-    if not lengths:
-        return source.steps
-    missing = Binary("<=", al.smallest(lengths), al.ZERO)
-    return source.steps | {tolerance: replace(source.steps[tolerance], missing=missing)}
 
 
 def _read(source: Source, system: System, name: str) -> str:
