@@ -144,6 +144,22 @@ def test_modes_are_arguments(tmp_path):
     assert worst_against_reference(mechanism, found, modes={"mode_1": -mode}) < 1e-9
 
 
+IMPOSSIBLE = [{"a2": -35.0}, {"a3": 0.0}, {"mode_1": 3.0}, {"mode_1": 0.0}]
+
+
+def test_what_a_workbook_refuses_has_no_positions(tmp_path):
+    """A length between joints that is not above 0, a mode that is neither 1 nor -1: the crank alone has an angle."""
+    mechanism = load(next(path for path in TEMPLATES if path.stem == "four-bar"))
+    for number, changes in enumerate([{}, *IMPOSSIBLE]):
+        export(mechanism, "python", tmp_path / f"four_bar_{number}.py")
+        (tmp_path / f"four_bar_{number}.changes").write_text(repr(changes))
+    run_all(tmp_path)
+    for number in range(len(IMPOSSIBLE) + 1):
+        found = loaded(tmp_path, f"four_bar_{number}")
+        assert np.isfinite(found["theta14"]).any() == (number == 0)
+        assert np.isfinite(found["theta12"]).all()
+
+
 def test_a_mechanism_without_dimensions_or_modes(tmp_path):
     """Nothing can be changed but the driver's values: then there is no keyword to ask for."""
     head = 'format = 1\n[mechanism]\nname = "arm"\n[links.base]\npoints = { O = [0, 0] }\n'

@@ -315,6 +315,23 @@ class Equations:
         """What people read of the forces: not the parts, nor the effort once more."""
         return self.forces("effort", "besides", *JOINT_FORCES, "couple", "whole", "center", "hold")
 
+    def impossible(self, driver: str) -> Node | None:
+        """True while an input is none that a mechanism can have: a length between joints that is not above 0, another mode
+        than there are. None where no input could be one.
+
+        driver  its symbol: a driven slide that is no length is found row by row, where its group comes apart
+        """
+        lengths = tuple(Symbol(name) for name in self.positive if name != driver)
+        wrong: list[Node] = [Binary("<=", al.smallest(lengths), al.ZERO)] if lengths else []
+        modes = [(Symbol(group.mode), group.system) for group in self.groups if group.mode]
+        wrong += [Binary("<>", al.call("ABS", mode), al.ONE) for mode, system in modes if system is None]
+        for mode, system in modes:
+            if system is not None:
+                most = al.number(len(system.starts))
+                middle = al.sub(al.sub(al.mul(al.TWO, mode), most), al.ONE)
+                wrong.append(Binary(">=", al.call("ABS", middle), most))
+        return al.any_of(wrong) if wrong else None
+
     def of(self, symbol: str) -> Equation:
         """The equation of a symbol."""
         return next(equation for equation in (*self.all, *self.listed) if equation.symbol == symbol)

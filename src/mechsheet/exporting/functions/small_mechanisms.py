@@ -54,7 +54,7 @@ def _source(
         tuple(joints),
         replace(driver, values=(value,)),
     )
-    return Source(Compiled(mechanism))
+    return Source(Compiled(mechanism), judged=False)
 
 
 def _size(named: Named) -> Quantity:

@@ -16,12 +16,12 @@ one.)
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Node, Symbol
+from livesheet.formula.nodes import Node, Symbol
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.functions.all_functions import patterns, prefix_of
 from mechsheet.exporting.functions.calls import with_calls
@@ -149,21 +149,11 @@ def _solver(source: Source, compiled: Compiled, group: Group, system: System) ->
         scales(mechanism, source.equations, system),
         system.passes,
         described,
-        _block(asked, _with_lengths(source), still),
+        _block(asked, source.steps, still),
         earlier,
         _block((*still, *driven, *earlier), rules, [*names.values()]),
         _passing(system),
     )
-
-
-def _with_lengths(source: Source) -> dict[str, Step]:
-    """The steps; no number for the tolerance while a length is none."""
-    driver, tolerance = source.mechanism.driver.symbol, source.equations.tolerance
-    lengths = [Symbol(name) for name in source.equations.positive if name != driver]
-    if not lengths:
-        return source.steps
-    missing = Binary("<=", al.smallest(lengths), al.ZERO)
-    return source.steps | {tolerance: replace(source.steps[tolerance], missing=missing)}
 
 
 def _read(source: Source, system: System, name: str) -> str:

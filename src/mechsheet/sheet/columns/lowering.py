@@ -158,7 +158,12 @@ class _Lowering:
     def _lower(self, equation: Equation) -> None:
         match equation.expression:
             case _ if equation.symbol == self.equations.tolerance:
-                self._add(equation, self._tolerance(equation.expression))
+                # no number while an input is none that a mechanism can have: then no row claims a position
+                impossible = self.equations.impossible(self.driver)
+                least = equation.expression
+                if impossible is not None:
+                    least = formula("IF(impossible,NA(),least)", impossible=impossible, least=least)
+                self._add(equation, least)
             case Direction(y, x):
                 self._direction(equation, y, x)
             case Root(unknown, _):
@@ -186,20 +191,6 @@ class _Lowering:
             )
         )  # fmt: skip
         return Symbol(equation.symbol)
-
-    def _tolerance(self, expression: Node) -> Node:
-        """No number while an input is none that a mechanism can have: then no row claims a position."""
-        # a driven slide is a column: where it is no length, its group comes apart in that row
-        lengths = tuple(Symbol(name) for name in self.equations.positive if name != self.driver)
-        modes = [Symbol(group.mode) for group in self.equations.groups if group.mode]
-        wrong: list[Node] = [Binary("<=", al.smallest(lengths), al.ZERO)] if lengths else []
-        numbered = {Symbol(system.mode): float(len(system.starts)) for system in self.systems}
-        wrong += [formula("ABS(mode)<>1", mode=mode) for mode in modes if mode not in numbered]
-        wrong += [formula("ABS(2*mode-most-1)>=most", mode=mode, most=most) for mode, most in numbered.items()]
-        if not wrong:
-            return expression
-        test = wrong[0] if len(wrong) == 1 else Call("OR", tuple(wrong))
-        return formula("IF(wrong, NA(), least)", wrong=test, least=expression)
 
     def _passes(self, equation: Equation, system: System) -> None:
         """All passes but the last step: where each begins, and what follows there."""
