@@ -23,7 +23,7 @@ def lines(name, language="en"):
     found = mechanism(name, language)
     with settings():
         pages = _Task(Compiled(found), "", figure_of(found)).pages
-        texts = [[text for text in page.figure.texts] for page in pages]
+        texts = [list(page.figure.texts) for page in pages]
     rows = {}
     for number, page in enumerate(texts):
         for text in page:
