@@ -8,7 +8,8 @@ Source of the names and of the order of arguments: Soeylemez, Mechanisms, sectio
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import TypeAlias
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Number, Symbol
@@ -20,30 +21,15 @@ from mechsheet.kinematics.ledger import CLOSING
 from mechsheet.model import Words
 from mechsheet.units import LENGTH, NUMBER, RAD, Unit
 
-
-@dataclass(frozen=True, slots=True)
-class Basic:
-    """A basic function: what it is called, and its routine."""
-
-    name: Words
-    routine: Routine
-
+Basic: TypeAlias = tuple[Words, Routine]
+"""A basic function: what it is called, and its routine."""
 
 # --- the functions --------------------------------------------------------------------------------------------------
 
 CONFIG = "mode_1"
 
 PARAMETERS = {
-    "X": Words("X", "X"),
-    "Y": Words("Y", "Y"),
-    "A": Words("A", "A"),
-    "B": Words("B", "B"),
-    "C": Words("C", "C"),
-    "Tol": Words("Tol", "Tol"),
     "Area": Words("Area", "Alan"),
-    "U1": Words("U1", "U1"),
-    "U2": Words("U2", "U2"),
-    "U3": Words("U3", "U3"),
     "crank": Words("Crank", "Krank"),
     "coupler": Words("Coupler", "Biyel"),
     "output": Words("Output", "Çıkış"),
@@ -130,7 +116,7 @@ def _elementary() -> list[Basic]:
     found = []
     for key, name, step, order, renamed, unit, about in rows:
         routine = Routine(key, about, _parameters(order), (), step.expression, unit, missing=step.missing)
-        found.append(Basic(name, with_names(routine, renamed)))
+        found.append((name, with_names(routine, renamed)))
     return found
 
 
@@ -147,7 +133,7 @@ def _law_of_cosines() -> Basic:
     )
     result = Call("triangle angle", (u1, u2, u3, Symbol("Delta")))
     routine = Routine("law of cosines", about, _parameters("U1 U2 U3"), steps, result, RAD)
-    return Basic(Words("AngCos", "AçıCos"), routine)
+    return Words("AngCos", "AçıCos"), routine
 
 
 def _linkages() -> list[Basic]:
@@ -206,7 +192,7 @@ def _linkages() -> list[Basic]:
 
 def _linkage(name: Words, source: Source, symbol: str, order: str, about: Words) -> Basic:
     routine = source.routine(name.en, symbol, about, order.split(), windowed=False)
-    return Basic(name, replace(routine, parameters=_parameters(order)))
+    return name, replace(routine, parameters=_parameters(order))
 
 
 def _whole_turn() -> Basic:
@@ -220,4 +206,4 @@ def _whole_turn() -> Basic:
     routine = with_values(routine, {CONFIG: al.ONE})
     result = AngleBranch(0, math.pi).taken(routine.result, Symbol("theta12"))
     routine = replace(routine, parameters=_parameters("crank ground theta12"), result=result)
-    return Basic(Words("SlottedLever", "KolKızak"), routine)
+    return Words("SlottedLever", "KolKızak"), routine
