@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Node, Root, Symbol, symbols
+from livesheet.said import Words
 from mechsheet.kinematics.closures import Loop
-from mechsheet.model import Words
 from mechsheet.units import Unit
 
 Role = Literal[

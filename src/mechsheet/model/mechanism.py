@@ -8,11 +8,12 @@ from typing import Literal, TypeAlias
 
 from livesheet.formula.nodes import Call, Node, symbols
 from livesheet.formula.nodes import Number as NumberNode
+from livesheet.said import Words
 from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 
 from .asked import Exercise, Study, Synthesis, Tolerances
 from .cams import Cam, Segments
-from .symbols import TIME, Quantity, Words, rate_symbols
+from .symbols import TIME, Quantity, rate_symbols
 from .takes import Take
 
 

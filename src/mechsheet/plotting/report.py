@@ -27,7 +27,7 @@ from mechsheet.shapes.positions import Item, Label, Positions, Scene, Stroke, Wi
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW
 from mechsheet.sheet.shown import shown_unit
 from mechsheet.units import behind_number
-from mechsheet.words import pictures as words
+from mechsheet.words.catalogue import words
 from mechsheet.words.symbols import plain
 
 if TYPE_CHECKING:
@@ -332,7 +332,7 @@ def _pages(first: _FirstSheet, stage: Stage) -> list[Figure]:
     if found.plan.held_columns:
         rows = _largest(found)
         page = _with_room(pages, LARGEST[1] + (len(rows) + 4) * LINE, charts)
-        page.heading(words.FORCES.of(plan.language))
+        page.heading(words(plan.language, "picture.forces"))
         page.drawing(Positions(found, VECTORS[2:]).at(found.shown), mechanism.length_unit)
         page.columns(rows, 1)
     pages[-1].curves(charts)
@@ -355,7 +355,7 @@ def _head(page: _Paper, first: _FirstSheet) -> None:
     mechanism, language = first.plan.mechanism, first.plan.language
     page.paragraph(mechanism.title.of(language), 16, "#1F4E79", bold=True)
     if source := mechanism.source.of(language):
-        page.paragraph(f"{words.SOURCE.of(language)}: {source}", SMALL, QUIET)
+        page.paragraph(f"{words(language, 'picture.source')}: {source}", SMALL, QUIET)
     page.down += 0.4 * LINE
     page.paragraph(first.verdict)
     page.down += 0.5 * LINE

@@ -22,6 +22,7 @@ import numpy as np
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
+from livesheet.said import Words
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.functions.all_functions import patterns, prefix_of
 from mechsheet.exporting.functions.calls import with_calls
@@ -35,7 +36,6 @@ from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.newton.lost_assembly import scales
 from mechsheet.kinematics.newton.tracing import STEP
 from mechsheet.kinematics.points_in_link import number
-from mechsheet.model import Words
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import NOTHING
 

@@ -29,11 +29,12 @@ from livesheet.formula.nodes import (
     transform,
     walk,
 )
+from livesheet.said import Words
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, LinkPose, Role, System
 from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.kinematics.newton.newton_equations import ITERATED
 from mechsheet.kinematics.newton.system import CLOSED
-from mechsheet.model import Mechanism, Words
+from mechsheet.model import Mechanism
 from mechsheet.sheet.quoted import formula
 from mechsheet.units import LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
