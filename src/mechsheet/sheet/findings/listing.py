@@ -52,7 +52,7 @@ def _effort(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
     if mechanism.cam is not None:
         yield from (cam.PressureAngle(), cam.LeastRadius())
         if found.forces:
-            yield cam.ContactForce()
+            yield from cam.contact_findings(mechanism, found.cam)
     yield from cam.largest_rates(mechanism)
     motion = segments_of(mechanism)
     if motion is not None:
