@@ -33,7 +33,7 @@ ALLOWED = {
     "reference": {"model", "livesheet.formula.nodes"},
     # tasks and the steps of their solutions, as dimensions that follow from others
     "synthesis": {"livesheet.portable", "model", "livesheet.formula", "units", "words"},
-    "description": {"livesheet.portable", "model", "livesheet.formula", "units", "synthesis"},
+    "description": {"livesheet.portable", "model", "livesheet.formula", "units", "synthesis", "words"},
     "kinematics": {"livesheet.portable", "model", "livesheet.formula", "units", "words"},
     # forces, from what is solved already; kinematics knows nothing of them
     "dynamics": {"livesheet.portable", "model", "livesheet.formula", "kinematics", "units", "words"},

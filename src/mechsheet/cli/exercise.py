@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.words.catalogue import LANGUAGES
 
 from .common import at_lines_of, described, progress, say_written
 from .helping import Explained
@@ -20,7 +21,7 @@ from .speaking import note
     "-o", "--output", required=True, metavar="FOLDER", type=click.Path(path_type=Path), help="Folder to write into."
 )
 @click.option("--seed", default=0, show_default=True, help="Another seed: other dimensions.")
-@click.option("--language", type=click.Choice(["en", "tr"]), help="Of the sheets, in place of the description's.")
+@click.option("--language", type=click.Choice(LANGUAGES), help="Of the sheets, in place of the description's.")
 def exercise(description: Path, class_list: Path, output: Path, seed: int, language: str | None) -> None:
     """Give each student in a list different dimensions, as [exercise] of the description says.
 

@@ -10,7 +10,7 @@ import math
 import textwrap
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -80,7 +80,7 @@ Row = tuple[str, str, str]
 """What it is called, its value with its unit, what it means."""
 
 
-def report(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"] | None) -> bytes:
+def report(mechanism: Mechanism, at: float | None, language: str | None) -> bytes:
     """The PDF. `at`: the position drawn, instead of the worst one. Raises as `plot` does."""
     mechanism = replace(mechanism, layout="sheets", language=language or mechanism.language)
     first = _FirstSheet(compiled_of(mechanism))
