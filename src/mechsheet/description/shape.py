@@ -214,7 +214,7 @@ def _words(value: Any, text: Text, path: Path, report: Report) -> Any:
         if key not in LANGUAGES:
             report.at((*path, key), say("unknown language"), suggestion(key, LANGUAGES, "languages"))
     if ENGLISH not in value:
-        report.at(path, say("{keys} is missing", keys=ENGLISH), say("one text in quotes serves all languages"))
+        report.at(path, say("{keys} is missing", keys=quoted(ENGLISH)), say("one text in quotes serves all languages"))
         return BAD
     return {key: fit(value[key], text, (*path, key), report) for key in LANGUAGES if key in value}
 
