@@ -216,9 +216,10 @@ class _Lowering:
 
     def _reads_passes_alone(self, equation: Equation) -> bool:
         """Whether a coefficient follows from the last pass and what is the same in every row: of the Jacobian alone."""
-        system = next((group.system for group in self.equations.groups if group.number == equation.group), None)
-        if equation.role != "coefficient" or system is None:
+        group = self.equations.group_of(equation)
+        if equation.role != "coefficient" or group is None or group.system is None:
             return False
+        system = group.system
         body, read = {each.symbol for each in system.body}, set(equation.reads)
         return bool(read & body) and not (read - body) & {each.symbol for each in self.equations.columns}
 
@@ -239,13 +240,12 @@ class _Lowering:
     def _triangle_angle(self, equation: Equation, opposite: Node, beside: Node, other: Node) -> None:
         """By ATAN2. All angles of a group have the same sine side, so that they fit together to the last digit; a link's
         own triangle has its area written out."""
-        if equation.role == "constant" or not any(each.reach for each in equation.exists):
-            area = al.triangle_area(beside, other, opposite)
-            self._add(equation, guarded(equation.exists, al.triangle_angle(opposite, beside, other, area)))
-            return
-        sides = next(group.sides for group in self.equations.groups if group.number == equation.group)
-        angle = angle_by_sides(opposite, beside, other, sine_side(*sides))
-        self._add(equation, formula("IF(fails, NA(), value)", fails=self._fails(equation), value=angle))
+        group = self.equations.group_of(equation) if equation.role != "constant" else None
+        if group is not None and any(each.reach for each in equation.exists):
+            angle = angle_by_sides(opposite, beside, other, sine_side(*group.sides))
+        else:
+            angle = al.triangle_angle(opposite, beside, other, al.triangle_area(beside, other, opposite))
+        self._add(equation, self._where_it_exists(equation, angle))
 
     def _where_it_exists(self, equation: Equation, expression: Node) -> Node:
         """The expression, or #N/A where one of its conditions fails."""
@@ -319,7 +319,7 @@ def _given(equation: Equation) -> Assignment:
 
 def pins_apart(equations: Equations, direction: Equation) -> tuple[Condition, ...]:
     """What must hold for the direction by which a slot through its own pivot is found: the pin is not on the pivot."""
-    group = next((group for group in equations.groups if group.number == direction.group), None)
+    group = equations.group_of(direction)
     return equations.of(group.closes).exists if group is not None and group.only_undetermined else ()
 
 
