@@ -313,6 +313,8 @@ SHEET = (
     # the first sheet says what all of these find; notes and tables asked for repeat it in words and for other dimensions
     {"first"},
     {"notes", "asked"},
+    # everything gets its place
+    {"planning"},
     # a workbook, and all of it on one page
     {"constants", "layout"},
     {"page"},

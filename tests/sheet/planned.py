@@ -6,7 +6,7 @@ from laid import template_text
 
 from mechsheet.description import Overrides, loads
 from mechsheet.dynamics.solve import solve
-from mechsheet.sheet.plan import plan_of
+from mechsheet.sheet.planning import plan_of
 
 
 def planned(text, **overrides):

@@ -12,7 +12,7 @@ from mechsheet.description import loads
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet import layout
-from mechsheet.sheet.plan import plan_of
+from mechsheet.sheet.planning import plan_of
 
 
 @pytest.mark.parametrize("name", ["inverted-slider-crank", "four-bar-forces"])

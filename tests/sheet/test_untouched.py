@@ -12,7 +12,7 @@ from degenerate_cases import cases
 from livesheet.formula.nodes import ErrorValue
 from mechsheet.description import loads
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.plan import plan_of
+from mechsheet.sheet.planning import plan_of
 
 TESTS = Path(__file__).parents[1]
 

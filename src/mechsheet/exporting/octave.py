@@ -25,7 +25,7 @@ from mechsheet.model import TIME, ChartRequest
 from mechsheet.shapes.forms import ARROWS, HALF, LEAST, Extreme, Mark, Shape
 from mechsheet.shapes.listing import shapes_of
 from mechsheet.sheet.drawing.charts import chart_requests
-from mechsheet.sheet.plan import plan_of
+from mechsheet.sheet.planning import plan_of
 
 _TAKEN = """
     break case catch continue do else elseif end endfunction endif endwhile for function global if methods otherwise

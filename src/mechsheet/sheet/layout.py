@@ -17,7 +17,8 @@ from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.first.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.notes.formulas import with_formulas
 from mechsheet.sheet.notes.notes import notes_sheet
-from mechsheet.sheet.plan import HIDDEN, Plan, plan_of
+from mechsheet.sheet.plan import HIDDEN, Plan
+from mechsheet.sheet.planning import plan_of
 from mechsheet.sheet.synthesis.alt import alt_sheet
 from mechsheet.sheet.synthesis.sheet import synthesis_sheet
 from mechsheet.sheet.table.forces import forces_sheet

@@ -25,7 +25,7 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.solve import solve
 from mechsheet.reference import solve as refer
 from mechsheet.sheet.checks.checks import Checks
-from mechsheet.sheet.plan import plan_of
+from mechsheet.sheet.planning import plan_of
 from random_mechanisms import Grower
 
 ALL = [pytest.param(case, id=case.name) for folder in ("branches", "degenerate") for case in cases(folder)]
