@@ -62,6 +62,10 @@ Sub Seek(document As Object, goal As Variant)
     changed.getCellByPosition(0, 0).setValue(found.Result)
 End Sub
 
+Function ColumnOf(sheet As Object, letters As String) As Long
+    ColumnOf = sheet.getCellRangeByName(letters & "1").CellAddress.Column
+End Function
+
 Sub Edit(document As Object, change As Variant)
     Dim sheets As Object, sheet As Object, area As Object, moved As New com.sun.star.table.CellAddress
     Dim field(1) As New com.sun.star.table.TableSortField
@@ -73,8 +77,8 @@ Sub Edit(document As Object, change As Variant)
         Case "rename": sheet.Name = change(2)
         Case "insert rows": sheet.Rows.insertByIndex(CLng(change(2)) - 1, CLng(change(3)))
         Case "delete rows": sheet.Rows.removeByIndex(CLng(change(2)) - 1, CLng(change(3)))
-        Case "insert columns": sheet.Columns.insertByIndex(sheet.getCellRangeByName(change(2) & "1").CellAddress.Column, CLng(change(3)))
-        Case "delete columns": sheet.Columns.removeByIndex(sheet.getCellRangeByName(change(2) & "1").CellAddress.Column, CLng(change(3)))
+        Case "insert columns": sheet.Columns.insertByIndex(ColumnOf(sheet, change(2)), CLng(change(3)))
+        Case "delete columns": sheet.Columns.removeByIndex(ColumnOf(sheet, change(2)), CLng(change(3)))
         Case "fill down": sheet.getCellRangeByName(change(2)).fillAuto(com.sun.star.sheet.FillDirection.TO_BOTTOM, 1)
         Case "type": sheet.getCellRangeByName(change(2)).setFormula(change(3))
         Case "protect": sheet.protect("")

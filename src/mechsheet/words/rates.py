@@ -41,7 +41,7 @@ RATES: dict[str, tuple[str, str]] = {
     "rates.title": ("Velocity and acceleration", "Hız ve ivme"),
     "rates.dead": ("dead centre: {links}", "ölü konum: {links}"),
     "rates.head": ("Dead centre?", "Ölü konum mu?"),
-    "checks.dead": ("What the sheet {rates} says", "{rates} sayfasının sözleri"),
+    "block.dead": ("What the sheet of velocities says of a row", "Hız sayfasının bir satır için sözleri"),
     "checks.velocity": ("velocities fit, group {number}", "hızlar uyuyor, {number}. grup"),
     "checks.acceleration": ("accelerations fit, group {number}", "ivmeler uyuyor, {number}. grup"),
     "verdict.dead_centres": ("dead centres", "ölü konum"),

@@ -96,15 +96,11 @@ def first_wrong(plan: Plan) -> Node:
     return formula('MOD(FIND("0",digits),beyond)', digits=digits, beyond=len(found) + 1)
 
 
-def words(plan: Plan, wrong: Node, position: Node, otherwise: Node) -> Node:
-    """What is said of the inputs: which one cannot be, that there is no such position, or something else.
-
-    wrong  the cell with the number of the first;  position  whether there is the position
-    """
+def words(plan: Plan, wrong: Node, others: Node) -> Node:
+    """What is said of the inputs: which one cannot be (`wrong` is the cell with its number), or something else."""
     before, after = plan.text("verdict.inputs.wrong", symbol="#").split("#")
     which = joined(before, _named(plan, wrong), after) if inputs_of(plan) else Text("")
-    return formula("IF(wrong>0,which,IF(position,otherwise,no_position))", wrong=wrong, which=which, position=position,
-                   otherwise=otherwise, no_position=no_position(plan))  # fmt: skip
+    return formula("IF(wrong>0,which,others)", wrong=wrong, which=which, others=others)
 
 
 def _named(plan: Plan, wrong: Node) -> Node:

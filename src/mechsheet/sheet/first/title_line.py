@@ -6,6 +6,7 @@ from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
 from livesheet.workbook import Area, Conditional
 from mechsheet.sheet import styles
 from mechsheet.sheet.first import task
+from mechsheet.sheet.first.other_sheets import FIRST_OF_ALL, are_there, missing_words
 from mechsheet.sheet.first.verdict_lines import MARKS, VerdictLines
 from mechsheet.sheet.grashof import (
     in_summary,
@@ -16,6 +17,7 @@ from mechsheet.sheet.plan import LEGEND_ROW, MEANING, SYMBOL, VALUE, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.table.start_table import assemblies_lost
 from mechsheet.sheet.transmission import some_poor
+from mechsheet.units import behind_number
 
 
 def write_marks(block: VerdictLines) -> None:
@@ -74,6 +76,8 @@ def write_title_line(block: VerdictLines) -> None:
         closed=block.text("gap.closed"),
         good=good, inputs=block.words("inputs"),
     )  # fmt: skip
+    missing = there(plan.places.missing).cell
+    words = formula("IF(missing>0,left,words)", missing=missing, left=_without_sheets(block), words=words)
     block.writer.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
     area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING)
     said = CellRef(VERDICT_ROW, SYMBOL, True, True)
@@ -83,7 +87,7 @@ def write_title_line(block: VerdictLines) -> None:
         bad = formula("OR(bad,wrong>0)", bad=bad, wrong=block.value("task"))
     if lost is not None:
         bad = formula("OR(bad,count=0,leapt>0)", bad=bad, count=count, leapt=block.value("same_assembly"))
-    doubts = formula("count<rows", count=count, rows=rows)
+    doubts = formula("OR(count<rows,missing>0)", count=count, rows=rows, missing=missing)
     if plan.found.limits:
         doubts = formula("OR(doubts,passes>0)", doubts=doubts, passes=block.value("passes"))
     if plan.found.transmission:
@@ -118,6 +122,30 @@ def _worst_transmission(block: VerdictLines) -> Node:
         'IFERROR(what&INDEX(symbols,worst)&" "&INDEX(said,worst),"")', what=what, symbols=symbols, said=said,
         worst=there(block.found.worst_group).cell,
     )  # fmt: skip
+
+
+def _without_sheets(block: VerdictLines) -> Node:
+    """What can be said without a sheet that was deleted, and which that is."""
+    plan = block.plan
+    parts: list[Node | str] = [formula('IF(wrong>0,inputs,closes)', wrong=plan.places.inputs.cell,
+                                       inputs=block.words("inputs"), closes=block.words("rows_closed")), "; "]  # fmt: skip
+    if plan.found.transmission:
+        angles, unit = _transmissions(block, VALUE), behind_number(plan.mechanism.angle_unit.text)
+        least = formula(
+            "ROUND(MIN(angles),digits)", angles=angles, digits=1 if plan.mechanism.angle_unit.in_degrees else 2
+        )
+        said = joined(f"{block.text('line.transmission')} ", least, f"{unit}; ")
+        parts.append(formula('IF(COUNT(angles)>0,said,"")', angles=angles, said=said))
+    left, missing = joined(*parts, missing_words(plan)), missing_words(plan)
+    present = are_there(plan, FIRST_OF_ALL)
+    return left if present is None else formula("IF(present,left,missing)", present=present, left=left, missing=missing)
+
+
+def closes_in_some(plan: Plan, count: Node, rows: Node) -> Node:
+    """In how many of how many positions, where these are not all."""
+    return joined(
+        plan.text("verdict.line.closes"), " ", count, " / ", rows, f" {plan.text('verdict.line.positions')}".rstrip()
+    )
 
 
 def closes_in(plan: Plan, count: Node, rows: Node) -> Node:

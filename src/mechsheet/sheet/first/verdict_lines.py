@@ -8,6 +8,8 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.first.blocks import Writer
+from mechsheet.sheet.first.other_sheets import are_there
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import MEANING, TOLERANCE, UNIT, VALUE
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.table.positions import places
@@ -30,6 +32,14 @@ class VerdictLines:
         self.turning = self.driver.unit.kind == "angle"
         self.unit = behind_number(self.driver.unit.text)
         self.levels: dict[str, list[tuple[Node, str]]] = {}
+
+    def there(self, key: str) -> Node:
+        """Whether a sheet that can be deleted is there, and what it needs."""
+        return there(are_there(self.plan, [key]))
+
+    def says_itself(self, key: str, *cols: int) -> None:
+        """Some cells of a line are written to say what is left without another sheet."""
+        self.writer.says_itself |= {(self.rows[key], col) for col in cols}
 
     # --- small things -----------------------------------------------------------------------------------------
 

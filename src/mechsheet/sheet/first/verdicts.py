@@ -24,7 +24,8 @@ from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.first import cam, inputs, task
 from mechsheet.sheet.first.blocks import Writer
-from mechsheet.sheet.first.title_line import write_marks, write_title_line
+from mechsheet.sheet.first.other_sheets import missing_words
+from mechsheet.sheet.first.title_line import closes_in_some, write_marks, write_title_line
 from mechsheet.sheet.first.verdict_lines import VerdictLines
 from mechsheet.sheet.grashof import (
     BEGINS,
@@ -37,14 +38,14 @@ from mechsheet.sheet.grashof import (
     turning_types,
     type_of,
 )
-from mechsheet.sheet.over_rows import but_first, but_last
+from mechsheet.sheet.over_rows import LEAST, MOST, but_first, but_last, over_rows
 from mechsheet.sheet.places import there
-from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VERDICT_ROW
+from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.start_table import assemblies_lost
-from mechsheet.sheet.transmission import acute, poor_limit, worst_words
+from mechsheet.sheet.transmission import acute, poor_limit, worst_of_rows, worst_words
 from mechsheet.units import turn as whole_turn
 from mechsheet.words.symbols import plain
 
@@ -104,7 +105,11 @@ class _Verdicts(VerdictLines):
         fits = formula(
             "IF(known,fine,misfit)", known=self.found.fine.cell, fine=fine, misfit=self.text("inputs.misfit")
         )
-        words = inputs.words(self.plan, cell, self.found.there.cell, fits)
+        others = formula("IF(present,IF(position,fits,no_position),missing)", present=self.there("extremes"), fits=fits,
+                         position=self.found.there.cell, no_position=inputs.no_position(self.plan),
+                         missing=missing_words(self.plan))  # fmt: skip
+        words = inputs.words(self.plan, cell, others)
+        self.says_itself("inputs", MEANING)
         self.line("inputs", self.text("inputs"), "", inputs.first_wrong(self.plan), 0, words)
         self.colour("inputs", "said<>fine", styles.BAD, said=said, fine=fine)
         self.colour("inputs", "said=fine", styles.GOOD, said=said, fine=fine)
@@ -132,8 +137,10 @@ class _Verdicts(VerdictLines):
         count = formula("COUNTIF(said,ok)", said=said, ok=ok)
         stretches = [stretch.words.cell for stretch in self.found.stretches]
         more = formula('IF(stretches>most," …","")', stretches=self.found.count.cell, most=len(stretches))
-        some = joined(self.text("rows.some"), " ", *stretches, self.unit, more)
         cell = self.value(key)
+        some = formula("IF(present,stretches,part)", present=self.there("extremes"), part=closes_in_some(plan, cell, rows),
+                       stretches=joined(self.text("rows.some"), " ", *stretches, self.unit, more))  # fmt: skip
+        self.says_itself(key, MEANING)
         words = formula(
             "IF(count=0,nowhere,IF(count=rows,everywhere,some))", count=cell, rows=rows,
             nowhere=self.text("rows.none"), everywhere=self.text("rows.all"), some=some,
@@ -411,7 +418,8 @@ class _Verdicts(VerdictLines):
         self.line(f"time_ratio_{symbol}", self.text("ratio.symbol"), "", node, 3, words)
 
     def transmission(self, group: Group) -> None:
-        """The angle of transmission that is farthest from 90 degrees, as an acute angle."""
+        """The angle of transmission that is farthest from 90 degrees, as an acute angle; without the sheet of extremes that
+        of the rows."""
         key = f"transmission_{group.number}"
         high, low = (self.found.extremes[way, group.transmission] for way in HIGH_LOW)
         folded = acute(low.value.cell, high.value.cell, from_right=group.kind != "RRR")
@@ -420,8 +428,16 @@ class _Verdicts(VerdictLines):
         place = CellRef(self.rows[key], TOLERANCE, True, True)
         of_rows = self.plan.between_unseen if self.plan.rows_only else self.found.rows_only.cell
         said = worst_words(self.plan, cell, place, poor, of_rows)
-        words = formula('IFERROR(said&about,"")', said=said, about=self.about(group.transmission))
-        node = formula("IFERROR(value,NA())", value=_in(Call("MIN", folded), unit.in_degrees))
+        present = self.there("extremes")
+        words = formula('IFERROR(IF(present,said&about,of_rows),"")', present=present, said=said,
+                        about=self.about(group.transmission), of_rows=worst_of_rows(self.plan, cell, poor))  # fmt: skip
+        column = Symbol(ALL + group.transmission)
+        in_rows = acute(over_rows(LEAST, column), over_rows(MOST, column), from_right=group.kind != "RRR")
+        worst = formula(
+            "IF(present,worst,in_rows)", present=present, worst=Call("MIN", folded), in_rows=Call("MIN", in_rows)
+        )
+        node = formula("IFERROR(value,NA())", value=_in(worst, unit.in_degrees))
+        self.says_itself(key, VALUE, MEANING)
         self.line(key, f"μ{group.number}", unit.text, node, places(self.plan, "angle"), words)
         at_low = formula(
             "IF(one<=other+1E-6,place,elsewhere)",
@@ -460,6 +476,7 @@ class _Verdicts(VerdictLines):
         wrong, fine = self.text(f"{said}.not", sheet=self.checks.title), self.text(f"{said}.fit")
         words = formula("IF(gap>most,wrong,fine)", gap=self.value(key), most=most, wrong=wrong, fine=fine)
         style = styles.numbered(styles.RESULT, styles.ERROR.number_format)
+        self.writer.needs[self.rows[key]] = {"forces" if what == "torque" else "rates"}
         self.line(key, self.text(key), unit, self.checks.worst(what), style, self.where_it_closes(words))
         self.colour(key, "said=wrong", styles.BAD, said=self.words(key), wrong=wrong)
         self.colour(key, "said=fine", styles.GOOD, said=self.words(key), fine=fine)
@@ -473,6 +490,7 @@ class _Verdicts(VerdictLines):
         unit = plan.equations.of(effort).unit
         style = styles.decimals(styles.RESULT, places_of(plan, unit))
         key = "largest_effort"
+        self.writer.needs[self.rows[key]] = {"forces"}
         self.line(key, rich(effort), unit.text, self.checks.worst("effort"), style,
                   self.where_it_closes(self.text(key)))  # fmt: skip
         self.at(key, formula('IFERROR(place,"")', place=self.checks.worst_at("effort")))
@@ -507,6 +525,8 @@ class _Verdicts(VerdictLines):
         unit = plan.equations.of(torque).unit.text
         self.line("mean_torque", self.text("mean_torque"), unit, mean, style,
                   said("mean_torque", self.text("mean_torque.words")))  # fmt: skip
+        # the change of energy is that from the mean torque, which is one of a whole turn
+        self.writer.needs |= {self.rows[key]: {"extremes"} for key in ("energy_change", "flywheel")}
         energy, drivers = plan.at.column(ENERGY, plan.main), self._drivers()
         ends = [
             self.driver_text(formula(f"INDEX(drivers,MATCH({way}(energy),energy,0))", drivers=drivers, energy=energy))
