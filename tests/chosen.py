@@ -24,15 +24,15 @@ ITERATED = ("double-butterfly", "planar-3rpr", "stephenson-ii-class-iv", "stephe
 """Templates with groups that Newton's method solves: there are no pages and functions of these."""
 
 LOADED = (
-    "desk-lamp", "double-wishbone", "engine", "four-bar-forces", "planar-3rpr", "scissor-lift-between-arms", "shaper",
-    "six-link-dwell", "slotted-lever", "toggle-press",
+    "cam-valve", "desk-lamp", "double-wishbone", "engine", "four-bar-forces", "planar-3rpr", "scissor-lift-between-arms",
+    "shaper", "six-link-dwell", "slotted-lever", "toggle-press",
 )  # fmt: skip
 """Templates with masses or loads."""
 
 LISTED = ("five-bar-robot",)
 """Templates whose two drivers are listed row by row: there is nothing between the rows."""
 
-CAMS = ("cam-flat", "cam-linkage", "cam-rocker", "cam-slide")
+CAMS = ("cam-flat", "cam-linkage", "cam-rocker", "cam-slide", "cam-valve")
 """Templates with a cam: higher derivatives leap where two segments of its follower's motion meet."""
 
 STEPWISE = ("crank-rocker-swing", "function-generator", "rigid-body-guidance")

@@ -4,7 +4,6 @@ import gc
 import os
 import shutil
 from collections import defaultdict
-from pathlib import Path
 
 import pytest
 
@@ -20,9 +19,6 @@ PROGRAMS = {
 OPTIONAL = {"latex": ("pdflatex",)}
 """Large, and what it judges is a side of the product: nowhere a must."""
 
-MEASURED = bool(os.environ.get("MECHSHEET_MEASURED"))
-"""tools/slow_tests.py measures all anew."""
-
 os.environ["LC_ALL"] = "C.UTF-8"
 """Messages are in English, whatever the machine speaks."""
 
@@ -30,46 +26,30 @@ gc.set_threshold(100_000, 50, 50)
 """Trees of formulas are many small objects without circles: to look for circles in them took a tenth of the time."""
 
 
-CHEAP = 0.2
-"""Seconds of CPU time of a case that `make quick` may afford, once, of a test whose cases together take long."""
-
-DEAREST = 2.0
-"""Seconds of CPU time of a case that runs in CI only."""
-
-TOO_DEAR = 16.0
-"""Seconds of CPU time of a case that is left to a full run: CI ends within a quarter of an hour on two cores."""
-
-SHARE, SHARE_IN_CI = 0.6, 3.0
-"""Seconds of CPU time that the cases of one test may take together; if they take more, a part of them runs."""
+MORE_CASES_IN_CI = 5
+"""So many times the cases that `make test` takes of a test marked `cases` run in CI."""
 
 
-def slow_tests():
-    """Tests that take long, all their cases together, and the seconds of one case (tools/slow_tests.py)."""
-    found = {}
-    for line in (Path(__file__).parent / "slow.txt").read_text(encoding="utf-8").splitlines():
-        if not line.startswith("#"):
-            seconds, cases, test = line.split()
-            found[test] = float(seconds) / int(cases)
-    return found
+def left_to_longer_runs(items, quick):
+    """Cases that do not run here, by the marks of their tests.
 
-
-def mark_slow(items):
-    """What takes long is marked slow, but for a first case that is cheap; returned are cases that do not run here."""
-    seconds = slow_tests()
+    slow      not in `make quick`
+    ci        in CI and full runs only
+    full      in full runs only
+    cases(n)  n of its cases, evenly spread, where it is not a full run: one in `make quick`, more in CI
+    """
+    without = set() if ALL else {"full"} if IN_CI else {"full", "ci"}
+    if quick:
+        without |= {"slow", *PROGRAMS, *OPTIONAL}
+    left_out = {item for item in items if without & {marker.name for marker in item.iter_markers()}}
     cases = defaultdict(list)
     for item in items:
-        cases[item.nodeid.partition("[")[0]].append(item)
-    left_out = set()
-    for test in cases.keys() & seconds.keys():
-        found = cases[test]
-        in_quick = 1 if seconds[test] <= CHEAP else 0
-        for item in found[in_quick:]:
-            item.add_marker("slow")
-        if seconds[test] > (TOO_DEAR if IN_CI else DEAREST) and not ALL:
-            left_out.update(found)
-        elif not ALL:
-            kept = max(1, int((SHARE_IN_CI if IN_CI else SHARE) / max(seconds[test], 1e-3)))
-            left_out.update(set(found) - set(found[:: -(-len(found) // kept)]))
+        if item.get_closest_marker("cases") and not ALL:
+            cases[item.nodeid.partition("[")[0]].append(item)
+    for found in cases.values():
+        (count,) = found[0].get_closest_marker("cases").args
+        kept = 1 if quick else count * MORE_CASES_IN_CI if IN_CI else count
+        left_out.update(set(found) - set(found[:: -(-len(found) // kept)]))
     return left_out
 
 
@@ -78,12 +58,8 @@ def pytest_addoption(parser):
 
 
 def pytest_collection_modifyitems(config, items):
-    """Fast ones first; what is marked `ci` runs in CI only."""
-    left_out = set() if MEASURED else mark_slow(items)
-    without = set() if IN_CI else {"ci"}
-    if config.getoption("--quick"):
-        without |= {"slow", *PROGRAMS, *OPTIONAL}
-    left_out |= {item for item in items if without & {marker.name for marker in item.iter_markers()}}
+    """Fast ones first."""
+    left_out = left_to_longer_runs(items, config.getoption("--quick"))
     if left_out:
         config.hook.pytest_deselected(items=[item for item in items if item in left_out])
         items[:] = [item for item in items if item not in left_out]
@@ -93,13 +69,11 @@ def pytest_collection_modifyitems(config, items):
 def pytest_terminal_summary(terminalreporter):
     """What a run has not seen, in its last lines."""
     if terminalreporter.config.getoption("--quick"):
-        terminalreporter.write_line("left to `make test`: what is slow (tests/slow.txt) or needs another program")
+        terminalreporter.write_line("left to `make test`: what is marked slow or needs another program")
     if not IN_CI:
-        terminalreporter.write_line(
-            "left to CI (.ci/run): tests marked ci, the dearest, and more cases where a part ran here"
-        )
+        terminalreporter.write_line("left to CI (.ci/run): tests marked ci, and more cases where a part ran here")
     if not ALL:
-        terminalreporter.write_line("left to `make full`: every template and random mechanism where a part ran here")
+        terminalreporter.write_line("left to `make full`: tests marked full, and every case where a part ran here")
 
 
 def pytest_runtest_setup(item):

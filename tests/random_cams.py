@@ -79,3 +79,24 @@ Q = [-10, 50]
     if kind.startswith("flat"):
         touches = f'face = {{ link = "f", point = "C", angle = {dice.uniform(-10, 10)} }}'
     return f'{text}[cam]\ncenter = "O"\nbase_radius = {base}\nturns = {dice.choice([1, -1])}\n{touches}\n'
+
+
+def loaded(text: str) -> str:
+    """The same with a mass, a load, and a spring on the follower; the cam turns."""
+    text = text.replace("[links.f]\n", "[links.f]\nmass = 0.3\ncenter = [10, 3]\ninertia = 2e-4\n")
+    loads = """[dynamics]
+gravity = 9.81
+[[loads]]
+link = "f"
+point = "C"
+force = [3, -5]
+[[loads]]
+name = "K"
+between = ["O", "C"]
+stiffness = 4
+free_length = 20
+damping = 0.01
+[driver]
+speed = 20
+"""
+    return text.replace("[driver]\n", loads)

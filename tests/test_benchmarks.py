@@ -56,6 +56,7 @@ def test_the_sweep_of_the_four_bar():
         assert np.allclose(found[name], column, rtol=1e-12, atol=1e-12), name
 
 
+@pytest.mark.slow
 def test_the_four_bar_with_forces():
     book, plan = bench_forces.tables_of(ROWS)
     assert bench_forces.worst_of(ROWS, evaluate(book), plan) < 1e-12

@@ -26,11 +26,12 @@ ROWS = table()
 
 
 def modules_with(pattern):
-    """Modules of the program whose text holds a pattern, below the package that they are in."""
+    """Modules and catalogues of the program whose text holds a pattern, below the package that they are in."""
     return {
         path.relative_to(package).as_posix()
         for package in PACKAGES
-        for path in package.rglob("*.py")
+        for kind in ("py", "po")
+        for path in package.rglob(f"*.{kind}")
         if re.search(pattern, path.read_text(encoding="utf-8"))
     }
 

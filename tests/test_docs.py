@@ -15,10 +15,15 @@ import openpyxl
 import pytest
 
 import mechsheet
+from livesheet.engine import evaluate
+from livesheet.formats import read
 from livesheet.formula.functions import FUNCTIONS
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import cell_name
+from mechsheet import reference as independent
 from mechsheet.cli import main as commands
 from mechsheet.compiled import Compiled
-from mechsheet.description import Overrides, loads
+from mechsheet.description import Overrides, load, loads
 from mechsheet.description.grammar import Either, Items, Kinds, Named, Shape, Table
 from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.templates import template_names
@@ -91,6 +96,7 @@ def test_every_key_has_an_example():
     assert known - shown == set()
 
 
+@pytest.mark.slow
 def test_the_site_is_built_and_its_links_lead_somewhere(tmp_path):
     command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(tmp_path / "site")]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
@@ -164,6 +170,8 @@ LESSON = {
 TURKISH = {"EĞERHATA": "IFERROR", "DERECE": "DEGREES", "YUVARLA": "ROUND", "YOKSAY": "NA", ";": ","}
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", LESSON)
 def test_the_lesson_on_one_sheet_goes_as_the_page_says(name):
     page = openpyxl.load_workbook(ROOT / "generated" / "four-bar-page.xlsx").worksheets[0]
@@ -184,6 +192,7 @@ def test_the_lesson_on_one_sheet_goes_as_the_page_says(name):
     assert fits(exact["swing"], swing.replace(",", "."))
 
 
+@pytest.mark.slow
 def test_what_the_class_finds():
     """Grashof's number before and after, both limits, and lengths with a better transmission angle."""
     book = mechsheet.open_book(ROOT / "generated" / "four-bar.xlsx")
@@ -281,6 +290,7 @@ def test_the_row_by_hand(page):
     assert fits(float(theirs["T12"][6]), number_in(DOCS / page, r"T₁₂ = (\d+[.,]\d+) lbf")[0].replace(",", "."))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("page", [DOCS / "motor-sizing.md", DOCS / "motor-sizing.tr.md"], ids=lambda page: page.name)
 def test_the_press_that_gets_a_motor_and_a_flywheel(page):
     printed, press = rows_of(page.name), loaded("toggle-press")
@@ -336,3 +346,27 @@ def test_the_example_of_the_spreadsheet_library(monkeypatch, tmp_path):
     (example,) = re.findall(r"```python\n(.*?)```", (DOCS / "livesheet.md").read_text(encoding="utf-8"), re.DOTALL)
     exec(compile(example, "livesheet.md", "exec"), {})
     assert openpyxl.load_workbook("plan.xlsx", data_only=True)["Plan"]["C11"].value == pytest.approx(1000 * 1.05**10)
+
+
+def test_one_number_on_its_way():
+    """What the page says of A.x at each stage is there."""
+    page = (DOCS / "architecture.md").read_text(encoding="utf-8")
+    mechanism = load(ROOT / "templates" / "four-bar.toml")
+    compiled = Compiled(mechanism)
+    plan = compiled.plan
+    said = print_formula(compiled.equations.of("A.x").expression, "text")
+    spot, length, angle = (plan.at.spots[name] for name in ("A.x", "a2", "theta12"))
+    (fill,) = (fill for fill in compiled.workbook.sheets[1].fills if (fill.row, fill.col) == (spot.row, spot.col))
+    book = read(ROOT / "generated" / "four-bar.xlsx")
+    (block,) = (block for block in book.sheets[1].blocks if block.col == spot.col)
+    row = spot.row + 4
+    assert plan.given["theta12"][4] == pytest.approx(math.radians(60))
+    assert f"`A.x = {said}`" in page
+    assert f"`{print_formula(fill.formula)}`" in page
+    assert (fill.rows, block.rows) == (25, 25)
+    assert f"17.5 for {cell_name(row, spot.col)}:" in page
+    assert [cell_name(each.row, each.col) for each in (spot, length)] == ["D4", "B12"]
+    assert angle.degrees and angle.col == 1
+    assert evaluate(book).get("Positions", row, spot.col) == pytest.approx(17.5)
+    place = independent.solve(mechanism).points["A"][4]
+    assert place == pytest.approx((17.5, 30.31), abs=5e-3)

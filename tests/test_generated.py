@@ -12,6 +12,8 @@ from chosen import some
 from mechsheet.description import load
 from mechsheet.library.building import FORMATS, build
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parent.parent
 TEMPLATES = sorted((ROOT / "templates").glob("*.toml"))
 
@@ -36,6 +38,7 @@ def differing_part(path: Path, kept: Path) -> str:
     return "the parts are the same, their compression is not"
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("template", some(TEMPLATES, 4, every=13), ids=lambda path: path.stem)
 def test_same_bytes(template, tmp_path):
     for path in build(load(template), tmp_path, FORMATS):
@@ -62,6 +65,7 @@ print(np.arctan2(np.sin(x), np.exp(x)).tobytes().hex())
 """
 
 
+@pytest.mark.ci
 def test_another_processor_writes_the_same_bytes(tmp_path):
     """Sine and its like differ in the last digit there, and nothing that is written does."""
     template = ROOT / "templates" / "four-bar-forces.toml"

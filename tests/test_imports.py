@@ -219,6 +219,7 @@ def forbidden(part: str, package: Path, allowed: set[str]) -> list[str]:
     return wrong
 
 
+@pytest.mark.cases(5)
 @pytest.mark.parametrize("part", PARTS)
 def test_part_imports_only_what_it_may(part):
     assert modules_of(part)
@@ -254,12 +255,14 @@ def test_every_folder_of_formats_has_a_rule():
     assert {path.parent.name for path in (LIBRARY / "formats").glob("*/__init__.py")} == set(FORMATS) - {""}
 
 
+@pytest.mark.slow
 def test_nobody_imports_the_command_line():
     for path in SOURCE.rglob("*.py"):
         if "cli" not in path.relative_to(SOURCE).parts and path.name != "__main__.py":
             assert not [line for line, module in imports(path) if module == "cli" or module.startswith("cli.")], path
 
 
+@pytest.mark.slow
 def test_only_the_command_line_and_the_package_import_homework():
     for path in SOURCE.rglob("*.py"):
         if not {"homework", "cli"} & set(path.relative_to(SOURCE).parts) and path.name != "__init__.py":
@@ -310,7 +313,9 @@ SHEET = (
     {"checks"},
     {"drawing"},
     {"synthesis"},
-    # the first sheet says what all of these find; notes and tables asked for repeat it in words and for other dimensions
+    # what can be said of the motion, of what all of these find
+    {"findings"},
+    # the first sheet says it; notes and tables asked for repeat it in words and for other dimensions
     {"first"},
     {"notes", "asked"},
     # everything gets its place

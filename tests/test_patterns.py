@@ -21,6 +21,8 @@ def test_the_page_has_a_picture_and_a_description_under_each_heading():
     assert len(PATTERNS) == PAGE.count("\n## ") == PAGE.count("```toml") >= 8
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("picture", "text"), PATTERNS)
 def test_each_is_short_and_builds_a_workbook_that_agrees(picture, text, tmp_path):
     assert len(text.splitlines()) <= LONGEST

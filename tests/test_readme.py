@@ -29,6 +29,8 @@ def test_the_readme_has_commands():
     assert len(commands(ROOT / "README.md")) >= 5
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "page",
     [page for page in PAGES if page.name not in (*ELSEWHERE, *(() if IN_CI else LONG)) and commands(page)],

@@ -2,8 +2,12 @@
 
 import pickle
 
-from livesheet.said import in_turkish, reason, say
+from livesheet.said import reason, say, translated
 from mechsheet.model import Words
+
+
+def in_turkish(text, patterns):
+    return translated(text, lambda pattern: patterns.get(pattern, pattern), "tr")
 
 
 def test_a_message_is_a_text_like_any_other():

@@ -8,13 +8,15 @@ from click.testing import CliRunner
 
 from mechsheet.cli import main
 
+pytestmark = pytest.mark.slow
+
 pytest.importorskip("pyarrow")
 
 PAGE = (Path(__file__).parent.parent / "docs" / "wiper.md").read_text(encoding="utf-8")
 SHOWN = re.findall(r"```text\n(.*?)```", PAGE, re.DOTALL)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_the_study_of_the_wiper_says_what_its_page_shows(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("wiper.toml").write_text(re.search(r"```toml\n(.*?)```", PAGE, re.DOTALL)[1], encoding="utf-8")

@@ -6,7 +6,10 @@ from laid import Laid, template_text
 from livesheet.evaluation import book_of
 from mechsheet.checking.against_reference import against_plan
 
+pytestmark = pytest.mark.slow
 
+
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("mode", [1, -1])
 def test_a_rack_keeps_the_turns_that_the_workbook_began_with(mode):
     """Assembled the other way the rocker is a turn further on by the formulas, and the rack with it."""

@@ -11,6 +11,8 @@ from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
 from mechsheet.description import load
 
+pytestmark = pytest.mark.slow
+
 HOEKEN = Path(__file__).parents[2] / "templates/hoeken.toml"
 
 
@@ -36,6 +38,7 @@ def test_inputs_are_followed(hoeken):
     assert compared(hoeken, typed).agrees
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("key", ["deviation:a3", "P.x:worst case", "P.x:root sum of squares"])
 def test_a_wrong_number_is_found(hoeken, key):
     comparison = compared(hoeken, {(key, 20): 0.123})

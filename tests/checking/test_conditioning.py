@@ -52,6 +52,8 @@ def test_fresh_workbook_agrees_at_a_pole(formula):
     assert comparison.agrees, comparison
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_files_with_a_pole(language, tmp_path):
     """Both formats; the sheet itself says that all is well, although the first row shows an error."""

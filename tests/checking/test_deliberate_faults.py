@@ -12,6 +12,8 @@ from livesheet.formula.nodes import Call, CellRef, Unary, transform, walk
 from livesheet.workbook import Cell
 from mechsheet.checking import check
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(params=part(["four-bar", "slider-crank"], 2))
 def built(request):

@@ -17,6 +17,8 @@ from mechsheet.description import Overrides, loads
 from mechsheet.exporting.functions.workbooks import functions_workbook
 from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 
+pytestmark = pytest.mark.slow
+
 TEMPLATES = Path(__file__).parents[2] / "templates"
 
 
@@ -55,6 +57,7 @@ def rack():
     return with_table("rack-slider", "s15", "a1", [70, 20, 30])
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     ("name", "value", "column", "numbers"),
     [
@@ -103,6 +106,7 @@ def bare_of(formula):
     return transform(formula, lambda part: Number(0.0) if part == place else part)
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("value", ["s15", "theta14", "B.x"])
 def test_a_damaged_formula_is_found(value, monkeypatch):
     compiled = with_table("rack-slider", value, "a1", [70, 30])
@@ -130,6 +134,7 @@ def test_an_angle_a_turn_away_is_found():
     assert not compared(compiled, {("Table theta14", FIRST + 4, 2): shown + 360.0}).agrees
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("number", [45.0, None, "?"])
 def test_typed_inputs_are_followed(number):
     """The table's head and the assembly; a head without a number is a sweep of nothing."""
@@ -140,6 +145,7 @@ def test_typed_inputs_are_followed(number):
     assert found.agrees, found
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(("value", "numbers"), [("s15", [70, 20, 30]), ("theta14", [70, 30])])
 def test_tables_that_call_functions(value, numbers):
     """They know no cell above: each angle is in one turn around a line."""

@@ -18,6 +18,8 @@ from mechsheet.checking.edited.edits import edits_of
 from mechsheet.checking.edited.expected import expected_for
 from mechsheet.diagnostics import MechsheetError
 
+pytestmark = pytest.mark.slow
+
 
 def texts(formula, kind, names=()):
     tree = parse_formula(formula)
@@ -72,6 +74,7 @@ def test_check_catches_all_and_the_same_seed_does_the_same(yoke):
     assert sum(count for count, _ in found.tally(lambda damage: damage.kind).values()) == 3
 
 
+@pytest.mark.full
 @pytest.mark.ci
 def test_the_sheet_alone_notices_a_pin_that_moves(tmp_path):
     """Its gaps are measured from points and lengths only; docs/proof.md holds the figures of all templates."""
@@ -135,6 +138,8 @@ def test_formulas_of_forces_alone_are_damaged_and_the_sheet_asks_both_ways_to_th
     assert 0 < found.caught("sheet") < 8  # the size of a joint force is read by nobody
 
 
+@pytest.mark.cases(1)
+@pytest.mark.ci
 @pytest.mark.parametrize("name", ["quick-return-lever", "quick-return-slider"])
 def test_formulas_of_a_synthesis_alone_are_damaged(tmp_path, name):
     path = saved(laid_out(name)[0], tmp_path / f"{name}.xlsx")

@@ -17,6 +17,8 @@ from mechsheet.checking.perturbation import drawn
 from mechsheet.checking.programs import PROGRAMS, stored_values
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture(scope="module")
 def four_bar(tmp_path_factory):
@@ -33,6 +35,7 @@ def test_the_reference_agrees_and_most_sets_assemble(four_bar):
     assert 0 < found.judged[0].worst.worst < 1e-9
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("name", ["crank-rocker-swing", "rigid-body-guidance"])
 def test_inputs_of_a_task_are_changed_and_the_reference_finds_the_same(tmp_path, name):
     path = saved(laid_out(name)[0], tmp_path / f"{name}.xlsx")
@@ -99,7 +102,6 @@ def test_another_evaluator(tmp_path):
 
 
 @pytest.mark.ci
-@pytest.mark.slow
 @pytest.mark.libreoffice
 def test_libreoffice(four_bar):
     assert perturb(four_bar, 5, seed=2, programs=["libreoffice"]).agrees

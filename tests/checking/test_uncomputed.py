@@ -12,6 +12,8 @@ from mechsheet.checking import check
 from mechsheet.checking.programs import libreoffice_command
 from mechsheet.cli import main
 
+pytestmark = pytest.mark.slow
+
 FOUR_BAR = Path(__file__).parents[2] / "generated" / "four-bar.ods"
 PATIENCE = 120
 A_TEXT = {
@@ -44,8 +46,8 @@ def saved(tmp_path_factory):
     return folder
 
 
+@pytest.mark.ci
 @pytest.mark.libreoffice
-@pytest.mark.slow
 def test_cells_that_were_saved_uncomputed_are_said_with_what_to_press(saved):
     for name, command in (("renamed.ods", ["check", "-v"]), ("renamed.xlsx", ["recalc", "--check"])):
         report = check(saved / name)

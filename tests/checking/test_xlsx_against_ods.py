@@ -56,6 +56,7 @@ def with_twin(*paths):
     return with_twins([check(path) for path in paths])
 
 
+@pytest.mark.slow
 def test_twins_agree(folder):
     for name in ("scotch-yoke", OTHER):
         first, second = with_twin(folder / f"{name}.xlsx", folder / f"{name}.ods")
@@ -89,11 +90,13 @@ def test_what_twins_have_in_common_is_found_once_and_anew_for_other_inputs():
     assert [count(plan), count(other)] == [5, 6]
 
 
+@pytest.mark.slow
 def test_files_that_are_no_twins_are_let_be(folder):
     reports = with_twin(folder / "scotch-yoke.xlsx", folder / f"{OTHER}.ods", TEMPLATES / "scotch-yoke.toml")
     assert all("twin" not in item.judge for report in reports for item in report.comparisons)
 
 
+@pytest.mark.slow
 def test_another_description(folder, tmp_path):
     for source, name in (("scotch-yoke.xlsx", "a.xlsx"), (f"{OTHER}.ods", "a.ods")):
         (tmp_path / name).write_bytes((folder / source).read_bytes())
@@ -107,6 +110,7 @@ def damaged(workbook, **changes):
     return computed(replace(workbook, sheets=(replace(workbook.sheets[0], **changes), *workbook.sheets[1:])))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", ["constant", "formula", "value", "name", "sheet"])
 def test_every_difference_is_seen(folder, tmp_path, what):
     workbook = laid_out("scotch-yoke")
@@ -164,6 +168,7 @@ def test_how_formulas_are_grouped_and_spelt_does_not_matter():
     assert (found.agrees, found.where, found.ours, found.theirs) == (False, "S!B4", "=2*A4+foo", "=2*A5+foo")
 
 
+@pytest.mark.slow
 def test_on_the_command_line(folder):
     xlsx, ods = (os.fspath(folder / f"scotch-yoke.{suffix}") for suffix in FORMATS)
     shown = CliRunner().invoke(main, ["check", "-v", xlsx, ods])
@@ -173,6 +178,7 @@ def test_on_the_command_line(folder):
     assert [item["judge"] for item in data[1]["comparisons"]] == ["stored values", "reference", "search", "twin .ods"]
 
 
+@pytest.mark.slow
 def test_a_difference_on_the_command_line(folder, tmp_path):
     workbook = laid_out("scotch-yoke")
     cells = tuple(replace(cell, content=50.5) if cell.content == 50.0 else cell for cell in workbook.sheets[0].cells)

@@ -33,6 +33,7 @@ def test_what_is_wrong_with_modes(settings, messages):
         assert message.replace("-:24", "<stdin>:24") in result.stderr, result.stderr
 
 
+@pytest.mark.slow
 def test_every_command_means_the_same(tmp_path):
     changes = ("--rows", "4", "--step", "30", "--set", "a2=30*1.1", "--set", "a2=a2+1")
     shown = json.loads(run("show", "-", "--json", *changes, text=CRANK).stdout)

@@ -28,6 +28,7 @@ def built(tmp_path_factory):
     return folder / "four-bar.xlsx"
 
 
+@pytest.mark.slow
 def test_new_build_check(tmp_path):
     mine = tmp_path / "mine.toml"
     assert run("new", "four-bar", "-o", mine).exit_code == 0
@@ -39,6 +40,7 @@ def test_new_build_check(tmp_path):
     assert "all agree" in result.stdout
 
 
+@pytest.mark.slow
 def test_new_lists_and_suggests():
     assert "slider-crank" in run("new", "--list").stdout.split()
     result = run("new", "four-bra")
@@ -53,12 +55,14 @@ def test_new_does_not_overwrite(tmp_path):
     assert mine.read_text() == "precious"
 
 
+@pytest.mark.slow
 def test_check_json(built):
     reports = json.loads(run("check", built, "--json").stdout)
     assert [item["judge"] for item in reports[0]["comparisons"]] == ["stored values", "reference", "search"]
     assert reports[0]["agrees"] is True
 
 
+@pytest.mark.slow
 def test_recalc_json_follows_the_input(built):
     before = json.loads(run("recalc", built, "--json").stdout)
     after = json.loads(run("recalc", built, "--set", "a1=65", "--json").stdout)
@@ -66,6 +70,7 @@ def test_recalc_json_follows_the_input(built):
     assert before["Positions"] != after["Positions"]
 
 
+@pytest.mark.slow
 def test_recalc_unknown_name(built):
     result = run("recalc", built, "--set", "a9=65")
     assert result.exit_code == 2
@@ -77,6 +82,7 @@ def test_malformed_setting(built, setting):
     assert run("recalc", built, "--set", setting).exit_code == 2
 
 
+@pytest.mark.slow
 def test_show_equations_and_variables():
     assert "theta14 = phi - mode_1*psi" in run("show", FOUR_BAR, "--equations").stdout
     variables = json.loads(run("show", FOUR_BAR, "--json").stdout)
@@ -155,6 +161,7 @@ def test_broken_toml(tmp_path):
     assert "bad.toml:2" in result.stderr
 
 
+@pytest.mark.slow
 def test_output_folder_missing_or_a_file(tmp_path):
     assert run("build", FOUR_BAR, "-o", tmp_path / "new").exit_code == 0
     assert (tmp_path / "new" / "four-bar.xlsx").exists()
@@ -165,6 +172,7 @@ def test_output_folder_missing_or_a_file(tmp_path):
     assert run("build", FOUR_BAR, "-o", file).exit_code == 2
 
 
+@pytest.mark.slow
 def test_locked_folder(tmp_path, monkeypatch):
     """As when the folder may not be written: the message says so, nothing is left behind."""
 
@@ -181,6 +189,7 @@ def test_locked_folder(tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_full_disk_keeps_the_old_file(tmp_path, monkeypatch):
     old = tmp_path / "four-bar.xlsx"
     old.write_bytes(b"the old one")
@@ -212,6 +221,7 @@ def test_mobility_fault_has_file_and_line(tmp_path):
 TOLERANCED = TEMPLATES / "hoeken.toml"
 
 
+@pytest.mark.slow
 def test_show_prints_the_bands():
     lines = run("show", TOLERANCED, "--tolerance").stdout.splitlines()
     assert lines[-1].startswith("length ± 0.596 mm (RSS 0.316 mm): a2 61%")
@@ -221,6 +231,7 @@ def test_show_prints_the_bands():
     assert sum(found["length"]["shares"].values()) == pytest.approx(1.0)
 
 
+@pytest.mark.slow
 def test_bands_by_an_option(tmp_path):
     """The description inside asks for them, so `check` judges them too; without a tolerance it says what is missing."""
     mine = tmp_path / "mine.toml"

@@ -6,6 +6,7 @@ import tomllib
 from importlib.metadata import PackageNotFoundError
 from pathlib import Path
 
+import pytest
 from click.testing import CliRunner
 
 from mechsheet.checking import programs
@@ -14,6 +15,7 @@ from mechsheet.extras import EXTRAS
 from mechsheet.library import installed
 
 
+@pytest.mark.slow
 def test_names_what_is_there_with_its_version():
     result = CliRunner().invoke(main, ["doctor"])
     assert result.exit_code == 0
@@ -47,6 +49,7 @@ def test_finds_libreoffice_where_the_installer_puts_it(monkeypatch, tmp_path):
     assert programs.libreoffice_command() == str(place)
 
 
+@pytest.mark.slow
 def test_json():
     found = json.loads(CliRunner().invoke(main, ["doctor", "--json"]).stdout)
     assert found["works"] is True

@@ -1,11 +1,13 @@
 """What is doubtful in a description is said on standard error, with file and line; the command does its work."""
 
+import pytest
 from click.testing import CliRunner
 
 from mechsheet.cli import main
 from mechsheet.description.templates import template_text
 
 
+@pytest.mark.slow
 def test_a_sketch_of_another_position_is_a_warning(tmp_path):
     path = tmp_path / "mine.toml"
     text = template_text("four-bar").replace("B = [50, 55]", "A = [26.8, 22.5]\nB = [85, 54]\nA0 = [0, 0]")
@@ -18,6 +20,7 @@ def test_a_sketch_of_another_position_is_a_warning(tmp_path):
     assert f'warning: {path.as_posix()}:{line + 3}: assembly.A0: "A0" is a point of the ground' in result.stderr
 
 
+@pytest.mark.slow
 def test_a_good_sketch_is_silent(tmp_path):
     path = tmp_path / "mine.toml"
     path.write_text(template_text("four-bar"), encoding="utf-8")

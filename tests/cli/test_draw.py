@@ -21,6 +21,7 @@ main()
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are another matter there")
 def test_it_serves_until_ctrl_c(tmp_path):
     (tmp_path / "mine.toml").write_text(mechsheet.template("four-bar").text, encoding="utf-8")

@@ -33,6 +33,7 @@ def changed(yoke):
     return path
 
 
+@pytest.mark.slow
 def test_pull_and_build_again(changed, tmp_path):
     new = tmp_path / "new.toml"
     result = run("pull", changed, "-o", new)
@@ -45,6 +46,7 @@ def test_pull_and_build_again(changed, tmp_path):
     assert report["remarks"] == []
 
 
+@pytest.mark.slow
 def test_pull_to_standard_output(changed, yoke):
     result = run("pull", changed)
     assert result.stdout.startswith("#")
@@ -63,6 +65,7 @@ def test_pull_does_not_overwrite_but_what_it_pulls_into(changed, tmp_path):
     assert mine.read_bytes() != (TEMPLATES / "scotch-yoke.toml").read_bytes()
 
 
+@pytest.mark.slow
 def test_a_conflict_writes_nothing(changed, tmp_path):
     mine, new = tmp_path / "mine.toml", tmp_path / "new.toml"
     text = (TEMPLATES / "scotch-yoke.toml").read_text(encoding="utf-8")
@@ -86,6 +89,7 @@ def test_no_workbook(tmp_path, content, command):
     assert "bad.xlsx" in result.stderr
 
 
+@pytest.mark.slow
 def test_perturb(yoke):
     result = run("check", yoke, "--perturb", "2", "--seed", "3")
     assert result.exit_code == 0
@@ -96,6 +100,7 @@ def test_perturb(yoke):
     assert data["judges"][0]["inputs"]["a2"] > 0
 
 
+@pytest.mark.slow
 def test_mutate(yoke):
     result = run("check", yoke, "--mutate", "2")
     assert result.exit_code == 0

@@ -56,6 +56,7 @@ def test_mistakes(arguments, messages, tmp_path, monkeypatch):
         assert message in result.stderr
 
 
+@pytest.mark.slow
 def test_printed_instead_of_written(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     printed = run("export", FOUR_BAR, "--to", "markdown", "--at", "60", "-o", "-")
@@ -64,6 +65,7 @@ def test_printed_instead_of_written(tmp_path, monkeypatch):
     assert [path.name for path in tmp_path.iterdir()] == ["four-bar.md"]
 
 
+@pytest.mark.slow
 def test_a_failure_leaves_the_old_file(tmp_path):
     target = tmp_path / "old.svg"
     target.write_text("precious")

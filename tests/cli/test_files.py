@@ -45,12 +45,14 @@ def names(folder):
     return sorted(path.name for path in folder.iterdir())
 
 
+@pytest.mark.slow
 def test_a_workbook_is_called_as_its_description(here):
     assert names(here) == ["mine.ods", "mine.toml", "mine.xlsx"]
     for name in ("mine.xlsx", "mine.ods"):
         assert mechsheet.recalc(name).as_dict()["Mechanism"]["A1"] == "Yoke at θ", "the title stays the mechanism's"
 
 
+@pytest.mark.slow
 def test_standard_input_has_the_mechanisms_name(here):
     assert run("build", "-", text=CRANK).stdout == "yoke.xlsx\n"
 
@@ -66,6 +68,7 @@ def test_folders(here, name):
     assert run("build", "mine.toml", "-o", name).stdout == f"{name.rstrip('/')}/mine.xlsx\n"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "file"),
     [
@@ -104,6 +107,7 @@ def test_two_descriptions_never_write_one_file(here):
     assert "Mine.xlsx" not in names(here) and "out" not in names(here)
 
 
+@pytest.mark.slow
 def test_one_description_named_twice_is_one(here):
     assert run("build", "mine.toml", here / "mine.toml").stdout == "mine.xlsx\n"
 
@@ -119,6 +123,7 @@ def test_an_input_is_never_overwritten(here):
     assert (here / "mine.toml").read_text(encoding="utf-8") == CRANK
 
 
+@pytest.mark.slow
 def test_plot_and_export_do_not_share_a_name(here):
     drawn, written = run("plot", "mine.toml").stdout, run("export", "mine.toml", "--to", "svg").stdout
     assert drawn != written
@@ -127,6 +132,7 @@ def test_plot_and_export_do_not_share_a_name(here):
 # --- somebody's changes --------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_an_older_build_is_written_over(here):
     before = (here / "mine.xlsx").read_bytes()
     assert is_untouched(here / "mine.xlsx") and is_untouched(here / "mine.ods")
@@ -223,6 +229,7 @@ def test_devices_are_written_through(here):
 # --- pull and new --------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
@@ -253,6 +260,7 @@ def test_new_names_no_schema_that_is_not_there(here):
     assert rest == (here / "a.toml").read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 def test_new_lists_titles():
     lines = run("new", "--list").stdout.splitlines()
     assert ["four-bar", "Four-bar", "linkage"] in [line.split() for line in lines]
@@ -262,6 +270,7 @@ def test_new_lists_titles():
 # --- the verdict ---------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("settings", "said"),
     [
@@ -299,6 +308,7 @@ def test_the_line_says_where_links_are_free_to_turn(language, said):
     assert verdict(Compiled(mechsheet.loads(case.description, language=language))).endswith(said)
 
 
+@pytest.mark.slow
 def test_build_prints_the_verdict_beside_the_names(here):
     result = run("build", "mine.toml")
     assert result.stdout == "mine.xlsx\n", "names only: they can be piped"

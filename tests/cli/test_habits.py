@@ -19,6 +19,7 @@ def run(*arguments, text=None):
     return CliRunner().invoke(main, [str(argument) for argument in arguments], input=text)
 
 
+@pytest.mark.slow
 def test_a_description_from_standard_input(tmp_path):
     built = run("build", "-", "-o", tmp_path / "out", "--set", "a1=71", text=FOUR_BAR)
     assert built.exit_code == 0, built.output
@@ -33,6 +34,8 @@ def test_faults_of_standard_input_carry_its_lines():
     assert "<stdin>:" in result.stderr and 'did you mean "crank"' in result.stderr
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("content", [b"PK\x03\x04\0", b"\xff\xfe", b""])
 def test_nonsense_on_standard_input(content):
     done = subprocess.run(
@@ -73,5 +76,6 @@ def test_version():
     assert run("--version").stdout == f"mechsheet, version {__version__}\n"
 
 
+@pytest.mark.slow
 def test_no_colours_in_a_pipe():
     assert "\033" not in run("check", ROOT / "generated" / "four-bar.xlsx").output

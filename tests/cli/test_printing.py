@@ -10,6 +10,8 @@ from click.testing import CliRunner
 from mechsheet.checking import check as judged
 from mechsheet.cli import main
 
+pytestmark = pytest.mark.slow
+
 GENERATED = Path(__file__).parent.parent.parent / "generated"
 
 

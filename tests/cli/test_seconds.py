@@ -13,6 +13,8 @@ from mechsheet.homework.classroom.marks import mark
 from mechsheet.library.building import build
 from mechsheet.library.changed import loads
 
+pytestmark = pytest.mark.slow
+
 ENDLESS = (
     "=_xlfn.LET(_xlpm.fib,_xlfn.LAMBDA(_xlpm.f,_xlpm.n,IF(_xlpm.n<2,_xlpm.n,"
     "_xlpm.f(_xlpm.f,_xlpm.n-1)+_xlpm.f(_xlpm.f,_xlpm.n-2))),_xlpm.fib(_xlpm.fib,60))"
@@ -46,6 +48,8 @@ def test_recalc_gives_up(folder):
     assert "--seconds gives it more time" in found.output
 
 
+@pytest.mark.cases(1)
+@pytest.mark.ci
 @pytest.mark.parametrize("command", [["check"], ["recalc", "--check"]])
 def test_the_other_files_are_judged(command, folder):
     report = folder / "report.xml"
@@ -57,6 +61,7 @@ def test_the_other_files_are_judged(command, folder):
     assert {"endless.xlsx", "four-bar.xlsx"} <= cases
 
 
+@pytest.mark.ci
 def test_a_class_is_marked(folder):
     """The endless workbook has its line, the other one its marks."""
     books = [folder / "endless.xlsx", folder / "four-bar.xlsx"]

@@ -11,6 +11,8 @@ from click.testing import CliRunner
 import mechsheet
 from mechsheet.cli import main
 
+pytestmark = pytest.mark.slow
+
 TEMPLATE = Path(__file__).parent.parent.parent / "templates" / "inverted-slider-crank.toml"
 
 
@@ -28,6 +30,7 @@ def run(*words):
     return result.stdout
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("suffix", ["xlsx", "ods"])
 def test_the_symbol_finds_its_cell(folder, suffix):
     path = folder / f"inverted-slider-crank.{suffix}"

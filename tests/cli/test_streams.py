@@ -14,6 +14,8 @@ from small import CRANK
 
 from chosen import part
 
+pytestmark = pytest.mark.slow
+
 COMMAND = [sys.executable, "-m", "mechsheet"]
 POSIX = pytest.mark.skipif(os.name == "nt", reason="Windows has neither these signals nor /dev/full")
 TURKISH = CRANK.replace("a2 = 30", 'a2 = { value = 30, label = "krank ığşİ θ − √" }').replace(
@@ -56,6 +58,7 @@ PAGES = ("cp1252", "cp1254", "ascii")
 CALLS = [(line, page) for line in LINES for page in PAGES]
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(("line", "page"), part(CALLS, of=10, turn=6), ids=lambda part: "".join(part[:2]))
 def test_every_code_page_will_do(folder, line, page):
     done = call(*line, page=page, cwd=folder)
@@ -78,6 +81,7 @@ def test_signs_that_a_page_lacks_stay_readable(tmp_path):
     assert shown["cp1254"].splitlines()[0] == "Çatal theta <= 5° ışık - psi ? ?"
 
 
+@pytest.mark.cases(1)
 @POSIX
 @pytest.mark.parametrize(
     "line",
@@ -97,6 +101,7 @@ def test_a_full_disk_is_told_in_one_line(folder, line):
     assert done.stderr.decode().strip() == told
 
 
+@pytest.mark.cases(1)
 @POSIX
 @pytest.mark.parametrize("line", part([("new", "--list"), ("show", "mine.toml", "--cells"), ("--help",)], of=2))
 def test_a_reader_that_goes_is_no_fault(folder, line):
@@ -137,6 +142,7 @@ main(["build", "mine.toml", "-o", "held.xlsx", "--force"])
 """
 
 
+@pytest.mark.cases(1)
 @POSIX
 @pytest.mark.parametrize(("number", "code", "said"), [(signal.SIGINT, 130, "stopped"), (signal.SIGTERM, 143, "")])
 def test_signals_leave_nothing_half_written(tmp_path, number, code, said):
@@ -161,6 +167,7 @@ def test_the_words_for_signs_are_letters():
     assert all(re.fullmatch(r"[\x20-\x7e]+", word) for word in _WORDS.values())
 
 
+@pytest.mark.cases(1)
 @POSIX
 @pytest.mark.parametrize("page", ["utf-8", "cp857"])
 def test_long_work_shows_a_bar_on_a_terminal_and_no_colour(tmp_path, page):

@@ -23,6 +23,7 @@ def description(tmp_path):
     return path
 
 
+@pytest.mark.slow
 def test_the_best_are_printed_and_the_counts_told(description, tmp_path):
     done = run("study", description, "-o", tmp_path / "out", "--workers", 1)
     assert done.exit_code == 0, done.output
@@ -36,6 +37,7 @@ def test_the_best_are_printed_and_the_counts_told(description, tmp_path):
     assert again.stdout == done.stdout
 
 
+@pytest.mark.slow
 def test_a_design_of_a_study_is_built(description, tmp_path):
     out = tmp_path / "out"
     first = (
@@ -54,6 +56,7 @@ def test_a_design_of_a_study_is_built(description, tmp_path):
         assert any(isinstance(value, float) and f"{value:.7g}" == number for value in cells), number
 
 
+@pytest.mark.slow
 def test_a_description_that_was_changed_since_is_noted(description, tmp_path):
     out = tmp_path / "out"
     run("study", description, "-o", out, "--workers", 1)
@@ -83,6 +86,7 @@ def test_a_design_that_there_is_not(description, tmp_path, design, words):
     assert not (tmp_path / "x.xlsx").exists()
 
 
+@pytest.mark.slow
 def test_conditions_that_keep_nothing_are_told_with_their_counts(tmp_path):
     path = tmp_path / "none.toml"
     path.write_text(

@@ -181,6 +181,7 @@ def test_there_are_two_hundred():
     assert len(set(LINES)) >= 200
 
 
+@pytest.mark.cases(18)
 @pytest.mark.parametrize("line", part(LINES, of=6, turn=1), ids=lambda line: " ".join(line)[:60] or "nothing")
 def test_a_wrong_line_is_told(folder, line, monkeypatch):
     monkeypatch.chdir(folder)
@@ -193,6 +194,8 @@ def test_a_wrong_line_is_told(folder, line, monkeypatch):
     assert held(folder) == before, "nothing is written"
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("line", part(FURTHER, of=20, turn=7)[:8], ids=lambda line: " ".join(line)[:60])
 def test_the_same_as_a_program(folder, line):
     """The exit code and the streams are those of a real process, too."""

@@ -12,6 +12,8 @@ from mechsheet.compiled.motion import motion_of
 from mechsheet.description import load, loads
 from random_mechanisms import Grower
 
+pytestmark = pytest.mark.slow
+
 TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
 
 
@@ -38,11 +40,13 @@ def assert_same(mechanism):
         assert np.nanmax(np.abs(column - cells), initial=0.0) <= 1e-9 * max(scale, 1.0), symbol
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("template", some(TEMPLATES, 2), ids=lambda path: path.stem)
 def test_templates(template):
     assert_same(load(template))
 
 
+@pytest.mark.cases(2)
 @pytest.mark.parametrize("seed", range(12 if IN_CI else 3))
 def test_random_mechanisms(seed):
     assert_same(loads(Grower(seed, 1 + seed % 3).text(), "random.toml"))

@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -46,6 +47,7 @@ def try_loading(text: str) -> None:
         assert loads(mechanism.text) == mechanism
 
 
+@pytest.mark.ci
 @settings(deadline=None)
 @given(st.text(max_size=200))
 def test_any_text(text: str) -> None:
@@ -145,6 +147,7 @@ WHOLE = st.fixed_dictionaries(
 )
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(300), deadline=None, suppress_health_check=list(HealthCheck))
 @given(WHOLE)
 def test_from_the_schema(parts: dict[str, str]) -> None:

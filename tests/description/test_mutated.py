@@ -55,12 +55,14 @@ def check(faults: tuple[Fault, ...]) -> None:
         assert fault.line or "is missing" in fault.message or "too deep" in fault.message, fault
 
 
+@pytest.mark.cases(31)
 @pytest.mark.parametrize("place", range(len(TEXTS)), ids=template_names())
 def test_damaged(place: int) -> None:
     for seed in range(EACH):
         outcome(mutated(TEXTS[place], 1000 * place + seed), whole=seed == 3)
 
 
+@pytest.mark.slow
 def test_the_damages_do_damage() -> None:
     """Every kind of damage changes the text, and they do not all end alike."""
     import random

@@ -67,6 +67,8 @@ def test_each_is_computed_from_the_others(linkage):
     assert motion["slope"] == pytest.approx(np.sin(np.radians(motion["mu"])) * motion["B.y"] / 2)
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 def test_the_workbook_has_them_in_the_order_in_which_they_need_one_another(linkage, layout, tmp_path):
     (built,) = linkage.build(tmp_path, formats="xlsx", layout=layout)

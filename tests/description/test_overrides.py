@@ -81,6 +81,7 @@ def test_wherever_a_dimension_stands(layout: str) -> None:
     assert loads(after.text) == after
 
 
+@pytest.mark.slow
 @settings(deadline=None)
 @given(st.floats(-1e90, 1e90).filter(lambda x: x == 0 or abs(x) > 1e-90))
 def test_any_number(value: float) -> None:

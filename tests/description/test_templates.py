@@ -12,6 +12,7 @@ def test_there_are_templates() -> None:
     assert list(template_names()) == sorted(template_names())
 
 
+@pytest.mark.slow
 def test_all_load_under_their_own_names() -> None:
     for name in template_names():
         assert loads(template_text(name), f"{name}.toml").name == name

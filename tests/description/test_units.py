@@ -112,6 +112,7 @@ def test_another_value_is_written_with_the_unit_that_it_is_in(name, value, line)
     assert again[name] == next(dim.shown for dim in changed.dimensions if dim.symbol == name)
 
 
+@pytest.mark.slow
 def test_what_was_typed_into_a_workbook_comes_back_in_the_unit_of_its_cell(tmp_path):
     mine = tmp_path / "mine.toml"
     mine.write_text(text(), encoding="utf-8")

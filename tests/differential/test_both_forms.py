@@ -28,6 +28,8 @@ from mechsheet.library.building import FORMATS, compile_workbook
 from odf import document_parts, schema_file
 from random_mechanisms import KINDS, Grower
 
+pytestmark = pytest.mark.slow
+
 GENERATED = Path(__file__).parent.parent.parent / "generated"
 SOME = ("adjustable-pump", "fivelink", "four-bar", "scotch-yoke")
 """A two-way table, Turkish, the plain one, and one that slides."""
@@ -59,7 +61,6 @@ def agrees(judge, source, answer):
     assert found.agrees, (source.name, found)
 
 
-@pytest.mark.slow
 def test_twins_are_one_workbook():
     for xlsx, ods in twins(0):
         assert compare_twins(read(xlsx), read(ods), "twin").agrees, ods.name
@@ -71,7 +72,8 @@ def test_the_ods_agrees_with_the_reference():
         assert report.agrees, report
 
 
-@pytest.mark.slow
+@pytest.mark.cases(1)
+@pytest.mark.ci
 @pytest.mark.libreoffice
 @pytest.mark.parametrize("suffix", FORMATS)
 def test_libreoffice_computes_both_twins(suffix, tmp_path):
@@ -82,7 +84,6 @@ def test_libreoffice_computes_both_twins(suffix, tmp_path):
         agrees("libreoffice", source, answer)
 
 
-@pytest.mark.slow
 @pytest.mark.gnumeric
 @pytest.mark.ci
 def test_gnumeric_computes_the_ods(tmp_path):
@@ -92,7 +93,7 @@ def test_gnumeric_computes_the_ods(tmp_path):
         agrees("gnumeric", source, answer)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.libreoffice
 def test_conversions_by_libreoffice_lose_nothing(tmp_path):
     for old, new in (FORMATS, FORMATS[::-1]):
@@ -132,7 +133,6 @@ def counted(path):
     return charts, sum(part.count(b"<dataValidation ") for name, part in data.items() if "worksheets/sheet" in name)
 
 
-@pytest.mark.slow
 @pytest.mark.jing
 def test_every_ods_is_valid(tmp_path):
     parts: dict[str, list[Path]] = {}

@@ -7,6 +7,8 @@ from laid import template_text
 from chosen import ALL
 from mechsheet.checking.programs import answers_to_all
 
+pytestmark = pytest.mark.slow
+
 COUNT, ROWS = (20, 12) if ALL else (2, 4)
 PROGRAMS = ("libreoffice", "gnumeric")
 
@@ -15,7 +17,6 @@ MOVED = Elsewhere(template_text("stephenson-ii-class-iv"), "v", 2.28340895013116
 
 
 @pytest.mark.ci
-@pytest.mark.slow
 @pytest.mark.libreoffice
 @pytest.mark.gnumeric
 def test_other_programs_compute_them(tmp_path, record_property):

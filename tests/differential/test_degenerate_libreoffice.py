@@ -10,9 +10,10 @@ from mechsheet.description import loads
 from mechsheet.library.building import compile_workbook
 from mechsheet.sheet.plan import STATUS
 
-pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]
+pytestmark = pytest.mark.libreoffice
 
 
+@pytest.mark.ci
 def test_rows_that_exist(tmp_path):
     all_cases = [case for folder in ("branches", "degenerate") for case in cases(folder)]
     chosen = part((case for case in all_cases if not case.refused), 18)

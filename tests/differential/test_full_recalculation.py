@@ -19,7 +19,7 @@ from office_macros import Job, with_macros
 
 ROOT = Path(__file__).parents[2]
 
-pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]
+pytestmark = pytest.mark.libreoffice
 
 
 def swept(rows, name="four-bar"):
@@ -38,11 +38,13 @@ def agree(paths):
         assert compared.agrees, (path.name, compared)
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("rows", part([101, 99, 361, 3601], of=4))
 def test_no_circle_whatever_the_rows(rows, tmp_path):
     agree(mechsheet.build(swept(rows), tmp_path, ("xlsx", "ods") if rows == 101 else ("xlsx",)))
 
 
+@pytest.mark.cases(1)
 @pytest.mark.ci
 @pytest.mark.parametrize("name", ["adjustable-pump", "six-link-dwell", "stephenson-i"])
 def test_no_circle_with_more_groups(name, tmp_path):

@@ -21,7 +21,7 @@ from random_mechanisms import KINDS, Grower
 SAMPLE = int(os.environ.get("MECHSHEET_SAMPLE", "20" if ALL else "2"))
 """How many of each; a file takes LibreOffice and us some three seconds."""
 
-pytestmark = [pytest.mark.slow, pytest.mark.libreoffice]
+pytestmark = pytest.mark.libreoffice
 
 
 def written(seed, kinds, dyads, folder):
@@ -73,6 +73,7 @@ def test_four_bars_and_slider_cranks(tmp_path, record_property):
     agree(cases, tmp_path, lambda text: record_property("worst", text))
 
 
+@pytest.mark.ci
 def test_all_five_dyads(tmp_path, record_property):
     cases = [written(seed, KINDS, 1 + seed % 6, tmp_path) for seed in range(1200, 1200 + SAMPLE)]
     agree(cases, tmp_path, lambda text: record_property("worst", text))
@@ -88,6 +89,7 @@ FOLDED = (
 """A parallelogram that folds in its last row: no velocities and forces there, numbers beside it."""
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize("program", ["libreoffice", pytest.param("gnumeric", marks=pytest.mark.gnumeric), "ironcalc"])
 def test_velocities_and_forces_beside_a_dead_centre(program, layout, tmp_path):
@@ -118,6 +120,7 @@ TABLES = "".join(
 )
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     ("program", "more"),
     [
@@ -134,6 +137,7 @@ def test_the_first_and_the_last_number_between_rows_that_do_not_close(program, m
     assert report.comparisons[-1].judge == program
 
 
+@pytest.mark.ci
 def test_a_motion_law_with_arrows_and_a_hodograph(tmp_path):
     """LibreOffice computes time, driver, velocities, the arrows of the drawing and the hodograph as the engine does."""
     text = (

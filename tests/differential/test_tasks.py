@@ -26,6 +26,8 @@ from mechsheet.library.building import FORMATS, compile_workbook
 from mechsheet.synthesis.kinds import KINDS
 from synthesis_tasks import description, task
 
+pytestmark = pytest.mark.slow
+
 COUNT = len(first(range(20), 1))
 
 LEAN = ((r"(?m)^speed = .*\n", ""), (r"\Z", "[workbook]\ndrawing = false\n"))
@@ -61,7 +63,7 @@ def compared(judge, source, answer):
     return compare_program(judge, book, evaluate(book), stored_values(answer).get, plan, source.name)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.libreoffice
 def test_libreoffice_computes_them(tmp_path):
     (tmp_path / "answers").mkdir()
@@ -71,7 +73,7 @@ def test_libreoffice_computes_them(tmp_path):
         assert found.agrees, (source.name, found)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.gnumeric
 def test_gnumeric_computes_them(tmp_path):
     for source in workbooks(tmp_path / "xlsx"):
@@ -91,7 +93,7 @@ TYPED = {
 """Packaged description -> symbol of a yellow cell, what `--set` calls it, the number that is typed."""
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.libreoffice
 def test_what_is_typed_moves_everything_as_if_it_were_built_anew(tmp_path, monkeypatch):
     """Drawing, curves, table, verdicts: every formula of the workbook in which the number was typed.

@@ -13,6 +13,7 @@ from mechsheet.drawing_page.questions import Refusal
 TEXT = mechsheet.template("four-bar").text
 
 
+@pytest.mark.slow
 def test_a_file_that_changed_on_the_disk_is_not_replaced_unasked(tmp_path):
     path = tmp_path / "mine.toml"
     path.write_text(TEXT, encoding="utf-8")
@@ -49,6 +50,7 @@ def test_a_name_is_never_a_path_nor_one_that_windows_keeps(tmp_path, name):
     assert list(tmp_path.iterdir()) == [folder]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "before", [b"\xef\xbb\xbfformat = 1\r\na = 1\r\n", b"format = 1\na = 1\n", b"format = 1\r\na = 1"]
 )
@@ -62,12 +64,14 @@ def test_line_ends_and_a_byte_order_mark_come_back(tmp_path, before):
     assert path.read_bytes() == before
 
 
+@pytest.mark.slow
 def test_a_description_that_is_not_there_yet_begins_empty(tmp_path):
     begun = Studio(tmp_path / "press line.toml").answer("begin", {})
     assert begun["text"] == ""
     assert 'name = "pressline"' in begun["empty"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "begin"), [("svg", b"<?xml"), ("png", b"\x89PNG"), ("toml", b"#:schema")])
 def test_pictures_and_the_text_are_given_away(kind, begin):
     assert Studio(None).answer("file", {"text": TEXT, "kind": kind, "at": 40}).startswith(begin)
@@ -83,6 +87,7 @@ def test_a_workbook_is_that_of_build(tmp_path):
     assert "Açılar" in zipfile.ZipFile(BytesIO(content)).read("xl/sharedStrings.xml").decode()
 
 
+@pytest.mark.slow
 def test_check_says_what_the_command_line_says(tmp_path):
     lines = Studio(None).answer("check", {"text": TEXT})["lines"]
     assert lines[0].startswith("closes in all 25 positions")
@@ -129,6 +134,7 @@ def test_what_cannot_be_joined_is_told_in_turkish_with_the_links_in_turkish():
     assert faults[0]["links"] == ["coupler", "rocker"]
 
 
+@pytest.mark.slow
 def test_the_check_is_told_in_the_language_of_the_page(tmp_path):
     path = tmp_path / "mine.toml"
     path.write_text(TEXT, encoding="utf-8")

@@ -54,6 +54,7 @@ def names_in(path):
 CASES = [(path, point) for path in but(TEMPLATES, *SHARED, *TIED, *FOUND, *CAMS) for point in names_in(path)]
 
 
+@pytest.mark.cases(5)
 @pytest.mark.parametrize(("path", "point"), part(CASES, 9), ids=lambda part: getattr(part, "stem", part))
 def test_a_dragged_point_lies_where_it_was_dragged(path, point):
     """And a solved mechanism comes of it; what is not one of its links keeps its dimensions."""
@@ -127,6 +128,7 @@ def test_comments_order_and_line_count_stay():
     assert [line for line in new.splitlines() if line.startswith("#") or line.startswith("[")] == kept
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FOUND)
 def test_what_a_synthesis_has_found_stays_what_it_found(name):
     """Its lengths follow from what is asked of it: no number is written over them."""

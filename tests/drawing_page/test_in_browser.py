@@ -458,3 +458,32 @@ def test_closing_the_page_ends_the_program(opening, four_bar):
     opened.page.close()
     ended.join(20)
     assert not ended.is_alive()
+
+
+def test_a_point_and_a_link_are_renamed_by_double_click_everywhere_in_the_text(opening, four_bar):
+    opened = opening(four_bar)
+    page, before = opened.page, opened.text()
+    page.mouse.dblclick(*opened.place("B"))
+    page.fill("#ask-input", "Pin")
+    page.keyboard.press("Enter")
+    opened.until("document.querySelector('[data-point=Pin]') !== null")
+    text = opened.text()
+    assert not re.search(r"\bB\b\s*(=|\.[xy])", text)
+    assert 'en = "coupler APin", tr = "biyel APin"' in text
+    assert "A0 = [0, 0]" in text
+    page.locator('[data-point="Pin"]').focus()
+    page.keyboard.press("F2")
+    page.fill("#ask-input", "A")
+    page.keyboard.press("Enter")
+    opened.said("The text has it already: A.")
+    middle = [(a + b) / 2 for a, b in zip(opened.place("A0"), opened.place("A"), strict=True)]
+    page.mouse.dblclick(*middle)
+    page.fill("#ask-input", "drehkurbel")
+    page.keyboard.press("Enter")
+    opened.until("document.querySelector('[data-link=drehkurbel]') !== null")
+    assert "[links.drehkurbel]" in opened.text()
+    assert 'link = "drehkurbel"' in opened.text()
+    opened.said("It can be joined in every position.")
+    page.click("#undo")
+    page.click("#undo")
+    assert opened.text() == before

@@ -47,6 +47,7 @@ def test_positions_are_those_of_the_reference(path):
     json.dumps(found, allow_nan=False)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", TEMPLATES, ids=lambda path: path.stem)
 def test_a_template_is_written_back_unchanged(path, tmp_path):
     mine = tmp_path / path.name
@@ -187,6 +188,7 @@ def test_titles_and_reasons_come_in_both_languages():
     assert "kapanmıyor" in looked(text, language="tr")["frames"]["reasons"][1]["text"]
 
 
+@pytest.mark.cases(6)
 @pytest.mark.parametrize("path", but(some(TEMPLATES, 4)), ids=lambda path: path.stem)
 def test_an_answer_is_small(path):
     """It is sent with every step of a drag."""

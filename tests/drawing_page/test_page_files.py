@@ -6,7 +6,9 @@ from pathlib import Path
 import pytest
 
 import mechsheet
-from mechsheet.words.drawing_page import DRAWING_PAGE
+from catalogues import pairs
+
+DRAWING_PAGE = pairs("draw.")
 
 PAGE = Path(mechsheet.__file__).parent / "drawing_page" / "page"
 FILES = sorted(PAGE.iterdir())

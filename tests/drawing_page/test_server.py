@@ -86,6 +86,7 @@ def test_a_page_of_another_origin_gets_nothing(server, origin):
     assert asked(server, "begin", {}, Origin=origin)[0] == 403
 
 
+@pytest.mark.slow
 def test_this_page_is_answered(server):
     status, text, _ = asked(server, "begin", {}, Origin=server.origin, Sec_Fetch_Site="same-origin")
     assert status == 200
@@ -174,6 +175,7 @@ def test_questions_that_make_no_sense_are_refused_in_words(server, name, questio
     assert json.loads(text)["errors"][0]
 
 
+@pytest.mark.ci
 def test_it_stops_when_the_last_page_has_been_closed(tmp_path):
     server = DrawingServer(Studio(None, tmp_path), patience=0.4)
     server.start()

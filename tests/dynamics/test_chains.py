@@ -67,6 +67,7 @@ def mechanism_of(seed):
     return weighed(Grower(seed, 1, (("III", "IV")[seed % 2],)).text(rows=6, step=1.5), seed, seed % 5 == 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(RANDOM))
 def test_random_groups_against_the_reference(seed, record_property):
     try:
@@ -81,6 +82,8 @@ def test_random_groups_against_the_reference(seed, record_property):
     assert max(worst) < 1e-9
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("kinds", "unknowns"), [(("III2",), 3), (("III3",), 4)])
 def test_three_and_four_unknowns_against_the_reference(kinds, unknowns):
     """Two plates pinned to each other, and three: minors of J that the last pass has, and others of its transpose."""
@@ -92,6 +95,8 @@ def test_three_and_four_unknowns_against_the_reference(kinds, unknowns):
     assert max(worst) < 1e-9
 
 
+@pytest.mark.slow
+@pytest.mark.cases(3)
 @pytest.mark.parametrize("seed", range(40 if ALL else 8))
 def test_dyads_solved_as_groups_against_the_reference(seed):
     """`[solution] force`: one unknown, an angle or a displacement, links between a carrier and what is known."""
@@ -100,6 +105,7 @@ def test_dyads_solved_as_groups_against_the_reference(seed):
     assert max(worst) < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["engine", "four-bar-forces", "six-link-dwell"])
 def test_forces_of_both_solutions_are_alike(name):
     """Closed form and Newton's method: other unknowns, other determinants, the same forces."""

@@ -110,6 +110,7 @@ def worst_of(text):
     return worst, len(found)
 
 
+@pytest.mark.cases(5)
 @pytest.mark.parametrize("template", some(but(TEMPLATES, *LISTED, "four-bar-forces"), 4), ids=lambda path: path.stem)
 def test_templates_against_all_reactions_at_once(template):
     for seed, static in ((1, False), (2, True)):
@@ -118,6 +119,7 @@ def test_templates_against_all_reactions_at_once(template):
         assert worst < 1e-11
 
 
+@pytest.mark.slow
 def test_random_mechanisms_of_all_dyads_against_all_reactions_at_once():
     kinds = set()
     for seed in range(60 if IN_CI else 6):
@@ -290,6 +292,7 @@ theta13 = 80
     assert worst_of(slot)[0] < 1e-12
 
 
+@pytest.mark.slow
 def test_a_driver_between_moving_links():
     """The effort of a cylinder is a force along it, of a turning pair a torque between the two."""
     for name in ("cylinder-boom", "elliptic-trammel", "scissor-lift"):

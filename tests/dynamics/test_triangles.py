@@ -21,6 +21,7 @@ def test_templates_against_all_reactions_at_once(name):
         assert worst < 1e-11
 
 
+@pytest.mark.ci
 def test_random_cylinders_between_links_that_move():
     rng, judged = np.random.default_rng(18), 0
     for seed in range(12 if IN_CI else 5):
@@ -41,6 +42,7 @@ def test_the_cylinder_of_the_lift_pushes_the_load_as_many_times_as_its_height_gr
     assert values["F12.y"] + values["F13.n"] == pytest.approx(5000, rel=1e-11)
 
 
+@pytest.mark.slow
 def test_two_triangles_on_one_cylinder():
     """Three links at each end of it, all of them inside what moves as a whole: the lower slot is on the second triangle."""
     text = template("scissor-lift-between-arms")

@@ -22,6 +22,7 @@ def evaluations():
     return {"first": values[0], "second": values[1], "later": values[-1]}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("time", ["first", "second", "later"])
 @pytest.mark.parametrize("file", [path.stem for path in FILES])
 def test_cases(evaluations, file, time):
@@ -43,6 +44,7 @@ def _anchored(node):
     return transform(node, change)
 
 
+@pytest.mark.cases(6)
 @pytest.mark.parametrize("file", [path.stem for path in FILES])
 def test_cases_filled_down_and_right(file):
     """The same values when a formula fills a block of 3 x 2."""

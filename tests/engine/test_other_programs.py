@@ -12,6 +12,8 @@ from livesheet.formula.parser import parse_formula
 from livesheet.formula.printer import print_formula
 from mechsheet.checking.programs import convert_with_libreoffice
 
+pytestmark = pytest.mark.slow
+
 CASES = cases()
 DIFFERENCES = load(FOLDER / "differences.toml")
 ARRAYS = {path.stem for path in FILES if load(path).get("arrays")}

@@ -63,6 +63,7 @@ DATA = {
 }
 
 
+@pytest.mark.cases(145)
 @pytest.mark.parametrize("start", [0.0, -0.3, "x", NA, None, True, "7"], ids=str)
 @pytest.mark.parametrize("data", DATA)
 @pytest.mark.parametrize("formula", RECURRENCES)
@@ -123,6 +124,7 @@ def test_a_circle_is_remarked_with_its_cells():
         assert values.get("S", 8, 0) == REF
 
 
+@pytest.mark.slow
 def test_a_column_of_circles():
     values = evaluate(book({}, {"A1:A5000": "A1+1", "B1": "1"}))
     assert len(values.remarks) == 20
@@ -221,12 +223,14 @@ def test_deep_formulas(text, value):
         assert plan.evaluate().get("S", 0, 1) == pytest.approx(value, rel=1e-15)
 
 
+@pytest.mark.slow
 def test_a_sum_of_thousands_of_terms():
     plan = compile_book(book({"A": [1.0, 2.0]}, {"B1:B2": "+".join(["A1"] * 4000)}))
     for _ in range(2):
         assert column(plan.evaluate(), "B", 1, 2) == [4000, 8000]
 
 
+@pytest.mark.slow
 def test_a_sum_of_thousands_of_different_terms():
     plan = compile_book(book({"A": [5.0]}, {"B1": "+".join(f"A$1*{n}" for n in range(1, 3001))}))
     for _ in range(2):

@@ -13,6 +13,8 @@ from livesheet.formula.parser import parse_formula
 from random_formulas import Formulas, random_cells
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("path", sorted((FOLDER / "random").glob("*.toml")), ids=lambda path: path.stem)
 def test_values_that_other_programs_confirmed(path):
     table = load(path)
@@ -39,6 +41,7 @@ def anchored(node):
     return transform(node, change)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [11, 12])
 def test_formulas_filled_down_are_the_formula_alone(seed):
     """A block of cells gives in each of them what the formula gives by itself."""

@@ -28,6 +28,8 @@ def _only_for_types(path):
     }
 
 
+@pytest.mark.slow
+@pytest.mark.cases(3)
 @pytest.mark.parametrize("room", BELOW)
 def test_imports_go_down(room):
     allowed = {*BELOW[: BELOW.index(room) + 1], *(EVALUATOR if room in EVALUATOR else ())}

@@ -18,6 +18,8 @@ from mechsheet.exporting import export
 from mechsheet.library.building import compile_workbook
 from mechsheet.library.show import variables_of
 
+pytestmark = pytest.mark.slow
+
 SVG = "{http://www.w3.org/2000/svg}"
 BY_NAME = {path.stem: path for path in TEMPLATES}
 

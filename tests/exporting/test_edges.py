@@ -78,6 +78,7 @@ def mechanisms():
     return {name: loads(case) for name, case in CASES.items()}
 
 
+@pytest.mark.slow
 def test_python(mechanisms, tmp_path):
     for name, mechanism in mechanisms.items():
         export(mechanism, "python", tmp_path / f"{name}.py")
@@ -87,7 +88,6 @@ def test_python(mechanisms, tmp_path):
         assert worst_against_reference(mechanism, loaded(tmp_path, name)) < 1e-9, name
 
 
-@pytest.mark.slow
 @pytest.mark.octave
 def test_octave(mechanisms, tmp_path):
     for name, mechanism in mechanisms.items():
@@ -97,6 +97,7 @@ def test_octave(mechanisms, tmp_path):
         assert worst_against_reference(mechanism, arrays(mechanism, tmp_path / f"{name}.txt")) < 1e-9, name
 
 
+@pytest.mark.cases(5)
 @pytest.mark.parametrize("kind", sorted(KINDS))
 def test_every_kind_writes_them(kind, mechanisms):
     all_names = kind in ("geogebra", "latex", "octave", "python", "vba")
@@ -108,6 +109,7 @@ def test_every_kind_writes_them(kind, mechanisms):
         assert len(content) > 100
 
 
+@pytest.mark.slow
 def test_the_cases_are_what_they_say(mechanisms, tmp_path):
     assert "olcu" in {dim.symbol for dim in mechanisms["names"].dimensions}
     export(mechanisms["powers"], "python", tmp_path / "powers.py")
@@ -136,6 +138,7 @@ def test_a_name_that_stands_in_the_way(kind, name, tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_default_names(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     names = [export(loads(FOUR_BAR), kind)[0].name for kind in ("octave", "python", "csv", "markdown")]

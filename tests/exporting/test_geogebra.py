@@ -144,6 +144,8 @@ def arrays(mechanism, rows, numbers, points):
     return found | {f"{name}.{axis}": place[at] for name, place in points.items() for at, axis in enumerate("xy")}
 
 
+@pytest.mark.cases(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("path", some(CASES, 2), ids=lambda path: path.stem)
 def test_the_expressions_give_what_the_reference_gives(path):
     """For the described dimensions; a wrong order of atan2, a lost sign, a label read too early would be seen."""

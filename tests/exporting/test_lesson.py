@@ -21,10 +21,12 @@ from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
 from office_macros import Job, with_macros
 
+pytestmark = pytest.mark.slow
+
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 WITHOUT = {
-    "cam-flat", "cam-linkage", "cam-rocker", "cam-slide", "cardan-gear", "double-butterfly", "excavator",
-    "five-bar-robot", "geared-five-bar", "planar-3rpr", "rack-slider", "scissor-lift-between-arms",
+    "cam-flat", "cam-linkage", "cam-rocker", "cam-slide", "cam-valve", "cardan-gear", "double-butterfly",
+    "excavator", "five-bar-robot", "geared-five-bar", "planar-3rpr", "rack-slider", "scissor-lift-between-arms",
     "stephenson-ii-class-iv", "stephenson-ii-motor", "stephenson-iii-output", "sun-and-planet",
 }  # fmt: skip
 """Cams, gears, further drivers, a driver between moving links, groups that Newton's method solves."""
@@ -70,6 +72,7 @@ def test_the_five_link_is_the_texts(fivelink):
     assert [sheet.cached.get(FIRST, col) for col in (2, 3)] == pytest.approx([1.8347600504, 1.8689154494])
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("settings", [{}, {"Krank": 400, "SabitU_D": -300}, {"SabitU_D4ç": -200, "mode_2": -1}])
 def test_it_follows_dimensions_and_modes(fivelink, settings):
     """Alfa1 and SabitUzuv were found to be what the loop needs: they are so for other dimensions, too."""
@@ -78,6 +81,7 @@ def test_it_follows_dimensions_and_modes(fivelink, settings):
     assert all(isinstance(value, float) for value in found.column(TITLE.tr, 3, FIRST, FIRST + 18))
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("name", WITH)
 def test_every_chain_gives_the_angles_of_the_table(name):
     compiled = template(name)
@@ -92,6 +96,7 @@ def test_every_chain_gives_the_angles_of_the_table(name):
     assert len(longest) <= 250, longest
 
 
+@pytest.mark.cases(13)
 @pytest.mark.parametrize("name", sorted(WITHOUT))
 def test_where_no_chain_of_functions_leads_there_is_no_such_sheet(name):
     assert chain_of(template(name)) == ()

@@ -15,6 +15,8 @@ from mechsheet.exporting import exported
 from mechsheet.exporting.program import program_of
 from mechsheet.exporting.python import RESERVED
 
+pytestmark = pytest.mark.slow
+
 CHANGES = [
     ("planar-3rpr", "p1", 8.0),  # more by 60 %: the assembly ends, none is found
     ("planar-3rpr", "y2", 2.4),  # it goes on, where the sketch would mean another
@@ -81,6 +83,7 @@ def same(ours, theirs):
         assert np.nan_to_num(ours[symbol]) == pytest.approx(np.nan_to_num(column), abs=1e-9), symbol
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(("name", "symbol", "shown"), CHANGES)
 def test_python_as_the_workbook(name, symbol, shown):
     theirs, doubted, _ = of_sheet(name, symbol, shown)
@@ -92,7 +95,7 @@ def test_python_as_the_workbook(name, symbol, shown):
     assert all("assembly" in str(each.message) for each in told)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.octave
 def test_octave_as_the_workbook(tmp_path):
     code = ""

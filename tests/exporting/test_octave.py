@@ -53,7 +53,7 @@ def arrays(mechanism, path):
     return {name: np.array([float(x) for x in line[1:]]) for name, line in zip(names, lines, strict=True)}
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.octave
 def test_equal_to_the_reference(tmp_path):
     given = mechanisms(4)
@@ -67,7 +67,6 @@ def test_equal_to_the_reference(tmp_path):
     assert max(worst.values()) < 1e-9, worst
 
 
-@pytest.mark.slow
 @pytest.mark.octave
 def test_arguments_and_their_faults(tmp_path):
     mechanism = load(next(path for path in TEMPLATES if path.stem == "slider-crank"))
@@ -89,7 +88,6 @@ def test_arguments_and_their_faults(tmp_path):
     assert lines[3].startswith("arguments come in pairs")
 
 
-@pytest.mark.slow
 @pytest.mark.octave
 @pytest.mark.parametrize("name", ["slider-crank", "fivelink", "cylinder-boom"])
 def test_picture_without_a_display(name, tmp_path):

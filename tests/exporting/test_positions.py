@@ -21,6 +21,8 @@ from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.plotting.sampling import sample
 
+pytestmark = pytest.mark.slow
+
 FAST = ("fivelink", "oldham", "adjustable-pump")
 CASES = [
     pytest.param(path, ("en", "tr")[index % 2], id=path.stem, marks=() if path.stem in FAST else pytest.mark.slow)

@@ -62,17 +62,20 @@ def ran(tmp_path_factory):
     return given, changed, folder
 
 
+@pytest.mark.slow
 def test_equal_to_the_reference(ran):
     given, _, folder = ran
     assert max(worst_against_reference(mechanism, loaded(folder, name)) for name, mechanism in given.items()) < 1e-9
 
 
+@pytest.mark.slow
 def test_angles_do_not_leap_by_a_turn(ran):
     given, _, folder = ran
     leaps = {name: leaping_angles(mechanism, loaded(folder, name)) for name, mechanism in given.items()}
     assert {name: symbols for name, symbols in leaps.items() if symbols} == {}
 
 
+@pytest.mark.slow
 def test_other_dimensions(ran):
     """The module follows its arguments as the reference follows its own."""
     given, changed, folder = ran
@@ -129,6 +132,7 @@ def test_same_bytes(tmp_path):
     assert written[0] == written[1]
 
 
+@pytest.mark.slow
 def test_modes_are_arguments(tmp_path):
     """The other assembly of a four-bar is the mirror image of the first about the line of its outer pins."""
     mechanism = load(next(path for path in TEMPLATES if path.stem == "four-bar"))

@@ -100,6 +100,7 @@ def test_radians(tmp_path):
     assert r"\cos\left(1.0000\right)" in document
 
 
+@pytest.mark.slow
 def test_where_there_is_no_position(tmp_path):
     mechanism = load(BY_NAME["cylinder-boom"])
     for kind in ("latex", "markdown"):
@@ -110,6 +111,7 @@ def test_where_there_is_no_position(tmp_path):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_texts_of_the_description_stay_texts():
     hostile = Words(*[r"\input{x} $y$ #1 50% a_b ^~ | `c` <d> *e* & → ğ"] * 2)
     given = load(BY_NAME["four-bar"])
@@ -124,13 +126,13 @@ def test_texts_of_the_description_stay_texts():
     assert len(re.split(r"(?<!\\)\|", rows[0])) == 5
 
 
+@pytest.mark.slow
 def test_same_bytes(tmp_path):
     for kind in ("latex", "markdown"):
         first, second = (export(load(BY_NAME["oldham"]), kind, tmp_path / "it")[0].read_bytes() for _ in range(2))
         assert first == second
 
 
-@pytest.mark.slow
 @pytest.mark.latex
 @pytest.mark.parametrize(
     ("name", "language"),

@@ -53,6 +53,7 @@ def module_of(mechanism) -> bytes:
 WRITTEN = [ROOT / "templates" / f"{name}.toml" for name in (*part(ITERATED, 4, 1), *LISTED)]
 
 
+@pytest.mark.cases(8)
 @pytest.mark.parametrize("path", [*but(TEMPLATES, *ITERATED, *LISTED, *TASKS), *WRITTEN], ids=lambda path: path.stem)
 def test_every_template_is_ascii_with_dos_lines_and_declares_what_it_uses(path):
     content = module_of(load(path))
@@ -72,6 +73,7 @@ def test_every_template_is_ascii_with_dos_lines_and_declares_what_it_uses(path):
     assert max(statement.count("\0") for statement in statements) < 24
 
 
+@pytest.mark.slow
 def test_more_arguments_than_vba_takes():
     with pytest.raises(MechanismError, match="61 arguments"):
         module_of(loads(Grower(7, 7).text(rows=5)))
@@ -122,7 +124,6 @@ def rows_of(name: str) -> list[dict[str, str]]:
 
 
 @needs_libreoffice
-@pytest.mark.slow
 @pytest.mark.libreoffice
 def test_the_tables_of_the_text_come_out_of_the_functions():
     """The pump by its function, in degrees; the five-link as the text computes it, by KolKızak and DörtÇubuk."""
@@ -201,8 +202,8 @@ def calls_of(mechanism) -> tuple[list[str], list[float | None], list[str]]:
     return formulas, radians, units
 
 
+@pytest.mark.ci
 @needs_libreoffice
-@pytest.mark.slow
 @pytest.mark.libreoffice
 def test_functions_in_libreoffice_give_what_the_workbook_has():
     """1e-10 of the size; of the other templates, the module compiles and its first and last functions give numbers."""
@@ -249,7 +250,6 @@ q5 = { formula = "-a1^2 + 2^3^2 + sign(-3)*min(1, 2, 3) + exp(1) + hypot(3, 4) +
 
 
 @needs_libreoffice
-@pytest.mark.slow
 @pytest.mark.libreoffice
 def test_what_has_no_value_ends_a_function_and_shows_no_message():
     text = (ROOT / "templates" / "four-bar.toml").read_text(encoding="utf-8").replace("[outputs]\n", OUTPUTS)
@@ -330,7 +330,6 @@ NOWHERE = [
 
 @needs_libreoffice
 @pytest.mark.ci
-@pytest.mark.slow
 @pytest.mark.libreoffice
 def test_newtons_method_in_libreoffice_gives_what_the_workbook_has():
     """With its turns, whatever was asked before; #N/A beyond a limit, and where the assembly would be another."""

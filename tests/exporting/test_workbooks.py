@@ -39,6 +39,8 @@ from office_macros import Job as Office
 from office_macros import with_macros
 from random_mechanisms import Grower
 
+pytestmark = pytest.mark.slow
+
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 PUMP, FOUR_BAR = TEMPLATES / "adjustable-pump.toml", TEMPLATES / "four-bar.toml"
 
@@ -263,7 +265,6 @@ def test_an_edited_function_is_found(folder, tmp_path):
     assert "Boy" in result.stdout
 
 
-@pytest.mark.slow
 @pytest.mark.ci
 def test_the_assembly_mode_reaches_the_functions(folder):
     default, other = built(folder, PUMP)
@@ -286,6 +287,7 @@ ratio = 2.5
 """
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("seed", [None, 2, 5, 9])
 def test_functions_of_other_mechanisms_equal_the_table_of_positions(seed):
     """Random ones, and what a rack and a gear make of an angle, of which whole turns would count."""
@@ -345,7 +347,6 @@ def test_the_default_workbook_has_no_macros_and_no_functions():
 
 
 @pytest.mark.ci
-@pytest.mark.slow
 @pytest.mark.libreoffice
 @pytest.mark.skipif(shutil.which("soffice") is None, reason="LibreOffice is not installed")
 def test_libreoffice_computes_the_basic_workbooks(tmp_path):

@@ -96,6 +96,7 @@ def test_rights_of_the_old_file_stay(folder):
     assert (folder / "old.xlsx").stat().st_mode & 0o777 == 0o640
 
 
+@pytest.mark.slow
 def test_small_parts_are_packed_tightly_and_large_ones_as_tables_of_numbers(tmp_path):
     """A workbook of 25 rows is 2 % smaller, one of 36,001 rows 4 %, than with zipfile's own compression."""
     small = "".join(f"<c r='A{i}'><f>A{i - 1}+B{i % 7}</f></c>" for i in range(1, 2000))

@@ -18,6 +18,7 @@ def run(path, *options):
     return result
 
 
+@pytest.mark.cases(63)
 @pytest.mark.parametrize("name", BAD)
 def test_one_message(tmp_path, name):
     path = tmp_path / f"bad{BAD[name].suffix}"
@@ -128,6 +129,8 @@ def test_a_shared_formula_that_leaves_the_sheet(tmp_path):
     assert (result.get("S", 3, 0), result.get("S", 3, 1)) == (ErrorValue("#REF!"), 0.0)
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("rows", [20_000, pytest.param(1_048_576, marks=[pytest.mark.slow, pytest.mark.ci])])
 def test_a_full_sheet(tmp_path, rows):
     """1,048,576 rows: shared formulas, and a reference to the whole column."""

@@ -54,7 +54,7 @@ def test_many_rows_that_are_alike(tmp_path):
     assert read(path).sheets[0].hidden == [(300, 600), (800, 801)]
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.libreoffice
 def test_as_libreoffice_writes_and_counts_them(tmp_path):
     source = by_xlsxwriter(tmp_path / "a.xlsx")

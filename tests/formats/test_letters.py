@@ -65,6 +65,7 @@ def stored_values_of(book):
     return lambda title, row, col: book.sheet(title).cached.get(row, col)
 
 
+@pytest.mark.ci
 @pytest.mark.libreoffice
 def test_libreoffice(twins, tmp_path):
     sources = [shutil.copy(path, tmp_path / f"{path.stem}-{path.suffix[1:]}{path.suffix}") for path in twins]

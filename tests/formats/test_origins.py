@@ -163,7 +163,7 @@ def saved_as_ods(tmp_path_factory):
     return sources, convert_with_libreoffice(sources, "ods", folder)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.libreoffice
 def test_what_libreoffice_makes_of_them(saved_as_ods, tmp_path):
     """Both formats, saved by LibreOffice: our values, and its own."""
@@ -177,7 +177,7 @@ def test_what_libreoffice_makes_of_them(saved_as_ods, tmp_path):
             assert {name.sheet for name in read(path).names if name.name == "double"} == {"Main", None}
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.libreoffice
 def test_written_back_libreoffice_opens_it(saved_as_ods, tmp_path):
     """Its own files and ours, with another input: LibreOffice computes what was written."""

@@ -15,6 +15,8 @@ from livesheet.formats import write
 from livesheet.formula.nodes import ErrorValue
 from mechsheet.checking.programs import convert_with_libreoffice, libreoffice_command
 
+pytestmark = pytest.mark.slow
+
 libreoffice = [
     pytest.mark.libreoffice,
     pytest.mark.skipif(libreoffice_command() is None, reason="LibreOffice is not installed"),

@@ -2,10 +2,14 @@
 
 import zipfile
 
+import pytest
+
 from livesheet.formats.seal import PROPERTIES, is_untouched
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.library.building import build
+
+pytestmark = pytest.mark.slow
 
 
 def test_a_damaged_file_is_not_as_it_was_built(tmp_path):

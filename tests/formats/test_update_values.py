@@ -81,6 +81,8 @@ def yoke(tmp_path_factory):
 
 @pytest.mark.parametrize("suffix", FORMATS)
 class TestOurOwn:
+    @pytest.mark.cases(1)
+    @pytest.mark.slow
     def test_without_a_change_every_part_is_the_same(self, suffix, four_bar, tmp_path):
         for path in (four_bar[suffix], tmp_path / f"sample.{suffix}"):
             if not path.exists():
@@ -89,6 +91,8 @@ class TestOurOwn:
             recalc(path).write(output)
             assert changed_parts(path, output) == []
 
+    @pytest.mark.cases(1)
+    @pytest.mark.slow
     def test_what_is_not_touched_is_copied_as_it_is_packed(self, suffix, yoke, tmp_path):
         output = tmp_path / f"out.{suffix}"
         updated(yoke[suffix], output, {"a_2": 51.5})
@@ -99,6 +103,8 @@ class TestOurOwn:
             assert old[name][0] == new[name][0], name
             assert name in changed or old[name][1] == new[name][1], name
 
+    @pytest.mark.cases(1)
+    @pytest.mark.slow
     def test_the_new_values_are_right(self, suffix, yoke, tmp_path):
         output = tmp_path / f"out.{suffix}"
         updated(yoke[suffix], output, {"a_2": 51.5})
@@ -107,6 +113,8 @@ class TestOurOwn:
         assert report.comparisons[0].worst == 0
         assert report.remarks == ("a2 is 51.5, was 50",)
 
+    @pytest.mark.cases(1)
+    @pytest.mark.slow
     def test_back_again(self, suffix, four_bar, tmp_path):
         there, back = tmp_path / f"there.{suffix}", tmp_path / f"back.{suffix}"
         updated(four_bar[suffix], there, {"a_1": 200})  # nothing can be joined: #N/A in most cells
@@ -118,6 +126,7 @@ class TestOurOwn:
             assert list(mine.constants.items()) == list(theirs.constants.items())
             assert mine.blocks == theirs.blocks
 
+    @pytest.mark.slow
     def test_in_its_own_place(self, suffix, yoke, tmp_path, monkeypatch):
         replace = Path.replace
 
@@ -134,6 +143,7 @@ class TestOurOwn:
         assert check(path).agrees
         assert [left.name for left in tmp_path.iterdir()] == [path.name]
 
+    @pytest.mark.slow
     def test_cells_that_had_no_element(self, suffix, yoke, tmp_path):
         settings = {"Mechanism!ZZ3": 5.0, "Mechanism!B3000": "a < b", "mechanism!A3000": 1, "Checks!G1": -1e-9}
         book = updated(yoke[suffix], tmp_path / f"out.{suffix}", settings)
@@ -142,6 +152,7 @@ class TestOurOwn:
         assert (first.constants.get(2999, 0), first.constants.get(2999, 1)) == (1.0, "a < b")
         assert checks.constants.get(0, 6) == -1e-9
 
+    @pytest.mark.slow
     def test_another_format_is_refused(self, suffix, yoke, tmp_path):
         other = "ods" if suffix == "xlsx" else "xlsx"
         with pytest.raises(OutputError, match=f"is written as .{suffix}"):
@@ -149,6 +160,7 @@ class TestOurOwn:
 
 
 class TestXlsx:
+    @pytest.mark.slow
     @pytest.mark.filterwarnings("ignore:Cannot parse header or footer")
     def test_what_openpyxl_reads(self, yoke, tmp_path):
         output = tmp_path / "out.xlsx"
@@ -209,6 +221,7 @@ class TestXlsx:
         assert read(tmp_path / "b.xlsx").sheets[0].constants.get(0, 0) == "x_0041_"
         assert (found["B1"].value, found["A2"].value) == (False, 4)
 
+    @pytest.mark.slow
     def test_another_encoding_is_refused(self, yoke, tmp_path):
         source = tmp_path / "a.xlsx"
         with zipfile.ZipFile(yoke["xlsx"]) as old, zipfile.ZipFile(source, "w") as new:

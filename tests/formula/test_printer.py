@@ -16,17 +16,20 @@ CASES = Path(__file__).parent.parent / "cases" / "formula"
 TEXTS = tomllib.loads((CASES / "text.toml").read_text(encoding="utf-8"))
 
 
+@pytest.mark.slow
 @given(sheet_trees)
 def test_what_is_printed_reads_back(tree):
     for dialect in ("excel", "openformula"):
         assert parse_formula(print_formula(tree, dialect), dialect) == tree
 
 
+@pytest.mark.slow
 @given(description_trees)
 def test_what_is_printed_for_a_description_reads_back(tree):
     assert parse_description(print_formula(tree, "description")) == tree
 
 
+@pytest.mark.slow
 @given(sheet_trees)
 def test_no_pair_of_parentheses_can_be_left_out(tree):
     """Each pair either holds arguments, or its absence changes or breaks the formula."""

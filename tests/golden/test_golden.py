@@ -30,11 +30,13 @@ def compare(path: Path, text: str) -> None:
     assert path.read_text(encoding="utf-8") == text, f"{path.name} differs: see the head of this file"
 
 
+@pytest.mark.cases(35)
 @pytest.mark.parametrize("template", TEMPLATES, ids=lambda path: path.stem)
 def test_equations(template):
     compare(FOLDER / f"{template.stem}.equations.txt", equations_text(load(template)) + "\n")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SHOWN)
 def test_cells(name):
     mechanism = load(TEMPLATES[0].parent / f"{name}.toml")

@@ -107,6 +107,7 @@ SLIPS = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slip", first(list(SLIPS), 1))
 def test_a_slip_is_found_and_mended(tmp_path, mechanism, slip):
     changes, cells, mend = SLIPS[slip]
@@ -133,6 +134,7 @@ def test_one_cell_typed_over_is_its_own_fault(tmp_path, mechanism):
     assert verdicts(found) == dict.fromkeys(ASKED, "follows")
 
 
+@pytest.mark.slow
 def test_the_other_assembly_is_said_before_any_mend(tmp_path, mechanism):
     path = Table(FOUR_BAR, four_bar(t13="{b}-{g}")).save(tmp_path / "book.xlsx")
     found = audit(path, mechanism)
@@ -141,6 +143,7 @@ def test_the_other_assembly_is_said_before_any_mend(tmp_path, mechanism):
     assert audit(path, mechanism, assembly="any").follow_through == 3
 
 
+@pytest.mark.slow
 def test_numbers_in_place_of_dimensions_are_not_live(tmp_path, mechanism):
     found = judged(tmp_path, mechanism, Table(FOUR_BAR, four_bar(xA="35*COS({fi})", yA="35*SIN({fi})")))
     assert verdicts(found) == dict.fromkeys(ASKED, "not live")
@@ -149,6 +152,7 @@ def test_numbers_in_place_of_dimensions_are_not_live(tmp_path, mechanism):
     assert set(verdicts(partly).values()) == {"not live"}
 
 
+@pytest.mark.slow
 def test_a_dimensions_cell_that_nobody_reads_is_not_live(tmp_path, mechanism):
     """a2 = 36.5 in its cell, another length than the description's, and the formulas have the number instead."""
     given = [(label, name, 36.5 if name == "a2" else value) for label, name, value in FOUR_BAR]
@@ -170,6 +174,7 @@ def test_a_long_table_is_mended_in_all_its_rows(tmp_path, mechanism):
     assert [(fault.cells, fault.kind) for fault in found.faults] == [("Sayfa1!E1234", "breaks its column")]
 
 
+@pytest.mark.slow
 def test_what_is_not_there_is_missing(tmp_path, mechanism):
     found = judged(tmp_path, mechanism, Table(FOUR_BAR, [c for c in four_bar() if c[1] != "mu"]))
     assert verdicts(found)["mu"] == "missing"
@@ -218,12 +223,14 @@ def test_templates_written_out_plainly_are_right(name, headings):
     assert found.faults == ()
 
 
+@pytest.mark.slow
 def test_own_workbooks_are_right(tmp_path):
     mechanism = mechsheet.template("fivelink")
     mechsheet.build(mechanism, tmp_path / "own.ods", layout="page")
     assert audit(tmp_path / "own.ods", mechanism).right
 
 
+@pytest.mark.slow
 def test_a_driver_that_follows_from_the_time_is_found(tmp_path):
     """Its column is computed from times, and its sines are those of degrees: `COS(RADIANS(B4))`."""
     links = '[links.base]\npoints = { O = [0, 0] }\n[links.arm]\npoints = { O = [0, 0], A = ["a2", 0] }\n'
@@ -241,6 +248,7 @@ def test_faults_in_words():
     assert fault_line(fault, "tr") == "Sayfa1!B9:B33  A9: radyan ve derece; RADIANS(A9) ile theta13, mu doğru olur"
 
 
+@pytest.mark.slow
 def test_the_command_prints_json(tmp_path):
     (tmp_path / "m.toml").write_text(mechsheet.template("four-bar").text, encoding="utf-8")
     path = Table(FOUR_BAR, four_bar(fi="RADIANS({deg})-{a2}/100")).save(tmp_path / "book.xlsx")
@@ -274,6 +282,8 @@ def test_circles_links_and_volatile_functions_are_remarks(tmp_path, mechanism):
     assert "1 number was typed as a text with a decimal comma; it is read as a number" in found.remarks
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("read", [False, True])
 def test_a_page_of_text_has_no_numbers_typed_as_texts(tmp_path, mechanism, read):
     """The legend of our own Turkish workbooks shows colours on `12,5`; but what a formula reads is a number."""
@@ -306,6 +316,7 @@ def test_lengths_that_a_task_gives_may_be_typed_or_computed(headings):
     assert found.faults == ()
 
 
+@pytest.mark.cases(1)
 @pytest.mark.ci
 @pytest.mark.parametrize("damaged", ["DEGREES({deg})", "{deg}"])
 def test_a_fault_does_not_hide_the_rows_at_a_limit(damaged):
@@ -389,6 +400,7 @@ def test_a_joint_force_and_the_driving_torque_are_right(tmp_path, loaded):
     assert not any("direction" in remark for remark in found.remarks)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slip", first(list(FORCE_SLIPS), 1))
 def test_a_wrong_sign_in_a_force_is_found(tmp_path, loaded, slip):
     column, old, new = FORCE_SLIPS[slip]

@@ -9,6 +9,8 @@ from homework.handmade import FOUR_BAR, Table, four_bar
 from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.homework.audit import audit
 
+pytestmark = pytest.mark.slow
+
 TURKISH = [(f"{label} [mm]", name, value) for label, name, value in FOUR_BAR]
 SLIP = {"xB": "{xA}+{a3}*SIN({t13})"}
 STYLES = {
@@ -34,8 +36,8 @@ def files(tmp_path_factory):
     return folder
 
 
+@pytest.mark.cases(1)
 @pytest.mark.ci
-@pytest.mark.slow
 @pytest.mark.libreoffice
 @pytest.mark.parametrize("style", STYLES)
 @pytest.mark.parametrize("suffix", ["xlsx", "ods", "xls"])

@@ -48,6 +48,8 @@ def verdicts(found):
     return {symbol: (one.verdict, one.cells.split("!")[0]) for symbol, one in found.asked.items()}
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("given", [FOUR_BAR, OTHER], ids=["the same lengths", "lengths of its own"])
 def test_asked_quantities_may_lie_in_different_tables(tmp_path, mechanism, given):
     """The angles of the smaller table were missing, or not live: its own cells were taken for nothing."""
@@ -57,6 +59,7 @@ def test_asked_quantities_may_lie_in_different_tables(tmp_path, mechanism, given
     assert found.faults == ()
 
 
+@pytest.mark.slow
 def test_a_fault_is_found_in_the_table_that_has_it(tmp_path, mechanism):
     slip = "SQRT(({a1}-{xA})^2-{yA}^2)"
     path = both(tmp_path, Table(FOUR_BAR, coupler_only(s=slip)), Table(FOUR_BAR, rocker_only(24.0)))

@@ -37,6 +37,8 @@ ORDERS = {
 }
 
 
+@pytest.mark.cases(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("how", ORDERS)
 def test_a_four_bar_is_recognised_and_described(tmp_path, how):
     path = ORDERS[how].save(tmp_path / "book.xlsx")
@@ -67,6 +69,8 @@ NONE = {
 }
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("what", NONE)
 def test_what_is_no_linkage_is_none(tmp_path, what):
     columns = [("aci", "deg", STEPS), ("rad", "fi", "RADIANS({deg})")]
@@ -79,6 +83,7 @@ def test_what_is_no_linkage_is_none(tmp_path, what):
     assert not (tmp_path / "own.toml").exists()
 
 
+@pytest.mark.slow
 def test_a_workbook_without_a_table_is_none(tmp_path):
     path = Table([("a1", "a1", 1.0)], [("x", "x", [1.0, 2.0])]).save(tmp_path / "book.xlsx")
     assert "no table" in run("audit", path, code=1)

@@ -15,6 +15,8 @@ from mechsheet.homework.audit import audited
 from mechsheet.homework.formula_strips import upright
 from mechsheet.homework.marking_rules import asked_of
 
+pytestmark = pytest.mark.slow
+
 SLIPS = {
     "2: C.x with theta14": (
         "four-bar",
@@ -50,6 +52,7 @@ SLIPS = {
 """template, what is asked, (cells, the slip, the mend), verdicts; errata 1 has a table of its own in `test_audit.py`."""
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("slip", SLIPS)
 def test_a_slip_of_the_text_is_found_and_mended(slip):
     name, asked, (cells, wrong, mend), verdicts = SLIPS[slip]

@@ -20,6 +20,8 @@ from homework.plain_export import plain_book
 from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.cli import main
 
+pytestmark = pytest.mark.slow
+
 DOCS = Path(__file__).parents[2] / "docs"
 BLOCK = re.compile(r"```(\w+)\n(.*?)```", re.DOTALL)
 
@@ -110,8 +112,8 @@ def appeal(path, identifier):
     assert [marks[f"{sheet.title}!{col}{row}"] for col in ("I", "K")] == [5.0, 6.5]
 
 
+@pytest.mark.full
 @pytest.mark.ci
-@pytest.mark.slow
 @pytest.mark.libreoffice
 @pytest.mark.parametrize(
     ("page", "count", "week", "handed", "pump", "old"),

@@ -101,6 +101,7 @@ def random_five_bar(seed):
     return FIVE_BAR.format(**{key: float(value) for key, value in sizes.items()}, rest=ways[seed % 5] + drive)
 
 
+@pytest.mark.cases(10)
 @pytest.mark.parametrize("seed", range(20))
 def test_random_ties_against_the_reference(seed):
     mechanism = loads(random_five_bar(seed))
@@ -154,6 +155,8 @@ WATT = {"px": -800, "py": 900, "arm": 200, "rod": 1000, "beam": 800, "kind": "ge
         "ax": 100.0, "ay": 173.0}  # fmt: skip
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["gear", "belt"])
 def test_a_gear_inside_a_group_against_the_closed_form(kind):
     """Driven at its arm it is a four-bar and a gear behind it; driven at the sun it reads that motion backwards."""
@@ -168,6 +171,8 @@ def test_a_gear_inside_a_group_against_the_closed_form(kind):
         assert np.remainder(found[name] - closed[name] + np.pi, math.tau) - np.pi == pytest.approx(0, abs=1e-12), name
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", part(range(40), 8))
 def test_random_gears_inside_groups_against_the_reference(seed):
     random = np.random.default_rng(seed)
@@ -249,6 +254,7 @@ def test_a_rack_inside_a_group_against_the_closed_form(text, own, driven, rows, 
         assert gap == pytest.approx(0, abs=1e-9 if name == "s" else 1e-11), name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", part(range(40), 6))
 def test_random_racks_inside_groups_against_the_reference(seed):
     random = np.random.default_rng(seed)

@@ -51,16 +51,19 @@ def worst_gap(mechanism):
     return worst
 
 
+@pytest.mark.cases(18)
 @pytest.mark.parametrize("path", TEMPLATES, ids=lambda path: path.stem)
 def test_templates_close(path):
     assert worst_gap(load(path)) < 1e-10
 
 
+@pytest.mark.cases(8)
 @pytest.mark.parametrize("seed", range(900, 930))
 def test_random_linkages_close(seed):
     assert worst_gap(loads(Grower(seed, 1 + seed % 5).text(7))) < 1e-10
 
 
+@pytest.mark.slow
 def test_each_loop_holds_what_its_group_solves():
     """Two scalar equations for two unknowns; an angle that a guide keeps may be written as well."""
     for path in but(TEMPLATES, *ITERATED):

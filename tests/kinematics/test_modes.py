@@ -75,6 +75,7 @@ def four_bar(a1, a2, a3, a4, stretched, x, y):
     return loads(FOUR_BAR.format(a1=a1, a2=a2, a3=a3, a4=a4, reach=reach, turn=turn, x=x, y=y))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("lengths", list(random_four_bars(12)))
 def test_both_assemblies_follow_the_sketch_and_the_reference(lengths):
     picked = set()

@@ -15,6 +15,8 @@ from mechsheet.kinematics.sketched import doubts
 from mechsheet.library import changed
 from mechsheet.library.show import overview_text
 
+pytestmark = pytest.mark.slow
+
 LAMP = """
 format = 1
 [mechanism]
@@ -56,6 +58,7 @@ def misfit(sheet, link):
     return sheet.plan.text("verdict.gap.redundant", link=link, sheet=sheet.plan.at.titles["checks"])
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("text", WRITTEN.values(), ids=WRITTEN.keys())
 def test_it_follows_and_its_length_is_checked_in_every_row(text):
     sheet = Laid(text)
@@ -74,6 +77,7 @@ def test_it_follows_and_its_length_is_checked_in_every_row(text):
     assert sheet.verdict == sheet.words("largest_gap")
 
 
+@pytest.mark.cases(2)
 @pytest.mark.parametrize(
     ("place", "angle"),
     [('["a4", 0]', 30), ("[150, 0]", 30), ("[-150, 0]", -150), ('["-a4", 0]', -150), ("[0, -150]", 120)],
@@ -165,6 +169,7 @@ def test_where_it_is_not_certain_none_is_left_out(what, old, new):
         _ = Compiled(mechanism).equations
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("length", [150, 147])
 def test_the_reference_and_the_search_agree(tmp_path, length):
     """Whether it fits or not."""

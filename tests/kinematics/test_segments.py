@@ -35,6 +35,8 @@ def ways(law, tau):
     return [np.broadcast_to(np.asarray(value(node, known), float), tau.shape) for node in way_of(law)]
 
 
+@pytest.mark.cases(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("law", PEAKS)
 def test_peaks(law):
     tau = np.linspace(0, 1, 100001)

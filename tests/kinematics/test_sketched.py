@@ -127,6 +127,7 @@ def test_without_at_the_value_is_named(name):
         assert min(away) <= 1.01 * step + 1e-3 * abs(value), told
 
 
+@pytest.mark.cases(5)
 @pytest.mark.parametrize("name", some(but(TEMPLATES, *LISTED), 5, 18))
 def test_the_reference_reads_the_sketch_there_too(name):
     """The independent solver finds the same positions from the sketch alone, at the value that `at` names."""
@@ -167,6 +168,7 @@ def test_at_that_contradicts_the_sketch():
     assert message.startswith("assembly.at: the sketch is said to show theta12 = 200, but it fits theta12 = ")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("use", [compile_workbook, overview_text, octave], ids=["build", "show", "export"])
 def test_doubts_are_warnings_of_the_library(use):
     with pytest.warns(DescriptionWarning, match="theta12 = 0, but it fits theta12 = ") as caught:

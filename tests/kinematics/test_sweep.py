@@ -127,6 +127,7 @@ def test_scaling(seed, factor):
     assert_same(mechanism, other, lambda xy: factor * xy)
 
 
+@pytest.mark.cases(12)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_mirroring_swaps_the_modes_of_triangles(seed):
     """y -> -y: triangles turn over (RRR modes swap); which of two displacements is larger stays as it is."""

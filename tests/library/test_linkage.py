@@ -41,6 +41,7 @@ def test_rows_that_do_not_exist():
     assert np.isnan(motion["theta14"][~motion.exists]).all()
 
 
+@pytest.mark.slow
 def test_a_frame_has_the_driver_as_index():
     motion = mechsheet.load(FOUR_BAR).solve()
     frame = motion.frame()
@@ -62,12 +63,14 @@ def test_without_pandas(monkeypatch):
         motion.frame()
 
 
+@pytest.mark.slow
 def test_a_drawing_shows_itself():
     shown = mechsheet.load(FOUR_BAR).drawing(at=60)._repr_mimebundle_()
     assert shown["image/svg+xml"].lstrip().startswith("<?xml")
     assert shown["text/plain"] == "<Drawing of four-bar at 60>"
 
 
+@pytest.mark.slow
 def test_methods_do_what_functions_do(tmp_path):
     linkage = mechsheet.loads(template_text("four-bar"))
     [path] = linkage.build(tmp_path)
@@ -76,6 +79,7 @@ def test_methods_do_what_functions_do(tmp_path):
     assert repr(linkage) == "<Linkage four-bar: 4 links, driven by theta12>"
 
 
+@pytest.mark.slow
 def test_the_notebook_runs(monkeypatch, tmp_path):
     """Every code cell in order; the last expression of a cell can be shown."""
     monkeypatch.chdir(tmp_path)

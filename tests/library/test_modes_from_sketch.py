@@ -8,9 +8,12 @@ from mechsheet.compiled import compiled_of
 from mechsheet.description.templates import template_text
 from mechsheet.kinematics.solve import solve
 
+pytestmark = pytest.mark.slow
+
 PLATFORM = template_text("planar-3rpr")
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("number", [1, 2, 3, 4])
 def test_each_number_becomes_a_sketch(number):
     linkage = mechsheet.loads(PLATFORM, overrides={"mode_1": number})
@@ -27,6 +30,7 @@ def test_a_number_that_there_is_not(number):
     assert "2: theta12 = 26.32°" in caught.value.faults[0].hint
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("p1", [5, 4.8])
 def test_pull_brings_the_assembly_chosen_back(tmp_path, p1):
     """Also where a dimension was changed, by which the assemblies stand otherwise."""

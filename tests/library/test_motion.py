@@ -135,6 +135,7 @@ def test_what_cannot_be_solved_is_shown_by_its_name():
     assert linkage._repr_mimebundle_() == {"text/plain": repr(linkage)}
 
 
+@pytest.mark.slow
 def test_a_notebook_shows_what_a_check_prints(tmp_path):
     (built,) = mechsheet.template("four-bar").build(tmp_path, formats="xlsx")
 
@@ -164,6 +165,7 @@ def test_verdicts_are_objects():
         verdicts["transmision_1"]
 
 
+@pytest.mark.slow
 def test_a_number_of_the_rows_alone_is_not_sure():
     verdicts = mechsheet.template("double-butterfly").verdicts()
     assert not verdicts["swing_theta15"].sure

@@ -43,6 +43,7 @@ def test_a_mass_that_turns_without_inertia_is_told():
     assert verdict(told(of())).endswith(SAID)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("inertia", ["inertia = 0.001", "inertia = 0"])
 def test_one_that_is_given_is_not(inertia):
     assert "inertia" not in verdict(told(of(inertia)))
@@ -57,6 +58,7 @@ def test_what_does_not_turn_needs_none():
     assert "inertia" not in verdict(told(mechsheet.template("engine")))
 
 
+@pytest.mark.slow
 def test_it_has_a_cell_and_what_is_typed_there_comes_back(tmp_path):
     (built,) = of().build(tmp_path, formats="xlsx")
     session = mechsheet.open_book(built)

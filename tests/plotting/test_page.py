@@ -111,6 +111,7 @@ slider.dispatchEvent(new Event("change", { bubbles: true }));
 """
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     ("name", "fragment", "row"),
     part(
@@ -134,6 +135,7 @@ def test_fragment(name, fragment, row, tmp_path):
     judge(name, text, row)
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(("name", "row"), [("four-bar", 87), ("jansen", 50)])
 def test_slider(name, row, tmp_path):
     text, complaints = dom(page_of(name, tmp_path, MOVE.replace("ROW", str(row))))
@@ -169,6 +171,7 @@ def test_to_and_fro(tmp_path):
     assert taken.plan.driver[-8] < value <= taken.plan.driver[-1]
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("fragment", ["#at=x", "#at=1e999"])
 def test_nonsense_in_the_fragment(fragment, tmp_path):
     text, complaints = dom(page_of("four-bar", tmp_path), fragment)

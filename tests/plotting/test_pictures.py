@@ -25,6 +25,8 @@ from mechsheet.plotting import pictures, sampling
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage, journey
 
+pytestmark = pytest.mark.slow
+
 TEMPLATES = Path(__file__).parents[2] / "templates"
 NAMES = ["four-bar", "fivelink", "adjustable-pump", "six-link-dwell", "jansen", "elliptic-trammel", "scissor-lift"]
 
@@ -70,6 +72,7 @@ class Elements(HTMLParser):
             self.scripts.append(data)
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("name", some(NAMES, 0, every=13))
 @pytest.mark.usefixtures("few")
 def test_every_kind(name, tmp_path):
@@ -117,6 +120,7 @@ def judge_page(text):
     assert page.ids["play"][0] == "button"
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("kind", plotting.KINDS)
 @pytest.mark.usefixtures("few")
 def test_same_bytes(kind, tmp_path):
@@ -186,6 +190,7 @@ def test_turkish(tmp_path):
         assert word not in text.split("<script")[0]
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     "sweep", ['values = [0, 15, "acos(4/5)", 200, 100]', "values = [30]", "start = 0\nstop = 360\nstep = 0.1"]
 )
@@ -217,6 +222,7 @@ def test_command(tmp_path, monkeypatch):
     assert Path("four-bar.svg").exists()
 
 
+@pytest.mark.cases(7)
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

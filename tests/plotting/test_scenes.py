@@ -56,6 +56,8 @@ CASES = [
 ]
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "at"), CASES)
 def test_points_are_the_references(name, at):
     mechanism = template(name)
@@ -79,6 +81,8 @@ def shown_value(stage, row):
     return stage.sample.plan.mechanism.driver.unit.to_shown(value)
 
 
+@pytest.mark.cases(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four-bar", "scotch-yoke", "peaucellier"])
 def test_whole_sweep_is_the_references(name):
     stage = Stage(sample(template(name), None, None))
@@ -94,6 +98,7 @@ def mechanism_size(stage):
     return stage.positions.window.half
 
 
+@pytest.mark.slow
 def test_what_follows_the_position_is_all_that_changes():
     """What is computed for the drawing is what the whole workbook gives, for every series of every chart."""
     stage = Stage(sample(template("adjustable-pump"), None, None))
@@ -111,6 +116,7 @@ def test_what_follows_the_position_is_all_that_changes():
     assert stage.sample.value(spot) == before != 37.0
 
 
+@pytest.mark.slow
 def test_position_outside_of_the_sweep_leaves_the_path_as_it_is():
     def path(at):
         stage = Stage(sample(template("four-bar"), at, None))
@@ -120,6 +126,7 @@ def test_position_outside_of_the_sweep_leaves_the_path_as_it_is():
     assert len(path(62.5)) == len(path(None)) + 1
 
 
+@pytest.mark.slow
 def test_rows_that_do_not_exist_leave_gaps():
     stage = Stage(sample(template("four-bar", a2="90"), None, None))
     exists = np.array(stage.sample.exists)
@@ -149,6 +156,7 @@ def test_no_number(at):
         sample(template("four-bar"), at, None)
 
 
+@pytest.mark.slow
 def test_modes_are_those_of_the_description():
     """Another crossing of the loop, chosen by the sketch, stays chosen however the sweep is cut."""
     text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8").replace("B = [50, 55]", "B = [50, -55]")
@@ -199,6 +207,7 @@ def test_one_more_position(values, value, expected_values, row):
     assert with_value(values, value) == (expected_values, row)
 
 
+@pytest.mark.slow
 def test_journeys():
     stage = Stage(sample(template("four-bar"), None, None))
     rows, closed = journey(stage, 60)

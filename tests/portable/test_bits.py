@@ -22,6 +22,7 @@ def bits(values):
     return np.where(np.isnan(values), -1, values.view(np.int64)).tolist()
 
 
+@pytest.mark.cases(5)
 @pytest.mark.parametrize("name", ONE)
 @settings(deadline=None)
 @given(st.lists(floats, min_size=1, max_size=20))
@@ -31,6 +32,7 @@ def test_an_array_has_the_bits_of_its_numbers(name, numbers):
         assert bits(function(np.array(numbers))) == bits([function(number) for number in numbers])
 
 
+@pytest.mark.slow
 @settings(deadline=None)
 @given(st.lists(floats, min_size=1, max_size=20))
 def test_sine_and_cosine_together_have_the_bits_of_each(numbers):
@@ -39,6 +41,7 @@ def test_sine_and_cosine_together_have_the_bits_of_each(numbers):
             assert [bits(part) for part in portable.sin_and_cos(x)] == [bits(portable.sin(x)), bits(portable.cos(x))]
 
 
+@pytest.mark.ci
 @settings(deadline=None)
 @given(st.lists(st.tuples(floats, floats), min_size=1, max_size=20))
 def test_arrays_of_two_have_the_bits_of_their_numbers(pairs):

@@ -9,7 +9,10 @@ from judging import judged
 from mechsheet.description import loads
 from mechsheet.kinematics.solve import solve
 
+pytestmark = pytest.mark.slow
 
+
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("seed", first((6, 4, 7, 8, 11, 45), 1))
 def test_positions_are_those_of_the_reference(seed):
     """A linkage of each shape, over a turn: to where its assembly ends, and it does end there. More: tools/chains.py."""
@@ -20,8 +23,8 @@ def test_positions_are_those_of_the_reference(seed):
     assert found.gap < 1e-10
 
 
+@pytest.mark.cases(1)
 @pytest.mark.ci
-@pytest.mark.slow
 @pytest.mark.parametrize(("rows", "step"), [(11, 5.0), (66, 0.375)])
 def test_behind_a_limit_the_sheet_may_stand_elsewhere(rows, step):
     """In another assembly that closes: with all links, or with those up to a dyad that comes apart. Nothing is wrong."""

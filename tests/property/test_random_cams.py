@@ -8,12 +8,12 @@ import pytest
 from chosen import part
 from mechsheet import reference
 from mechsheet.description import loads
+from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
-from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.reference.expressions import number
-from random_cams import KINDS, SMOOTH, cam
+from random_cams import KINDS, SMOOTH, cam, loaded
 
 CASES = part(range(300), 12)
 SHARP = 10.0
@@ -29,6 +29,7 @@ def solved(text):
     return mechanism, equations, dimensions, sweep(mechanism, equations, given_values(mechanism, dimensions))
 
 
+@pytest.mark.cases(15)
 @pytest.mark.parametrize("seed", CASES)
 def test_every_column_is_the_references(seed):
     mechanism, equations, dimensions, found = solved(cam(seed))
@@ -40,6 +41,19 @@ def test_every_column_is_the_references(seed):
         scale = (np.abs(theirs) + 100) ** 2 / 50 if name == "rho" else 1 + np.nanmax(np.abs(theirs))
         assert np.array_equal(np.isnan(ours), np.isnan(theirs)), name
         assert np.nanmax(np.abs(ours - theirs) / scale, initial=0.0) < 1e-10, name
+
+
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "coupler"])
+@pytest.mark.parametrize("seed", part(range(40), 4))
+def test_forces_are_the_references(seed, kind):
+    """The cam's force on its follower, the joints, the cam's torque both ways, the spring that would hold."""
+    mechanism, equations, dimensions, found = solved(loaded(cam(seed, kind)))
+    known = reference.further(reference.solve(mechanism, dimensions, start=rough_poses(mechanism, equations)))
+    names = (*equations.shown_forces, *equations.efforts)
+    assert {"N", "K.hold"} < {*names}
+    for name in names:
+        ours, theirs = found[name], known[name.removesuffix(".work")]
+        assert np.nanmax(np.abs(ours - theirs) / (1 + np.abs(theirs) + np.nanmedian(np.abs(theirs)))) < 1e-10, name
 
 
 def within(mechanism, dimensions, phi):
@@ -60,6 +74,7 @@ def lowest(curve):
     return -curve.deriv(1)(0.0) / curve.deriv(2)(0.0)
 
 
+@pytest.mark.cases(7)
 @pytest.mark.parametrize("seed", CASES)
 def test_the_finished_profile_envelops_roller_and_face(seed):
     """In the cam's axes: the roller's centre keeps its distance to the curve, and the curve stays under the face."""

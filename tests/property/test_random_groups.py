@@ -16,6 +16,8 @@ COUNT = 200
 ROWS = 24
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", part(range(COUNT), 50))
 def test_engine_equals_reference(seed, record_property):
     """Class III and IV in turn, of class III some with a pin in a slot."""

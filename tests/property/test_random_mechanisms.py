@@ -11,6 +11,8 @@ from mechsheet.description import loads
 from mechsheet.kinematics.solve import solve
 from random_mechanisms import KINDS, Grower
 
+pytestmark = pytest.mark.slow
+
 CHUNK = 20
 CHUNKS = 15
 """15 x 20 = 300 mechanisms in a full run, always the same."""
@@ -20,6 +22,7 @@ def mechanism(seed: int, rows: int = 13):
     return loads(Grower(seed, 1 + seed % 6).text(rows))
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("chunk", part(range(CHUNKS), of=15))
 def test_engine_equals_reference(chunk):
     worst = 0.0

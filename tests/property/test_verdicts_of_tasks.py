@@ -20,6 +20,8 @@ from mechsheet.sheet.task_rows import ROUNDED, VALUE, verdicts_of
 from mechsheet.synthesis.kinds import KINDS
 from synthesis_tasks import description, task
 
+pytestmark = pytest.mark.slow
+
 SEEDS = first(range(200), 5)
 DENSE = 4001
 SMALL = 0.01
@@ -169,6 +171,7 @@ def test_of_dead_centres(kind, seed):
         assert found["transmission_least"][1] == pytest.approx(math.degrees(least), abs=1e-9)
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("seed", SEEDS)
 def test_of_guided_bodies(seed):
     said = verdicts("guidance", seed)
@@ -210,6 +213,7 @@ def test_of_slotted_levers(seed):
     assert said is None or said[0]["meets"][1] < 1e-9
 
 
+@pytest.mark.cases(2)
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("kind", KINDS)
 def test_of_how_much_a_small_change_changes(kind, seed):
@@ -235,6 +239,7 @@ COARSE = {"dead-centres": (0.5, 5.0), "quick-return-slider": (0.5, 5.0)}
 """To what lengths are rounded: to what a drawing has, and so that some lose what they had."""
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("kind", COARSE)
 def test_a_full_turn_is_lost_by_rounding_alone(kind, seed):

@@ -43,6 +43,8 @@ def test_the_page_shows_formulas_of_four_workbooks():
     assert len(SHOWN) == PAGE.count(".xlsx` `")
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "form", "cell", "formula"), SHOWN)
 def test_the_formula_stands_there(folder, name, form, cell, formula):
     assert folded(formula) in formulas_at(folder, name, form, cell)

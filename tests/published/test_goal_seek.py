@@ -8,6 +8,8 @@ from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
 from office_macros import Job, with_macros
 
+pytestmark = pytest.mark.slow
+
 GOAL = 90.0
 PAGE = (TEMPLATES.parent / "docs" / "lecturer.md").read_text(encoding="utf-8")
 

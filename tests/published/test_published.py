@@ -147,6 +147,7 @@ def test_six_link_closes_at_the_given_distance():
     assert distance == pytest.approx(490, abs=1e-9)
 
 
+@pytest.mark.ci
 def test_pump_workbook_holds_the_table_where_the_text_has_it(tmp_path):
     """B8:G26, one formula with mixed anchors, settings in row 7 and theta12 in column A, as in the text's workbook."""
     published = table("adjustable-pump")
@@ -161,6 +162,7 @@ def test_pump_workbook_holds_the_table_where_the_text_has_it(tmp_path):
                 assert cells[f"{letter}{row}"] == pytest.approx(values[1 + column], abs=6e-5), f"{letter}{row}"
 
 
+@pytest.mark.slow
 def test_cells_of_the_fivelink_carry_the_texts_names(tmp_path):
     (path,) = build(load(TEMPLATES / "fivelink.toml"), tmp_path)
     printed, cells = worked_values()["fivelink"], recalc(path).named()

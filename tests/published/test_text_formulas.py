@@ -14,6 +14,8 @@ from mechsheet.description import load
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
 
+pytestmark = pytest.mark.slow
+
 LEVER = "=KolKızak(Krank,SabitUzuv,(RADIANS(A{row})-Alfa1))+Alfa1-PI()/2"
 OUTPUT = "=DörtÇubuk(Krank2,Biyel,ÇıkışUzvu,SabitUzuv4,1,B{row}+Alfa2p)-Alfa2p"
 

@@ -51,6 +51,7 @@ def test_rough_poses():
             assert found.poses[link][0, 2] == pytest.approx(theta, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_rough_poses_of_a_later_row():
     """The first loop closes long before the second: its assembly is the one shown where both do."""
     m = read("stephenson")

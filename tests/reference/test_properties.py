@@ -4,6 +4,7 @@ import math
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from reference_cases import read
@@ -14,6 +15,8 @@ from mechsheet.reference import dimension_values, driver_values, residuals, solv
 from mechsheet.reference.expressions import number
 from mechsheet.reference.geometry import places, through
 from random_mechanisms import Grower
+
+pytestmark = pytest.mark.slow
 
 ROWS = 13
 FEW = settings(max_examples=20, deadline=None, derandomize=True)

@@ -25,6 +25,7 @@ def test_columns_of_a_four_bar(layout):
     assert size_of(compiled("four-bar", layout)).columns <= FOUR_BAR_COLUMNS[layout]
 
 
+@pytest.mark.cases(5)
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_other_sheets_have_few_columns_for_each_of_the_table(name):
     size = size_of(compiled(name))
@@ -36,6 +37,7 @@ def test_other_sheets_have_few_columns_for_each_of_the_table(name):
     assert size.tolerance <= size.table * (len(bands.quantities) if bands else 0)
 
 
+@pytest.mark.slow
 def test_velocities_and_forces_of_a_four_bar_with_three_masses():
     """Nineteen columns for velocities with a point, thirty-five for forces: 1,350 formulas where there are 25 rows."""
     found = compiled("four-bar-forces")
@@ -55,6 +57,7 @@ def test_iterations(name):
     assert size_of(found).iterations <= most
 
 
+@pytest.mark.cases(5)
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_no_heading_stands_over_two_columns(name):
     plan = compiled(name).plan

@@ -15,6 +15,7 @@ from mechsheet.sheet import layout
 from mechsheet.sheet.planning import plan_of
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["inverted-slider-crank", "four-bar-forces"])
 def test_no_cell_depends_on_the_order_in_which_sheets_are_begun(name, monkeypatch):
     mechanism = loads(template_text(name))
@@ -48,6 +49,7 @@ def contents(sheet):
     return found
 
 
+@pytest.mark.cases(6)
 @pytest.mark.parametrize("name", some(template_names(), 5))
 def test_everything_has_its_place(name):
     """No cell is written twice, where something is said to stand it stands, and colours belong to the rows they ask."""

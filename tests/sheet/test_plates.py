@@ -84,6 +84,7 @@ points = {{ {last} = [0, 0], D = [160, 0] }}
 TEXTS = {"three": plate(2), "ten": plate(9), "from the last": plate(4, -1), "truss": frame(5)}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TEXTS)
 def test_formulas_stay_short(name):
     laid = Laid(TEXTS[name])
@@ -106,6 +107,7 @@ def test_length_does_not_grow_with_depth(count):
     assert max(len(text) for symbol, text in texts.items() if symbol.startswith(("u_", "v_"))) < 80
 
 
+@pytest.mark.slow
 def test_grashof_of_a_truss():
     """The distance of the fixed pins reads cells: 4 lengths, one of them five triangles away."""
     laid = Laid(TEXTS["truss"])
@@ -115,6 +117,7 @@ def test_grashof_of_a_truss():
     assert excess == pytest.approx(2 * (lengths[0] + lengths[3]) - sum(lengths), abs=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "language"), part([("three", "en"), ("truss", "tr")], of=2))
 def test_files_agree(name, language, tmp_path):
     for path in mechsheet.build(mechsheet.loads(TEXTS[name], language=language), tmp_path, ("xlsx", "ods")):

@@ -14,6 +14,8 @@ from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.description import load
 from mechsheet.library.building import compile_workbook
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[2]
 INK = "FF00FF"
 TOLERANCE = 0.01
@@ -67,7 +69,7 @@ STATES = {"circle": (200.0, 100.0), "ellipse": (200.0, 50.0), "larger": (700.0, 
 """AB and AP of the trammel: P runs on an ellipse with the axes 2 BP and 2 AP."""
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.libreoffice
 def test_circle_stays_round(tmp_path):
     """A trammel whose P runs on a circle, then on an ellipse of 3 to 1, then on a larger circle.
@@ -93,7 +95,7 @@ def test_circle_stays_round(tmp_path):
         assert width / height == pytest.approx((beam - to_a) / to_a, rel=TOLERANCE), f"{pdf.stem}: {width} x {height}"
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.libreoffice
 def test_libreoffice_moves_the_drawing(tmp_path):
     """The position cell is changed in the file: LibreOffice's points of the drawing are those of the table's row."""

@@ -43,6 +43,8 @@ UNDETERMINED = ("kite",)
 TEXTS = {name: text for name, text in descriptions().items() if name not in NOT_BUILT}
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", part([name for name in TEXTS if name not in LEAPS], of=4))
 def test_nothing_is_red(name):
     """It closes somewhere, gaps are rounding, no cell counts as typed over; what can be said of it is said in words."""

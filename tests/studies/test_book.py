@@ -23,6 +23,8 @@ def row_of(book, sheet, row, columns="ABCDEFGHIJKLM"):
     return [book[f"{sheet}!{letter}{row}"] for letter in columns]
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["xlsx", "ods"])
 def test_each_best_design_has_its_row_and_a_command_that_builds_it(found, form):
     book = open_book(found.folder.path / f"study.{form}")
@@ -37,6 +39,7 @@ def test_each_best_design_has_its_row_and_a_command_that_builds_it(found, form):
         assert shlex.split(command)[:5] == ["mechsheet", "build", "four-bar.toml", "--design", f"wiper:{row['design']}"]
 
 
+@pytest.mark.slow
 def test_a_folder_that_was_moved_is_typed_once(found):
     book = open_book(found.folder.path / "study.xlsx")
     book["Best designs!C4"] = "elsewhere"
@@ -46,6 +49,7 @@ def test_a_folder_that_was_moved_is_typed_once(found):
     assert all("--design elsewhere:" in text for text in commands)
 
 
+@pytest.mark.slow
 def test_the_counts_are_those_of_the_study(found):
     book = open_book(found.folder.path / "study.xlsx")
     cells = dict(row_of(book, "Study", row, "AB") for row in range(1, 30))

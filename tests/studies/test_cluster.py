@@ -32,6 +32,7 @@ def two_workers():
         yield running
 
 
+@pytest.mark.ci
 def test_a_worker_that_is_killed_in_the_middle_takes_nothing_with_it(two_workers, tmp_path):
     (tmp_path / "one").mkdir()
     (tmp_path / "two").mkdir()
@@ -61,6 +62,7 @@ def test_a_cluster_without_workers_is_told(monkeypatch, tmp_path):
         studied(small(), tmp_path / "study", on=running.scheduler_address)
 
 
+@pytest.mark.slow
 def test_an_address_that_nobody_answers_is_told(monkeypatch, tmp_path):
     monkeypatch.setattr(cluster, "SECONDS", 1)
     with socket.socket() as free:

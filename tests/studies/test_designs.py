@@ -53,6 +53,8 @@ def around(template):
     return f"[study]\nvary = {{ {', '.join(spans)} }}"
 
 
+@pytest.mark.cases(1)
+@pytest.mark.ci
 @pytest.mark.parametrize("template", some(TEMPLATES, 1, 5))
 def test_summaries_are_those_of_the_workbook(template):
     mechanism = study_of(around(template), template)
@@ -87,6 +89,7 @@ def test_conditions_over_outputs_of_summaries():
     assert len(found.numbers) == np.count_nonzero((angles < 60) & (arcs > 50)) < len(all_of_them.numbers)
 
 
+@pytest.mark.cases(12)
 @pytest.mark.slow
 @pytest.mark.parametrize("template", template_names())
 def test_every_packaged_mechanism_is_studied_or_refused_by_name(template):
@@ -105,6 +108,7 @@ def test_every_packaged_mechanism_is_studied_or_refused_by_name(template):
 # --- against the reference -------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_positions_of_many_designs_are_those_of_the_reference():
     count = 200 if IN_CI else 40
     vary = "vary = { a2 = [15, 60], a3 = [50, 110], a4 = [30, 90], b3 = [60, 140] }"

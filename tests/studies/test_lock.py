@@ -60,7 +60,7 @@ def test_whoever_waits_at_a_removed_lock_does_not_have_it(tmp_path, monkeypatch)
     others[0].__exit__(None, None, None)
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_two_studies_started_at_once_in_an_empty_folder_do_not_mix(tmp_path):
     """Both ended with exit code 0, and the folder had parts of the one and of the other."""
     runs = []
@@ -79,7 +79,7 @@ def test_two_studies_started_at_once_in_an_empty_folder_do_not_mix(tmp_path):
     assert len(studies) == 1
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="nothing kills a process without a word here")
 def test_a_killed_study_frees_its_folder(tmp_path):
     description = tmp_path / "four-bar.toml"

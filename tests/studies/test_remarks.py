@@ -71,6 +71,8 @@ def said_in_study(remarks, name):
     return found[1] if found else ""
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("case", CASES)
 def test_a_study_marks_what_the_workbook_marks(case):
     template, parts, vary, rows = CASES[case]

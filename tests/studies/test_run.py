@@ -36,6 +36,7 @@ def whole(tmp_path_factory):
     return found, contents(folder)
 
 
+@pytest.mark.slow
 def test_every_design_is_tried_and_counted_once(whole):
     found, files = whole
     assert found.order.parts > 5
@@ -83,13 +84,13 @@ def test_what_is_missing_is_computed_again_and_nothing_else(whole, tmp_path):
     assert there[0].stat().st_mtime_ns == kept
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_several_processes_write_the_same_bytes(whole, tmp_path):
     studied(small(), tmp_path / "study", workers=4 if IN_CI else 2)
     assert contents(tmp_path / "study") == whole[1]
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 def test_a_study_that_is_killed_again_and_again_ends_with_the_same_bytes(whole, tmp_path):
     """Killed without a word, at three times that nobody chose; then it is resumed to its end."""
     description = tmp_path / "four-bar.toml"  # whose name stands in the commands
@@ -147,6 +148,7 @@ def test_the_folder_of_another_study_is_left_alone(whole, tmp_path):
     assert contents(folder) == whole[1]
 
 
+@pytest.mark.slow
 def test_a_study_without_a_part_makes_room_for_another(whole, tmp_path):
     """Nobody answered, or the disk was full from the beginning: another try needs no other folder."""
     folder = tmp_path / "study"
@@ -186,6 +188,7 @@ def test_a_worker_with_other_releases_does_not_compute(whole):
         parts.compute(other, 0)
 
 
+@pytest.mark.slow
 def test_a_full_disk_ends_the_study_and_keeps_what_is_done(monkeypatch, tmp_path):
     written = []
 
@@ -267,6 +270,7 @@ def test_a_process_has_as_much_memory_as_is_counted_with(tmp_path):
     assert 1024 * int(done.stdout) < OF_A_PROCESS
 
 
+@pytest.mark.slow
 def test_a_chunk_takes_no_more_memory_for_a_long_table():
     """2,048 designs over 1,801 rows: a column of all of them would take 28 MiB."""
     designs = Designs(study_of("[study]\nvary = { a2 = [10, 30, 0.25], a3 = [55, 65, 0.25] }", rows=1_801))

@@ -59,6 +59,7 @@ def gaps(equation, one, other):
     return gap - math.tau * np.round(gap / math.tau) if equation.unit.kind == "angle" else gap
 
 
+@pytest.mark.cases(4)
 @pytest.mark.parametrize("name", part(but(NAMES, *NO_DYADS), 3))
 def test_dyads_solved_as_groups(name):
     """`[solution] force`: the closed form and Newton's method, which share nothing but the sketch."""

@@ -87,6 +87,7 @@ def test_written_as_promised(name):
         assert request.title is not None
 
 
+@pytest.mark.cases(25)
 @pytest.mark.parametrize("name", NAMES)
 def test_assembles_as_sketched_over_the_whole_sweep(name):
     mechanism, found = described(name), positions(name)
@@ -99,6 +100,7 @@ def test_assembles_as_sketched_over_the_whole_sweep(name):
         assert gap < 0.1 * size, f"{point} is sketched far from where it is"
 
 
+@pytest.mark.cases(5)
 @pytest.mark.parametrize("name", NAMES)
 def test_agrees_with_the_reference(name):
     mechanism, found = described(name), positions(name)
@@ -125,6 +127,7 @@ def test_angles_are_continuous(name):
         assert np.max(np.abs(np.diff(found[link.angle_symbol]))) < 1.5, link.name
 
 
+@pytest.mark.slow
 def test_both_languages_and_both_ways_of_referring_are_shown():
     assert {described(name).language for name in NAMES} == {"en", "tr"}
     assert {described(name).references for name in NAMES} == {"names", "anchors"}
@@ -278,6 +281,7 @@ def test_crank_rockers_turn_fully():
                 assert turns == pytest.approx(round(turns), abs=1e-12), key
 
 
+@pytest.mark.slow
 def test_loops_of_the_six_bars_hang_where_they_should():
     groups = {name: [group.links for group in equations_of(name).groups] for name in NAMES}
     for name in ("watt-i", "watt-ii", "stephenson-i", "stephenson-iii"):

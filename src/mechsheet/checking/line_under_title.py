@@ -13,7 +13,7 @@ from typing import Any, get_args
 from livesheet.formula.book import Book
 from livesheet.formula.nodes import Scalar
 from mechsheet.sheet.plan import LEGEND_ROW, SYMBOL, VALUE, VERDICT_ROW
-from mechsheet.words.workbook import Language, words
+from mechsheet.words.catalogue import Language, words
 
 LANGUAGES: tuple[Language, ...] = get_args(Language)
 

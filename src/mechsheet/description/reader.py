@@ -228,7 +228,10 @@ class _Reading:
     def forces(self) -> None:
         """Masses and loads."""
         bodies, loads, scope = self._part("links", {}), self._part("loads", []), self.scope
-        force_names.declare(bodies, loads, self.links, self.joints, self.driver, self.further, self.relations, scope)
+        cam = self.parts.get("cam")
+        force_names.declare(
+            bodies, loads, self.links, self.joints, self.driver, self.further, self.relations, cam, scope
+        )
         self.masses, cells = dynamics.read(bodies, self._part("dynamics", {}), loads, self.links, self.joints, scope)
         self.table = (*self.table, *cells)
 

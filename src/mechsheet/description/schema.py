@@ -374,13 +374,14 @@ CHART = Table(
         "hodographs": Key(
             Items(Text(names="point"), 1, MOST_SERIES), "curves of the ends of points' velocity vectors, at true scale"
         ),
+        "profile": Key(YesNo(), "true: the profile of the cam at true scale, with base circle and pitch curve"),
         **{
             f"{axis}_{end}": Key(Number(), f"where the {way} axis {verb}, in the unit shown; chosen when left out")
             for axis, way in (("x", "horizontal"), ("y", "vertical"))
             for end, verb in (("min", "begins"), ("max", "ends"))
         },
     },
-    ways=((("x", "y"), ("paths",), ("hodographs",)),),
+    ways=((("x", "y"), ("paths",), ("hodographs",), ("profile",)),),
 )
 
 MOST_PAIRS = 400

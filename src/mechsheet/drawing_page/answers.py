@@ -18,8 +18,8 @@ from mechsheet.drawing_page.editing.orders import edited
 from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.questions import Refusal, number_in, places_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
+from mechsheet.words.catalogue import Language
 from mechsheet.words.messages import text_in as said_in
-from mechsheet.words.workbook import Language
 
 UNTITLED = "mechanism.toml"
 EMPTY = """format = 1

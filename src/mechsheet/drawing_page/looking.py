@@ -30,8 +30,8 @@ from mechsheet.model import Driver, Joint, Link, Mechanism
 from mechsheet.shapes.forms import Shape
 from mechsheet.shapes.outlines import corners, direction_of, through_of
 from mechsheet.shapes.positions import Positions
+from mechsheet.words.catalogue import Language, words
 from mechsheet.words.equations import link_words
-from mechsheet.words.workbook import Language, words
 
 FRAMES = 180
 """Positions of an animation, about: between the rows of a sweep that steps there are further ones."""

@@ -58,6 +58,7 @@ class ActingForces:
         self._bodies: dict[str, Acting] = {}
         self._hung: dict[str, Acting] = {}
         self._pulls: dict[int, Vector] = {}
+        self._lengths: dict[int, Node] = {}
 
     def of(self, body: str) -> Acting:
         """What acts on a body so far."""
@@ -230,9 +231,7 @@ class ActingForces:
             return self._pulls[spring.order]
         columns, ledger = self.columns, self.poses.ledger
         (_, start), (_, end) = spring.ends
-        way = minus(self.poses.xy[end], self.poses.xy[start])
-        label = phrase("spring_length", name=spring.name, start=start, end=end)
-        length = columns.grey(f"{spring.name}_l", size(way), LENGTH, label)
+        way, length = minus(self.poses.xy[end], self.poses.xy[start]), self.length(spring)
         tension = al.mul(spring.stiffness, al.sub(length, spring.free_length))
         motions = self.found.rates.by_time
         if motions is not None and not al.is_zero(spring.damping):
@@ -247,6 +246,15 @@ class ActingForces:
         parts = al.div(al.mul(force, way[0]), length), al.div(al.mul(force, way[1]), length)
         self._pulls[spring.order] = columns.pair(spring.name, parts, columns.force, "load_part", name=spring.name)
         return self._pulls[spring.order]
+
+    def length(self, spring: Spring) -> Node:
+        """How long a spring is, as a column."""
+        if spring.order not in self._lengths:
+            (_, start), (_, end) = spring.ends
+            label = phrase("spring_length", name=spring.name, start=start, end=end)
+            length = size(minus(self.poses.xy[end], self.poses.xy[start]))
+            self._lengths[spring.order] = self.columns.grey(f"{spring.name}_l", length, LENGTH, label)
+        return self._lengths[spring.order]
 
     # ---- places
 

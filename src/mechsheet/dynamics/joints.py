@@ -15,9 +15,10 @@ from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.kinematics.assur import bodies_of
 from mechsheet.kinematics.build_equations import Found
+from mechsheet.kinematics.cam import Contact
 from mechsheet.kinematics.equations import ForceKind
 from mechsheet.kinematics.graph import Slide
-from mechsheet.model import Driver, FurtherDriver, Words, pair_symbol
+from mechsheet.model import CONTACT, Driver, FurtherDriver, Words, pair_symbol
 from mechsheet.words.equations import body_words, phrase
 
 
@@ -178,7 +179,7 @@ class Joints:
         """
         name, words = self._names(slide)
         joint, metre = slide.joint, self.columns.metre
-        n = turned(self.found.rates.by_driver.direction(slide)) if self.found.rates.by_driver else NOWHERE
+        n = turned(self._direction(slide))
         sign = al.ONE if body == slide.body else al.number(-1.0)
         value = al.mul(sign, normal)
         value = self.columns.black(f"{name}.n", value, self.columns.force, phrase("normal_force", **words), "normal")
@@ -222,17 +223,34 @@ class Joints:
         return "effort" if symbol == self.mechanism.driver.symbol else "besides"
 
     def driven_slide(self, slide: Slide, moving: str, force: Vector, couple: Node) -> str:
-        """F14.t along the line of the driven slide, F14.n across it, F14.c about its point: `force` is that on `moving`."""
+        """F14.t along the line of the driven slide, beside what it holds as any other: `force` is that on `moving`."""
         name, words = self._names(slide)
-        d = self.found.rates.by_driver.direction(slide) if self.found.rates.by_driver else NOWHERE
+        along = dot(force if moving == slide.body else negative(force), self._direction(slide))
+        label = phrase("driving_force", **words)
+        self.columns.written(f"{name}.t", along, self.columns.force, label, self._kind(slide.joint.symbol))
+        self.guiding_slide(slide, moving, force, couple)
+        return f"{name}.t"
+
+    def guiding_slide(self, slide: Slide, moving: str, force: Vector, couple: Node) -> None:
+        """F14.n across the line of a driven slide, F14.c about its point: `force` is that on `moving`."""
+        name, words = self._names(slide)
         if moving != slide.body:
             force, couple = negative(force), al.neg(couple)
-        unit = self.columns.force
-        self.columns.written(
-            f"{name}.t", dot(force, d), unit, phrase("driving_force", **words), self._kind(slide.joint.symbol)
-        )
-        self.columns.black(f"{name}.n", dot(force, turned(d)), unit, phrase("normal_force", **words), "normal")
+        across = dot(force, turned(self._direction(slide)))
+        self.columns.black(f"{name}.n", across, self.columns.force, phrase("normal_force", **words), "normal")
         if slide.joint.kind == "prismatic":
             label = phrase("couple", point=slide.joint.point, **words)
             self.columns.black(f"{name}.c", couple, self.columns.torque, label, "couple")
-        return f"{name}.t"
+
+    def _direction(self, slide: Slide) -> Vector:
+        return self.found.rates.by_driver.direction(slide) if self.found.rates.by_driver else NOWHERE
+
+    # --- a cam ------------------------------------------------------------------------------------------------
+
+    def pressed(self, contact: Contact, value: Node) -> tuple[Node, Vector]:
+        """N, with which the cam presses on its follower, which hands it on to the cam; its column, the force over it."""
+        words = {"one": self._words(contact.cam), "other": self._words(contact.link)}
+        value = self.columns.written(CONTACT, value, self.columns.force, phrase("contact_force", **words), "normal")
+        force = self.columns.pair(CONTACT, times(value, contact.normal), self.columns.force, "slide_force", **words)
+        self.acting.hang(contact.cam, Force(negative(force), contact.at))
+        return value, force

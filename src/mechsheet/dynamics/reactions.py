@@ -8,6 +8,7 @@ direction of a line, n = J d, D what the rates of the dyad are divided by. X is 
     RPR  force along n of the carrier on the other: N = (M1(P) + M2(Q))/D
     PRP  f1 = -S1.d1, f2 = S2.d2, X = (f1 d2_y - f2 d1_y, f2 d1_x - f1 d2_x)/D
     RPP  force along n2 of 2 on 1: N = -(S2.d1)/D
+    cam  force along its normal n on the follower: N = -(S.P')/(n.P'), a prime by the follower's variable
 
 What hangs on a pin besides is counted to the body that the pin was solved with. Source: the equilibrium of each assembly;
 Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, chapters 13 and 15.
@@ -37,9 +38,11 @@ from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.chains import ChainReactions
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
+from mechsheet.dynamics.preload import write_preload
 from mechsheet.dynamics.teeth import Teeth
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.build_equations import Found
+from mechsheet.kinematics.cam import Contact
 from mechsheet.kinematics.gear_relations import Tied
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.chains import Chain
@@ -60,14 +63,17 @@ class Reactions:
         self.acting = ActingForces(found, found.poses.mechanism.dynamics, self.columns)
         self.joints = Joints(found, self.acting, self.columns)
         self.teeth = Teeth(found, self.motions, self.acting, self.joints, self.columns)
+        self.contact = found.rates.contact
 
     def write(self) -> dict[str, str]:
-        """Write all columns down; the symbols of the efforts, by that of what is driven."""
+        """Write all columns down; the symbols of the efforts, by that of what is driven: a cam's follower has none."""
         efforts: dict[str, str] = {}
         ledger = self.poses.ledger
         ledger.group = len(self.found.order.groups)
         for step in reversed(self.found.order.steps):
-            if isinstance(step, Drive):
+            if isinstance(step, Drive) and self.contact is not None and step.symbol == self.contact.follower:
+                self._pressed(step, self.contact)
+            elif isinstance(step, Drive):
                 efforts[step.symbol] = self._effort(step, on_known=True)
             elif isinstance(step, Tied):
                 self.teeth.write(step)
@@ -256,22 +262,16 @@ class Reactions:
 
         on_known  whether its base was known before it; else both its sides are of one group
         """
-        moving = drive.moving
-        held: list[Force] = self.joints.contacts.get(moving, [])
-        couples = self.joints.couples.get(moving, [])
-        joint = drive.joint
-        at = self.poses.xy[joint.point if isinstance(joint, Pin) else joint.joint.point]
+        moving, joint, at = drive.moving, drive.joint, self._place_of(drive)
         ground = self.poses.mechanism.ground.name
-        if isinstance(joint, Pin) and drive.base == ground and not held:
+        if isinstance(joint, Pin) and drive.base == ground and not self.joints.contacts.get(moving):
             # alone it holds the link: its force is minus the sum of all others, which needs no columns besides
             acting = self.acting.of(moving)
             force = self.joints.outer(joint.point, moving, negative(together(each.vector for each in acting.forces)))
             acting.sum = negative(force)
-            driver = self.poses.mechanism.driver_of(drive.symbol)
-            return self.joints.driving_torque(driver, al.neg(self.acting.moment(moving, at, whole=True)))
-        total = together((*(force.vector for force in held), self.acting.total(moving)))
-        arms = al.total(cross(minus(force.at, at), force.vector) for force in held)
-        moment = al.total([self.acting.moment(moving, at), al.mul(self.columns.metre, arms), *couples])
+            driver, moment = self.poses.mechanism.driver_of(drive.symbol), self.acting.moment(moving, at, whole=True)
+            return self.joints.driving_torque(driver, al.neg(moment) if driver.link == moving else moment)
+        total, moment = self._all_on(moving, at)
         if isinstance(joint, Pin):
             if on_known:
                 self.joints.outer(joint.point, moving, negative(total))
@@ -285,3 +285,34 @@ class Reactions:
         if on_known and drive.base != ground:
             self.acting.hang(drive.base, Force(total, at), moment)
         return self.joints.driven_slide(joint, moving, negative(total), al.neg(moment))
+
+    def _place_of(self, drive: Drive) -> Vector:
+        joint = drive.joint
+        return self.poses.xy[joint.point if isinstance(joint, Pin) else joint.joint.point]
+
+    def _all_on(self, moving: str, at: Vector) -> tuple[Vector, Node]:
+        """The sum of all that acts on a link but at its driven joint, and its moment about a place."""
+        held: list[Force] = self.joints.contacts.get(moving, [])
+        total = together((*(force.vector for force in held), self.acting.total(moving)))
+        arms = al.total(cross(minus(force.at, at), force.vector) for force in held)
+        couples = self.joints.couples.get(moving, [])
+        return total, al.total([self.acting.moment(moving, at), al.mul(self.columns.metre, arms), *couples])
+
+    def _pressed(self, drive: Drive, contact: Contact) -> None:
+        """The force of a cam on its follower, where a drive's effort would be; what is left for the follower's joint."""
+        moving, joint, at = drive.moving, drive.joint, self._place_of(drive)
+        if contact.moved is None:
+            message = say("the cam presses on a link that its motion does not move directly: no forces yet")
+            hint = say("take masses and loads away, or let the roller or the face be on what [driver] names")
+            raise MechanismError(Fault(message, key="cam", hint=hint))
+        total, moment = self._all_on(moving, at)
+        work = over(moment, self.columns.metre) if isinstance(joint, Pin) else dot(total, contact.moved)
+        lever = dot(contact.normal, contact.moved)
+        value, force = self.joints.pressed(contact, al.neg(over(work, lever)))
+        write_preload(self.acting, contact, drive, value, lever)
+        rest = negative(plus(total, force))
+        if isinstance(joint, Pin):
+            self.joints.outer(joint.point, moving, rest)
+        else:
+            turning = al.add(moment, al.mul(self.columns.metre, cross(minus(contact.at, at), force)))
+            self.joints.guiding_slide(joint, moving, rest, al.neg(turning))

@@ -2,8 +2,8 @@
 
     effort = -sum of (F . X' + T theta')        a prime is the derivative by the driver's variable
 
-The efforts of further drivers are among the F and T. Forces act at their own places, not in the sums that the reactions are
-found from: a second way to the same number.
+The efforts of further drivers are among the F and T; a cam's force does no work on cam and follower together. Forces act at
+their own places, not in the sums that the reactions are found from: a second way to the same number.
 Source: d'Alembert's principle; Soeylemez, Mechanisms, chapter 5.
 """
 
@@ -45,6 +45,8 @@ def effort_by_work(acting: ActingForces, found: Found, efforts: Mapping[str, str
     mechanism = found.poses.mechanism
     effort = efforts[mechanism.driver.symbol]
     for driver in mechanism.drivers:
+        if driver.symbol not in efforts:  # a cam moves it
+            continue
         other = al.mul(Symbol(efforts[driver.symbol]), motions.rates.of_drive(driver.symbol).first)
         (works if driver.joint else turnings).append(other)
     slides = bool(found.poses.mechanism.driver.joint)

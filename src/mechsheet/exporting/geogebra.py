@@ -28,9 +28,9 @@ from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.plotting.sampling import sample
 from mechsheet.shapes.forms import HALF, Mark, Shape, place_of
 from mechsheet.shapes.positions import Positions, longest
+from mechsheet.words.catalogue import words
 from mechsheet.words.equations import body_words
 from mechsheet.words.symbols import GREEK, parts, plain
-from mechsheet.words.workbook import words
 
 WIDTH, HEIGHT = 1000, 700
 """The view [pixels]; of it SLIDERS at the left are for sliders."""

@@ -14,8 +14,8 @@ from mechsheet.exporting.position import Position
 from mechsheet.kinematics.closures import Vector
 from mechsheet.sheet.table.positions import decimals_of, places
 from mechsheet.units import NUMBER, Unit
+from mechsheet.words.catalogue import Language
 from mechsheet.words.symbols import GREEK, parts
-from mechsheet.words.workbook import Language
 
 RAW = "#"
 """A symbol that begins so is LaTeX already."""

@@ -344,12 +344,17 @@ def _shape(program: Program, shape: Shape) -> list[str]:
 
 
 def _curves(program: Program, request: ChartRequest, number: int, name: str) -> str:
-    """A chart of the workbook: curves against the driver, paths of points, or hodographs."""
+    """A chart of the workbook: curves against the driver, paths of points, hodographs, or the profile of a cam."""
     mechanism = program.mechanism
     unit = one_line(mechanism.length_unit)
     if request.paths:
         x, y = (", ".join(["rows", *(_place(program, point, axis) for point in request.paths)]) for axis in "xy")
         legend = ", ".join(_string(point) for point in request.paths)
+        return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"
+    if request.profile:
+        named = ["cam"] if mechanism.cam is None or mechanism.cam.radius is None else ["cam", "pitch"]
+        x, y = (", ".join(["rows", *(_shown(program, f"{name}.{axis}") for name in named)]) for axis in "xy")
+        legend = ", ".join(_string(each) for each in named)
         return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"
     if request.hodographs:
         x, y = (

@@ -16,9 +16,11 @@ Source: R. L. Norton, Cam Design and Manufacturing Handbook, chapter 7; the supp
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol
-from livesheet.formula.vectors import Vector, cross, dot, minus, negative, plus, size, times, turned
+from livesheet.formula.vectors import Vector, cross, dot, minus, negative, over, plus, size, times, turned
 from mechsheet.kinematics.equations import CAM, Condition, Role
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.points_in_link import angle_of
@@ -36,14 +38,32 @@ RESTING = 1e-9
 """A point that moves by less than this part of the largest length in a radian shows no direction."""
 
 
-def write_cam(poses: Poses, motions: Motions, columns: RateColumns) -> None:
-    """Write the cam's columns down, behind those of rates."""
+@dataclass(frozen=True, slots=True)
+class Contact:
+    """Where the cam presses, for those who find how hard.
+
+    cam, link  its link, and the one that it presses on, at `at` along `normal`, out of the cam
+    follower  the variable of what the cam's motion drives
+    moved   how that place moves with the follower's variable; None where other links lie between
+    """
+
+    cam: str
+    link: str
+    follower: str
+    at: Vector
+    normal: Vector
+    moved: Vector | None
+
+
+def write_cam(poses: Poses, motions: Motions, columns: RateColumns) -> Contact | None:
+    """Write the cam's columns down, behind those of rates; where it presses, None where there is no cam."""
     cam = poses.mechanism.cam
     if cam is None:
-        return
+        return None
     group, poses.ledger.group = poses.ledger.group, CAM
-    _Writer(cam, poses, motions, columns).write()
+    contact = _Writer(cam, poses, motions, columns).write()
     poses.ledger.group = group
+    return contact
 
 
 class _Writer:
@@ -51,18 +71,20 @@ class _Writer:
         self.cam, self.poses, self.motions, self.columns = cam, poses, motions, columns
         self.ledger: Ledger = poses.ledger
         self.phi = Symbol(poses.mechanism.driver.symbol)
+        mechanism = poses.mechanism
+        self.follower = next(driver for driver in mechanism.drivers if driver.segments is not None)
+        self.touching = next(link for link in mechanism.links[1:] if cam.point in link.points)
 
-    def write(self) -> None:
+    def write(self) -> Contact:
         """The columns of a roller, or those of a face."""
         point = self.cam.point
         moved = self.motions.of_point(point, self.columns.length)
         place = minus(self.poses.xy[point], self.poses.xy[self.cam.center])
         if self.cam.radius is None:
-            self._face(place, moved)
-        else:
-            self._roller(place, moved, self.cam.radius)
+            return self._face(place, moved)
+        return self._roller(place, moved, self.cam.radius)
 
-    def _roller(self, place: Vector, moved: PointRate, radius: Node | float) -> None:
+    def _roller(self, place: Vector, moved: PointRate, radius: Node | float) -> Contact:
         tangent = self._vector("T", minus(moved.first, self._with_cam(turned(place))))
         change = minus(minus(moved.second, self._with_cam(times(al.TWO, turned(moved.first)))), place)
         long = self._inner("T", size(tangent), LENGTH)
@@ -75,8 +97,10 @@ class _Writer:
         self._alpha(tangent)
         there = Condition(Call("ABS", (al.mul(kappa, self.ledger.size()),)), Number(STRAIGHT))
         self._define("rho", al.sub(al.div(al.ONE, kappa), al.as_node(radius)), LENGTH, there)
+        x, y = (over(part, long) for part in outwards)
+        return self._contact(self.poses.xy[self.cam.point], (x, y))
 
-    def _face(self, place: Vector, moved: PointRate) -> None:
+    def _face(self, place: Vector, moved: PointRate) -> Contact:
         link = self.cam.follower
         angle = self.poses.known[link].angle + angle_of(self.cam.face)
         along: Vector = (al.cos(angle), al.sin(angle))
@@ -93,7 +117,7 @@ class _Writer:
             LENGTH,
             *(() if al.value_of(turned_by) is not None else (there,)),
         )
-        self._curve("cam", plus(place, times(contact, along)))
+        touched = self._curve("cam", plus(place, times(contact, along)))
         self._alpha_of_face(contact, along, normal)
         second = al.sub(
             al.sub(dot(moved.second, normal), al.mul(al.square(turning.first), across)),
@@ -102,7 +126,12 @@ class _Writer:
         bent = al.div(
             al.sub(al.mul(second, turned_by), al.mul(moves, turning.second)), Binary("^", turned_by, Number(3.0))
         )
-        self._define("rho", al.mul(Call("SIGN", (across,)), al.add(across, bent)), LENGTH)
+        outside = Call("SIGN", (across,))
+        self._define("rho", al.mul(outside, al.add(across, bent)), LENGTH)
+        return self._contact(plus(touched, self.poses.xy[self.cam.center]), times(outside, normal))
+
+    def _contact(self, at: Vector, normal: Vector) -> Contact:
+        return Contact(self.cam.link, self.touching.name, self.follower.symbol, at, normal, self._moved(at))
 
     # --- how the follower presses ----------------------------------------------------------------------------------
 
@@ -122,19 +151,25 @@ class _Writer:
 
         Of a slide or a rocker on the ground it is that of the joint, at rest, too.
         """
-        mechanism = self.poses.mechanism
-        follower = next(driver for driver in mechanism.drivers if driver.segments is not None)
-        touching = next(link for link in mechanism.links[1:] if self.cam.point in link.points)
+        found = self._moved(at)
+        if found is not None:
+            return found, ()
+        moved = self.motions.motion[self.touching.name](at).first
+        return moved, (Condition(size(moved), al.mul(Number(RESTING), self.ledger.size())),)
+
+    def _moved(self, at: Vector) -> Vector | None:
+        """How that place moves with the follower's variable; None where that does not drive it on the ground."""
+        mechanism, follower, touching = self.poses.mechanism, self.follower, self.touching.name
         ground = mechanism.ground
         joint = next((one for one in mechanism.joints if one.name == follower.joint), None)
-        if joint is not None and {joint.link, joint.on} == {touching.name, ground.name}:
+        if joint is not None and joint.kind == "prismatic" and {joint.link, joint.on} == {touching, ground.name}:
             line = self.poses.known[joint.on].angle + angle_of(joint.angle)
-            return (al.cos(line), al.sin(line)), ()
-        if follower.link == touching.name and follower.relative_to == ground.name:
-            pivot = next(point for point in touching.points if point in ground.points)
-            return turned(minus(at, self.poses.xy[pivot])), ()
-        moved = self.motions.motion[touching.name](at).first
-        return moved, (Condition(size(moved), al.mul(Number(RESTING), self.ledger.size())),)
+            along: Vector = (al.cos(line), al.sin(line))
+            return along if joint.link == touching else negative(along)
+        if follower.link == touching and follower.relative_to == ground.name:
+            pivot = next(point for point in self.touching.points if point in ground.points)
+            return turned(minus(at, self.poses.xy[pivot]))
+        return None
 
     # --- what they share -------------------------------------------------------------------------------------------
 
@@ -144,12 +179,13 @@ class _Writer:
     def _with_cam(self, vector: Vector) -> Vector:
         return negative(vector) if self.cam.clockwise else vector
 
-    def _curve(self, name: str, place: Vector) -> None:
-        """A place in the axes of the cam."""
+    def _curve(self, name: str, place: Vector) -> Vector:
+        """A place, seen from the cam's centre, in the axes of the cam; the same over its columns in those of the ground."""
         x, y = self._vector(name, place) if name == "cam" else place
         c, s = Call("COS", (self.phi,)), self._sense(Call("SIN", (self.phi,)))
         self._define(f"{name}.x", al.add(al.mul(x, c), al.mul(y, s)), LENGTH)
         self._define(f"{name}.y", al.sub(al.mul(y, c), al.mul(x, s)), LENGTH)
+        return x, y
 
     def _vector(self, name: str, vector: Vector) -> Vector:
         """Both parts in columns of their own where they are no short sums."""

@@ -43,10 +43,11 @@ BANDS: tuple[Role, ...] = ("influence", "band")
 INNER: tuple[Role, ...] = ("intermediate", "coefficient", "dynamic", "influence")
 """Roles of columns in quieter ink: nobody but other columns reads them."""
 
-ForceKind = Literal["", "effort", "work", "besides", "size", "part", "normal", "couple", "whole", "center"]
+ForceKind = Literal["", "effort", "work", "besides", "size", "part", "normal", "couple", "whole", "center", "hold"]
 """What a column of forces is: the driver's effort from the reactions, and by virtual work; that of a further driver; of a
-pin's force the size and the parts; of a slide, or of teeth along their pitch line, the normal force, and the couple; where
-somebody asks, what holds for the whole mechanism (power, shaking force) and the motion of a mass centre."""
+pin's force the size and the parts; of a slide, a cam, or of teeth along their pitch line, the normal force, and the couple;
+where somebody asks, what holds for the whole mechanism (power, shaking force) and the motion of a mass centre; which free
+length of a spring just holds a cam's follower."""
 
 JOINT_FORCES: tuple[ForceKind, ...] = ("size", "normal")
 """With what joints hold the links."""
@@ -312,7 +313,7 @@ class Equations:
     @property
     def shown_forces(self) -> tuple[str, ...]:
         """What people read of the forces: not the parts, nor the effort once more."""
-        return self.forces("effort", "besides", *JOINT_FORCES, "couple", "whole", "center")
+        return self.forces("effort", "besides", *JOINT_FORCES, "couple", "whole", "center", "hold")
 
     def of(self, symbol: str) -> Equation:
         """The equation of a symbol."""

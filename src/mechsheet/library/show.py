@@ -30,7 +30,7 @@ from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.shown import unit_of_column
 from mechsheet.synthesis.writing import says
 from mechsheet.units import NUMBER, behind_number, unit_of
-from mechsheet.words.workbook import words
+from mechsheet.words.catalogue import words
 
 
 def overview_text(mechanism: Mechanism) -> str:

@@ -173,8 +173,8 @@ def verdicts_of(mechanism: Mechanism) -> Named[Verdict]:
 
     verdict = plan.places.verdict
     found = Named({verdict.name: line(None, None, compiled.value(verdict))})
-    for key in plan.found.entries:
-        spot, at = plan.places.lines[key], plan.places.occurs.get(key)
+    for key, spot in plan.places.lines.items():
+        at = plan.places.occurs.get(key)
         where = None if at is None else compiled.value(at)
         found[spot.name] = line(compiled.value(spot), where, compiled.value(replace(spot, col=MEANING)))
     for spot in plan.searched.limits:

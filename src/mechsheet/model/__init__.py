@@ -6,7 +6,7 @@ is in internal units. The reader has parsed it and checked that it names only di
 """
 
 from .asked import EXTREME, Condition, Exercise, Need, Objective, Range, Study, Synthesis, TaskPlace, Tolerances, Vary
-from .cams import HALF, LAWS_THAT_LEAP, PIECE, SEGMENT_LAWS, TAU, WAVE, Cam, Segment, Segments
+from .cams import CONTACT, HALF, LAWS_THAT_LEAP, PIECE, SEGMENT_LAWS, TAU, WAVE, Cam, Segment, Segments
 from .mechanism import (
     LAWS,
     PRESSURE,
@@ -55,6 +55,7 @@ from .symbols import (
 from .takes import TAKES, WAYS, Take, Way
 
 __all__ = [
+    "CONTACT",
     "ENERGY",
     "EXTREME",
     "GROUND",

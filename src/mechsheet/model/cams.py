@@ -16,6 +16,9 @@ SEGMENT_LAWS = (
 LAWS_THAT_LEAP = {"uniform": 1, "parabolic": 2, "harmonic": 2}
 """The order of the derivative that leaps where such a segment begins or ends: velocity, acceleration."""
 
+CONTACT = "N"
+"""The force with which a cam presses on its follower."""
+
 TAU, WAVE, HALF, PIECE = "tau", "w", "half", "piece"
 """Stand in a law for the part of the segment that has been passed; and in one that is made of pieces for 4 pi times that
 part, counted from the nearer end, 1 in the second half, and the number of the piece."""

@@ -426,6 +426,7 @@ Ends: TypeAlias = tuple[float | None, float | None]
 class ChartRequest:
     """Curves of `y` against `x`, or the paths of points at true scale, or those of the ends of their velocity vectors.
 
+    profile         whether the profile of the cam is drawn instead
     x_ends, y_ends  where the axes of curves begin and end, as they are shown; None: chosen
     """
 
@@ -434,6 +435,7 @@ class ChartRequest:
     y: tuple[str, ...] = ()
     paths: tuple[str, ...] = ()
     hodographs: tuple[str, ...] = ()
+    profile: bool = False
     x_ends: Ends = (None, None)
     y_ends: Ends = (None, None)
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from mechsheet.model import (
+    CONTACT,
     POINT_RATES,
     SHAKING,
+    Cam,
     Driver,
     FurtherDriver,
     Joint,
@@ -26,8 +28,10 @@ def joint_forces(
     driver: Driver | None,
     further: Sequence[FurtherDriver],
     relations: Sequence[Relation],
+    cam: Cam | None,
 ) -> dict[str, str]:
-    """Name -> what it is: F34, F34.x and F34.y of every pin, F14.n and F14.c of every slide, the driver's effort."""
+    """Name -> what it is: F34, F34.x and F34.y of every pin, F14.n and F14.c of every slide, the driver's effort, what a cam
+    presses."""
     numbers = {link.name: link.number for link in links}
     holders: dict[str, list[int]] = {}
     for link in links:
@@ -47,7 +51,9 @@ def joint_forces(
         name = pair_symbol("T", numbers[driver.relative_to or links[0].name], numbers[driver.link])
         found |= {name: "driving torque", f"{name}.work": "driving torque"}
     for besides in further:
-        if besides.link:
+        if besides.segments is not None and cam is not None:
+            found[CONTACT] = "contact force"
+        elif besides.link:
             found[pair_symbol("T", numbers[besides.relative_to], numbers[besides.link])] = "driving torque"
         else:
             slide = next(joint for joint in joints if joint.name == besides.joint)
@@ -82,10 +88,12 @@ def names_of(mechanism: Mechanism) -> tuple[str, ...]:
         moving = (point for link in mechanism.links[1:] for point in link.points if point not in fixed)
         found |= {f"{point}.{part}": None for point in moving for part in POINT_RATES}
     if dynamics is not None:
-        drivers = mechanism.drivers
         found |= dict.fromkeys(
-            joint_forces(mechanism.whole_links, mechanism.joints, mechanism.driver, drivers, mechanism.relations)
-        )
+            joint_forces(
+                mechanism.whole_links, mechanism.joints, mechanism.driver, mechanism.drivers, mechanism.relations,
+                mechanism.cam,
+            )
+        )  # fmt: skip
     if dynamics is not None and moves:
         numbers = {link.name: link.number for link in mechanism.links}
         centers = (center_symbol(numbers[mass.link]) for mass in dynamics.masses if not isinstance(mass.center, str))

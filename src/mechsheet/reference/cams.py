@@ -8,6 +8,8 @@ Source: any text on plane curves; nothing is taken from the workbook's formulas.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -26,11 +28,17 @@ _STRAIGHT = 1e-9
 Plane = NDArray[np.complex128]
 
 
-def profile(solution: Solution) -> dict[str, Array]:
-    """The columns of a cam by their names (n,); nothing for a mechanism without one."""
-    cam = solution.mechanism.cam
-    if cam is None:
-        return {}
+@dataclass(frozen=True, slots=True)
+class Profile:
+    """Of a cam: its columns by their names (n,); where it presses, and in which direction, in the ground's frame."""
+
+    columns: dict[str, Array]
+    at: Plane
+    normal: Plane
+
+
+def profile(solution: Solution, cam: Cam) -> Profile:
+    """The profile, row by row."""
     known = rates(solution)
     sense = -1.0 if cam.clockwise else 1.0
     turn = np.exp(-1j * sense * solution.driver)
@@ -42,8 +50,10 @@ def profile(solution: Solution) -> dict[str, Array]:
     second = (twice - 2j * sense * once - place) * turn
     with np.errstate(all="ignore"):
         if cam.radius is None:
-            return _of_face(solution, cam, known, curve, first, second, turn)
-        return _of_roller(solution, cam, known, curve, first, second, turn)
+            columns, contact, normal = _of_face(solution, cam, known, curve, first, second, turn)
+        else:
+            columns, contact, normal = _of_roller(solution, cam, known, curve, first, second, turn)
+        return Profile(columns, contact / turn + center, normal / turn)
 
 
 def _of_roller(
@@ -54,7 +64,7 @@ def _of_roller(
     first: Plane,
     second: Plane,
     turn: Plane,
-) -> dict[str, Array]:
+) -> tuple[dict[str, Array], Plane, Plane]:
     sense = -1.0 if cam.clockwise else 1.0
     radius = number(cam.radius or 0.0, solution.dimensions)
     kappa = -sense * (np.conj(first) * second).imag / np.abs(first) ** 3
@@ -62,10 +72,11 @@ def _of_roller(
     outline = z - radius * normal
     rho = np.where(np.abs(kappa) * solution.size < _STRAIGHT, np.nan, 1.0 / kappa - radius)
     way = _way(solution, cam, known, z / turn)
-    return {
+    columns = {
         "pitch.x": z.real, "pitch.y": z.imag, "cam.x": outline.real, "cam.y": outline.imag, "kappa": kappa, "rho": rho,
         "alpha": sense * _between(way, normal / turn),
     }  # fmt: skip
+    return columns, z, normal
 
 
 def _of_face(
@@ -76,7 +87,7 @@ def _of_face(
     first: Plane,
     second: Plane,
     turn: Plane,
-) -> dict[str, Array]:
+) -> tuple[dict[str, Array], Plane, Plane]:
     sense = -1.0 if cam.clockwise else 1.0
     link = next(link for link in solution.mechanism.links if link.name == cam.follower)
     once, twice = known[link.angle_symbol]
@@ -92,10 +103,11 @@ def _of_face(
     rho = (moved * np.conj(1j * n)).real / turning
     contact = ((point - z) * np.conj(-1j * n)).real
     way = _way(solution, cam, known, point / turn)
-    return {
+    columns = {
         "cam.x": point.real, "cam.y": point.imag, "contact": contact, "rho": rho * np.sign(p),
         "alpha": sense * _between(way, n / turn),
     }  # fmt: skip
+    return columns, point, n * np.sign(p)
 
 
 def _solved(n: Plane, n1: Plane, p: Array, p1: Array) -> Plane:
@@ -127,7 +139,7 @@ def _way(solution: Solution, cam: Cam, known: dict[str, tuple[Array, Array]], pl
 def _line(mechanism: Mechanism, moved: FurtherDriver, touching: str) -> Quantity | None:
     """The direction of the slide on the ground that is driven, where it carries what the cam touches."""
     joint = next((one for one in mechanism.joints if one.name == moved.joint), None)
-    if joint is None or {joint.link, joint.on} != {touching, mechanism.ground.name}:
+    if joint is None or joint.kind != "prismatic" or {joint.link, joint.on} != {touching, mechanism.ground.name}:
         return None
     return joint.angle if joint.on == mechanism.ground.name else None
 

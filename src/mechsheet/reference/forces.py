@@ -16,15 +16,17 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from livesheet.formula.nodes import Node
+from livesheet.formula.nodes import Binary, Node, Number
 
-from ..model import Dynamics, Link, Mechanism, Place, Spring, pair_symbol
+from ..model import CONTACT, Cam, Dynamics, Link, Mechanism, Place, Spring, pair_symbol
+from .cams import profile
 from .expressions import column as over_rows
+from .expressions import number
 from .geometry import ROUNDING, Array, link_places
 from .rates import by_time, gradients, of_poses, solved
 from .solution import Solution, reached
 from .system import Equation, System, residual
-from .teeth import along_poses, tooth_forces
+from .teeth import Contact, along_poses, tooth_forces
 
 
 def forces(solution: Solution) -> dict[str, Array]:
@@ -35,12 +37,39 @@ def forces(solution: Solution) -> dict[str, Array]:
     dynamics = solution.mechanism.dynamics
     if dynamics is None:
         return {}
+    found = _held(solution, dynamics)
+    if CONTACT in found:
+        touched = _touched(solution.mechanism)
+        springs = [
+            spring for spring in dynamics.springs
+            if {name for name, _ in spring.ends} == {solution.mechanism.ground.name, touched}
+        ]  # fmt: skip
+        for spring in springs if len(springs) == 1 else ():
+            found[f"{spring.name}.hold"] = _holding(solution, dynamics, spring, found[CONTACT])
+    return found
+
+
+def _holding(solution: Solution, dynamics: Dynamics, spring: Spring, pressed: Array) -> Array:
+    """The free length with which a cam's contact force would be 0: it is linear in it, so that two of them say where."""
+    by = solution.size
+    longer = replace(spring, free_length=Binary("+", spring.free_length, Number(by)))
+    springs = tuple(longer if each is spring else each for each in dynamics.springs)
+    other = _held(solution, replace(dynamics, springs=springs))[CONTACT]
+    own = number(spring.free_length, solution.dimensions)
+    return own - pressed * by / (other - pressed)
+
+
+def _held(solution: Solution, dynamics: Dynamics) -> dict[str, Array]:
     rows = np.flatnonzero(solution.exists)
     built, state = solution.system, solution.state[rows]
     equations = [equation for block in built.blocks for equation in block.equations]
     unknown = [column for block in built.blocks for column in block.columns]
     applied = Applied(solution, dynamics, rows)
     jacobian, _ = gradients(equations, state, np.zeros_like(state))
+    cam = solution.mechanism.cam
+    pressed = -1 if cam is None else next(place for place, each in enumerate(equations) if _is_follower(solution, each))
+    if cam is not None:
+        jacobian[:, pressed] = along_poses(applied, [_pressing(applied, cam)])
     jacobian = jacobian[:, :, unknown]
     acting = applied.along_poses()
     multipliers = solved(np.swapaxes(jacobian, 1, 2), -acting[:, unknown, None])
@@ -49,12 +78,36 @@ def forces(solution: Solution) -> dict[str, Array]:
     if contacts:  # with these the ties hold nothing any more, and the pins what they hold in truth
         acting = acting + along_poses(applied, contacts)
         multipliers = solved(np.swapaxes(jacobian, 1, 2), -acting[:, unknown, None])
-    named = _named(solution.mechanism, built, equations, multipliers, applied) | at_teeth
+    held = [place for place in range(len(equations)) if place != pressed]
+    named = _named(solution.mechanism, built, [equations[place] for place in held], multipliers[:, held], applied)
+    named |= at_teeth | ({} if cam is None else {CONTACT: multipliers[:, pressed]})
     found = {}
     for name, values in named.items():
         found[name] = np.full(len(solution.driver), np.nan)
         found[name][rows] = values
     return found
+
+
+def _is_follower(solution: Solution, equation: Equation) -> bool:
+    """Whether it is the condition that drives what a cam moves."""
+    follower = next(driver for driver in solution.mechanism.drivers if driver.segments is not None)
+    if follower.joint:
+        return equation.kind == "displacement" and equation.of == follower.joint
+    return equation.of == f"driver {follower.symbol}"
+
+
+def _pressing(applied: Applied, cam: Cam) -> Contact:
+    """A force of 1 of the cam on what it touches."""
+    shape = profile(applied.solution, cam)
+    at, normal = shape.at[applied.rows], shape.normal[applied.rows]
+    touched = _touched(applied.solution.mechanism)
+    place = (np.array([at.real, at.imag]) - applied.built.origin[:, None]) / applied.built.scale
+    return Contact(touched, cam.link, np.array([normal.real, normal.imag]), place)
+
+
+def _touched(mechanism: Mechanism) -> str:
+    """The link on which a cam presses."""
+    return next(link.name for link in mechanism.links[1:] if mechanism.cam and mechanism.cam.point in link.points)
 
 
 def _is_tie(equation: Equation) -> bool:

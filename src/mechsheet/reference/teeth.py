@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Contact:
-    """A force (2, m) on a body at a place (2, m), in the system's own lengths; the opposite one on `other`."""
+    """A force (2, m) on a body at a place (2, m) in the system's own lengths; the opposite one on `other`."""
 
     body: str
     other: str

@@ -27,7 +27,9 @@ WHOLE = 1e-9
 def further(solution: Solution) -> dict[str, Array]:
     """Velocities, accelerations, forces, power, shaking force, mass centres: by name (n,); NaN in rows that do not exist."""
     held = forces(solution)
-    return by_time(solution) | profile(solution) | held | _wholes(solution, held) | _energy(solution, held)
+    cam = solution.mechanism.cam
+    shape = {} if cam is None else profile(solution, cam).columns
+    return by_time(solution) | shape | held | _wholes(solution, held) | _energy(solution, held)
 
 
 def _energy(solution: Solution, held: dict[str, Array]) -> dict[str, Array]:

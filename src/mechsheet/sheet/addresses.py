@@ -81,16 +81,15 @@ class Addresses:
     def bind(self, node: Node, sheet: str, row: int | None = None) -> Node:
         """The tree with every symbol replaced by a reference, as a formula in `row` of `sheet` has it.
 
-        Quantities come in internal units (radians); as people read them come those whose names begin with "#" (see
-        `checks/keyed`), `SHOWN(x)` and whole columns, `ALL(x)` (see `quoted`). Cells of the sheet itself are read without
-        its title.
+        Quantities come in internal units (radians), `SHOWN(x)` and whole columns, `ALL(x)`, as people read them (see
+        `quoted`). Cells of the sheet itself are read without its title.
         """
 
         def change(part: Node) -> Node:
             match part:
                 case Symbol(name) if name.startswith(ALL):
                     return self.column(name.removeprefix(ALL), sheet)
-                case Symbol(name) if name.startswith(("#", SHOWN)):
+                case Symbol(name) if name.startswith(SHOWN):
                     return self.cell(name.removeprefix(SHOWN), sheet, row)
                 case Symbol(name):
                     return self.reference(name, sheet, row)

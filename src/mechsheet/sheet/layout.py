@@ -10,7 +10,6 @@ from mechsheet.model import Mechanism
 from mechsheet.sheet.asked.requested import table_sheets
 from mechsheet.sheet.checks.checks import Checks, checks_sheet
 from mechsheet.sheet.checks.extremes import Extremes
-from mechsheet.sheet.checks.keyed import hand_in, handed_out
 from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing.charts import chart_requests, charts_of, with_room
 from mechsheet.sheet.drawing.drawing import drawing_of
@@ -37,10 +36,9 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     """The workbook (its formulas have no values yet) and the plan that it follows."""
     plan = plan_of(mechanism, equations)
     extremes = Extremes(plan)
-    plan.extremes = handed_out(extremes)
+    plan.extremes = extremes.places
     checks = Checks(plan)
     plan.checks = checks.places
-    hand_in(plan)
     tolerance = Tolerance(plan)
     requests = chart_requests(plan)
     drawing = drawing_of(plan, requests)

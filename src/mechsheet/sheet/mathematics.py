@@ -22,8 +22,8 @@ from livesheet.formula.nodes import (
 from livesheet.formula.printer import number_text
 from livesheet.workbook import Rich
 from mechsheet.sheet.quoted import formula
+from mechsheet.words.catalogue import Language, words
 from mechsheet.words.symbols import parts
-from mechsheet.words.workbook import Language, words
 
 Part = tuple[str, str]
 """A piece of text and how it is set: "", "italic", "sub" or "super"."""

@@ -47,7 +47,7 @@ class Places:
     lengths    by their names sides of four-bar loops that are no dimensions
     starts     by number of the group
     reasons, dead  what is said of a row that does not close, or is a dead centre, in order of solution
-    sheets     by key whether a sheet that a person may delete is there;  missing: how many are not
+    sheets     by key whether a sheet that a person may delete is there
     """
 
     status: Spot
@@ -70,7 +70,6 @@ class Places:
     reasons: RangeRef | None = None
     dead: RangeRef | None = None
     sheets: Mapping[str, Spot] = field(default_factory=dict)
-    missing: Spot | None = None
 
     @property
     def inputs(self) -> Spot:
@@ -106,12 +105,18 @@ class Stretch:
 
 @dataclass(frozen=True, slots=True)
 class Extreme:
-    """The smallest or the largest value of a quantity, and the driver's value there; where the quantity turns back [rows],
-    if a ratio of times is asked for."""
+    """The smallest or the largest value of a quantity, the driver's value there, and how much the value is to be doubted.
+
+    turns, turns_doubt  where the quantity turns back [rows], if a ratio of times is asked for, and how much that is
+    boundless           whether there is no such value, where there may be none
+    """
 
     value: Spot
     occurs: Spot
-    turns: Spot | None = None
+    doubt: Spot
+    turns: Spot | None
+    turns_doubt: Spot | None
+    boundless: Spot | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,7 +125,7 @@ class Searched:
 
     whole      1 for whole turns whose last row is the first again, 2 where that row is left out, else 0
     fine, there  whether all inputs can be; whether the position that is drawn is one
-    rows       how many rows the table has
+    rows       how many rows the table has;  rows_apart: in how many of the sheets that have them they differ
     count      how many stretches there are, of which the first ones have places;  worst_group: which of several angles of
                transmission is the least
     unsettled  whether a limit is known to a step only;  rows_only: whether only rows are known
@@ -134,6 +139,7 @@ class Searched:
     fine: Spot
     there: Spot
     rows: Spot
+    rows_apart: Spot
     count: Spot
     unsettled: Spot
     rows_only: Spot

@@ -15,7 +15,7 @@ import numpy as np
 
 from livesheet import portable
 from livesheet.formula.names import folded, safe_name
-from livesheet.formula.nodes import Node, Symbol
+from livesheet.formula.nodes import Node
 from livesheet.workbook import Name
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
@@ -33,10 +33,7 @@ from mechsheet.sheet.columns.bands import Banded, sizes
 from mechsheet.sheet.columns.lowering import Assignment, Assignments
 from mechsheet.sheet.places import Checked, Places, Searched, there
 from mechsheet.sheet.task_rows import Rows
-from mechsheet.words.workbook import Language, words
-
-ROW_COUNT = Symbol("#rows")
-"""`Places.rows` by its key: see `checks/keyed`."""
+from mechsheet.words.catalogue import Language, words
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING, MARGIN, CHARTS = range(7)
 """Columns of the blocks on the first sheet, the narrow one beside them, and the first one of the charts."""

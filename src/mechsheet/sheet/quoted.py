@@ -26,7 +26,7 @@ def formula(text: str, **holes: Node | float | str) -> Node:
             case NameRef(name, None) if name in given:
                 return given[name]
             case NameRef(name, None):
-                return Symbol(f"#{name[1:]}" if name.startswith("_") else name)  # see `checks/keyed`
+                return Symbol(name)
             case Call("ALL" | "SHOWN" as way, (Symbol(name),)):
                 return Symbol(f"{way} {name}")
         return part

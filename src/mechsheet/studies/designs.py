@@ -32,7 +32,6 @@ from mechsheet.sheet.columns.lowering import lowered
 from mechsheet.sheet.plan import LEAST_PROBED
 from mechsheet.studies.lowering import Lowered, Lowering
 from mechsheet.studies.motion import DIVISOR, Motion
-from mechsheet.studies.program import Running
 from mechsheet.studies.questions import Questions, holds, number_of, questions_of, turns_fully
 from mechsheet.studies.remarks import Codes, Texts, apart, said
 from mechsheet.studies.sampling import sampling_of
@@ -135,7 +134,7 @@ class Designs:
                 raise MechanismError(Fault(message, key="study", hint=say("give it another name in the description")))
 
     def _write(self) -> None:
-        """Print the programs."""
+        """Write the programs."""
         mechanism, questions = self.mechanism, self.questions
         driver = mechanism.driver.symbol
         self.dependent = [symbol for symbol, moved in self._following.items() if moved]
@@ -157,7 +156,7 @@ class Designs:
             for key, node in zip(keys, questions.loops[name], strict=True)
         }
         tolerance = self.equations.tolerance
-        self.constants = Running(lowering.constants([*self.dependent, tolerance], sides))
+        self.constants = lowering.constants([*self.dependent, tolerance], sides)
         self.row_given = {symbol: column[None, :] for symbol, column in self.given.items()}
         decided = {name for each in questions.others for side in each.sides for name in symbols(side)}
         ruling = [quantity.of for quantity in questions.quantities if quantity.name in decided]
@@ -296,7 +295,7 @@ class Called:
 
     def __init__(self, lowered: Lowered, row_given: Mapping[str, Array] | None = None) -> None:
         self.anchors, self.margins = lowered.anchors, lowered.margins
-        self.run = Running(lowered.printed)
+        self.run = lowered.run
         with np.errstate(all="ignore"):
             self.of_rows = {} if row_given is None else self.run.places(row_given)
 

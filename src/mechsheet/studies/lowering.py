@@ -11,10 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Direction, Node, Symbol, TriangleAngle, Unary, children, symbols
 from mechsheet.kinematics.equations import Condition, Equation, Equations
-from mechsheet.studies.program import DESIGN, ONE, PLACE, WHOLE, Printed, Program, Value, Width
+from mechsheet.studies.program import DESIGN, ONE, PLACE, WHOLE, Program, Running, Value, Width, kept, near, unwrapped
 
 ANCHOR = "{symbol} of a row"
 """What is given, at other places than rows, for an angle without jumps: its value in a row near by."""
@@ -24,20 +26,20 @@ THERE, MARGIN, INSIDE = "there", "margin {group}", "inside"
 
 @dataclass(frozen=True, slots=True)
 class Lowered:
-    """A program that was written for some symbols.
+    """A program for some symbols.
 
     there    the key of the mask: every group closes;  margins: keys of what each group that can come apart has left
     inside   the key of the mask: no margin is below 0
     anchors  symbols of the angles without jumps whose turns are read
     """
 
-    printed: Printed
+    run: Running
     anchors: tuple[str, ...]
     margins: tuple[str, ...]
 
 
 class Lowering:
-    """What is known of a mechanism's equations before a program is printed.
+    """What is known of a mechanism's equations before a program is written.
 
     fixed    values of the dimensions that do not vary, and of the assembly modes
     varied   symbols of those that vary;  derived  those that follow from them, in order, with their expressions
@@ -72,11 +74,11 @@ class Lowering:
         outputs = [equation for equation in equations.all if equation.role == "output"]
         self.cancelled = {equation.symbol: self._cancelled(equation.expression) for equation in outputs}
 
-    def constants(self, symbols_: Iterable[str], nodes: Mapping[str, Node]) -> Printed:
+    def constants(self, symbols_: Iterable[str], nodes: Mapping[str, Node]) -> Running:
         """A program for what rows do not change: values of symbols, and of expressions by names of their own."""
         writer = _Writer(self, True, frozenset(), constants=True)
         found = {symbol: writer.known[symbol] for symbol in symbols_}
-        return writer.program.printed(found | {name: writer.value(node) for name, node in nodes.items()})
+        return writer.program.running(found | {name: writer.value(node) for name, node in nodes.items()})
 
     def columns(
         self,
@@ -101,12 +103,12 @@ class Lowering:
             inside = [found[THERE]]
             for group, condition in sorted(self.margins.items()):
                 margins[MARGIN.format(group=group)] = margin = writer.value(condition.margin)
-                inside.append(writer.program.step("np.greater_equal", margin, Value(ONE, number=0.0)))
-            found[INSIDE] = writer.program.fold("np.logical_and", inside)
+                inside.append(writer.program.step(np.greater_equal, margin, Value(ONE, number=0.0)))
+            found[INSIDE] = writer.program.fold(np.logical_and, inside)
         found |= margins
         if anchors:
             found |= {ANCHOR.format(symbol=symbol): writer.known[symbol] for symbol in writer.anchored}
-        return Lowered(writer.program.printed(found), tuple(writer.anchored), tuple(margins))
+        return Lowered(writer.program.running(found), tuple(writer.anchored), tuple(margins))
 
     def _turning(self, wanted: Iterable[str]) -> frozenset[str]:
         """Symbols whose whole turns matter: those wanted, and what these are sums of; not what only sines read."""
@@ -226,7 +228,7 @@ class _Writer:
         if not equation.exists:
             return value
         mask = self._mask(equation.exists)
-        return value if mask.width == ONE and mask.number else self.program.step("_kept", value, mask)
+        return value if mask.width == ONE and mask.number else self.program.step(kept, value, mask)
 
     def _tolerance(self, equation: Equation) -> Value:
         """No number where a length between joints is none, be it a driven one in its row: then no row claims a position."""
@@ -236,41 +238,40 @@ class _Writer:
         value = self.value(equation.expression)
         if not lengths:
             return value
-        least = self.program.fold("np.minimum", lengths)
-        fine = self.program.step("np.greater", least, Value(ONE, number=0.0))
-        return value if fine.width == ONE and fine.number else self.program.step("_kept", value, fine)
+        least = self.program.fold(np.minimum, lengths)
+        fine = self.program.step(np.greater, least, Value(ONE, number=0.0))
+        return value if fine.width == ONE and fine.number else self.program.step(kept, value, fine)
 
     def _direction(self, symbol: str, y: Value, x: Value) -> Value:
-        raw = self.program.step("np.arctan2", y, x)
+        raw = self.program.step(np.arctan2, y, x)
         if not raw.width & PLACE or symbol not in self.turning:
             return raw
         self.anchored.append(symbol)
         if self.rows:
-            return self.program.step("_unwrapped", raw)
-        return self.program.step("_near", raw, self.program.given(ANCHOR.format(symbol=symbol), WHOLE))
+            return self.program.step(unwrapped, raw)
+        return self.program.step(near, raw, self.program.given(ANCHOR.format(symbol=symbol), WHOLE))
 
     def _angle(self, opposite: Value, beside: Value, other: Value) -> Value:
         """The angle of a triangle: Heron's area as Kahan writes it, once for all angles of the triangle."""
         step = self.program.step
         key = frozenset((opposite, beside, other))
         if key not in self._areas:
-            both, less = step("np.add", beside, other), step("np.subtract", beside, other)
-            product = step("np.multiply", step("np.add", both, opposite), step("np.subtract", both, opposite))
-            product = step("np.multiply", product, step("np.add", opposite, less))
-            product = step("np.multiply", product, step("np.subtract", opposite, less))
+            both, less = step(np.add, beside, other), step(np.subtract, beside, other)
+            product = step(np.multiply, step(np.add, both, opposite), step(np.subtract, both, opposite))
+            product = step(np.multiply, product, step(np.add, opposite, less))
+            product = step(np.multiply, product, step(np.subtract, opposite, less))
             self._areas[key] = self.program.root(product)
-        squares = [step("np.multiply", side, side) for side in (beside, other, opposite)]
-        cosine = step("np.subtract", step("np.add", squares[0], squares[1]), squares[2])
-        return step("np.arctan2", self._areas[key], cosine)
+        squares = [step(np.multiply, side, side) for side in (beside, other, opposite)]
+        cosine = step(np.subtract, step(np.add, squares[0], squares[1]), squares[2])
+        return step(np.arctan2, self._areas[key], cosine)
 
     def _mask(self, exists: tuple[Condition, ...]) -> Value:
         """Where all conditions hold; never where something they read is no number."""
         if exists not in self._masks:
             tests = [
-                self.program.step("np.greater_equal", self.value(each.margin), self.value(each.least))
-                for each in exists
+                self.program.step(np.greater_equal, self.value(each.margin), self.value(each.least)) for each in exists
             ]
-            self._masks[exists] = self.program.fold("np.logical_and", tests)
+            self._masks[exists] = self.program.fold(np.logical_and, tests)
         return self._masks[exists]
 
     def there(self) -> Value:
@@ -281,5 +282,5 @@ class _Writer:
             if equation.exists:
                 found.append(self._mask(equation.exists))
             else:
-                found.append(self.program.step("np.isfinite", self.known[equation.symbol]))
-        return self.program.fold("np.logical_and", found or [Value(ONE, number=1.0)])
+                found.append(self.program.step(np.isfinite, self.known[equation.symbol]))
+        return self.program.fold(np.logical_and, found or [Value(ONE, number=1.0)])

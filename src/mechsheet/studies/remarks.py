@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from mechsheet.sheet.checks.boundless import GROWN, LEAST_ROWS, STRAIGHT, STRAIGHT_SIGNED
 from mechsheet.sheet.checks.one_extreme import SETTLED
-from mechsheet.words.workbook import Language, words
+from mechsheet.words.catalogue import Language, words
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

@@ -37,12 +37,15 @@ def told(report):
     return [(edit.kind, edit.where, edit.was, edit.now) for edit in report.edits]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["xlsx", "ods"])
 def test_nothing_was_edited(yoke, tmp_path, suffix):
     report = found_in(yoke[0], tmp_path, suffix)
     assert (report.agrees, report.edits, report.remarks) == (True, (), ())
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("suffix", "references"), [("xlsx", "anchors"), ("ods", "names")])
 def test_nothing_was_edited_in_summaries_of_every_kind(tmp_path, suffix, references):
     text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
@@ -63,6 +66,7 @@ def column(plan, symbol):
     return column_letters(spot.col), spot.row + 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["xlsx", "ods"])
 def test_a_formula_overwritten_by_a_number(yoke, tmp_path, suffix):
     workbook, plan = yoke
@@ -105,6 +109,7 @@ def test_a_whole_column(yoke):
     assert edit.now == "=-(" + edit.was[1:] + ")"
 
 
+@pytest.mark.slow
 def test_a_formula_of_the_same_value_is_an_edit_that_does_no_harm(yoke, tmp_path):
     workbook, plan = yoke
     report = found_in(
@@ -194,17 +199,20 @@ def with_description(workbook, change):
     return replace(workbook, sheets=(*workbook.sheets[:-1], replace(hidden, cells=cells)))
 
 
+@pytest.mark.slow
 def test_without_a_description(yoke, tmp_path):
     report = found_in(replace(yoke[0], sheets=yoke[0].sheets[:-1]), tmp_path)
     assert report.agrees
     assert "no description inside" in report.remarks[0]
 
 
+@pytest.mark.slow
 def test_a_description_of_which_the_mark_is_gone(yoke, tmp_path):
     workbook = with_description(yoke[0], lambda cell: None if cell.content == DESCRIPTION_MARK else cell)
     assert "no description inside" in found_in(workbook, tmp_path).remarks[0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("line", "message"),
     [("[dimensions", "is not closed"), ('wrong = "key"', "unknown"), ("a1 = 3", "")],
@@ -219,6 +227,7 @@ def test_a_damaged_description(yoke, tmp_path, line, message):
     assert message in str(caught.value)
 
 
+@pytest.mark.slow
 def test_an_input_that_is_no_number(yoke, tmp_path):
     workbook, plan = yoke
     with pytest.raises(WorkbookError, match="a2 must be a number, not thirty"):
@@ -252,7 +261,7 @@ def round_trip(folder: Path, names, source, target):
     return convert_with_libreoffice(files, target, folder / "back")
 
 
-@pytest.mark.slow
+@pytest.mark.ci
 @pytest.mark.libreoffice
 @pytest.mark.parametrize(
     ("source", "target"), part([("xlsx", "ods"), ("xlsx", "xlsx"), ("ods", "xlsx"), ("ods", "ods")], 4)
@@ -272,6 +281,7 @@ def test_a_file_saved_by_libreoffice_raises_no_false_alarm(tmp_path, source, tar
         assert report.agrees
 
 
+@pytest.mark.slow
 def test_a_description_changed_by_hand(tmp_path):
     """The hidden sheet says a step of 10 degrees: 37 rows; the workbook has 73."""
     text = (TEMPLATES / "scotch-yoke.toml").read_text(encoding="utf-8")

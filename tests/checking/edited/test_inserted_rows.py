@@ -39,6 +39,7 @@ def test_what_a_program_moves_is_no_edit(yoke, tmp_path, what):
         assert report.remarks == found.remarks
 
 
+@pytest.mark.slow
 def test_a_renamed_sheet(yoke, tmp_path):
     report = check(saved(moved(yoke[0], "Positions", now="My table"), tmp_path / "renamed.ods"))
     assert report.agrees

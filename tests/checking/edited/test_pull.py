@@ -22,6 +22,8 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.layout import lay_out
 
+pytestmark = pytest.mark.slow
+
 
 def typed(workbook, path):
     """The file with the results that stood there before: inputs come back whether anything was computed or not."""
@@ -60,6 +62,7 @@ def four_bar():
     return computed(workbook), plan
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("suffix", ["xlsx", "ods"])
 def test_only_what_was_changed_is_changed(four_bar, tmp_path, suffix):
     workbook, plan = four_bar
@@ -105,6 +108,7 @@ def test_tolerances_given_changed_and_taken_away(four_bar, tmp_path):
     assert (tolerances["a2"], tolerances["a3"], tolerances["a4"]) == (0.05, 0.3, None)
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     ("changes", "driver"),
     [
@@ -169,7 +173,7 @@ def test_a_mode_without_a_sketch(tmp_path):
 NAMES = ("slider-crank", "adjustable-pump", "stephenson-i", "oldham")
 
 
-@pytest.mark.slow
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("name", first(NAMES, 1))
 @pytest.mark.ci
 def test_random_inputs_come_back(tmp_path, name):
@@ -225,6 +229,7 @@ def test_windows_line_ends_and_byte_order_mark_stay(four_bar, tmp_path):
     assert text == "\ufeff" + template("four-bar").replace("value = 70", "value = 72.5").replace("\n", "\r\n")
 
 
+@pytest.mark.cases(2)
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
@@ -250,6 +255,7 @@ def test_conflicts(four_bar, tmp_path, old, new, message):
 # --- what cannot be pulled -----------------------------------------------------------------------------------------
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     ("value", "message"),
     [("thirty", "must hold a number, not thirty"), (None, "not an empty cell"), ("=5*7", "holds a formula now")],
@@ -308,6 +314,7 @@ def test_a_duration_and_listed_speeds(tmp_path):
         assert wanted in found.text
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     ("symbol", "value", "mode"), [("psi_p2", 80.5, 1), ("psi_p2", 81.0, -1), ("theta_p3", 130.0, None)]
 )

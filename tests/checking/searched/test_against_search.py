@@ -18,6 +18,8 @@ from mechsheet.description import load, loads
 from mechsheet.kinematics.search import Search
 from mechsheet.library.verdicts import verdicts_of
 
+pytestmark = pytest.mark.slow
+
 
 @cache
 def built(name, layout="sheets"):

@@ -39,6 +39,7 @@ def test_the_band_of_an_extreme_is_not_compared_digit_by_digit_on_any_sheet(plan
     assert kinds == {"shown": "value", "largest": "value", "summary": "error"}
 
 
+@pytest.mark.slow
 def test_passes_of_a_row_that_does_not_close_are_nobodys():
     """There Newton's method leaps about; that no position follows is compared all the same."""
     text = template_text("planar-3rpr").replace("stop = 7\nstep = 0.2", "stop = 10\nstep = 0.5")
@@ -64,6 +65,7 @@ def test_passes_of_a_row_that_does_not_close_are_nobodys():
     assert not agrees(plan.at.first, last - 1)
 
 
+@pytest.mark.slow
 def test_a_tables_angle_is_known_up_to_a_turn_until_it_goes_on_from_the_cell_above():
     """At 180 degrees of the crank a rounding error decides whether the rocker stands at half a turn or at minus that."""
     compiled, _ = built()

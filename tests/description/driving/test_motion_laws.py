@@ -135,6 +135,7 @@ def test_the_reference_has_laws_of_its_own(law):
         assert np.broadcast_to(compiled.values[name], 12) / scale == pytest.approx(theirs[name] / scale, abs=1e-12)
 
 
+@pytest.mark.slow
 def test_another_duration_changes_everything():
     laid = Laid(FOUR_BAR)
     before = {name: np.array(laid.column(name)) for name in ("t", "theta12", "omega14", "alpha14")}
@@ -151,6 +152,7 @@ def test_another_duration_changes_everything():
     assert "duration" in laid.spot("verdict")
 
 
+@pytest.mark.slow
 def test_a_driven_slide_moves_by_a_law(tmp_path):
     text = moved(IN_LINE, "harmonic", '"2*r/100"', 9, 160, '"l + r/2"').replace('link = "crank"\n[', 'joint = "s14"\n[')
     text = text.replace("B = [250, 0]", "A = [10, 49]\nB = [200, 0]")
@@ -171,6 +173,7 @@ def test_rows_are_asked_for_and_a_step_is_not(tmp_path):
         mechsheet.load(path, step=5)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_what_a_person_sees(language):
     laid = Laid(FOUR_BAR, language)
@@ -191,6 +194,7 @@ def test_equations_are_printed_from_the_time_on():
     assert lines[first + 1].strip().startswith("theta12 = start + (stop - start)*(t/duration - sin(2*pi")
 
 
+@pytest.mark.slow
 def test_a_whole_turn_in_time_leaves_a_rocker_a_rocker():
     """The rows end in time, but the ends of a whole turn are one position: what comes back there has not turned on."""
     laid = Laid(moved(FOUR_BAR, "cycloidal", 2, 15, 0, 360))

@@ -8,7 +8,7 @@ from asking_page import Drawing, four_bar, pin, spot
 from mechsheet.description import loads
 from mechsheet.drawing_page.editing.inserting import KINDS
 from mechsheet.drawing_page.questions import Impossible, Refusal
-from mechsheet.words.drawing_page import DRAWING_PAGE
+from mechsheet.words.catalogue import is_key
 
 FORCE = """
 [[loads]]
@@ -36,7 +36,7 @@ def test_whatever_is_inserted_fits_and_all_else_stays(what):
     assert drawing.look["solved"]
     kept = {"motion": ("step",), "gear": ("points = { A0 = [0, 0], B0",)}.get(what, ())
     assert not {line for line in before.splitlines() if not line.startswith(kept)} - set(drawing.text.splitlines())
-    assert f"insert.{what}" in DRAWING_PAGE
+    assert is_key(f"draw.insert.{what}")
     if what == "spring":
         assert "# ayrı uzuvların iki noktası" in drawing.text
 

@@ -30,6 +30,7 @@ def never(*_):
     raise AssertionError("the interpreter was used")
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(300), deadline=None, report_multiple_bugs=False)
 @given(
     st.lists(columns, min_size=3, max_size=3),

@@ -24,6 +24,7 @@ def found():
     return ours([formula for formula, _ in CASES], [])
 
 
+@pytest.mark.slow
 def test_special_functions(found):
     wrong = [
         (formula, value, mine)
@@ -33,6 +34,7 @@ def test_special_functions(found):
     assert wrong == []
 
 
+@pytest.mark.slow
 def test_most_have_fourteen_digits(found):
     good = sum(abs(mine - value) <= 2e-14 * abs(value) for (_, value), mine in zip(CASES, found, strict=True))
     assert good >= 0.95 * len(CASES)
@@ -78,6 +80,7 @@ def test_wrong_cells_of_a_column_leave_the_others_alone():
     ]
 
 
+@pytest.mark.slow
 def test_who_builds_a_mechanism_does_not_wait_for_scipy(tmp_path):
     code = (
         "import sys; from mechsheet.cli import main\n"
@@ -89,6 +92,7 @@ def test_who_builds_a_mechanism_does_not_wait_for_scipy(tmp_path):
     assert ran.stdout.split()[-1] == "False"
 
 
+@pytest.mark.slow
 def test_without_scipy_its_functions_keep_their_stored_values_and_say_what_is_missing(tmp_path):
     """The bare install: a workbook with one NORM.DIST is recalculated all the same."""
     book = openpyxl.Workbook()

@@ -90,6 +90,7 @@ def cell_by_cell(book, arithmetic=FAST):
         return compile_book(book, arithmetic).evaluate()
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(250), deadline=None)
 @given(formulas, columns, columns, starts, st.tuples(plain, values), st.sampled_from([0, 0, 0, 1, 4]), st.booleans(),
        st.sampled_from([FAST, PORTABLE]))  # fmt: skip

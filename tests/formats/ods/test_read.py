@@ -409,6 +409,8 @@ class TestFaults:
         )
         self.refused(write_ods(tmp_path / "a.ods", content(days + table(row(number(1))))), "1900-01-01")
 
+    @pytest.mark.cases(2)
+    @pytest.mark.slow
     @pytest.mark.parametrize(
         "filling",
         [

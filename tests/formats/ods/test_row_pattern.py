@@ -144,6 +144,7 @@ def test_rows_inside_a_drawing_are_passed_over(place):
     assert len(found[0][0]) == 40
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four-bar.ods", "adjustable-pump.ods"])
 def test_our_own_workbooks(name):
     path = ROOT / "generated" / name

@@ -21,6 +21,7 @@ def test_two_parts_of_one_name(tmp_path):
         read(path)
 
 
+@pytest.mark.slow
 def test_a_zip_that_is_packed_to_burst(tmp_path):
     path = tmp_path / "book.xlsx"
     path.write_bytes(packed({**parts_of(""), "xl/media/big.bin": "\0" * (40 << 20)}))

@@ -116,6 +116,8 @@ def test_functions_have_the_numbers_that_another_reader_knows():
 class TestPairs:
     pytestmark = libreoffice
 
+    @pytest.mark.cases(1)
+    @pytest.mark.ci
     def test_every_formula_is_the_same(self, pairs, name):
         one, other = (formulas(read(path)) for path in pairs[name])
         apart = [
@@ -133,6 +135,8 @@ class TestPairs:
         assert other.program == "LibreOffice"
         assert one.remarks == other.remarks == []
 
+    @pytest.mark.cases(1)
+    @pytest.mark.slow
     def test_the_values_are_those_that_another_reader_finds(self, pairs, name):
         theirs = xlrd.open_workbook(str(pairs[name][1]))
         book = read(pairs[name][1])
@@ -354,6 +358,7 @@ def test_the_container(tmp_path, small):
     assert book.macros == ""
 
 
+@pytest.mark.slow
 def test_whatever_is_broken_is_told(tmp_path):
     """Bytes changed at random, in the container and in the stream: a workbook, or an error in words."""
     rng = np.random.default_rng(3)

@@ -105,7 +105,8 @@ def allowed():
     return wanted, re.search(r">=([0-9.]+)", wanted)[1]
 
 
-@pytest.mark.slow
+@pytest.mark.cases(1)
+@pytest.mark.ci
 @pytest.mark.parametrize("end", ["lowest", "newest"])
 def test_every_release_writes_the_same_file(end, tmp_path):
     wanted, lowest = allowed()

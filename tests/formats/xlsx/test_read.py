@@ -197,6 +197,7 @@ def test_openpyxl(tmp_path):
     assert cached(again) == {}
 
 
+@pytest.mark.ci
 @pytest.mark.libreoffice
 def test_libreoffice(tmp_path):
     expected = filled(tmp_path / "book.xlsx")
@@ -313,6 +314,7 @@ def test_shared_formulas_in_any_order(read):
     assert [values.get("S", row, 0) for row in range(5)] == [1.0, 2.0, 3.0, 4.0, 5.0]
 
 
+@pytest.mark.ci
 def test_many_rows_from_the_bottom_up(read):
     count = 4_000
     cells = (
@@ -368,6 +370,7 @@ def test_damaged_bytes_are_refused_or_read(tmp_path_factory, data):
         assert problem.faults
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(150), deadline=None)
 @given(st.text("<>/cfvrt=\"A1 &;'s0", max_size=60))
 def test_any_xml_is_refused_or_read(tmp_path_factory, text):

@@ -110,6 +110,7 @@ def place(tmp_path_factory):
     return tmp_path_factory.mktemp("rows") / "book.xlsx"
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(150), deadline=None)
 @given(
     st.lists(st.sampled_from([*COLUMNS, "shared"]) | st.sampled_from([*COLUMNS, *ODD]), min_size=1, max_size=5),
@@ -193,6 +194,7 @@ def test_sheets_that_never_repeat_cost_little_more(place):
     assert everything(place) == alone(place)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four-bar.xlsx", "adjustable-pump.xlsx", "klann.xlsx"])
 def test_our_own_workbooks(name):
     path = ROOT / "generated" / name

@@ -25,6 +25,8 @@ from mechsheet.sheet.constants import typed, with_typed_constants
 from mechsheet.sheet.layout import lay_out
 from random_mechanisms import Grower
 
+pytestmark = pytest.mark.slow
+
 TEMPLATES = sorted((Path(__file__).parents[3] / "templates").glob("*.toml"))
 RANDOM = int(os.environ.get("MECHSHEET_RANDOM", "12"))
 """How many random mechanisms a full run draws; 300 of them passed when the rules were written."""
@@ -53,6 +55,7 @@ def in_language(path, language):
     return loads(re.sub(r"^language = .*$", f'language = "{language}"', text, flags=re.MULTILINE))
 
 
+@pytest.mark.cases(2)
 @pytest.mark.parametrize("path", part(TEMPLATES, 10), ids=lambda path: path.stem)
 def test_templates(path, tmp_path):
     for language in ("en", "tr") if ALL else ("tr",):

@@ -345,6 +345,7 @@ def test_a_label_shows_the_name_of_its_series_from_a_cell(parts):
 # The file as a whole.
 
 
+@pytest.mark.slow
 def test_the_validator_finds_nothing(path):
     from openxml_audit import OpenXmlValidator
 

@@ -55,6 +55,7 @@ def filled(week, number, path, **slips):
     return table.save(path)
 
 
+@pytest.mark.slow
 def test_a_students_sheet_holds_the_task_and_no_answer(week):
     book = openpyxl.load_workbook(week / "week" / "student" / "101.xlsx")
     sheet, _ = book.worksheets
@@ -79,6 +80,7 @@ def test_dimensions_come_from_seed_and_id_alone(week):
     assert again["students"][0]["dimensions"] == drawn["103"]
 
 
+@pytest.mark.slow
 def test_a_class_is_marked(week):
     handed = week / "handed"
     handed.mkdir()
@@ -146,6 +148,7 @@ def test_remarks_stay_inside_their_frame_and_rows_are_high_enough(week):
     assert sheet.print_title_rows == "$4:$4"
 
 
+@pytest.mark.slow
 def test_anothers_dimensions_are_named(week):
     other = week / "copied"
     other.mkdir()
@@ -158,6 +161,7 @@ def test_anothers_dimensions_are_named(week):
     assert "101" not in page(found, line)  # a student's page says nothing of another
 
 
+@pytest.mark.slow
 def test_a_dimension_typed_over_is_an_earlier_fault(week):
     """35.25 in the cell of the student's own a2: what depends on it is right but for that; without follow-through it has
     no marks."""
@@ -235,6 +239,7 @@ def test_description_list_and_folder_are_told_at_once(tmp_path):
     assert (tmp_path / "out").read_text(encoding="utf-8") == "a file"
 
 
+@pytest.mark.slow
 def test_a_long_id_in_a_cell_and_a_file_that_cannot_be_read_are_the_students(week, tmp_path):
     """A number of eight digits is no 2.02112e+07; a lost file is a line of its student's, not nobody's."""
     (tmp_path / "class.csv").write_text("id\n20211234\n20215678\n", encoding="utf-8")
@@ -276,6 +281,7 @@ def test_what_is_needed_may_name_outputs_of_summaries():
     assert not fulfils(mechanism, own | {"a2": 30.0}, mechanism.exercise.need)
 
 
+@pytest.mark.slow
 def test_an_exercise_in_which_nothing_varies_says_so(tmp_path):
     """Silently the same dimensions for everybody would be found out in the exam room; the line proposed works as it is."""
     text = mechsheet.template("four-bar").text

@@ -20,6 +20,8 @@ from mechsheet.homework.marking_rules import asked_of
 from mechsheet.homework.mends.candidates import Surroundings, candidates
 from mechsheet.homework.mends.pairs import pairs
 
+pytestmark = pytest.mark.slow
+
 LEAST = {"A40": "mu_min", "B40": "=MIN(L9:L33)"}
 
 
@@ -72,6 +74,7 @@ PAIRS = {
 }
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("slip", first(list(PAIRS), 1))
 def test_two_faults_in_one_formula_are_mended_together(tmp_path, mechanism, slip):
     changes, mend, expected = PAIRS[slip]
@@ -119,6 +122,7 @@ ROUTINES = {
 }
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("words", ROUTINES)
 def test_the_routines_of_the_text_are_known(tmp_path, mechanism, words):
     """A macro never runs; its cells would keep their values when a dimension is retyped, and would not be live."""

@@ -20,6 +20,7 @@ from within_cases import LOADER, loader
 TEMPLATES = Path(__file__).parents[3] / "templates"
 
 
+@pytest.mark.slow
 def test_random_cylinders_between_links_that_move():
     rng = np.random.default_rng(18)
     closed = 0
@@ -69,6 +70,7 @@ def test_the_platform_of_the_lift_is_level_and_as_high_as_its_angle_says():
     assert np.allclose(rate[2:-2], found["gain"][2:-2], rtol=5e-3)
 
 
+@pytest.mark.slow
 def test_strokes_of_an_excavator_turn_dipper_and_bucket_as_published():
     """Strokes and angles that the source states of its machine, to its 0.1 mrad."""
     path = TEMPLATES / "excavator.toml"

@@ -16,6 +16,8 @@ def told(name, **overrides):
     return doubts(mechanism, solve(mechanism))
 
 
+@pytest.mark.slow
+@pytest.mark.cases(2)
 @pytest.mark.parametrize(
     ("name", "overrides", "words", "hint"),
     [
@@ -42,6 +44,7 @@ def test_what_the_workbook_is_like_does_not_matter(other):
     assert doubts(mechanism, solve(mechanism)) == tuple(told("planar-3rpr", y2=2.4))
 
 
+@pytest.mark.slow
 def test_groups_of_newton_move_by_a_law():
     """Watt's sun and planet driven in so many seconds: the rows are tried before anything has a time."""
     driver = "start = 0\nstop = 720\nstep = 15"

@@ -36,6 +36,7 @@ def platform(**changes):
     return replace(mechanism, driver=replace(mechanism.driver, **changes))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("leg", "angles"),
     [
@@ -54,6 +55,7 @@ def test_sauer_finds_as_many_assemblies(leg, angles):
     assert sorted(found) == pytest.approx(angles, abs=5e-8)
 
 
+@pytest.mark.cases(4)
 @pytest.mark.parametrize(
     ("end", "before", "behind"),
     [(3.711, 0, 2), (4.864, 2, 4), (6.967, 4, 6), (7.022, 6, 4), (7.849, 4, 2), (9.262, 2, 0)],
@@ -117,6 +119,7 @@ def test_random_groups_are_as_the_reference_finds_them(kind, seed):
         assert np.abs(gap).max() < 1e-9 * (1.0 if name.startswith("theta") else solution.size), name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["stephenson-ii-class-iv", "double-butterfly"])
 def test_the_jacobian_is_the_derivative(name):
     """Written by hand, held against the derivative of F by every unknown with all that follows from it."""
@@ -151,6 +154,7 @@ def test_cramer(count):
     assert solved == pytest.approx(np.linalg.solve(matrix, right))
 
 
+@pytest.mark.slow
 def test_a_step_that_is_too_large_is_told_with_one_that_works():
     mechanism = load(TEMPLATES / "stephenson-ii-class-iv.toml")
     far, near = (replace(mechanism, driver=replace(mechanism.driver, step=math.radians(step))) for step in (40, 20))
@@ -161,6 +165,7 @@ def test_a_step_that_is_too_large_is_told_with_one_that_works():
     assert doubts(near, solve(near)) == ()
 
 
+@pytest.mark.slow
 def test_a_sketch_of_another_position_is_followed_to_the_first_row():
     mechanism = load(TEMPLATES / "stephenson-ii-class-iv.toml")
     _, values = swept(mechanism)
@@ -171,6 +176,7 @@ def test_a_sketch_of_another_position_is_followed_to_the_first_row():
     assert found["theta16"] == pytest.approx(values["theta16"], abs=1e-12)
 
 
+@pytest.mark.slow
 def test_a_sketch_between_two_assemblies_is_refused():
     mechanism = platform()
     both = [swept(mechanism, solve(mechanism, {"mode_1": number}))[1] for number in (1, 2)]
@@ -219,6 +225,7 @@ points = { O = [0, 0], H = [-1.6, 1.4] }
 """
 
 
+@pytest.mark.slow
 def test_a_pin_on_a_link_that_is_known_already_is_closed_wherever_that_link_stands():
     """Four plates in a row from the ground at G to the crank at H, and two bars across.
 
@@ -242,6 +249,7 @@ def test_a_pin_on_a_link_that_is_known_already_is_closed_wherever_that_link_stan
     assert np.abs(found[1] - found[0]).max() < 1e-12 * 14
 
 
+@pytest.mark.slow
 def test_what_needs_a_closed_form_says_so():
     from mechsheet.compiled import Compiled
     from mechsheet.exporting import KINDS, Job
@@ -278,6 +286,8 @@ D = [50, 30]
 """A class IV group closed by a link with two slides, as the disc of an Oldham coupling."""  # fmt: skip
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("origin", ["C0 = [0, 0], E = [0, 50]", "C0 = [3, 1], E = [3, 51]"])
 def test_a_link_with_two_slides_closes_a_group(origin):
     """Left and right are parallel then: |A - C0 + R(theta) (40, -50)| = 70, wherever the frame of `right` begins."""

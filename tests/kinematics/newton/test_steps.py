@@ -1,6 +1,7 @@
 """Rows held against the same motion in smaller steps: what is said of steps that are too large, and what is not."""
 
 import numpy as np
+import pytest
 
 from mechsheet.description import loads
 from mechsheet.kinematics.dimensions import dimension_values
@@ -53,6 +54,7 @@ def test_behind_a_limit_no_step_is_too_large():
     assert doubts(mechanism, equations) == ()
 
 
+@pytest.mark.slow
 def test_a_law_with_too_few_rows_is_told_how_many_do():
     """Speeds read the time, which must be there wherever the rows are followed anew: in smaller steps, in a search."""
     law = 'motion = { law = "constant", duration = 2, rows = %d }'

@@ -133,6 +133,8 @@ def test_templates_against_the_reference(template):
     assert worst < 1e-12
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ITERATED)
 def test_groups_without_dyads_against_the_reference(name):
     worst, compared = worst_of(moving((TEMPLATES[0].parent / f"{name}.toml").read_text(encoding="utf-8")))
@@ -140,6 +142,8 @@ def test_groups_without_dyads_against_the_reference(name):
     assert worst < 1e-12
 
 
+@pytest.mark.slow
+@pytest.mark.cases(3)
 @pytest.mark.parametrize(("kind", "seed"), [*(("III", seed) for seed in range(8)), ("IV", 4)])
 def test_random_groups_without_dyads_against_the_reference(kind, seed):
     worst, compared = worst_of(moving(Grower(seed, 1, (kind,)).text(rows=6, step=1.0)))
@@ -157,6 +161,7 @@ def test_slides_in_groups_without_dyads_against_the_reference(name):
     assert worst < 1e-12
 
 
+@pytest.mark.slow
 def test_random_mechanisms_of_all_dyads_against_the_reference():
     kinds, judged = set(), 0
     for seed in range(60 if ALL else 12):
@@ -334,6 +339,7 @@ def test_templates_against_differences(template):
     assert worst < LIMIT
 
 
+@pytest.mark.slow
 def test_random_mechanisms_against_differences():
     kinds, compared = set(), 0
     for seed in range(300 if ALL else 60 if IN_CI else 8):

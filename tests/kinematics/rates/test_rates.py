@@ -57,6 +57,7 @@ def worst_against_reference(mechanism):
     return worst, int(rows.sum()) * len(expected)
 
 
+@pytest.mark.cases(8)
 @pytest.mark.parametrize("template", but(TEMPLATES, *ITERATED, *LISTED), ids=lambda path: path.stem)
 def test_templates_against_the_reference(template):
     worst, count = worst_against_reference(load(template))
@@ -64,6 +65,7 @@ def test_templates_against_the_reference(template):
     assert worst < 1e-11
 
 
+@pytest.mark.slow
 def test_random_mechanisms_against_the_reference():
     assert compared(60 if ALL else 15, worst_against_reference, 1e-10) > 5_000
 
@@ -130,6 +132,7 @@ def test_templates_against_differences(template):
     assert assert_agree(load(template)) > 0
 
 
+@pytest.mark.slow
 def test_random_mechanisms_against_differences():
     judged = 0
     for seed in range(120 if ALL else 25):

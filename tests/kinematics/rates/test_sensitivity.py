@@ -25,6 +25,8 @@ from mechsheet.kinematics.rates.sensitivity import determinant_symbol, sensitivi
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import compared
 
+pytestmark = pytest.mark.slow
+
 TEMPLATES = [
     path
     for path in but(sorted((Path(__file__).parents[3] / "templates").glob("*.toml")), *ITERATED)
@@ -101,6 +103,7 @@ def worst_against_reference(mechanism):
     return worst, count
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("template", some(TEMPLATES, 4), ids=lambda path: path.stem)
 def test_templates_against_the_reference(template):
     worst, count = worst_against_reference(load(template))
@@ -108,10 +111,12 @@ def test_templates_against_the_reference(template):
     assert worst < 1e-9
 
 
+@pytest.mark.ci
 def test_random_mechanisms_against_the_reference():
     assert compared(40 if ALL else 5, worst_against_reference, 1e-9) > 1_000
 
 
+@pytest.mark.cases(2)
 @pytest.mark.parametrize("template", some(TEMPLATES, 2), ids=lambda path: path.stem)
 def test_both_ways_to_differentiate_the_closures_agree(template):
     """Backwards from a quantity, and forwards from a dimension."""

@@ -112,6 +112,8 @@ def test_one_assembly_goes_through_all_points_exactly_where_they_lie_on_one_side
     assert apart(closed, angles) < 1e-9
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_crank_rocker_has_its_swing_and_time_ratio_between_its_dead_centres(seed):
     """Just where the reference knows a transmission angle: else the dead centres lie on both assemblies."""
@@ -163,6 +165,7 @@ def test_a_slider_crank_has_its_stroke_and_time_ratio(seed):
         assert abs(one - other) != pytest.approx(asked["stroke"], rel=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_slotted_lever_has_its_stroke_and_time_ratio(seed):
     asked = task("quick-return-lever", seed)
@@ -340,6 +343,8 @@ def test_a_described_function_generator_meets_its_points(seed):
             assert apart(angles[place], psi[place]) < 1e-10
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", DESCRIBED)
 def test_a_described_crank_rocker_has_its_swing(seed):
     whole, values, solved = described("dead-centres", seed)
@@ -376,6 +381,7 @@ def test_a_described_slider_crank_has_its_stroke(seed):
     check_time_ratio(ends, values["time_ratio"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", DESCRIBED)
 def test_a_described_slotted_lever_has_its_stroke(seed):
     whole, values, solved = described("quick-return-lever", seed)

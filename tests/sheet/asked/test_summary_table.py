@@ -15,6 +15,8 @@ from mechsheet.description import loads
 from mechsheet.sheet import styles
 from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[3]
 
 LINKAGE = """
@@ -109,6 +111,7 @@ TYPED = {
 }
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("typed", [{}, TYPED], ids=["built", "typed"])
 def test_each_cell_is_what_the_search_finds(typed):
     """All positions, some, none; inputs of the table, of the first sheet, start, step and assembly changed."""

@@ -21,6 +21,8 @@ from mechsheet.reference import variables
 from mechsheet.sheet.asked.expansion import LIMITS, depth
 from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW
 
+pytestmark = pytest.mark.slow
+
 ROOT = Path(__file__).parents[3]
 CASES = tomllib.loads((ROOT / "tests/cases/tables.toml").read_text(encoding="utf-8"))["case"]
 
@@ -70,6 +72,7 @@ def test_mixed_anchors():
     assert len(chart.series) == 6
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     "case", part(CASES, 2), ids=lambda case: f"{case['template']}-{case['value']}-{case['column']}"
 )
@@ -124,6 +127,7 @@ TURNING = [
 """Dimensions that make a crank of a rocker, or the other way round, and some with rows that do not exist."""
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("language", ["en", "tr"])
 @pytest.mark.parametrize(("name", "value", "column", "values"), part(TURNING, 2))
 def test_angles_do_not_jump(name, value, column, values, language):

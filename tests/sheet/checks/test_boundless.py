@@ -12,6 +12,8 @@ from mechsheet.library.show import overview_text
 from mechsheet.library.verdicts import verdicts_json
 from mechsheet.sheet.checks.boundless import may_grow
 
+pytestmark = pytest.mark.slow
+
 NA = ErrorValue("#N/A")
 
 OUTPUTS = """
@@ -42,6 +44,7 @@ def summary(laid, name):
     return laid.values.get(laid.plan.main, row, 1), laid.values.get(laid.plan.main, row, 4)
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("language", WORDS)
 def test_what_is_without_bound_at_a_limit_has_no_number(language):
     laid = Laid(AROUND, language).change(a2=50)
@@ -73,6 +76,7 @@ ABSOLUTE = {
 turns back, beside their largest value, and have no pole."""
 
 
+@pytest.mark.cases(2)
 @pytest.mark.parametrize("name", ABSOLUTE)
 def test_an_absolute_value_hides_no_pole(name):
     """It has no sign that changes between two rows: what stands in it has."""
@@ -99,6 +103,7 @@ def test_a_row_beside_the_pole_of_an_absolute_value():
     assert value == NA and WORDS["en"] in words
 
 
+@pytest.mark.ci
 def test_programs_and_check_are_told_the_same(tmp_path):
     mechanism = loads(AROUND, overrides=Overrides({"a2": "50"}))
     said = json.loads(verdicts_json(mechanism))

@@ -13,6 +13,8 @@ from livesheet.formula.nodes import Binary, Call, Number, RangeRef, transform
 from livesheet.workbook import Cell
 from mechsheet.sheet.checks.checks import Checks
 
+pytestmark = pytest.mark.slow
+
 CLOSED = {"en": "largest gap of a joint: rounding only", "tr": "en büyük mafsal açıklığı: yalnız yuvarlama"}
 OPEN = "a joint is open: see the hidden sheet Checks"
 
@@ -25,6 +27,7 @@ def columns(laid, kind):
     return [[laid.values.get(checks.title, row, col) for row in rows] for col in cols]
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("name", some(TEMPLATES, 2))
 def test_rounding_only(name):
     """Gaps are rounding errors, nothing leaps, no cell has been typed over, and every row has been measured."""

@@ -21,6 +21,7 @@ def by_cosines(a1, a2, reach):
     return math.degrees(math.acos((a1**2 + a2**2 - reach**2) / (2 * a1 * a2)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("a1", [90, 100, 110, 130, 150])
 def test_limits_of_a_rocker(a1):
     """Typed into one workbook: |A B0| <= a3 + a4 = 118.3; from a1 = 153.3 on it closes nowhere."""
@@ -33,6 +34,7 @@ def test_limits_of_a_rocker(a1):
     assert laid.words("input_from") == "from … to: the first of several stretches"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("start", "step"), [(-180, 15), (180, -15)])
 def test_an_extreme_at_a_limit_is_where_the_stretch_begins_or_ends(start, step):
     """With a2 = 50 the coupler is stretched at -160.4 degrees, between two rows, and the rocker stands at 188.1."""
@@ -45,6 +47,7 @@ def test_an_extreme_at_a_limit_is_where_the_stretch_begins_or_ends(start, step):
     assert laid.spot("max_at_theta14") == pytest.approx(-limit, abs=1e-5)
 
 
+@pytest.mark.slow
 def test_two_ranges():
     """Neither stretched nor folded everywhere: two mirrored ranges, and four limits in a turn."""
     laid = Laid(template_text("drag-link"), overrides={"r1": "100", "r2": "60", "r3": "30", "r4": "80"})
@@ -62,6 +65,7 @@ def test_crank_without_limits_and_no_position_at_all():
     assert laid.words("input_from") == laid.words("rows_closed") == "closes nowhere"
 
 
+@pytest.mark.slow
 def test_slider_crank_whose_rod_is_too_short():
     """|r sin(theta) - e| <= rod: the rod of 30 is shorter than the crank of 50."""
     laid = Laid(template_text("slider-crank"), overrides={"a2": "50", "a3": "30", "a1": "0"})
@@ -70,6 +74,7 @@ def test_slider_crank_whose_rod_is_too_short():
     assert limits(laid) == pytest.approx(wanted, abs=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("offset", [0, 20, 60])
 def test_stroke(offset):
     """sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2)."""

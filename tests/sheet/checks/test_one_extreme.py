@@ -39,7 +39,7 @@ def test_dead_centres_of_a_slider_crank(offset, start, step, count):
 def test_the_rows_of_a_search():
     """Each row is a probe, placed within the bracket of the row above; the last row has what was found."""
     laid = Laid(slider_crank(0, 15, 25))
-    spot = laid.plan.at.spots["#max_s14"]
+    spot = laid.plan.searched.extremes["max", "s14"].value
     rows = range(spot.row, spot.row + PROBES + 1)
     known = [[laid.values.get(spot.sheet, row, col) for col in range(KNOWN, KNOWN + 6)] for row in rows]
     places = [laid.values.get(spot.sheet, row, PLACE_COL) for row in rows]

@@ -97,8 +97,8 @@ def test_few_templates_have_doubts():
     found = set()
     for name in template_names():
         compiled = compiled_of(loads(template_text(name)))
-        spots = compiled.plan.at.spots.items()
-        found |= {name for key, spot in spots if re.match("#(min|max)_about_", key) and compiled.value(spot) == BEYOND}
+        extremes = compiled.plan.searched.extremes.values()
+        found |= {name for extreme in extremes if compiled.value(extreme.doubt) == BEYOND}
     assert found == RIVALS
 
 

@@ -17,6 +17,7 @@ WHEEL = '[[loads]]\nlink = "crank"\ntorque = "-(3 + 2*sin(theta12))"\n[flywheel]
 TEXT = IN_LINE.replace("step = 15", "step = 15\nspeed = 10") + WHEEL
 
 
+@pytest.mark.slow
 def test_mean_energy_and_moment_of_inertia():
     """T12 = 3 + 2 sin theta: the energy beyond the mean is 2 (1 - cos theta), trapezia take it a little smaller."""
     laid = Laid(TEXT)
@@ -43,6 +44,7 @@ def test_the_reference_knows_no_energy_either(changed):
     assert np.isnan(further(uneven)["E_f"]).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", [{"omega12": 0.0}, {"alpha12": 3.0}, {"_step": 10.0}])
 def test_without_a_whole_turn_at_constant_speed_the_sheet_names_what_it_needs(change):
     laid = Laid(TEXT, "tr").change(**change)

@@ -74,6 +74,7 @@ def test_dead_centres_are_never_an_error():
     assert beyond > 5
 
 
+@pytest.mark.slow
 def test_a_root_is_guarded_once():
     """SQRT(MAX(0, x)), however often it is asked for."""
     once = rooted(Call("SQRT", (Symbol("x"),)))
@@ -85,6 +86,7 @@ def test_a_root_is_guarded_once():
                 assert not any(isinstance(arg, Call) and arg.name == "MAX" for arg in part.args)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("step", [15, 70, 170, -170])
 def test_direction_goes_on_within_half_a_turn(step):
     """phi of each row is within half a turn of the row above, whole turns included, at any step."""
@@ -96,6 +98,7 @@ def test_direction_goes_on_within_half_a_turn(step):
     assert abs(turned) > 300  # it counts turns, and does not come back into one
 
 
+@pytest.mark.slow
 def test_direction_begins_anew_after_rows_without_a_position():
     """Nobody knows how the mechanism came there: the first angle behind a gap is the one within half a turn."""
     text = FOUR_BAR.replace("stop = 360", "stop = 720").replace("a1 = { value = 70", "a1 = { value = 100")
@@ -106,6 +109,7 @@ def test_direction_begins_anew_after_rows_without_a_position():
     assert theta[begun[0]] == pytest.approx(theta[begun[1]], abs=1e-9)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("typed", "named"),
     [

@@ -62,6 +62,7 @@ def charts(laid):
     return laid.workbook.sheets[0].charts
 
 
+@pytest.mark.slow
 def test_the_hodograph_is_the_end_of_the_velocity(laid):
     motion = loads(MOVED).solve()
     chart = next(chart for chart in charts(laid) if chart.title == "Hodograph of C")
@@ -81,6 +82,8 @@ KINDS = (
 )
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("speed", [31.0, 2000.0])
 def test_arrows_are_true_to_scale_and_stay_in_the_window(laid, speed):
     """The longest arrow of a kind is `LONGEST`, in proportion all others; the window is large enough for every tip."""
@@ -107,6 +110,8 @@ def test_arrows_are_true_to_scale_and_stay_in_the_window(laid, speed):
     assert farthest <= EDGE + 1e-9
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("changed", [{}, {"a4": 180.0, "a5": 260.0, "die": 430.0}], ids=["as it is", "ram lower"])
 def test_no_scale_bar_lies_on_the_mechanism(changed):
     """Links, supports, the ram and its rail end above the scale bars, whatever the dimensions."""
@@ -122,6 +127,7 @@ def test_no_scale_bar_lies_on_the_mechanism(changed):
         assert {name: height for name, height in heights.items() if np.nanmin(height) < bars + 0.02} == {}, row
 
 
+@pytest.mark.slow
 def test_a_cell_hides_a_kind(laid):
     laid.change(_show_velocity=0)
     chart = charts(laid)[0]
@@ -133,6 +139,7 @@ def test_a_cell_hides_a_kind(laid):
     assert sum(str(word).endswith("mm/s") for word in words) == 0
 
 
+@pytest.mark.slow
 def test_only_where_there_is_something_to_draw():
     plain = Laid(IN_LINE)
     assert plain.plan.arrows == ()
@@ -150,6 +157,7 @@ def test_without_points_the_message_says_whose_velocities_may_be_asked_for():
     assert mended.plan.arrows == ("velocity", "acceleration")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("vectors", [False, True])
 def test_a_picture_has_arrows_when_asked(vectors):
     stage = Stage(sample(loads(MOVED), None, None, least=2, vectors=vectors))

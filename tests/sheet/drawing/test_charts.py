@@ -140,6 +140,7 @@ def test_steps_of_the_driver(start, stop, low, high, step):
     assert (axis.low, axis.high, axis.step) == (low, high, step)
 
 
+@pytest.mark.cases(5)
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_every_curve_has_its_marker(name):
     """One point from single cells for each curve, in its colour; curves read whole columns of the table of positions."""
@@ -158,6 +159,7 @@ def test_every_curve_has_its_marker(name):
                 assert series.x.area.first_row == series.x.area.last_row
 
 
+@pytest.mark.cases(12)
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_charts_do_not_overlap(name):
     """On the grid by which they are placed; the drawing first, under the scroll bar, everything else right of the blocks."""

@@ -70,6 +70,8 @@ def template(name):
     return Laid((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8"))
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", some(TEMPLATES, 0, every=13))
 def test_points_are_the_references(name):
     laid = template(name)
@@ -82,6 +84,7 @@ def test_points_are_the_references(name):
                 assert found == pytest.approx(truth.points[point][position, axis], abs=1e-7 * truth.size), point
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", some(but(TEMPLATES, *LOADED), 1, every=13))
 def test_everything_lies_in_the_window(name):
     """Points, blocks, supports and names at every fourth position (twelfth outside CI); slots may be cut by the edge,
@@ -97,6 +100,8 @@ def test_everything_lies_in_the_window(name):
             assert np.nanmax(np.abs(places), initial=0.0) <= 1.0, (position, series.name)
 
 
+@pytest.mark.cases(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four-bar", "adjustable-pump", "jansen", "inverted-slider-crank", "oldham"])
 def test_one_scale_for_both_axes(name):
     """(X - X') / (x - x') is the same for both axes and all points, and stays while the mechanism moves."""
@@ -117,6 +122,7 @@ def test_one_scale_for_both_axes(name):
     assert scales == pytest.approx([scales[0]] * len(scales), rel=1e-9)
 
 
+@pytest.mark.slow
 def test_window_follows_the_dimensions():
     laid = template("four-bar")
     large = {symbol: 1000.0 * value for symbol, value in _lengths(laid).items()}
@@ -128,6 +134,7 @@ def test_window_follows_the_dimensions():
             assert large_places == pytest.approx(small_places, abs=1e-9, nan_ok=True)
 
 
+@pytest.mark.slow
 def test_scale_bar_is_one_two_or_five():
     laid = template("four-bar")
     names = [series.name for series in laid.drawing.chart.series]
@@ -155,6 +162,7 @@ def _lengths(laid):
     return {dim.symbol: dim.value for dim in laid.mechanism.dimensions if dim.unit.kind == "length" and not dim.derived}
 
 
+@pytest.mark.slow
 def test_a_position_that_does_not_exist_draws_nothing():
     """With a longer crank the four-bar does not close everywhere: what is to close vanishes, the crank and the
     supports stay, the caption says why."""
@@ -172,6 +180,7 @@ def test_a_position_that_does_not_exist_draws_nothing():
     assert good.get(caption.sheet, caption.row, caption.col) == "θ₁₂ = 0°"
 
 
+@pytest.mark.slow
 def test_paths_leave_gaps():
     """Rows that do not exist are #N/A in the path; the window is that of the rows that do."""
     laid = template("four-bar")
@@ -207,6 +216,7 @@ def test_long_tables_are_thinned(step, rows, drawn):
     assert len(sheet.cells) < 600 and len(sheet.fills) < 600
 
 
+@pytest.mark.slow
 def test_thinned_paths_end_with_the_last_row():
     text = FOUR_BAR.replace("step = 15", "step = 0.4")
     laid = Laid(text)

@@ -15,6 +15,8 @@ from mechsheet.description import Overrides, loads
 from mechsheet.shapes.colors import PATHS
 from mechsheet.sheet.drawing.drawing import DRAWING_INNER
 
+pytestmark = pytest.mark.slow
+
 TEMPLATES = sorted((Path(__file__).parents[3] / "templates").glob("*.toml"))
 POSITIONS = 25
 POINTS_OF_A_PIXEL = 0.75
@@ -97,12 +99,14 @@ def rows_of(drawn):
     )
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("path", some(TEMPLATES, 2), ids=lambda path: path.stem)
 def test_names_of_templates(path):
     drawn = Drawn(path.read_text(encoding="utf-8"))
     assert {row: found for row in rows_of(drawn) if (found := list(drawn.conflicts(row)))} == {}
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize("text", [SUSPENSION, LAMP], ids=["suspension", "lamp"])
 def test_names_beside_springs_and_loads(text, layout):

@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import pytest
+from both_layouts import Book
 
 from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides, load, loads
@@ -43,6 +44,7 @@ def test_undercut_roller():
     assert number <= 0 and words == "undercut: this profile cannot be made"
 
 
+@pytest.mark.slow
 def test_leaps():
     text = (TEMPLATES / "cam-slide.toml").read_text(encoding="utf-8")
     smooth = loads(text)
@@ -67,3 +69,14 @@ def test_outputs_summaries_and_charts_read_the_cams_columns_without_a_speed():
     compiled = compiled_of(loads(text))
     row = compiled.plan.blocks["summary"].rows["far"]
     assert 55 < compiled.cells.values().get(compiled.plan.main, row, 1) < 61
+
+
+@pytest.mark.parametrize(
+    ("law", "radius", "colour"), [("cycloidal", 30, "green"), ("cycloidal", 14, "amber"), ("uniform", 30, "red")]
+)
+def test_the_line_under_the_title_is_as_bad_as_the_worst_line(law, radius, colour):
+    """A pressure angle above the usual one is amber below, a velocity that leaps is red: so is the line."""
+    text = (TEMPLATES / "cam-slide.toml").read_text(encoding="utf-8")
+    book = Book(text.replace('"cycloidal"\nover', f'"{law}"\nover'), "sheets").type(rb=radius)
+    assert book.line.startswith("closes in all")
+    assert book.line_colour == colour

@@ -7,10 +7,10 @@ from claimed import ROOT, Sheets, change, named_sheets, random_sheets
 from claims import Claims, judge
 from numpy.random import default_rng
 
+from catalogues import pairs
 from chosen import LISTED, LOADED, but, first, some
 from mechsheet.description import load, loads
 from mechsheet.sheet.plan import VERDICT_ROW
-from mechsheet.words.workbook import WORDS
 
 FOUR_BAR = """
 format = 1
@@ -140,6 +140,7 @@ def slider_crank():
     return Sheets(loads(SLIDER_CRANK))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMED)
 def test_four_bars(four_bar, name):
     inputs = dict(NAMED[name])
@@ -149,6 +150,7 @@ def test_four_bars(four_bar, name):
     right(four_bar, inputs, name)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SLIDERS)
 def test_slider_cranks(slider_crank, name):
     right(slider_crank, SLIDERS[name], name)
@@ -172,6 +174,7 @@ def test_a_gap_between_rows_is_amber(four_bar):
     assert 172.5 <= four_bar.of("passes", 3) <= 187.5
 
 
+@pytest.mark.slow
 def test_a_mechanism_in_radians_and_without_units():
     sheets = Sheets(loads(FOUR_BAR.format(language="en", units='angle_unit = "rad"', stop='"2*pi"', step='"pi/12"')))
     right(sheets, {}, "radians")
@@ -193,6 +196,8 @@ OF_A_POLE = ("summary max", "summary at")
 """At a limit the ram's speed is without bound, but one must go nearer than the sheet's last probe to see it."""
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SECOND_GROUPS)
 def test_second_groups_that_do_not_close(name):
     sheets = named_sheets(name)
@@ -207,6 +212,8 @@ def test_second_groups_that_do_not_close(name):
 ONCE_WRONG = [json.loads(line) for line in (ROOT / "tests/cases/claims_once_wrong.jsonl").read_text().splitlines()]
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("case", ONCE_WRONG, ids=lambda case: case["why"])
 def test_what_was_wrong_once(case):
     """Settings of random mechanisms of which the first sheet said something wrong before this was mended."""
@@ -230,6 +237,8 @@ def nearly_right(sheets, settings, name, left=LEFT):
     assert len(claims.wrong) <= left, "\n".join(map(str, claims.wrong))
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", some(TEMPLATES, 3))
 def test_templates(name):
     sheets = Sheets(load(ROOT / f"templates/{name}.toml"))
@@ -239,6 +248,8 @@ def test_templates(name):
     nearly_right(sheets, [change(sheets, random) for _ in range(2)], name, left)
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", first(range(100, 130), 6))
 def test_random_mechanisms(seed):
     sheets = random_sheets(seed, 1 + seed % 3)
@@ -250,8 +261,8 @@ def test_random_mechanisms(seed):
 
 def test_words_fit_their_cells():
     """Column E is 44 characters wide; letters of proportional type take less than the digits that the width counts."""
-    free = ("verdict.line", "verdict.gap.open", "verdict.gap.typed")
-    for key, both in WORDS.items():
-        if key.startswith("verdict.") and not key.startswith(free):
+    free = ("line", "gap.open", "gap.typed")
+    for key, both in pairs("verdict.").items():
+        if not key.startswith(free):
             for text in both:
                 assert len(text) <= 46, (key, text)

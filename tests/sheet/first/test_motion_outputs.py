@@ -12,6 +12,8 @@ from mechsheet.description import Overrides, loads
 from mechsheet.kinematics.search import Search
 from mechsheet.library.show import overview_text
 
+pytestmark = pytest.mark.slow
+
 NA = ErrorValue("#N/A")
 
 OUTPUTS = """
@@ -46,6 +48,7 @@ def of_search(laid, **dimensions):
     return high - low, least, most
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("typed", [{}, {"a2": 30, "a4": 58}, {"a1": 75}])
 def test_they_follow_the_motion_between_the_rows(typed):
     laid = Laid(TEXT).change(**typed)

@@ -52,6 +52,6 @@ def test_a_deleted_sheet_leaves_no_error_on_the_first(name, language):
         if key not in MAY_GO:
             assert line == laid.verdict
             continue
-        assert line.endswith(plan.text("sheets.deleted", sheet=title))
+        assert line.endswith(plan.text("verdict.sheets.deleted", sheet=title))
         if key not in ("synthesis", "iterations"):
             assert values.get(plan.main, plan.places.closed.row, plan.places.closed.col) == laid.spot("rows_closed")

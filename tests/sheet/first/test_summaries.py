@@ -30,6 +30,7 @@ def cell(laid, name, col=1):
     return laid.values.get(laid.plan.main, laid.plan.blocks["summary"].rows[name], col)
 
 
+@pytest.mark.slow
 def test_nothing_exists():
     """a1 = 500: the crank's pin still turns, but the coupler never reaches."""
     laid = Laid(FOUR_BAR).change(a1=500)
@@ -42,6 +43,8 @@ def test_nothing_exists():
             assert laid.spot(f"{line}") == NA, line
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("language", "words", "only"),
     [("en", "{} of 25 positions", " (rows only)"), ("tr", "{} / 25 konum", " (yalnız satırlar)")],
@@ -58,6 +61,7 @@ def test_a_part_exists(language, words, only):
     assert cell(laid, "pin") > -34  # the crank turns on, but where nothing assembles its pin does not count
 
 
+@pytest.mark.slow
 def test_the_whole_sweep_is_not_mentioned():
     laid = Laid(FOUR_BAR)
     assert cell(laid, "swing", 4) == "range of θ₁₄"
@@ -65,6 +69,7 @@ def test_the_whole_sweep_is_not_mentioned():
     assert cell(laid, "finish") == pytest.approx(cell(laid, "begin"), abs=1e-9)
 
 
+@pytest.mark.slow
 def test_smallest_swing_is_of_a_linkage_that_assembles():
     """Who looks for the ground link with the smallest swing by typing in one after the other finds one that turns."""
     laid = Laid(FOUR_BAR)
@@ -73,6 +78,7 @@ def test_smallest_swing_is_of_a_linkage_that_assembles():
     assert min((swing, a1) for a1, swing in swings.items() if swing != NA)[1] in (66, 70, 74)
 
 
+@pytest.mark.slow
 def test_pole_in_the_first_row():
     """The first value of an output that has none there is no number, not an empty text."""
     text = FOUR_BAR.replace("[summary]", '[summary]\nstart = { of = "pole", take = "first" }')
@@ -82,6 +88,7 @@ def test_pole_in_the_first_row():
     assert cell(laid, "start") == NA
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("start", [0, 120, 170])
 def test_position_shown_starts_at_a_row_that_exists(start):
     """Whoever opens the workbook sees the mechanism, not an empty drawing, also where the first rows do not exist."""
@@ -101,6 +108,7 @@ def test_an_extreme_says_where_it_is_and_other_summaries_do_not():
     assert [cell(laid, name, 3) for name in ("swing", "middle", "turned")] == [None] * 3
 
 
+@pytest.mark.slow
 def test_an_output_of_summaries_reads_an_angle_as_radians():
     """Half of what the rocker swings, and the sine of that: both from a summary that is shown in degrees."""
     outputs = (

@@ -16,6 +16,8 @@ CASES = tomllib.loads((ROOT / "tests/cases/stands.toml").read_text(encoding="utf
 FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
 
 
+@pytest.mark.slow
+@pytest.mark.cases(3)
 @pytest.mark.parametrize("case", CASES["four-bar"], ids=lambda case: case["words"])
 def test_types_of_four_bars(case):
     """Typed into the cells of one and the same workbook: the words are live."""
@@ -59,6 +61,7 @@ def test_slider_crank(offset):
     assert laid.words("transmission_1").endswith(" (good)")
 
 
+@pytest.mark.slow
 def test_time_ratio_by_a_motion_law_is_one_of_times():
     """The crank starts and stops gently: between the dead centres it needs other times than at an even speed."""
     from scipy.optimize import brentq  # a second to load: only where it is needed
@@ -77,9 +80,10 @@ def test_time_ratio_by_a_motion_law_is_one_of_times():
     laid.change(stop=720.0)  # by this law its two turns are not alike
     assert laid.spot("time_ratio_s14") == NA
     part = text.replace("stop = 360", "stop = 90")
-    assert not any(entry.startswith("time_ratio") for entry in Laid(part).plan.found.entries)
+    assert not any(entry.startswith("time_ratio") for entry in Laid(part).plan.places.lines)
 
 
+@pytest.mark.slow
 def test_quick_return():
     """The slotted lever's template was made for a time ratio of 2; the lever swings by 60 degrees."""
     laid = Laid(template_text("slotted-lever"))
@@ -88,6 +92,7 @@ def test_quick_return():
     assert laid.words("swing_theta13") == "rocker: swings by this much"
 
 
+@pytest.mark.slow
 def test_less_than_a_turn():
     """Without a whole turn there is no time ratio, and a rocker only turns by so much in this range."""
     laid = Laid(template_text("chebyshev"))
@@ -96,11 +101,13 @@ def test_less_than_a_turn():
     assert laid.words("swing_theta14") == "turns by this much in this range"
 
 
+@pytest.mark.slow
 def test_link_that_turns_on():
     assert Laid(template_text("oldham")).words("swing_theta14") == "crank: turns fully"
     assert Laid(template_text("watt-ii")).words("swing_theta16") == "rocker: swings by this much"
 
 
+@pytest.mark.slow
 def test_what_stands_still_beside_a_driver_set_by_hand_is_not_judged():
     """The dipper's cylinder keeps its length while the bucket's moves: its angle of transmission would be called good."""
     laid = Laid(template_text("excavator"))
@@ -118,6 +125,7 @@ def test_of_one_position_nothing_is_said_in_the_plural(language, words):
     assert Laid(driver, language).verdict.startswith(words)
 
 
+@pytest.mark.slow
 def test_no_time_ratio_of_several_turns_of_gears():
     """Two turns of the driver are one of the wheel that moves the slide: a ratio of ways within one turn means nothing."""
     text = template_text("slider-crank").partition("[[charts]]")[0]
@@ -133,6 +141,7 @@ def test_no_time_ratio_of_several_turns_of_gears():
     assert laid.words("time_ratio_s14").endswith("needs a period of one turn")
 
 
+@pytest.mark.slow
 def test_values_that_go_to_and_fro_reach_from_the_least_to_the_largest():
     """Listed values may end where they began: the driver has moved all the same."""
     laid = Laid(re.sub(r"start = 0\nstop = 360\nstep = 15", "values = [90, 120, 60, 90]", FOUR_BAR))

@@ -7,6 +7,8 @@ from livesheet.formula.printer import print_formula
 from mechsheet.sheet.notes.notes import FORMULA, PLACE
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four-bar", "four-bar-forces", "fivelink"])
 def test_the_formula_is_that_of_the_cell(name):
     laid = Laid(template_text(name))

@@ -106,6 +106,7 @@ def worst(page):
     return found
 
 
+@pytest.mark.cases(12)
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_values_are_those_of_the_equations(name):
     page = Page(text_of(name))
@@ -116,6 +117,7 @@ def test_values_are_those_of_the_equations(name):
     assert page.cell("rows_closed") == np.count_nonzero(page.compiled.closed)
 
 
+@pytest.mark.cases(8)
 @pytest.mark.parametrize("seed", part(range(30), of=3))
 def test_values_of_random_mechanisms(seed):
     page = Page(Grower(seed, 1 + seed % 4).text())
@@ -171,6 +173,7 @@ def test_formulas_are_those_of_the_blackboard():
     assert found[7] == f"E{row}-$B$12*F{row}"
 
 
+@pytest.mark.cases(12)
 @pytest.mark.parametrize("name", TEMPLATES)
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_formulas_are_short(name, language):
@@ -184,6 +187,7 @@ def test_formulas_are_short(name, language):
         assert length <= (longest if in_table else LONGEST_ON_TOP), fill
 
 
+@pytest.mark.cases(11)
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_no_formula_reads_another_sheet_or_a_name(name):
     """So the sheet can be copied into any workbook and leaves no link behind. Names are for those who read it."""
@@ -363,13 +367,13 @@ def test_helpers_are_folded_away():
 # --- files and other programs --------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_check_agrees_with_a_file_of_one_sheet(tmp_path):
     paths = mechsheet.build(mechsheet.load(ROOT / "templates/four-bar.toml"), tmp_path, ("xlsx", "ods"), layout="page")
     for path in paths:
         assert check(path).agrees
 
 
-@pytest.mark.slow
 @pytest.mark.libreoffice
 def test_libreoffice_computes_and_copies_the_sheet(tmp_path):
     """Recalculated as it is; copied into another document; with a hundred rows and more, which it takes in groups."""
@@ -488,3 +492,30 @@ def test_numbers_of_all_rows_leave_out_those_that_another_group_ends():
     assert found == pytest.approx(wanted, rel=1e-12)
     mu = np.degrees(page.column("theta14") - page.column("theta13"))[there]
     assert page.cell("transmission_1") == pytest.approx(np.minimum(mu % 180, 180 - mu % 180).min(), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("template", "unit", "places"), [("five-bar-robot", "deg", "0.00"), ("four-bar", "rad", "0.0000")]
+)
+def test_what_is_given_row_by_row_looks_alike_in_both_layouts(template, unit, places):
+    """Over it stands what it is, and it has the decimals of its unit: 0.2618 rad, not 0.3."""
+    text = (
+        (ROOT / "templates" / f"{template}.toml")
+        .read_text("utf-8")
+        .replace("[dimensions]", f'angle_unit = "{unit}"\n\n[dimensions]', 1)
+    )
+    found = {}
+    for layout in ("sheets", "page"):
+        made = Compiled(loads(text, overrides=Overrides(layout=layout)))
+        plan, driver = made.plan, made.mechanism.driver
+        for symbol in (driver.symbol, *made.mechanism.given_by_row):
+            spot = plan.at.spots[symbol]
+            sheet = next(sheet for sheet in made.layout.sheets if sheet.title == spot.sheet)
+            over = {cell.content or "" for cell in sheet.cells if (cell.row, cell.col) == (plan.at.first - 1, spot.col)}
+            styled = {getattr(part.style, "number_format", "") for part in (*sheet.cells, *sheet.fills)
+                      if (part.row, part.col) == (plan.at.first, spot.col) }  # fmt: skip
+            found.setdefault(symbol, []).append((over, styled))
+    assert found
+    for symbol, (sheets, page) in found.items():
+        assert sheets == page, symbol
+        assert sheets[1] <= {places, "General"}

@@ -50,6 +50,8 @@ def best(psi, phi):
     return (math.degrees(found.mu_min), found.lam) if math.isfinite(found.mu_min) else None
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(("row", "phi"), enumerate(TURNS, 1))
 def test_every_cell_is_the_best_that_the_reference_finds(chart, row, phi):
     """To 1e-9 degrees; lam to what a golden section of a flat top can tell."""
@@ -63,6 +65,7 @@ def test_every_cell_is_the_best_that_the_reference_finds(chart, row, phi):
             assert ratio == pytest.approx(expected[1], rel=1e-8), psi
 
 
+@pytest.mark.slow
 def test_there_are_best_ones_but_for_equal_times(chart):
     empty = {
         (SWINGS[col - 1], phi)
@@ -73,6 +76,7 @@ def test_there_are_best_ones_but_for_equal_times(chart):
     assert empty == {(120, 150), *((psi, 180) for psi in SWINGS)}
 
 
+@pytest.mark.cases(6)
 @pytest.mark.parametrize(
     ("psi", "time_ratio"), [(80, 1.1111), (25.5, 1.4), (110, 0.9), (140, 1.25), (5, 0.8), (150, 1.9), (33, 1.02)]
 )
@@ -100,6 +104,7 @@ def test_a_task_without_a_best_has_none_in_the_corner(chart, psi, time_ratio):
     assert chart.at(ANGLES + 2, 1) == pytest.approx(best(10, 150)[0], abs=1e-9)
 
 
+@pytest.mark.slow
 def test_a_chosen_ratio_is_no_better_than_the_best():
     """And in Turkish, with radians: the chart stays in degrees."""
     chosen = TEXT.replace("best = true", "lam = 4.0").replace("psi = 80", f"psi = {math.radians(80)!r}")

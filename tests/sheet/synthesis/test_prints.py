@@ -72,6 +72,7 @@ def test_each_point_with_a_name_is_named_once(laid_out):
     assert {"A₀", "A₁", "B₁", "A₂", "B₂"} <= set(shown)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["crank-rocker-swing", "quick-return-lever"])
 def test_the_swing_is_drawn_from_one_dead_centre_to_the_other(name):
     """An arc round the output's pivot that begins and ends where B stands."""

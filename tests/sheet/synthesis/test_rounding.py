@@ -8,6 +8,8 @@ from mechsheet.sheet.synthesis.tables import exact_column
 from mechsheet.sheet.task_rows import ROUNDED, USED
 from synthesis_tasks import description
 
+pytestmark = pytest.mark.slow
+
 CRANK_ROCKER = {"kind": "dead-centres", "psi": 59.1, "a1": 25.6, "phi": 166.4, "a2": 11.51, "round": 1}
 SLIDER = {"kind": "quick-return-slider", "stroke": 26.7, "time_ratio": 1.56, "a2": 13.3, "round": 0.5}
 FUNCTION = {
@@ -41,6 +43,7 @@ class Sheet(Laid):
         return [self.at(row, USED) for row in rows], [self.at(row, exact) for row in rows]
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     ("asked", "margin"),
     [
@@ -69,6 +72,7 @@ def test_that_what_is_asked_is_not_reached_then_is_amber_likewise():
     assert turkish.spot("synthesis") == "yuvarlanınca istenene ulaşamıyor; tam boylarla ulaşıyor"
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("asked", [FUNCTION, GUIDANCE], ids=["function", "guidance"])
 def test_the_full_turn_of_an_input_through_points_is_told_beside_its_type(asked):
     sheet = Sheet(asked)

@@ -3,14 +3,19 @@
 import pytest
 from laid import Laid, template_text
 
+from catalogues import pairs
 from mechsheet.sheet.task_rows import INPUTS, REMARK, UNSOLVED, USED
-from mechsheet.words.synthesis import STEPS
+
+STEPS = pairs("step.")
+
+pytestmark = pytest.mark.slow
 
 TEXT = template_text("crank-rocker-swing")
 REASONS = {english for key, (english, _) in STEPS.items() if key.startswith("none.")}
 OF_OTHER_KINDS = {STEPS[key][0] for key in ("none.a3", "none.cubic_b")}
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     ("given", "typed", "reason"),
     [

@@ -33,6 +33,7 @@ BUILT = [param for param in ALL if not param.values[0].refused]
 REFUSED = [param for param in ALL if param.values[0].refused]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("case", BUILT)
 def test_what_must_happen(case):
     """Rows without a position say why, all others are measured as closed, and the counts on the first sheet are these."""
@@ -52,6 +53,8 @@ def test_what_must_happen(case):
             assert shown[row] == pytest.approx(value, rel=1e-9, abs=1e-9)
 
 
+@pytest.mark.cases(2)
+@pytest.mark.slow
 @pytest.mark.parametrize("case", [param for param in BUILT if param.values[0].undetermined])
 def test_the_search_agrees_where_links_can_turn_freely(case):
     """Such a row ends a stretch: its limit has a number, known to a step, and `check` finds nothing wrong with it."""
@@ -67,6 +70,7 @@ def test_on_one_sheet_too(case):
     assert {row for row, said in enumerate(status) if "undetermined" in str(said)} == case.undetermined
 
 
+@pytest.mark.cases(8)
 @pytest.mark.parametrize("case", BUILT)
 def test_reference_agrees(case):
     mechanism = loads(case.description)
@@ -85,6 +89,8 @@ def test_refused_with_a_message(case):
     assert case.says in str(error.value)
 
 
+@pytest.mark.slow
+@pytest.mark.cases(3)
 @pytest.mark.parametrize("seed", part(range(30), 3))
 def test_through_and_beyond_limits(seed):
     """Dimensions changed by up to a quarter in the cells: some rows do not exist; engine and reference agree on which."""
@@ -95,6 +101,7 @@ def test_through_and_beyond_limits(seed):
     assert comparison.agrees, (seed, comparison)
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(15), derandomize=True, deadline=None, database=None)
 @given(st.floats(1.0, 153.2), st.floats(0.05, 40.0))
 def test_rows_around_a_limit(ground, step):
@@ -112,6 +119,7 @@ def test_rows_around_a_limit(ground, step):
     assert comparison.agrees, (ground, step, comparison)
 
 
+@pytest.mark.slow
 def test_as_many_rows_as_a_sheet_holds():
     """Only laid out: the plan has an address for every row, and the sheet of checks has room; one row more is refused."""
     text = template_text("scotch-yoke").replace("step = 5", "step = 0.001")

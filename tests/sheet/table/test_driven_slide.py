@@ -33,6 +33,8 @@ def text_of(name):
     return (CASES / f"{name}.toml").read_text(encoding="utf-8")
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("name", REACH)
 def test_range_of_the_slide(name):
     """What the first sheet says: the sweep, cut off where the slide can go no further; and of a sweep carried on in
@@ -51,6 +53,7 @@ def test_range_of_the_slide(name):
         assert laid.spot("limit_1") == pytest.approx(high, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_no_row_where_the_slide_is_no_length():
     """Typed to begin at -1: as long as the cylinder is 0 or shorter there is no position, and no number of the boom."""
     laid = Laid(text_of("cylinder")).change(_start=-1.0)
@@ -79,6 +82,7 @@ def test_start_must_be_a_length():
     assert "s₂₃" in rule.error_message
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "language"), part([("cylinder", "tr"), *((name, "en") for name in REACH)], of=5))
 def test_files_agree(name, language, tmp_path):
     for path in mechsheet.build(mechsheet.loads(text_of(name), language=language), tmp_path, ("xlsx", "ods")):
@@ -93,6 +97,7 @@ def test_exports(to, tmp_path):
     assert path.stat().st_size > 500
 
 
+@pytest.mark.slow
 def test_plot(tmp_path):
     mechsheet.plot(mechsheet.loads(text_of("cylinder")), tmp_path / "cylinder.svg")
     assert (tmp_path / "cylinder.svg").stat().st_size > 1000

@@ -15,6 +15,8 @@ from mechsheet.checking.against_reference import against_plan
 from mechsheet.library.building import build
 from mechsheet.library.show import overview_text
 
+pytestmark = pytest.mark.slow
+
 MORE = '[dynamics]\ngravity = 9.81\n[[loads]]\nname = "P"\nlink = "coupler"\npoint = "C"\nforce = [0, -20]\n'
 
 

@@ -23,6 +23,7 @@ def sheet():
     return Laid(TEXT)
 
 
+@pytest.mark.slow
 def test_the_drop_down_chooses_among_all_assemblies(sheet):
     found = []
     for number in range(1, 5):
@@ -34,6 +35,7 @@ def test_the_drop_down_chooses_among_all_assemblies(sheet):
     assert not any(sheet.exists)
 
 
+@pytest.mark.slow
 def test_the_sheet_is_the_last_and_all_but_its_last_pass_is_folded(sheet):
     last = sheet.workbook.sheets[-2]  # the last of all is the hidden one that carries the description
     assert last.title == "Iterations"
@@ -44,6 +46,7 @@ def test_the_sheet_is_the_last_and_all_but_its_last_pass_is_folded(sheet):
     assert len(blocks) == 7
 
 
+@pytest.mark.slow
 def test_the_first_sheet_says_how_well_it_went(sheet):
     assert sheet.spot("largest_residual") < 1e-14
     assert 3 <= sheet.spot("passes_needed") <= 6
@@ -51,6 +54,7 @@ def test_the_first_sheet_says_how_well_it_went(sheet):
     assert "rows only" in sheet.words("swing_theta12")
 
 
+@pytest.mark.slow
 def test_after_a_change_the_start_table_still_leads_to_the_position(sheet):
     sheet.change(p1=4.7, L3=3.2)
     assert sheet.exists == [True] * 4
@@ -64,6 +68,7 @@ def test_where_the_links_do_not_meet_the_table_says_so(sheet):
     assert "no position found" in sheet.verdict
 
 
+@pytest.mark.slow
 def test_behind_a_start_that_leads_nowhere_no_row_shows_a_position_by_chance(sheet):
     """Rows further down would close, in whichever assembly Newton's method happens to fall into."""
     for start, step in ((10.0, -1.2), (10.0, -2.2), (10.5, -1.6), (11.0, -1.2)):
@@ -92,6 +97,8 @@ def test_python_writes_a_loop_that_gives_the_same(sheet):
         assert np.isnan(space["solve"](p2=[9.4])["theta16"]).all()
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1062, 1023])
 def test_a_massless_block_whose_angle_is_an_unknown_starts_where_it_was_found(seed):
     """A pin in a slot among the carriers: its angle has no column in degrees, its start value is typed in degrees."""

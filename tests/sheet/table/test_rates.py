@@ -59,6 +59,7 @@ def texts(sheet):
     return [cell.content.plain if isinstance(cell.content, Rich) else cell.content for cell in sheet.cells]
 
 
+@pytest.mark.slow
 def test_the_sheet_stands_behind_the_positions_with_their_rows():
     laid = Laid(FOUR_BAR)
     titles = [sheet.title for sheet in laid.workbook.sheets]
@@ -88,6 +89,7 @@ def test_headings_stand_over_the_columns_of_their_group():
     assert merged == [(group[0], group[-1]) for group in groups if len(group) > 1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four-bar", "inverted-slider-crank", "oldham", "six-link-dwell"])
 def test_formulas_can_be_read(name):
     sheet = Laid(with_speed(name)).workbook.sheets[2]
@@ -96,6 +98,7 @@ def test_formulas_can_be_read(name):
         assert sum(isinstance(part, Call) and part.name == "IF" for part in walk(fill.formula)) <= 1
 
 
+@pytest.mark.slow
 def test_speed_is_typed_in_its_own_unit():
     laid = Laid(FOUR_BAR)
     before = np.array(laid.column("omega14")), np.array(laid.column("alpha14"))
@@ -107,6 +110,7 @@ def test_speed_is_typed_in_its_own_unit():
     assert {"speed", "omega12", "alpha12", "velocities_fit", "dead_centres"} <= names
 
 
+@pytest.mark.slow
 def test_the_position_shown_has_its_rates():
     laid = Laid(with_speed("slider-crank")).change(**{"_position": 3})
     row = laid.plan.blocks["variables"].rows["s14.v"]
@@ -115,6 +119,8 @@ def test_the_position_shown_has_its_rates():
     assert {"ω₁₃ against θ₁₂", "ṡ₁₄, v_C against θ₁₂"} <= set(titles)
 
 
+@pytest.mark.cases(1)
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("language", "words"), [("en", "dead centre: coupler, rocker"), ("tr", "ölü konum: biyel, sarkaç")]
 )
@@ -130,6 +136,7 @@ def test_a_dead_centre_has_words_and_keeps_its_position(language, words):
     assert laid.column("rates") == laid.column("status")
 
 
+@pytest.mark.slow
 def test_velocities_that_do_not_fit_are_noticed():
     laid = Laid(FOUR_BAR)
     assert laid.spot("velocities_fit") < 1e-12
@@ -141,6 +148,7 @@ def test_velocities_that_do_not_fit_are_noticed():
         assert laid.words(key).startswith("they do not fit"), symbol
 
 
+@pytest.mark.slow
 def test_extremes_of_rates_are_refined_between_the_rows():
     more = (
         '\n[summary.fastest]\nof = "omega14"\ntake = "max"\n[outputs.gain]\nformula = "omega12/omega14"\nunit = "1"\n'
@@ -157,12 +165,14 @@ def load_fine(text):
     return np.nanmax(loads(re.sub(r"(?m)^step = .*$", "step = 0.05", text)).solve()["omega14"])
 
 
+@pytest.mark.slow
 def test_a_speed_by_the_driver_is_a_column():
     laid = Laid(with_speed("four-bar", '"5 + cos(theta12)"'))
     assert "motion" not in laid.plan.blocks
     assert laid.column("omega12") == pytest.approx([5 + np.cos(np.radians(angle)) for angle in laid.column("theta12")])
 
 
+@pytest.mark.slow
 def test_notes_have_the_loop_equations():
     laid = Laid(FOUR_BAR)
     lines = texts(laid.workbook.sheet("Notes"))
@@ -177,6 +187,7 @@ def test_nothing_of_it_without_a_speed():
     assert "Rates" not in [sheet.title for sheet in laid.workbook.sheets]
 
 
+@pytest.mark.slow
 def test_both_formats_and_the_reference_agree(tmp_path):
     text = TOGGLE + '[outputs.ratio]\nformula = "omega14/omega12 + B.vx"\nunit = "1"\n'
     paths = build(loads(text), tmp_path, ["xlsx", "ods"])
@@ -188,6 +199,7 @@ def test_both_formats_and_the_reference_agree(tmp_path):
     assert [len(book.sheets) for book in books] == [len(books[0].sheets)] * 2
 
 
+@pytest.mark.slow
 def test_the_reference_notices_any_damaged_rate():
     laid = Laid(FOUR_BAR)
     book = book_of(laid.workbook)

@@ -18,6 +18,8 @@ from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.plan import MEANING
 from random_mechanisms import Grower
 
+pytestmark = pytest.mark.slow
+
 CHANGES = 150 if ALL else 40 if IN_CI else 16
 STEPS, FINER = 200, 4_000
 """Steps to the changed dimensions; more of them before it is said that the sheet is wrong."""
@@ -139,6 +141,7 @@ def text_of(seed):
     return Grower(seed, 1, (("III", "IV")[seed % 2],)).text(rows=3, step=1.0)
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("name", part(ITERATED, 4, 2))
 def test_templates_do_not_leap_in_silence(name):
     counts, silent = judged(template_text(name), 1, CHANGES)
@@ -149,7 +152,6 @@ def test_templates_do_not_leap_in_silence(name):
 
 
 @pytest.mark.ci
-@pytest.mark.slow
 def test_random_groups_do_not_leap_in_silence(record_property):
     total, amiss = np.zeros(4, int), []
     for seed in first(range(100, 136), 3):
@@ -178,6 +180,7 @@ def test_the_driver_may_begin_elsewhere():
     assert sheet.words("same_assembly") == sheet.plan.text(KEPT)
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_the_line_under_the_title_says_where_the_assembly_ends(language):
     sheet = Laid(template_text("stephenson-ii-class-iv"), language)
@@ -190,6 +193,8 @@ def test_the_line_under_the_title_says_where_the_assembly_ends(language):
     assert sheet.verdict == sheet.plan.text("verdict.line.ended")
 
 
+@pytest.mark.cases(1)
+@pytest.mark.ci
 @pytest.mark.parametrize("v", [2.2834089501311663, 1.65])
 def test_check_agrees_where_the_assembly_ends(tmp_path, v):
     """Somebody has typed it and saved: nothing is wrong with the workbook."""

@@ -67,6 +67,7 @@ def by_hand(a1=A1, a2=A2, a3=A3):
     return -a1 / far + a1 / near, (a3 + a2) / far + (a3 - a2) / near, (a3 + a2) / far - (a3 - a2) / near
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("references", ["names", "anchors"])
 def test_the_stroke_of_a_slider_crank_by_hand(references):
     """Its extremes lie between the rows: there the derivatives are taken."""
@@ -77,6 +78,7 @@ def test_the_stroke_of_a_slider_crank_by_hand(references):
     assert cell("band stroke") == cell(f"{WORST} of stroke")
 
 
+@pytest.mark.slow
 def test_what_is_typed_is_followed():
     """A tolerance and a dimension are inputs."""
     _, cell, _ = numbers(slider(), {"tolerance a2": 0.5, "a1": 60.0})
@@ -84,6 +86,7 @@ def test_what_is_typed_is_followed():
     assert cell(f"{WORST} of stroke") == pytest.approx(sum(parts), rel=1e-6)
 
 
+@pytest.mark.slow
 def test_shares_come_to_one_and_the_largest_is_named():
     plan, cell, values = numbers(slider('["stroke", "mu"]'))
     for line in lines_of(plan):
@@ -93,12 +96,14 @@ def test_shares_come_to_one_and_the_largest_is_named():
     assert cell("band stroke", MEANING) == "100.3 ± 0.1 mm; mostly a₂ (100 %)"
 
 
+@pytest.mark.slow
 def test_turkish():
     plan, cell, _ = numbers(slider(language="tr"))
     assert plan.at.titles["tolerance"] == "Tolerans"
     assert "en çok a₂ (%100)" in cell("band stroke", MEANING)
 
 
+@pytest.mark.slow
 def test_decimals_follow_the_band():
     """100.8 +- 0.1: no digit that the tolerances cannot hold."""
     compiled = Compiled(slider('["stroke", "C.x"]'))
@@ -110,6 +115,7 @@ def test_decimals_follow_the_band():
     assert value.style.number_format == "0.0"
 
 
+@pytest.mark.slow
 def test_a_dead_centre_has_no_derivative():
     """A parallelogram in line: no number there, and the words say why."""
     text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
@@ -154,6 +160,8 @@ def all_toleranced(name):
     return replace(mechanism, dimensions=dimensions, bands=Tolerances((groups[-1][-1],), ()))
 
 
+@pytest.mark.slow
+@pytest.mark.cases(3)
 @pytest.mark.parametrize("name", NAMES)
 def test_the_sheet_has_no_more_formulas_a_quantity_than_the_positions(name):
     """And they are short, whatever has a tolerance."""

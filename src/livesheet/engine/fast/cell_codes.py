@@ -58,5 +58,7 @@ class CellCodes:
             block = self.layout.blocks[number]
             seen = shifted(formula, 0, right) if right else formula
             column = Block(block.row, block.col + right, block.rows, 1, seen)
-            self._made[number, right] = cell_code(self.layout, column, ev.around.arithmetic, self.alone)
+            self._made[number, right] = cell_code(
+                self.layout, self.layout.block_sheets[number], column, ev.around.arithmetic, self.alone
+            )
             return self._made[number, right]

@@ -268,7 +268,10 @@ class Lowering:
         return self.value("truth", (), flag, 0, "true" if flag else "false")
 
     def _compared(self, op: str, left: int, right: int) -> int:
-        """As `compare_numbers`: nearly equal is equal, measured at the right side."""
+        """As `compare_numbers`: nearly equal is equal, measured at the right side. Truths are the same or not."""
+        if self.values[left].kind == self.values[right].kind == "mask" and op in ("=", "<>"):
+            apart = self.value("not_equal", (left, right), kind="mask")
+            return apart if op == "<>" else self.value("logical_not", (apart,), kind="mask")
         if self.values[left].kind != "number" or self.values[right].kind != "number":
             raise UnsuitableError
         sides = self.values[left], self.values[right]

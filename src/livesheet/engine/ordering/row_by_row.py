@@ -112,8 +112,8 @@ class _Part:
     def run(self, memory: Memory, marks: Marks) -> None:
         """Compute the rows from the first to the last."""
         self._runs += 1
-        enough = self._runs > 1 or self.rows * len(self.lines) > _FEW_CELLS
-        loop = self.loop(memory.ev.around.arithmetic) if enough and self.rows > _FEW_ROWS else None
+        many = self.rows > _FEW_ROWS and (self._runs > 1 or self.rows * len(self.lines) > _FEW_CELLS)
+        loop = self.loop(memory.ev.around.arithmetic) if many or self._runs > _FEW_SLOW else None
         if loop is None or not self._as_expected(loop[0], memory.ev, marks):
             for row in range(self.rows):
                 self.step.row(memory, self.lines, self.first + row)

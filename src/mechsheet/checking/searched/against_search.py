@@ -30,7 +30,7 @@ from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.points_in_link import number_places
 from mechsheet.kinematics.search import Search
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.first.title_line import closes_in_all
+from mechsheet.sheet.findings.closing import closes_in_all
 from mechsheet.sheet.plan import MEANING, Plan
 from mechsheet.words.equations import link_words
 

@@ -13,6 +13,7 @@ from mechsheet.description.text.index import Path
 from mechsheet.model import (
     POINT_RATES,
     SHAKING,
+    Cam,
     Driver,
     FurtherDriver,
     Joint,
@@ -48,13 +49,13 @@ def keys_of(bodies: dict[str, Any], name: str) -> list[str]:
 
 def declare(
     bodies: dict[str, Any], loads: list[Any], links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None,
-    further: tuple[FurtherDriver, ...], relations: tuple[Relation, ...], scope: Scope,
+    further: tuple[FurtherDriver, ...], relations: tuple[Relation, ...], cam: Cam | None, scope: Scope,
 ) -> None:  # fmt: skip
     """Enter all these names, which must be free, where there are masses or loads."""
     path = first_key(bodies, loads)
     if path is None:
         return
-    for name, what in joint_forces(links, joints, driver, further, relations).items():
+    for name, what in joint_forces(links, joints, driver, further, relations, cam).items():
         scope.forces[name] = what
         scope.kinds[name] = ANY
         if "." not in name:

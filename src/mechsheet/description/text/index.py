@@ -55,6 +55,13 @@ def index(text: str) -> Mapping[Path, Spot]:
     return _Walk(text).run()
 
 
+def written_keys(text: str) -> list[tuple[Path, int, int]]:
+    """Every key that is written in a text, in headings too: its path, and the offsets between which it stands."""
+    walk = _Walk(text)
+    walk.run()
+    return walk.written
+
+
 class _Walk:
     def __init__(self, text: str) -> None:
         self.text = text
@@ -62,6 +69,7 @@ class _Walk:
         self.breaks = [found.start() for found in re.finditer("\n", text)]
         self.spots: dict[Path, Spot] = {}
         self.counts: dict[Path, int] = {}  # arrays of tables: elements so far
+        self.written: list[tuple[Path, int, int]] = []
 
     def run(self) -> Mapping[Path, Spot]:
         table: Path = ()
@@ -88,8 +96,9 @@ class _Walk:
         keys = self.keys()
         self.at += 1 + array
         path: Path = ()
-        for place, key in enumerate(keys):
+        for place, (key, start, end) in enumerate(keys):
             path = (*path, key)
+            self.written.append((path, start, end))
             last = place == len(keys) - 1
             if last and array:
                 self.note(path, begin, "header")
@@ -107,14 +116,18 @@ class _Walk:
 
     def pair(self, table: Path) -> None:
         begin = self.at
+        path = table
         keys = self.keys()
         self.at += 1  # the equals sign
-        for depth in range(1, len(keys)):
-            self.note((*table, *keys[:depth]), begin, "implied")
-        self.value((*table, *keys), begin)
+        for place, (key, start, end) in enumerate(keys):
+            path = (*path, key)
+            self.written.append((path, start, end))
+            if place < len(keys) - 1:
+                self.note(path, begin, "implied")
+        self.value(path, begin)
 
-    def keys(self) -> list[str]:
-        """A dotted key, up to the sign behind it."""
+    def keys(self) -> list[tuple[str, int, int]]:
+        """A dotted key, up to the sign behind it: its words, and where each begins and ends."""
         found = []
         while True:
             self.skip()
@@ -122,7 +135,8 @@ class _Walk:
             if match is None:
                 raise AssertionError(f"no key at offset {self.at}")
             word = match.group()
-            found.append(next(iter(tomllib.loads(f"{word} = 0"))) if word[0] in "\"'" else word)
+            key = next(iter(tomllib.loads(f"{word} = 0"))) if word[0] in "\"'" else word
+            found.append((key, match.start(), match.end()))
             self.at = match.end()
             self.skip()
             if self.text[self.at] != ".":

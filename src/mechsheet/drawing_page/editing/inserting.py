@@ -21,8 +21,7 @@ from mechsheet.drawing_page.editing.sheet import Sheet, rounded
 from mechsheet.drawing_page.positions import Point, local_places
 from mechsheet.drawing_page.questions import Impossible, Refusal
 from mechsheet.model import Link
-from mechsheet.words.drawing_page import DRAWING_PAGE
-from mechsheet.words.workbook import Language
+from mechsheet.words.catalogue import Language, words
 
 WIDE = 26
 """Characters before a remark, so that those of one table stand below one another."""
@@ -45,7 +44,7 @@ class Wish:
 
     def noted(self, value: str, key: str, **parts: str) -> str:
         """A value with a remark behind it; `key`: what it is the value of, if that is written elsewhere."""
-        note = DRAWING_PAGE[f"insert.note.{key}"][self.language == "tr"].format(**parts)
+        note = words(self.language, f"draw.insert.note.{key}", **parts)
         return f"{value:<{WIDE - len(key) - 3}}  # {note}"
 
     def line(self, key: str, value: str, **parts: str) -> str:

@@ -9,14 +9,15 @@ from mechsheet.drawing_page.editing.driving import drive
 from mechsheet.drawing_page.editing.inserting import Wish, insert
 from mechsheet.drawing_page.editing.links import ground_pin, link, plate
 from mechsheet.drawing_page.editing.removing import without
+from mechsheet.drawing_page.editing.renaming import rename
 from mechsheet.drawing_page.editing.shaping import Edited, drawn_now, moved, typed, with_sketched
 from mechsheet.drawing_page.editing.sheet import Sheet
 from mechsheet.drawing_page.editing.sliding import slide
 from mechsheet.drawing_page.positions import Point
 from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
+from mechsheet.words.catalogue import Language
 from mechsheet.words.messages import text_in as said_in
-from mechsheet.words.workbook import Language
 
 
 def edited(
@@ -64,6 +65,13 @@ def _drawn(draw: Callable[[Sheet, dict[str, Any]], Sheet]) -> Order:
     return order
 
 
+def _rename(sheet: Sheet, order: dict[str, Any]) -> Sheet:
+    to = text_in(order, "to")
+    if "point" in order:
+        return rename(sheet, "point", text_in(order, "point"), to)
+    return rename(sheet, "link", text_in(order, "link"), to)
+
+
 def _delete(sheet: Sheet, order: dict[str, Any]) -> Sheet:
     kind = next((key for key in ("link", "point", "joint") if key in order), "")
     return sheet.again(without(sheet.source, kind, text_in(order, kind)), {})
@@ -72,15 +80,26 @@ def _delete(sheet: Sheet, order: dict[str, Any]) -> Sheet:
 def _insert(
     reading: Reading, order: dict[str, Any], at: float | None, held: Mapping[str, Point], language: Language
 ) -> Edited:
-    """Something that is written, not drawn. A mechanism that moves still does: what does not fit it is refused, with why."""
+    """Something that is written, not drawn."""
     wish = Wish(text_in(order, "link", ""), text_in(order, "point", ""), reading.mobility, language)
-    draw = _drawn(lambda sheet, what: insert(sheet, text_in(what, "what"), wish))
-    text, shown = draw(reading, order, at, held, language)
-    if reading.compiled is not None:
-        found = read(text, reading.source.file if reading.source else "")
-        if found.compiled is None:
-            raise Impossible("does_not_fit", reason=said_in(found.faults[0].message, language))
-    return text, shown
+    draw = _fitting(lambda sheet, what: insert(sheet, text_in(what, "what"), wish))
+    return draw(reading, order, at, held, language)
+
+
+def _fitting(draw: Callable[[Sheet, dict[str, Any]], Sheet]) -> Order:
+    """An order after which a mechanism that moves still does: what does not fit it is refused, with why."""
+
+    def order(
+        reading: Reading, what: dict[str, Any], at: float | None, held: Mapping[str, Point], language: Language
+    ) -> Edited:
+        text, shown = _drawn(draw)(reading, what, at, held, language)
+        if reading.compiled is not None:
+            found = read(text, reading.source.file if reading.source else "")
+            if found.compiled is None:
+                raise Impossible("does_not_fit", reason=said_in(found.faults[0].message, language))
+        return text, shown
+
+    return order
 
 
 def settled(reading: Reading, sheet: Sheet) -> str:
@@ -109,5 +128,6 @@ _ORDERS: dict[str, Order] = {
     "slide": _drawn(lambda sheet, order: slide(sheet, text_in(order, "kind"), order.get("end"), order.get("on"))),
     "driver": _drawn(lambda sheet, order: drive(sheet, text_in(order, "link", ""), text_in(order, "joint", ""))),
     "delete": _drawn(_delete),
+    "rename": _fitting(_rename),
     "insert": _insert,
 }

@@ -4,7 +4,7 @@ import { Latest } from "./asking.js";
 import { lastPlace } from "./geometry.js";
 import { play, show } from "./motion.js";
 import { changed, state } from "./state.js";
-import { advise, choose, click, drawBand, drawn, remove, target, tool, TOOLS } from "./tools.js";
+import { advise, choose, click, drawBand, drawn, remove, rename, target, tool, TOOLS } from "./tools.js";
 import { canvas, shift, snapped, spacing, toScreen, zoom } from "./view.js";
 import { order } from "./work.js";
 
@@ -37,6 +37,9 @@ canvas.addEventListener("keydown", (event) => {
       drawBand();
       advise();
     } else choose("shape");
+  } else if (event.key === "F2") {
+    if (point) rename({ kind: "point", name: point });
+    else if (["point", "link"].includes(state.chosen?.kind)) rename(state.chosen);
   } else if (event.key === "Delete" || event.key === "Backspace") {
     if (point) remove({ kind: "point", name: point });
     else if (state.chosen) remove(state.chosen);

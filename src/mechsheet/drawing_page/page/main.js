@@ -108,7 +108,7 @@ function help() {
   for (const step of [1, 2, 3, 4]) steps.append(Object.assign(document.createElement("li"), { textContent: word(`help.first.${step}`) }));
   const heading = (key) => Object.assign(document.createElement("h3"), { textContent: word(key) });
   const list = document.createElement("dl");
-  for (const key of ["tools", "arrows", "enter", "delete", "space", "undo", "save", "zoom", "alt"]) {
+  for (const key of ["tools", "arrows", "enter", "delete", "rename", "space", "undo", "save", "zoom", "alt"]) {
     const head = document.createElement("dt");
     const text = document.createElement("dd");
     head.textContent = word(`help.${key}.keys`);

@@ -4,7 +4,7 @@ import { distance } from "./geometry.js";
 import { hit, pointOf } from "./hitting.js";
 import { nearest, play, show } from "./motion.js";
 import { changed, state } from "./state.js";
-import { click, drawBand, drawn, target, tool } from "./tools.js";
+import { click, drawBand, drawn, rename, target, tool } from "./tools.js";
 import { canvas, pointer, shift, snapped, toPlane, zoom } from "./view.js";
 import { Drag } from "./work.js";
 
@@ -76,6 +76,10 @@ function lift(event) {
   if (drag?.kind !== "pinch" || !fingers.size) drag = null;
 }
 
+canvas.addEventListener("dblclick", (event) => {
+  const found = tool().clicks ? null : hit(...pointer(event), ["point", "link"]);
+  if (found) rename(found.point ? { kind: "point", name: found.point } : { kind: "link", name: found.link });
+});
 canvas.addEventListener("pointerup", lift);
 canvas.addEventListener("pointercancel", lift);
 canvas.addEventListener("pointerleave", () => {

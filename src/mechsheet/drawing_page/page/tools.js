@@ -8,7 +8,7 @@ import { scalePicture } from "./picture.js";
 import { band, element } from "./scene.js";
 import { changed, on, state } from "./state.js";
 import { canvas, snapped, toPlane, toScreen } from "./view.js";
-import { order, say } from "./work.js";
+import { confirmed, order, say } from "./work.js";
 
 /** Name, key, and what a click may hit: points, links, sliding joints; how many clicks it takes. */
 export const TOOLS = [
@@ -130,6 +130,14 @@ export async function click(end) {
 export function remove(chosen) {
   state.chosen = null;
   order({ do: "delete", [chosen.kind]: chosen.name });
+}
+
+/** Ask for another name of a point or a link. */
+export async function rename({ kind, name }) {
+  const to = await confirmed(word(`rename.${kind}`, { name }), { yes: word("rename.yes"), field: word("rename.name"), value: name });
+  if (!to || !(await order({ do: "rename", [kind]: name, to }))) return;
+  state.chosen = { kind, name: to.trim() };
+  changed("chosen");
 }
 
 /** What is being drawn, up to a place in pixels, or up to the keyboard's place. */

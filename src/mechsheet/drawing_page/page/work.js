@@ -139,6 +139,7 @@ export function confirmed(text, { yes, field = null, value = "" }) {
   dialog.returnValue = "no";
   dialog.showModal();
   (field === null ? document.getElementById("ask-yes") : input).focus();
+  if (field !== null) input.select();
   input.onkeydown = (event) => {
     if (event.key === "Enter") {
       event.preventDefault();

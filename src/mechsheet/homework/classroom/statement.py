@@ -18,9 +18,9 @@ from mechsheet.model import Cartesian, Dimension, Distances, Gear, Joint, Link, 
 from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.mathematics import Part, written
 from mechsheet.units import DEG
+from mechsheet.words.catalogue import words
 from mechsheet.words.equations import body_words, link_words
 from mechsheet.words.homework import said
-from mechsheet.words.workbook import words
 
 Line = list[Part]
 NEXT: Part = (";  ", "")

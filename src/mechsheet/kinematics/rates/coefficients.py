@@ -24,7 +24,7 @@ from livesheet.formula.vectors import Vector, cross, minus, plus, size, times
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
-from mechsheet.kinematics.cam import write_cam
+from mechsheet.kinematics.cam import Contact, write_cam
 from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.dyads.solved import Determinant, Solved
 from mechsheet.kinematics.equations import Fit
@@ -177,6 +177,7 @@ class Written:
 
     by_driver     the motion of every body by the driver's variable;  by_time: by time, None for a driver without a speed
     determinants  by number of the group what its rates are divided by
+    contact       where a cam presses
     """
 
     fits: Mapping[int, Fit]
@@ -184,6 +185,7 @@ class Written:
     by_driver: Motions | None = None
     by_time: Motions | None = None
     determinants: Mapping[int, Node] = field(default_factory=dict)
+    contact: Contact | None = None
 
 
 def add_rates(poses: Poses, order: Order, solved: Sequence[Solved], chains: Mapping[int, Solution]) -> Written:
@@ -225,9 +227,9 @@ class _Writer:
                     self.ledger.group += 1
                     self._chain(self.chains[self.ledger.group])
             self._after_group()
-        write_cam(self.poses, self.motions, self.columns)
+        contact = write_cam(self.poses, self.motions, self.columns)
         found = self._by_time_alone() if self.timed else Written({}, {})
-        return replace(found, by_driver=self.motions, determinants=self.determinants)
+        return replace(found, by_driver=self.motions, determinants=self.determinants, contact=contact)
 
     # --- the driver -------------------------------------------------------------------------------------------
 

@@ -16,12 +16,11 @@ from livesheet.workbook import Column, PrintSetup, Sheet
 from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.model import WAYS, Way
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.boundless import (
-    may_grow,
-)
+from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.checks.boundless import may_grow
 from mechsheet.sheet.checks.bracket import BRACKET, PROBES
 from mechsheet.sheet.checks.checks import rows_apart
-from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, TO, Limits
+from mechsheet.sheet.checks.limits import COUNT, FIRST_ROW, FROM, LAST_ROW, ROWS_ONLY, TO, UNSETTLED, Limits
 from mechsheet.sheet.checks.one_extreme import (
     ABOUT_VALUE,
     BOUNDLESS,
@@ -38,7 +37,6 @@ from mechsheet.sheet.checks.one_extreme import (
 )
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.checks.search_table import (
-    ALL_ROWS,
     DRIVER_COL,
     KNOWN,
     LABEL,
@@ -52,9 +50,10 @@ from mechsheet.sheet.checks.search_table import (
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.columns.bands import band_of_constant
 from mechsheet.sheet.geometry import length_in_cells
-from mechsheet.sheet.plan import LEAST_PROBED, ROW_COUNT, Plan
+from mechsheet.sheet.places import Extreme, Searched, there
+from mechsheet.sheet.plan import LEAST_PROBED, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
-from mechsheet.sheet.quoted import ALL, SHOWN, formula
+from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.table.positions import heading
 from mechsheet.units import turn as whole_turn
 from mechsheet.words.symbols import plain
@@ -62,9 +61,10 @@ from mechsheet.words.symbols import plain
 REACH = 6
 """The working cell of a loop that says whether tolerances reach a change point; how far they reach stands before it."""
 
-STEEP, COUNTED, ROWS_APART = 5, 6, 7
-"""The working cells that say whether velocities and forces have a spike between two rows, how many rows there are, and
-whether all sheets have the same ones; behind it, whether each has."""
+WHOLE, FINE, THERE, WORST_GROUP, STEEP, COUNTED, ROWS_APART = range(1, 8)
+"""Working cells of all: what the sweep covers, whether inputs can be, whether the position that is drawn is one; which of
+several angles of transmission is the least, whether velocities and forces have a spike between two rows, how many rows there
+are, and in how many sheets others; behind it, whether each has."""
 
 TITLE_ROW, ABOUT_ROW, HEAD_ROW, FIRST = 0, 1, 3, 4
 
@@ -104,35 +104,45 @@ class Extremes:
         self.searches = Searches(
             self.table, self.limits, self.ends, self.sought, self.table.fixed(self.whole_row, STEEP)
         )
-        self._places()
 
-    def _places(self) -> None:
+    @property
+    def places(self) -> Searched:
         """Where other sheets find what is here."""
-        spots, table = self.plan.at.spots, self.table
-        for work, key in enumerate(("whole", "fine", "there"), 1):
-            spots[f"#{key}"] = table.spot(self.whole_row, work)
-        spots["#rows_apart"] = table.spot(self.whole_row, ROWS_APART)
-        spots[ALL_ROWS.name] = table.spot(self.whole_row, COUNTED)
-        if len(self.plan.found.transmission) > 1:
-            spots["#worst_group"] = table.spot(self.whole_row, 4)
-        for (symbol, way), sought in self.sought.items():
-            for key, work in (("", VALUE), ("_at", WHERE), ("_about", ABOUT_VALUE)):
-                spots[f"#{way}{key}_{symbol}"] = table.spot(sought.row, work)
-            if symbol in self.plan.found.returning:
-                for key, work in (("turns", TURN), ("turns_about", TURN_ABOUT)):
-                    spots[f"#{way}_{key}_{symbol}"] = table.spot(sought.row, work)
-            if may_grow(self.plan, symbol):
-                spots[f"#{way}_boundless_{symbol}"] = table.spot(sought.row, BOUNDLESS)
-        for symbol in self.quantities:
-            spots[f"#wraps_{symbol}"] = table.spot(self.sought[symbol, "max"].row, WRAPS)
-        for (symbol, way), row in self.bands.items():
-            for name in self.plan.banded[symbol].derivatives:
-                spots[f"#{way} {name}"] = replace(table.spot(row, 0), col=table.at.spots[name].col)
-        for group, row in self.loops.items() if self.plan.mechanism.bands is not None else ():
-            spots[f"#reach_{group}"] = table.spot(row, REACH)
-        for number, row in self.gaps.items():
-            spots[f"#gap_least_{number}"] = table.spot(row, VALUE)
-            spots[f"#gap_row_{number}"] = table.spot(row, WHERE)
+        plan, limits, spot = self.plan, self.limits, self.table.spot
+        several = len(plan.found.transmission) > 1
+        return Searched(
+            whole=spot(self.whole_row, WHOLE),
+            fine=spot(self.whole_row, FINE),
+            there=spot(self.whole_row, THERE),
+            rows=spot(self.whole_row, COUNTED),
+            rows_apart=spot(self.whole_row, ROWS_APART),
+            count=spot(limits.row, COUNT),
+            unsettled=spot(limits.row, UNSETTLED),
+            rows_only=spot(limits.row, ROWS_ONLY),
+            worst_group=spot(self.whole_row, WORST_GROUP) if several else None,
+            stretches=limits.stretches,
+            limits=limits.found,
+            extremes={(way, symbol): self._place(sought) for (symbol, way), sought in self.sought.items()},
+            wraps={symbol: spot(self.sought[symbol, "max"].row, WRAPS) for symbol in self.quantities},
+            derivatives={
+                (way, name): replace(spot(row, 0), col=self.table.at.spots[name].col)
+                for (symbol, way), row in self.bands.items()
+                for name in plan.banded[symbol].derivatives
+            },
+            gaps={number: (spot(row, VALUE), spot(row, WHERE)) for number, row in self.gaps.items()},
+            reach={group: spot(row, REACH) for group, row in self.loops.items()} if plan.mechanism.bands else {},
+        )
+
+    def _place(self, sought: Sought) -> Extreme:
+        """The place of an extreme."""
+        value, occurs, doubt, turns, turns_doubt, boundless = (
+            self.table.spot(sought.row, work) for work in (VALUE, WHERE, ABOUT_VALUE, TURN, TURN_ABOUT, BOUNDLESS)
+        )
+        returns, grows = sought.symbol in self.plan.found.returning, may_grow(self.plan, sought.symbol)
+        return Extreme(
+            value, occurs, doubt, turns if returns else None, turns_doubt if returns else None,
+            boundless if grows else None,
+        )  # fmt: skip
 
     def sheet(self) -> Sheet:
         """The finished sheet."""
@@ -144,16 +154,18 @@ class Extremes:
         for col, key in ((NEAR, "near"), (SENSE, "sense"), (PLACE_COL, "row"), (table.value_col, "value")):
             table.put(HEAD_ROW, col, plan.text(f"extremes.{key}"), styles.HEAD)
         self._whole()
-        table.work(self.whole_row, 2, "fine", fine=self._inputs_are_fine())
-        there = "SUMPRODUCT((numbers=_position)*ISNUMBER(_position))=1"
-        table.work(self.whole_row, 3, there, numbers=Symbol(f"{ALL}#number"))
+        table.work(self.whole_row, FINE, "fine", fine=self._inputs_are_fine())
+        table.work(
+            self.whole_row, THERE, "SUMPRODUCT((numbers=position)*ISNUMBER(position))=1",
+            numbers=there(plan.places.number).whole(), position=there(plan.places.position).cell,
+        )  # fmt: skip
         if len(plan.found.transmission) > 1:
             rows = [plan.blocks["verdicts"].rows[f"transmission_{group.number}"] for group in plan.found.transmission]
             least = RangeRef(*(CellRef(row, FIRST_SHEET_VALUE, True, True, plan.main) for row in (rows[0], rows[-1])))
-            table.work(self.whole_row, 4, "MATCH(MIN(least),least,0)", least=least)
+            table.work(self.whole_row, WORST_GROUP, "MATCH(MIN(least),least,0)", least=least)
         if self.searches.steepest:
             table.work(self.whole_row, STEEP, "steep", steep=self.searches.steepest)
-        table.work(self.whole_row, COUNTED, "rows", rows=ROW_COUNT)
+        table.work(self.whole_row, COUNTED, "rows", rows=plan.places.rows.cell)
         each = [
             table.work(self.whole_row, work, "apart", apart=apart)
             for work, apart in enumerate(rows_apart(plan), ROWS_APART + 1)
@@ -211,7 +223,7 @@ class Extremes:
             for side in loop.sides(plan.mechanism.ground)
         ]
         self.table.work(
-            row, REACH, 'IF(AND(excess<>0,ABS(excess)<=band),words,"")', excess=Symbol(f"#grashof_{loop.group}"),
+            row, REACH, 'IF(AND(excess<>0,ABS(excess)<=band),words,"")', excess=plan.places.excess(loop.group).cell,
             band=self.table.work(row, REACH - 1, "band", band=al.total(bands)), words=plan.text("verdict.grashof.reach"),
         )  # fmt: skip
 
@@ -222,32 +234,33 @@ class Extremes:
         table.put(self.whole_row, table.side, plan.text("extremes.whole"), styles.LABEL)
         driver = plan.mechanism.driver
         if not driver.link or driver.values or plan.rows < LEAST_OF_TURN:
-            table.work(self.whole_row, 1, "0")
+            table.work(self.whole_row, WHOLE, "0")
             return
         turn = whole_turn(driver.unit.in_degrees)
-        covered = formula("ABS(_step)*(rows-1)/turn", rows=ALL_ROWS, turn=turn)
         if driver.law is not None:
             covered = formula("ABS(last-first)/turn", first=Symbol(SHOWN + driver.law.start),
                               last=Symbol(SHOWN + driver.law.stop), turn=turn)  # fmt: skip
+        else:
+            step = {"step": there(plan.places.step).cell, "rows": table.rows, "turn": turn}
+            covered = formula("ABS(step)*(rows-1)/turn", **step)
         if tied := plan.equations.equations.tied:
             back = Call("AND", tuple(self._is_back(symbol) for symbol in tied))
             table.work(
-                self.whole_row, 1,
+                self.whole_row, WHOLE,
                 "IF(AND(ABS(ROUND(covered,0)-covered)<1E-9,ROUND(covered,0)>0),IFERROR(IF(back,1,0),0),0)",
                 covered=covered, back=back,
             )  # fmt: skip
             return
         if driver.law is not None:
             table.work(
-                self.whole_row, 1, "IF(AND(covered>0.5,ABS(ROUND(covered,0)-covered)<1E-9),1,0)", covered=covered
+                self.whole_row, WHOLE, "IF(AND(covered>0.5,ABS(ROUND(covered,0)-covered)<1E-9),1,0)", covered=covered
             )
             return
         table.work(
-            self.whole_row, 1,
+            self.whole_row, WHOLE,
             "IF(ABS(ROUND(covered,0)-covered)<1E-9,IF(ROUND(covered,0)>0,1,0),"
             "IF(ABS(ROUND(more,0)-more)<1E-9,2,0))",
-            covered=covered,
-            more=formula("ABS(_step)*rows/turn", rows=ALL_ROWS, turn=turn),
+            covered=covered, more=formula("ABS(step)*rows/turn", **step),
         )  # fmt: skip
 
     def _is_back(self, symbol: str) -> Node:
@@ -268,7 +281,8 @@ class Extremes:
             CellRef(min(rows), FIRST_SHEET_VALUE, True, True, self.plan.main),
             CellRef(max(rows), FIRST_SHEET_VALUE, True, True, self.plan.main),
         )
-        return formula("AND(_inputs=0,_there,ISNUMBER(SUM(derived)))", derived=derived)
+        return formula("AND(inputs=0,there,ISNUMBER(SUM(derived)))", inputs=self.plan.places.inputs.cell,
+                       there=self.plan.searched.there.cell, derived=derived)  # fmt: skip
 
     # --- searches ---------------------------------------------------------------------------------------------
 
@@ -284,7 +298,7 @@ class Extremes:
         """The least margin of a group between rows that close: where it dips lowest between those beside each other."""
         plan, table = self.plan, self.table
         symbol = plan.equations.margins[number]
-        least = Symbol(f"{ALL}#least_{number}")
+        least = plan.checked.least[number].whole()
         table.put(row, LABEL, plan.text("extremes.gap", number=number), styles.LABEL)
         here = table.work(row, HERE, "IF(COUNT(least)=0,NA(),MATCH(MIN(least),least,0))", least=least)
         begin: dict[str, Node] = {"near": here, "sense": al.ONE}
@@ -311,20 +325,24 @@ def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node
     rows = plan.text("verdict.rows.only")
     if plan.between_unseen:
         return Text(rows)
-    said = _doubt(plan, symbol, ways, ("about",), ("about", "beyond", "rows.only"))
+    doubts = [plan.searched.extremes[way, symbol].doubt for way in ways]
+    said = _doubt(plan, symbol, ways, doubts, ("about", "beyond", "rows.only"))
     if not may_grow(plan, symbol):
         return said
-    return formula("IF(_rows_only,rows,said)", rows=rows, said=said)  # whether there is a bound nobody knows then
+    # whether there is a bound nobody knows where only rows are known
+    return formula("IF(rows_only,rows,said)", rows_only=plan.searched.rows_only.cell, rows=rows, said=said)
 
 
 def about_turns(plan: Plan, symbol: str) -> Node:
     """The same of a ratio of times over whole turns: places count, too; one that may be elsewhere makes it about right."""
-    return _doubt(plan, symbol, ("min", "max"), ("about", "turns_about"), ("about", "about"))
+    ends = [plan.searched.extremes[way, symbol] for way in WAYS.values()]
+    doubts = [*(end.doubt for end in ends), *(there(end.turns_doubt) for end in ends)]
+    return _doubt(plan, symbol, ("min", "max"), doubts, ("about", "about"))
 
 
-def _doubt(plan: Plan, symbol: str, ways: Sequence[Way], flags: Sequence[str], words: Sequence[str]) -> Node:
+def _doubt(plan: Plan, symbol: str, ways: Sequence[Way], doubts: Sequence[Spot], words: Sequence[str]) -> Node:
     """The words of the largest doubt: those of the cells' numbers from 2 on."""
-    doubt = Call("MAX", tuple(Symbol(f"#{way}_{flag}_{symbol}") for flag in flags for way in ways))
+    doubt = Call("MAX", tuple(each.cell for each in doubts))
     said: Node = Call("CHOOSE", (doubt, Text(""), *(Text(plan.text(f"verdict.{word}")) for word in words)))
     without = boundless(plan, symbol, ways)
     if without is not None:
@@ -336,7 +354,7 @@ def boundless(plan: Plan, symbol: str, ways: Sequence[Way]) -> Node | None:
     """Whether a quantity has no smallest or no largest value; None where it cannot grow without bound."""
     if not may_grow(plan, symbol):
         return None
-    flags = tuple(Symbol(f"#{way}_boundless_{symbol}") for way in ways)
+    flags = tuple(there(plan.searched.extremes[way, symbol].boundless).cell for way in ways)
     return Call("OR", flags) if len(flags) > 1 else flags[0]
 
 

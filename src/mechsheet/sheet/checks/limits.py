@@ -14,8 +14,9 @@ from livesheet.workbook import Name
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.bracket import CHORD, CROSSED, CROSSING, LIMIT_PROBES, SHARE
-from mechsheet.sheet.checks.search_table import ALL_ROWS, KNOWN, LABEL, PLACE_COL, VERTEX_COL, SearchTable, whole
+from mechsheet.sheet.checks.search_table import KNOWN, LABEL, PLACE_COL, VERTEX_COL, SearchTable, whole
 from mechsheet.sheet.driving import driver_at
+from mechsheet.sheet.places import Stretch
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 
@@ -38,12 +39,19 @@ known to a step."""
 PLACE, INSIDE, OUTSIDE, FOUND, DRIVER, REST = range(6)
 """Working cells of a limit: its number in order, the rows beside it, and what is found."""
 
+COUNT, UNSETTLED, ROWS_ONLY = range(1, 4)
+"""Working cells of all: how many stretches there are, whether a limit is known to a step only, whether nothing is known
+between rows."""
+
 FIRST_ROW, LAST_ROW, FROM, TO, WORDS = range(5)
 """Cells of a stretch, beside each other: its rows (from 1), where it begins and ends between rows, and its rows in words."""
 
 
 class Limits:
-    """The blocks of stretches and limits; `row` is their first row, `end` the first one below them."""
+    """The blocks of stretches and limits; `row` is their first row, `end` the first one below them.
+
+    stretches, found  the places of the first stretches, and of the driver's values at limits
+    """
 
     def __init__(self, table: SearchTable, row: int) -> None:
         self.table = table
@@ -58,21 +66,18 @@ class Limits:
         start = row + 2 + STRETCHES + 1
         self.rows = [start + number * (LIMIT_PROBES + 2) for number in range(self.count)]
         self.end = start + self.count * (LIMIT_PROBES + 2)
-        for number, first in enumerate(self.rows, 1):
-            self._name(number, table.spot(first, DRIVER))
-            self.plan.at.spots[f"#rest_{number}"] = table.spot(first, REST)
-        for work, key in enumerate(("stretches", "unsettled", "rows_only"), 1):
-            self.plan.at.spots[f"#{key}"] = table.spot(row, work)
-        for number in range(1, STRETCHES + 1):
-            for key, work in (("first", FIRST_ROW), ("last", LAST_ROW), ("from", FROM), ("to", TO), ("stretch", WORDS)):
-                self.plan.at.spots[f"#{key}_{number}"] = table.spot(self.stretch_rows[number - 1], work)
+        self.found = [self._named(number, table.spot(first, DRIVER)) for number, first in enumerate(self.rows, 1)]
+        self.stretches = [
+            Stretch(*(table.spot(first, work) for work in (FIRST_ROW, LAST_ROW, FROM, TO, WORDS)))
+            for first in self.stretch_rows
+        ]
 
-    def _name(self, number: int, spot: Spot) -> None:
+    def _named(self, number: int, spot: Spot) -> Spot:
         """The driver's value at a limit has a name, the same in both languages."""
         names = self.plan.names
         name = safe_name(f"limit_{number}", {folded(each.name) for each in names})
         names.append(Name(name, spot.sheet, spot.row, spot.col))
-        self.plan.at.spots[f"#limit_{number}"] = replace(spot, name=name)
+        return replace(spot, name=name, named=self.plan.mechanism.references == "names")
 
     def of_stretch(self, number: int, work: int) -> CellRef:
         """A cell of a stretch, counted from 1."""
@@ -84,21 +89,21 @@ class Limits:
         """All cells."""
         table, plan = self.table, self.plan
         table.put(self.row, table.side, plan.text("extremes.stretches"), styles.LABEL)
-        begun = plan.at.spots["#begun"]
+        begun = plan.checked.begun
         last = CellRef(begun.row + plan.rows - 1, begun.col, True, True, begun.sheet)
-        table.work(self.row, 1, "last", last=last)
-        stretches = table.fixed(self.row, 1)
+        table.work(self.row, COUNT, "last", last=last)
+        stretches = table.fixed(self.row, COUNT)
         for work, key in enumerate(("first", "last", "from", "to")):
             table.put(self.row + 1, table.side + work, plan.text(f"extremes.{key}"), styles.HEAD)
-        rests = [self.plan.at.cell(f"#rest_{number}", table.title, None) for number in range(1, self.count + 1)]
+        rests = [table.fixed(row, REST) for row in self.rows]
         first, last = (self.of_stretch(1, work) for work in (FIRST_ROW, LAST_ROW))
         unsettled = table.work(
-            self.row, 2,
+            self.row, UNSETTLED,
             "rests>settled" if rests else "IF(stretches=0,FALSE,last-first+1<rows)" if self.unprobed else "FALSE",
-            rests=Call("MAX", tuple(rests)), settled=SETTLED, first=first, last=last, rows=ALL_ROWS, stretches=stretches,
+            rests=Call("MAX", tuple(rests)), settled=SETTLED, first=first, last=last, rows=table.rows, stretches=stretches,
         )  # fmt: skip
         table.work(
-            self.row, 3, "OR(stretches>1,unsettled,AND(stretches=1,first=last))",
+            self.row, ROWS_ONLY, "OR(stretches>1,unsettled,AND(stretches=1,first=last))",
             stretches=stretches, first=first, last=last, unsettled=unsettled,
         )  # fmt: skip
         for number in range(1, STRETCHES + 1):
@@ -111,11 +116,12 @@ class Limits:
     def _stretch(self, number: int, stretches: CellRef) -> None:
         """Rows of a stretch, and its ends: the limits beside them, where there are."""
         table, row = self.table, self.stretch_rows[number - 1]
-        ok = self.plan.text("status.ok")
-        first = table.work(row, FIRST_ROW, 'IF(stretches<number,"",MATCH(number,ALL(_begun),0))',
-                            stretches=stretches, number=number)  # fmt: skip
-        last = table.work(row, LAST_ROW, 'IF(stretches<number,"",first+COUNTIFS(ALL(_begun),number,said,ok)-1)',
-                           stretches=stretches, number=number, first=first, said=Symbol(f"{ALL}#status"), ok=ok)  # fmt: skip
+        begun = self.plan.checked.begun.whole()
+        first = table.work(row, FIRST_ROW, 'IF(stretches<number,"",MATCH(number,begun,0))',
+                            stretches=stretches, number=number, begun=begun)  # fmt: skip
+        last = table.work(row, LAST_ROW, 'IF(stretches<number,"",first+COUNTIFS(begun,number,said,ok)-1)',
+                           stretches=stretches, number=number, first=first, begun=begun,
+                           said=self.plan.places.status.whole(), ok=self.plan.ok)  # fmt: skip
         ends = [formula("ROUND(INDEX(drivers,row),2)", drivers=Symbol(ALL + self.plan.mechanism.driver.symbol), row=edge)
                 for edge in (first, last)]  # fmt: skip
         table.work(row, WORDS, 'IF(ISNUMBER(first),words,"")', first=first,
@@ -136,7 +142,7 @@ class Limits:
             ]
             table.work(
                 row, work, f'IF(ISNUMBER(edge),IF({outside},IF(begun_outside>1,later,earlier),edge),"")',
-                edge=edge, rows=ALL_ROWS, begun_outside=begun_outside, earlier=slots[0], later=slots[1],
+                edge=edge, rows=table.rows, begun_outside=begun_outside, earlier=slots[0], later=slots[1],
             )  # fmt: skip
 
     def _limit(self, number: int, row: int, stretches: CellRef) -> None:
@@ -153,7 +159,7 @@ class Limits:
         )  # fmt: skip
         outside = table.work(
             row, OUTSIDE, "IF(ISODD(place),inside-1,IF(inside<rows,inside+1,NA()))",
-            place=place, inside=inside, rows=ALL_ROWS,
+            place=place, inside=inside, rows=table.rows,
         )  # fmt: skip
         begin = {
             "near": inside,

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text, with_symbols
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, with_symbols
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.model import WAYS, Way
 from mechsheet.sheet import styles
@@ -25,7 +25,6 @@ from mechsheet.sheet.checks.boundless import (
 from mechsheet.sheet.checks.bracket import BRACKET, FIRST_PROBE, NARROWED, PLACE, PROBE, PROBES, ROOTED, VERTEX
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
 from mechsheet.sheet.checks.search_table import (
-    ALL_ROWS,
     KNOWN,
     LABEL,
     LIMIT,
@@ -40,7 +39,7 @@ from mechsheet.sheet.checks.search_table import (
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.over_rows import ends_meet
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.quoted import ALL, formula
+from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.positions import heading
 from mechsheet.sheet.transmission import acute
 
@@ -194,14 +193,14 @@ class Searches:
     def _best_row(self, sought: Sought) -> None:
         """The best value of all rows that close, of no more stretches than are looked at, and the first row that has it."""
         table, row, column = self.table, sought.row, whole(sought.symbol)
-        said, ok = Symbol(f"{ALL}#status"), self.plan.text("status.ok")
-        bests = Call(f"{sought.way.upper()}IFS", (column, said, Text(ok)))
+        said, stretches = self.plan.places.status.whole(), self.plan.searched.count.cell
+        bests = Call(f"{sought.way.upper()}IFS", (column, said, Text(self.plan.ok)))
         best = table.work(
-            row, OF_ROWS, "IF(OR(_stretches=0,_stretches>most),NA(),bests)", most=STRETCHES, bests=bests,
+            row, OF_ROWS, "IF(OR(stretches=0,stretches>most),NA(),bests)", stretches=stretches, most=STRETCHES, bests=bests,
         )  # fmt: skip
         table.work(
             row, BEST, "begin-1+MATCH(best,INDEX(column,begin):INDEX(column,rows),0)", begin=self._rows_of_stretch()[0],
-            rows=ALL_ROWS, best=best, column=column,
+            rows=table.rows, best=best, column=column,
         )  # fmt: skip
 
     def _begin(self, sought: Sought, here: Node, value: Node) -> dict[str, Node]:
@@ -226,7 +225,7 @@ class Searches:
             )  # fmt: skip
         left = formula("IF(wraps>0,start-1,MAX(low,ROUNDUP(start,0)-1))", wraps=wraps, start=start, low=low)
         right = formula("IF(wraps>0,start+1,MIN(high,ROUNDDOWN(start,0)+1))", wraps=wraps, start=start, high=high)
-        turned = formula("IF(wraps=1,rows-1,rows)", wraps=wraps, rows=ALL_ROWS)
+        turned = formula("IF(wraps=1,rows-1,rows)", wraps=wraps, rows=table.rows)
         before, after = (
             formula("INDEX(column,IF(wraps>0,1+MOD(place-1,turned),place))", column=column, wraps=wraps, turned=turned,
                     place=place)
@@ -279,7 +278,7 @@ class Searches:
         later, earlier = RangeRef(y[3], y[rows]), RangeRef(y[1], y[rows - 2])
         other = table.work(
             sought.row, OTHER, f"IF(best=1,{way.upper()}(later),IF(best=rows,{way.upper()}(earlier),NA()))",
-            best=best, rows=ALL_ROWS, later=later, earlier=earlier,
+            best=best, rows=table.rows, later=later, earlier=earlier,
         )  # fmt: skip
         at_first, at_last = (
             formula("AND(sense*(2.7*end+0.7*third-3.4*next)<=0,sense*(other-next)<0)", sense=self._sense(sought.row),
@@ -305,8 +304,8 @@ class Searches:
         unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
         meet = ends_meet(plan, symbol, unit, whole(symbol), (ends[0], ends[1]))
         self.table.work(
-            row, WRAPS, "IFERROR(IF(AND(_whole>0,first=1,last=rows,meet),_whole,0),0)",
-            first=first, last=last, rows=ALL_ROWS, meet=meet,
+            row, WRAPS, "IFERROR(IF(AND(whole>0,first=1,last=rows,meet),whole,0),0)", whole=plan.searched.whole.cell,
+            first=first, last=last, rows=self.table.rows, meet=meet,
         )  # fmt: skip
 
     def _rows_of_stretch(self) -> tuple[CellRef, CellRef]:
@@ -333,18 +332,18 @@ class Searches:
         """The best of the rows and the probes, where it is, and whether the search has settled."""
         table, row, last = self.table, sought.row, sought.row + PROBES
         of_rows, wraps = table.near(row, OF_ROWS), self._around(sought)
-        found = self.known(last, "f_middle")
+        found, rows_only = self.known(last, "f_middle"), self.plan.searched.rows_only.cell
         # each stretch would need a search of its own, and where it ends must be known
         value = table.work(
-            row, VALUE, "IF(_rows_only,of_rows,IFERROR(best,of_rows))", styles.RESULT, of_rows=of_rows,
+            row, VALUE, "IF(rows_only,of_rows,IFERROR(best,of_rows))", styles.RESULT, rows_only=rows_only, of_rows=of_rows,
             best=formula("IF(sense*(of_rows-found)<0,of_rows,found)", sense=self._sense(row), of_rows=of_rows, found=found),
         )  # fmt: skip
         place = table.work(
-            row, PLACED, "IF(_rows_only,best,IF(value=found,place,best))", value=value, found=found,
+            row, PLACED, "IF(rows_only,best,IF(value=found,place,best))", rows_only=rows_only, value=value, found=found,
             best=table.near(row, BEST), place=self._place_of(last, self.known(last, "middle")),
         )  # fmt: skip
         within = formula(
-            "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=ALL_ROWS
+            "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=table.rows
         )
         table.work(row, WHERE, "driver", styles.RESULT, driver=driver_at(self.plan, within))
         other = table.near(self.opposite(sought).row, OF_ROWS)
@@ -352,10 +351,11 @@ class Searches:
         # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
         table.work(
             row, ABOUT_VALUE,
-            f"IF(_rows_only,{ROWS},IFERROR(IF(elsewhere,{BEYOND},IF(AND(wraps=0,OR(place=low,place=high)),{SURE},"
+            f"IF(rows_only,{ROWS},IFERROR(IF(elsewhere,{BEYOND},IF(AND(wraps=0,OR(place=low,place=high)),{SURE},"
             f"IF(MAX(ABS(value-last),ABS(value-before))>settled*ABS(value-other),{ABOUT},{SURE}))),{SURE}))",
-            elsewhere=self._elsewhere(sought), value=value, last=CellRef(last - 1, table.value_col, False, True),
-            settled=SETTLED, other=other, before=self.known(last - 1, "f_middle"), wraps=wraps,
+            rows_only=rows_only, elsewhere=self._elsewhere(sought), value=value,
+            last=CellRef(last - 1, table.value_col, False, True), settled=SETTLED, other=other,
+            before=self.known(last - 1, "f_middle"), wraps=wraps,
             place=place, low=low, high=high,
         )  # fmt: skip
         allowed = formula("settled*ABS(most-other)", settled=SETTLED, most=of_rows, other=other)
@@ -444,7 +444,7 @@ class Searches:
             wraps = self._around(sought)
             middle = table.work(row, MIDDLE, "IF(wraps>0,here,MAX(first+1,MIN(last-1,here)))", wraps=wraps,
                                 here=table.near(row, HERE), first=first, last=last)  # fmt: skip
-            places = neighbours(middle, wraps, ALL_ROWS)
+            places = neighbours(middle, wraps, table.rows)
             straight, divisor = STRAIGHT, unsigned_divisor(plan, symbol)
             of_rows = [formula("INDEX(column,number)", column=whole(symbol), number=place) for place in places]
             if divisor is not None:

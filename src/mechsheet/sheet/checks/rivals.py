@@ -11,7 +11,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol
-from mechsheet.sheet.checks.search_table import ALL_ROWS, SearchTable
+from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.checks.search_table import SearchTable
+from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import ALL, formula
 
 COUNT = 0
@@ -65,9 +67,9 @@ def write(
     ends = {"here": here, "first": span[0], "last": span[1], "wraps": wraps}
     limits = {"promise": promise, "twin": twin, "sense": sense}
     column = Symbol(ALL + symbol)
-    before, own, after = (_part(table, symbol, offset) for offset in (0, 1, 2))
-    number = _part(table, "#number", 1)
-    again = table.work(row, at + FROM, AGAIN, rows=ALL_ROWS, **ends)
+    before, own, after = (_part(table, table.plan.at.spots[symbol], offset) for offset in (0, 1, 2))
+    number = _part(table, there(table.plan.places.number), 1)
+    again = table.work(row, at + FROM, AGAIN, rows=table.rows, **ends)
     table.work(
         row, at + COUNT, f"IFERROR(SUMPRODUCT({FAR}*{PEAK}*{PROMISES}),0)", own=own, before=before, after=after,
         number=number, again=again, here=here, **limits,
@@ -77,7 +79,7 @@ def write(
     for index, (begin, further, until) in enumerate((("first", "+1", "here-2"), ("here", "+2", "last-1")), 1):
         # where all rows close, there is no part of them
         begin = f"IF(last-first+1=rows,rows,{begin}){further}"
-        start = table.work(row + index, at + FROM, begin, rows=ALL_ROWS, **ends)
+        start = table.work(row + index, at + FROM, begin, rows=table.rows, **ends)
         end = table.work(row + index, at + TO, until, **ends)
         part = {
             name: formula(f"INDEX(column,start{away}):INDEX(column,end{away})", column=column, start=start, end=end)
@@ -98,10 +100,9 @@ def there_are(table: SearchTable, row: int, at: int) -> Node:
     return formula("SUM(counts,last)>0", counts=counts, last=last)
 
 
-def _part(table: SearchTable, symbol: str, offset: int) -> RangeRef:
+def _part(table: SearchTable, spot: Spot, offset: int) -> RangeRef:
     """The rows of a column that are first, second or third (from 0) of three neighbours."""
     plan = table.plan
-    spot = plan.at.spots[symbol]
     start = CellRef(plan.at.first + offset, spot.col, True, True, spot.sheet)
     return RangeRef(start, replace(start, row=plan.at.last - 2 + offset))
 

@@ -21,9 +21,6 @@ from mechsheet.sheet.plan import NUMBER, STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import cell_formula, style_of
 
-ALL_ROWS = Symbol("#all_rows")
-"""How many rows the table has, on this sheet: there it is read most."""
-
 LABEL, NEAR, SENSE, LIMIT, SIDE = range(5)
 """The first columns: in words what is sought; near which row angles are taken; 1 or -1 where the smallest or the largest
 value is sought; from which limit, and on which side of it, places are counted by roots."""
@@ -60,6 +57,11 @@ class SearchTable:
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
         self._reads = {equation.symbol: equation.reads for equation in plan.equations.columns}
+
+    @property
+    def rows(self) -> Node:
+        """How many rows the table of positions has: a cell of this sheet, where it is read most."""
+        return self.plan.searched.rows.cell
 
     # --- places -----------------------------------------------------------------------------------------------
 

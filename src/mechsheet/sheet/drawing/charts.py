@@ -86,16 +86,17 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     displacements: list[str] = []
     if mechanism.driver.law is not None:  # its own curve over the time is worth a look
         (displacements if mechanism.driver.joint else angles).append(driver)
-    turned = _turned_by_cam(mechanism)
+    turned, moved = _turned_by_cam(mechanism), _of_follower(plan)
+    told = {symbol for request in moved for symbol in request.y}
     for equation in plan.equations.columns:
-        own = equation.symbol in (driver, turned)
+        own = equation.symbol in (driver, turned, *told)
         if equation.role == "variable" and not own and not _stands_still(columns[equation.symbol]):
             (angles if equation.unit.kind == "angle" else displacements).append(equation.symbol)
     still = {symbol for symbol, column in columns.items() if _stands_still(column)} | plan.only_rounding.keys()
     outputs = [output.symbol for output in mechanism.outputs if output.symbol not in still]
-    rates = [name for name in _rates(plan) if name not in still]
+    rates = [name for name in _rates(plan) if name not in still | told]
     sizes = {symbol: float(np.max(np.abs(column), initial=0.0)) for symbol, column in columns.items()}
-    requests = []
+    requests = [*moved, *([ChartRequest(profile=True)] if mechanism.cam else [])]
     for symbols in (angles, displacements, outputs, rates):
         requests += [ChartRequest(x=across(plan), y=group) for group in _shared(plan, symbols, sizes)]
     requests += _of_forces(plan, still)
@@ -113,6 +114,20 @@ def _turned_by_cam(mechanism: Mechanism) -> str:
     return next(link.angle_symbol for link in mechanism.links[1:] if link.name in driven)
 
 
+def _of_follower(plan: Plan) -> list[ChartRequest]:
+    """What a cam moves, as books have it: displacement, velocity, acceleration and jerk, one under another; without a speed,
+    derivatives by the cam's angle."""
+    known = {equation.symbol for equation in plan.equations.columns}
+    for driver in plan.mechanism.drivers:
+        if driver.segments is not None:
+            symbol = driver.symbol
+            by_time = (*rate_symbols(symbol, not driver.joint), f"{symbol}.j")
+            by_angle = tuple(f"{symbol}.{ending}" for ending in ("d", "dd", "ddd"))
+            names = by_time if known.issuperset(by_time) else by_angle
+            return [ChartRequest(x=across(plan), y=(name,)) for name in (symbol, *names)]
+    return []
+
+
 def across(plan: Plan) -> str:
     """What curves are drawn against: the driver, or the time of its law."""
     return plan.mechanism.driver.symbol if plan.mechanism.driver.law is None else TIME
@@ -120,12 +135,18 @@ def across(plan: Plan) -> str:
 
 def _rates(plan: Plan) -> list[str]:
     """Velocities and accelerations of links, of slides on the ground, and of points; of a cam's columns the pressure
-    angle: the others are curves of another plane."""
+    angle: the others are curves of another plane, and derivatives by its angle look like those by time."""
     mechanism = plan.mechanism
     ground = mechanism.ground.name
     moving = {joint.symbol for joint in mechanism.joints if ground not in (joint.on, joint.link)}
     hidden = {name for symbol in moving for name in rate_symbols(symbol, False)}
     hidden |= {eq.symbol for eq in plan.equations.columns if eq.group == CAM and eq.symbol != "alpha"}
+    for driver in mechanism.drivers:
+        if driver.segments is not None:
+            hidden |= {f"{driver.symbol}.{ending}" for ending in ("d", "dd", "ddd")}
+            guided = next((joint.link for joint in mechanism.joints if joint.name == driver.joint), "")
+            points = next((link.points for link in mechanism.links if link.name == guided), ())
+            hidden |= {f"{point}.{part}" for point in points for part in ("v", "a")}  # as fast as the slide
     return [eq.symbol for eq in plan.equations.columns if eq.role == "rate" and eq.symbol not in hidden]
 
 
@@ -273,7 +294,10 @@ def _as_described(plan: Plan, symbol: str) -> Array:
 
 
 def are_smooth(plan: Plan, symbols: Sequence[str]) -> bool:
-    """Whether curves may be bent between their points: all but those that leap, or grow without bound, between two rows."""
+    """Whether curves may be bent between their points: all but those that leap, or grow without bound, between two rows, and
+    accelerations and jerks of what a cam moves, which leap where two segments meet."""
+    if any(request.y == tuple(symbols) for request in _of_follower(plan)[2:]):
+        return False
     columns = [_as_described(plan, symbol) for symbol in symbols]
     return not any(
         np.max(np.abs(np.diff(column)), initial=0.0) > LEAP * np.ptp(column) for column in columns if len(column)
@@ -319,12 +343,14 @@ def driver_axis(plan: Plan, symbol: str, ends: Ends = (None, None)) -> Axis:
 
 def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing) -> tuple[Chart, ...]:
     """The drawing under the scroll bar, the other charts beside and below it in two columns."""
-    curves = [_curve_chart(plan, drawing, request) for request in requests if request.y]
-    paths = [drawing.paths[request] for request in requests if not request.y]
+    curves = {request: _curve_chart(plan, drawing, request) for request in requests if request.y}
+    right = {curves[request] for request in _of_follower(plan) if request in curves}
+    left = [drawing.paths[request] for request in requests if request.profile]
+    paths = [drawing.paths[request] for request in requests if not (request.y or request.profile)]
     heights = [SIZE + GAP, 0]
     placed = [_placed(drawing.chart, 0, 0)]
-    for chart in (*curves, *paths):
-        side = 0 if heights[0] <= heights[1] else 1
+    for chart in (*left, *curves.values(), *paths):
+        side = 0 if chart in left or (chart not in right and heights[0] <= heights[1]) else 1
         placed.append(_placed(chart, side * (SIZE + GAP), heights[side]))
         heights[side] += chart.anchor.height + GAP
     return tuple(placed)

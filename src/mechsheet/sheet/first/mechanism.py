@@ -22,10 +22,11 @@ from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.columns.bands import tolerance_symbol
 from mechsheet.sheet.columns.lowering import in_pass
+from mechsheet.sheet.deleted import sheets_of, while_sheets_are_there
 from mechsheet.sheet.first.bands import band_here, write_bands
+from mechsheet.sheet.first.below import write_below
 from mechsheet.sheet.first.blocks import MEANING_WIDTH, Writer, value_style
 from mechsheet.sheet.first.given import given_words, words_of
-from mechsheet.sheet.first.other_sheets import sheets_of, while_sheets_are_there, write_other_sheets
 from mechsheet.sheet.first.summaries import write_summaries
 from mechsheet.sheet.first.verdicts import write_verdicts
 from mechsheet.sheet.places import there
@@ -85,7 +86,7 @@ def mechanism_sheet(
     write_bands(writer, tolerance)
     merges = write_verdicts(writer, checks, extremes)
     _derived(writer)
-    write_other_sheets(writer)
+    write_below(writer)
     return Sheet(
         plan.main,
         tuple(writer.cells),

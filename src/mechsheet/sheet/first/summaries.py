@@ -9,8 +9,8 @@ from mechsheet.model import WAYS, Output, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
 from mechsheet.sheet.checks.same_angle import same_angle
+from mechsheet.sheet.deleted import sheets_of
 from mechsheet.sheet.first.blocks import Writer, value_style
-from mechsheet.sheet.first.other_sheets import sheets_of
 from mechsheet.sheet.over_rows import first_row, last_row, mean_of_rows
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined

@@ -62,8 +62,8 @@ def _page(plan: PagePlan) -> Sheet:
     widths = _widths(table)
     top = Top(plan, sum(map(pixels, widths[MEANING : LAST + 1])))
     requests = [request for request in chart_requests(plan) if request.y and _has_columns(plan, request)]
-    hodographs = [request for request in chart_requests(plan) if request.hodographs and plan.drawn]
-    squares = [CHART_HEIGHT] * (len(hodographs) + plan.drawn)
+    own = [request for request in chart_requests(plan) if (request.hodographs or request.profile) and plan.drawn]
+    squares = [CHART_HEIGHT] * (len(own) + plan.drawn)
     note_lines = math.ceil(len(_note(table)) / (NOTE_CHARACTERS * sum(widths[: note_last(plan) + 1])))
     heights = {row: float(ROW_HEIGHT) for row in range(2, plan.at.first)}
     heights |= top.heights | {
@@ -74,8 +74,8 @@ def _page(plan: PagePlan) -> Sheet:
     paper = on_paper(widths, height, _left(widths), [*squares, *([CHART_WIDTH] * len(requests))])
     right = _charts_right(widths, len(requests) + len(squares), paper.moved)
     drawing = PageDrawing(plan, right + 1, _charted(requests)) if plan.drawn else None
-    ends = [drawing.hodograph(request) for request in hodographs] if drawing else []
-    charts = _placed(plan, widths, requests, drawing, ends, paper)
+    framed = [drawing.square(request) for request in own] if drawing else []
+    charts = _placed(plan, widths, requests, drawing, framed, paper)
     columns = [Column(col, col, width) for col, width in enumerate(widths)]
     # a column that begins a sheet of paper stands by itself
     starts = [len(widths), *(col for col in paper.begins if col > len(widths)), right + 1]
@@ -152,11 +152,11 @@ def _placed(
     widths: list[float],
     requests: list[ChartRequest],
     drawing: PageDrawing | None,
-    hodographs: list[Chart],
+    framed: list[Chart],
     paper: Paper,
 ) -> tuple[Chart, ...]:
-    """The drawing beside the dimensions, hodographs and curves beside it."""
-    charts = [drawing.chart, *hodographs] if drawing else []
+    """The drawing beside the dimensions, what has a frame of its own and curves beside it."""
+    charts = [drawing.chart, *framed] if drawing else []
     charts += [_curves(plan, request, drawing) for request in requests]
     found = []
     for chart, dx in zip(charts, paper.charts, strict=True):

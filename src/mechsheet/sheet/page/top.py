@@ -14,11 +14,11 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.first import inputs, task
+from mechsheet.sheet.findings import inputs, task
+from mechsheet.sheet.findings.closing import closes_in
 from mechsheet.sheet.first.blocks import value_style
 from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.first.title_line import closes_in
 from mechsheet.sheet.grashof import (
     Sides,
     bound_of,
@@ -359,7 +359,7 @@ class Top(Cells):
             missed = formula("number>0", number=number)
             doubts = task.doubtful(plan, met)
         good = formula("IF(n=0,nowhere,good)", n=count, good=closes, nowhere=why_nowhere(plan, MEANING))
-        words = inputs.words(plan, wrong, there, good)
+        words = inputs.words(plan, wrong, inputs.where_it_is(plan, there, good))
         self.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))
