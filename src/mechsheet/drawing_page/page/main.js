@@ -26,7 +26,7 @@ async function begin() {
     state.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
   }
   templates = given.templates;
-  changed("theme", "language", "file", "grid", "paths", "picture", "tool");
+  changed("theme", "language", "file", "grid", "paths", "velocities", "picture", "tool");
   changed("text");
   if (state.view) changed("view");
   await lookAgain();
@@ -53,11 +53,12 @@ get("fit").addEventListener("click", fit);
 get("nearer").addEventListener("click", () => zoom(1.25));
 get("farther").addEventListener("click", () => zoom(0.8));
 get("help-button").addEventListener("click", help);
-for (const name of ["grid", "paths"]) {
+for (const name of ["grid", "paths", "velocities"]) {
   get(name).addEventListener("click", () => {
     state[name] = !state[name];
     changed(name);
     keep();
+    if (name === "velocities") lookAgain();
   });
   on(name, () => get(name).setAttribute("aria-pressed", String(state[name])));
 }

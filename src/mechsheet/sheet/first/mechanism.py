@@ -26,7 +26,7 @@ from mechsheet.sheet.deleted import sheets_of, while_sheets_are_there
 from mechsheet.sheet.first.bands import band_here, write_bands
 from mechsheet.sheet.first.below import write_below
 from mechsheet.sheet.first.blocks import MEANING_WIDTH, Writer, value_style
-from mechsheet.sheet.first.given import given_words, words_of
+from mechsheet.sheet.first.given import words_of
 from mechsheet.sheet.first.summaries import write_summaries
 from mechsheet.sheet.first.verdicts import write_verdicts
 from mechsheet.sheet.places import there
@@ -51,6 +51,7 @@ from mechsheet.sheet.table.positions import places, places_of
 from mechsheet.sheet.table.status import while_inputs_can_be
 from mechsheet.sheet.table.tolerance import Tolerance
 from mechsheet.sheet.wrapping import ROW_HEIGHT
+from mechsheet.words.given import given_words
 from mechsheet.words.symbols import plain
 
 MOST_OF_CONTROL = 30_000
@@ -245,7 +246,7 @@ def _given_elsewhere(writer: Writer) -> None:
             dim = next(dim for dim in plan.mechanism.dimensions if dim.symbol == symbol)
             named = symbol == dim.driver_key or dim is plan.mechanism.flywheel
             name = plan.text(f"name.{symbol}") if named else rich(symbol)
-            writer.line(row, name, dim.unit.text, given_words(plan, dim))
+            writer.line(row, name, dim.unit.text, given_words(plan.mechanism, plan.language, dim))
             if isinstance(dim.value, float):
                 writer.put(row, VALUE, dim.shown if dim.shown is not None else dim.value, styles.INPUT)
                 writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), symbol))
