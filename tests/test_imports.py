@@ -302,6 +302,7 @@ SHEET = (
         "plan",
         "driving",
         "over_rows",
+        "deleted",
         "shown",
         "cells",
         "transmission",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.kinematics.equations import Group
-from mechsheet.sheet.deleted import are_there
 from mechsheet.sheet.findings.finding import Finding, InTitle, Line, good, look
 from mechsheet.sheet.findings.ratios import HIGH_LOW
 from mechsheet.sheet.findings.reading import Reading
@@ -40,12 +39,9 @@ class Transmission(Finding):
         said = worst_words(plan, value, on.place(self.key), poor, of_rows)
         column = Symbol(ALL + group.transmission)
         in_rows = acute(over_rows(LEAST, column), over_rows(MOST, column), from_right=group.kind != "RRR")
-        present = there(are_there(plan, ["extremes"]))
-        least = formula(
-            "IF(present,least,in_rows)", present=present, least=Call("MIN", folded), in_rows=Call("MIN", in_rows)
-        )
-        words = formula('IFERROR(IF(present,said&about,left),"")', present=present, said=said,
-                        about=on.about(group.transmission), left=worst_of_rows(plan, value, poor))  # fmt: skip
+        least = on.while_there("extremes", Call("MIN", folded), Call("MIN", in_rows))
+        said = on.while_there("extremes", joined(said, on.about(group.transmission)), worst_of_rows(plan, value, poor))
+        words = formula('IFERROR(said,"")', said=said)
         if unit.in_degrees:
             least = formula("DEGREES(least)", least=least)
         at_low = formula(

@@ -22,9 +22,9 @@ from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.columns.bands import tolerance_symbol
 from mechsheet.sheet.columns.lowering import in_pass
-from mechsheet.sheet.deleted import sheets_of, while_sheets_are_there
+from mechsheet.sheet.deleted import sheets_of
 from mechsheet.sheet.first.bands import band_here, write_bands
-from mechsheet.sheet.first.below import write_below
+from mechsheet.sheet.first.below import while_sheets_are_there, write_below
 from mechsheet.sheet.first.blocks import MEANING_WIDTH, Writer, value_style
 from mechsheet.sheet.first.given import words_of
 from mechsheet.sheet.first.summaries import write_summaries
