@@ -47,7 +47,7 @@ class Places:
     lengths    by their names sides of four-bar loops that are no dimensions
     starts     by number of the group
     reasons, dead  what is said of a row that does not close, or is a dead centre, in order of solution
-    sheets     by key whether a sheet that a person may delete is there
+    sheets     by key whether a sheet that a person may delete is there;  left: what can be said without
     """
 
     status: Spot
@@ -70,6 +70,7 @@ class Places:
     reasons: RangeRef | None = None
     dead: RangeRef | None = None
     sheets: Mapping[str, Spot] = field(default_factory=dict)
+    left: Spot | None = None
 
     @property
     def inputs(self) -> Spot:

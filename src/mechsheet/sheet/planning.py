@@ -171,9 +171,10 @@ def _plan_below(plan: Plan) -> None:
         return Spot(plan.main, block.row + 1, MEANING, len(said)).whole()
 
     reasons, dead = looked_up("reasons", words_looked_up(plan)), looked_up("dead", dead_words(plan))
-    block = _block(plan, "sheets", [key for key in MAY_GO if key in plan.at.titles])
+    block = _block(plan, "sheets", ["left", *(key for key in MAY_GO if key in plan.at.titles)])
     spots = {key: Spot(plan.main, row, VALUE) for key, row in block.rows.items()}
-    plan.places = replace(plan.places, reasons=reasons, dead=dead, sheets=spots)
+    left = replace(spots.pop("left"), col=MEANING)
+    plan.places = replace(plan.places, left=left, reasons=reasons, dead=dead, sheets=spots)
 
 
 def _place_synthesis(plan: Plan, named: Named) -> tuple[Spot | None, Spot | None]:

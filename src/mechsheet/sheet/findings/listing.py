@@ -17,8 +17,7 @@ from mechsheet.sheet.findings.transmission import Transmission
 
 def findings_of(mechanism: Mechanism, found: Classification) -> list[Finding]:
     """The findings of a workbook of several sheets; `found`: what can be said of the mechanism."""
-    findings = [*_closing(found), *_motion(found), *_effort(mechanism, found)]
-    return [OtherSheets(findings), *findings]
+    return [OtherSheets(), *_closing(found), *_motion(found), *_effort(mechanism, found)]
 
 
 def _closing(found: Classification) -> Iterator[Finding]:

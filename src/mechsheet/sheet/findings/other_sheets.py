@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from livesheet.formula.nodes import CellRef, Node, RangeRef
-from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there
 from mechsheet.sheet.findings.finding import Finding, Line, look
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import formula, joined
 
 
 class OtherSheets(Finding):
-    """How many of the sheets that the first one reads were deleted; while some are, the line under the title says what the
-    `others` say without them."""
+    """How many of the sheets that the first one reads were deleted; while some are, the line under the title says what is
+    left without them."""
 
     key = "sheets"
-
-    def __init__(self, others: Sequence[Finding]) -> None:
-        self.others = others
 
     def line(self, on: Reading) -> Line:
         plan, count = on.plan, on.value(self.key)
@@ -32,9 +27,6 @@ class OtherSheets(Finding):
         return Line(on.text("sheets"), marks, words, levels=(look("count>0", count=count),), itself=("value", "words"))
 
     def overrules(self, on: Reading, title: Node) -> Node:
-        count, words = on.value(self.key), on.words(self.key)
-        left = joined(*(finding.left(on) for finding in self.others))
-        present = are_there(on.plan, FIRST_OF_ALL)
-        if present is not None:
-            left = formula('IF(present,left,"")', present=present, left=left)
-        return formula("IF(count>0,left&words,title)", count=count, left=left, words=words, title=title)
+        return formula(
+            "IF(count>0,left,title)", count=on.value(self.key), left=there(on.plan.places.left).cell, title=title
+        )

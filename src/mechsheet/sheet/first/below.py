@@ -11,6 +11,7 @@ from livesheet.workbook import Fill
 from mechsheet.sheet import styles
 from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there, missing_words
 from mechsheet.sheet.first.blocks import Writer
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import LEGEND_ROW, MARGIN, MEANING, VALUE, VERDICT_ROW
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.rates import dead_words
@@ -26,17 +27,19 @@ def write_below(writer: Writer) -> None:
             for row, words in enumerate(said, plan.blocks[key].row + 1):
                 writer.put(row, MEANING, words, styles.LABEL)
     writer.heading("sheets")
+    writer.line(there(plan.places.left).row, plan.text("sheets.left"), "", None)
     for key, spot in plan.places.sheets.items():
         title = plan.at.titles[key]
         writer.line(spot.row, title, "", plan.text("sheets.there"))
-        there = formula("ISREF(cell)*1", cell=CellRef(0, 0, True, True, title))
-        writer.formula(spot.row, VALUE, there, styles.decimals(styles.RESULT, 0))
+        found = formula("ISREF(cell)*1", cell=CellRef(0, 0, True, True, title))
+        writer.formula(spot.row, VALUE, found, styles.decimals(styles.RESULT, 0))
 
 
 def while_sheets_are_there(writer: Writer) -> list[Fill]:
     """The sheet's formulas: those that need other sheets are empty where one of these was deleted, words say so."""
     needs, kept = _Needs(writer), []
-    own = {*(spot.row for spot in writer.plan.places.sheets.values()), VERDICT_ROW, LEGEND_ROW}
+    places = writer.plan.places
+    own = {*(spot.row for spot in places.sheets.values()), there(places.left).row, VERDICT_ROW, LEGEND_ROW}
     for fill in writer.fills:
         needed = needs.of(fill.row, fill.col)
         if fill.col == MEANING:
