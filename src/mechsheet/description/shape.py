@@ -34,6 +34,7 @@ from mechsheet.description.schema import REASONS
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.measured import LARGEST, SMALLEST, measured
 from mechsheet.description.text.numbers import typed_number, with_points
+from mechsheet.words.catalogue import ENGLISH
 
 
 def fit(value: Any, shape: Shape, path: Path, report: Report) -> Any:
@@ -208,7 +209,7 @@ def _unfit(sign: str) -> bool:
 def _words(value: Any, text: Text, path: Path, report: Report) -> Any:
     if isinstance(value, str):
         one = _text(value, text, path, report)
-        return BAD if one is BAD else {"en": one, "tr": one}
+        return BAD if one is BAD else {ENGLISH: one}
     for key in value:
         if key not in ("en", "tr"):
             report.at((*path, key), say("unknown language"), suggestion(key, ("en", "tr"), "languages"))

@@ -7,11 +7,10 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from livesheet.diagnostics import Fault
-from livesheet.said import say
+from livesheet.said import Words, say
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
 from mechsheet.diagnostics import DescriptionError
-from mechsheet.model import Words
 
 _SUFFIX = ".toml"
 

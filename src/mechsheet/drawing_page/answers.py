@@ -79,7 +79,9 @@ class Studio:
             "text": text.removeprefix("\ufeff").replace("\r\n", "\n"),
             "mark": _mark(path) if path is not None else "",
             "language": self.language or "",
-            "templates": {name: {"en": title.en, "tr": title.tr} for name, title in template_titles().items()},
+            "templates": {
+                name: {"en": title.of("en"), "tr": title.of("tr")} for name, title in template_titles().items()
+            },
         }
 
     def _template(self, question: dict[str, Any]) -> dict[str, Any]:

@@ -19,8 +19,9 @@ from livesheet.formula.nodes import Node, Symbol, symbols, transform
 from livesheet.formula.printer import number_text, print_formula
 from livesheet.formula.vectors import Vector
 from livesheet.said import say
-from mechsheet.exporting.functions.routines import Parameter, Source, folded, missing_where, needed_for
+from mechsheet.exporting.functions.routines import Parameter, Source, folded, needed_for
 from mechsheet.exporting.job import Job
+from mechsheet.exporting.lowering import missing_where
 from mechsheet.exporting.program import one_line
 from mechsheet.kinematics.angle_branch import WINDOWED
 from mechsheet.kinematics.dimensions import dimension_values

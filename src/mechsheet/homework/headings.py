@@ -181,10 +181,10 @@ def labels(mechanism: Mechanism, symbol: str) -> Sequence[str]:
     found: list[str] = []
     for output in mechanism.outputs:
         if output.symbol == symbol and output.label is not None:
-            found += [output.label.en, output.label.tr]
+            found += [output.label.of(language) for language in ("en", "tr")]
     for summary in mechanism.summaries:
         if summary.symbol == symbol and summary.label is not None:
-            found += [summary.label.en, summary.label.tr]
+            found += [summary.label.of(language) for language in ("en", "tr")]
     return list(dict.fromkeys(found))
 
 

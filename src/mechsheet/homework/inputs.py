@@ -203,7 +203,7 @@ def _told(dim: Dimension, names: Sequence[str], words: Sequence[str]) -> int:
     called = {plain(name).replace("_", "") for name in (dim.symbol, dim.cell or "") if name}
     if any(plain(name).replace("_", "") in called for name in names):
         return 40
-    labels = [dim.label.en, dim.label.tr] if dim.label else []
+    labels = [dim.label.of(language) for language in ("en", "tr")] if dim.label else []
     for rank, text in enumerate(words):
         if says(text, dim.symbol) or any(contains(text, label) for label in labels):
             return 30 - rank

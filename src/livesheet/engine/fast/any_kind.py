@@ -42,38 +42,49 @@ from .memory import MOST, Memory
 from .scalars import scalar, scalar_power
 from .scalars import sign as sign_of
 
-
-class CellCode(NamedTuple):
-    """A cell's value as a function of (what is computed so far, the row).
-
-    first  the place of a cell that is read before all else, so that its error is the value; -1: none is known
-    step   how much further that place is in the next row
-    """
-
-    value: Callable[[Memory, int], Scalar]
-    first: int
-    step: int
-
-
 _DEEPEST = 60
 """Calls inside one another in one expression: Python's parser takes some ninety."""
 
 
-def cell_code(layout: Layout, sheet: int, block: Block, arithmetic: Arithmetic, alone: bool = True) -> CellCode | None:
-    """The value of a cell of a column as a function of (what is computed so far, the row: 0 is the block's first).
+class CellCode(NamedTuple):
+    """How the cells of a column are computed.
+
+    leading  the places of cells that are read before anything is computed, and how much further each is in the next row: the
+             first error among them is the value; of IFERROR it decides about the next of such lists, or
+    instead  the number that is the value then
+    value    a cell's value as a function of (what is computed so far, the row: 0 is the block's first); None where only the
+             interpreter knows it, or nobody has asked for code
+    """
+
+    leading: tuple[tuple[tuple[int, int], ...], ...]
+    instead: float | None
+    value: Callable[[Memory, int], Scalar] | None
+
+
+def cell_code(
+    layout: Layout, sheet: int, block: Block, arithmetic: Arithmetic, alone: bool = True, leading_only: bool = False
+) -> CellCode:
+    """How a column of one block is computed.
 
     alone  whether the interpreter would take the cells one by one, too: numpy raises arrays to powers other than 2 by other
            code than single numbers
     """
-    if layout.date1904 or layout.texts.settings.case_sensitive:
-        return None  # here texts compare without regard to case, and dates in texts count from 1900
     writer = _Writer(layout, sheet, block, arithmetic, alone)
+    parts = writer.in_turn(block.formula)
+    last = parts[-1]
+    instead = float(last.value) if len(parts) > 1 and isinstance(last, Number) else None
+    parts = parts if instead is None else parts[:-1]
+    leading = tuple(tuple(writer.leading(part)[0]) for part in parts)
+    if leading_only or layout.date1904 or layout.texts.settings.case_sensitive:
+        return CellCode(
+            leading, instead, None
+        )  # code compares texts without regard to case, and counts dates in texts from 1900
     try:
         source = f"lambda m, k: {writer.result(block.formula)}"
         namespace = {**NAMES, "atan2": direction(scalar("arctan2", arithmetic)), **writer.names}
-        return CellCode(eval(compile(source, "<cell>", "eval"), namespace), *writer.first(block.formula))
+        return CellCode(leading, instead, eval(compile(source, "<cell>", "eval"), namespace))
     except (_UnsaidError, RecursionError, SyntaxError, MemoryError):
-        return None
+        return CellCode(leading, instead, None)
 
 
 class _UnsaidError(Exception):
@@ -185,17 +196,39 @@ class _Writer:
             raise _UnsaidError
         return [self.value(arg) if kind == "t" else self.flat(arg) for arg, kind in zip(args, kinds, strict=True)]
 
-    def first(self, node: Node) -> tuple[int, int]:
-        """The place of the cell that is read first, whatever the values are, and its step from row to row."""
+    def in_turn(self, node: Node) -> list[Node]:
+        """The formula, or of IFERROR what is tried one after the other."""
         match node:
-            case Unary(operand=below) | Binary(left=below) | Call("IF", (below, *_)):
-                return self.first(below)
-            case Call(name, (below,)) if name in UFUNCS:
-                return self.first(below)
+            case Call("IFERROR", (first, second)):
+                return [*self.in_turn(first), *self.in_turn(second)]
+        return [node]
+
+    def leading(self, node: Node) -> tuple[list[tuple[int, int]], bool]:
+        """`CellCode.leading`; and whether a tree is no more than a cell or a number, which cannot go wrong by itself."""
+        match node:
+            case Number():
+                return [], True
             case CellRef():
                 place, step = self._spot(node)
-                return (place, step) if isinstance(place, int) else (-1, 0)
-        return -1, 0
+                return ([(place, step)], True) if isinstance(place, int) and place >= 0 else ([], False)
+            case Binary(op, left, right) if op in COMPARED or op in "+-*/^&":
+                return self._leading_of((left, right))
+            case Unary(operand=operand):
+                return self._leading_of((operand,))
+            case Call("IF", (condition, *_)):
+                return self._leading_of((condition,))
+            case Call(name, args) if name in UFUNCS or name in _IN_ORDER:
+                return self._leading_of(args)
+        return [], False
+
+    def _leading_of(self, parts: tuple[Node, ...]) -> tuple[list[tuple[int, int]], bool]:
+        found: list[tuple[int, int]] = []
+        for part in parts:
+            leading, bare = self.leading(part)
+            found += leading
+            if not bare:
+                break
+        return found, False
 
     def place(self, node: CellRef) -> str:
         """Where a cell lies, of the row k."""
@@ -461,6 +494,8 @@ _CALLS: dict[str, Callable[[_Writer, tuple[Node, ...]], str]] = {
 _TRUTHS = frozenset(("AND", "OR", "NOT", "ISNUMBER", "ISTEXT", "ISLOGICAL", "ISBLANK", "ISNA", "ISERROR"))
 _WHOLE = frozenset(("IF", "IFERROR", "IFNA"))
 """Functions whose parts are computed only where they are needed, which leave more to code when they stand in it."""
+_IN_ORDER = frozenset(("ATAN2", "MIN", "MAX", "AND", "OR", "NOT"))
+"""Functions whose arguments are all computed, from the left, before anything else."""
 _SINGLE = frozenset("npyatd")
 """Kinds of arguments (`functions.txt`) that are single values, without those that may be errors."""
 _ARITHMETIC = {"+": "plus", "-": "minus", "*": "times", "/": "over"}

@@ -66,10 +66,12 @@ class Memory:
 
     def fill(self, code: CellCode, down: int, place: int) -> bool:
         """Compute a cell; whether that could be done by code."""
-        value_of, first, step = code
-        if first >= 0 and self.codes[first + step * down] >= ERROR:  # an exception takes ten times as long
-            self.numbers[place], self.codes[place] = math.nan, self.codes[first + step * down]
+        leading, instead, value_of = code
+        if all(error := self._first_error(places, down) for places in leading):  # an exception takes ten times as long
+            self.numbers[place], self.codes[place] = (math.nan, error) if instead is None else (instead, 0)
             return True
+        if value_of is None:
+            return False
         try:
             value = value_of(self, down)
         except CellError as problem:
@@ -82,6 +84,14 @@ class Memory:
             else:
                 self.numbers[place], self.codes[place] = self.texts.encode(value)
         return True
+
+    def _first_error(self, places: Sequence[tuple[int, int]], down: int) -> int:
+        """The first error at some places, 0 where something else than a number stands before it."""
+        for at, step in places:
+            kind: int = self.codes[at + step * down]
+            if kind:
+                return kind if kind >= ERROR else 0
+        return 0
 
     def called(self, name: str, *values: Scalar) -> Scalar:
         """A function of single values, by its kernel."""

@@ -236,8 +236,6 @@ class Segment:
         number = member.number
         for col in range(self.cols):
             code = self._cells.code(ev, number, member.formula, col)
-            if code is None:
-                return False
             first = self.layout.block_offsets[number] + col * self.rows
             for down in range(start, stop):
                 if not memory.fill(code, down, first + down):

@@ -14,7 +14,6 @@ import numpy as np
 
 from ...formula.book import Block
 from ...formula.nodes import Node, shifted
-from ..fast.any_kind import CellCode
 from ..fast.cell_codes import CellCodes
 from ..fast.lowered_functions import FUNCTIONS
 from ..fast.lowering import UnsuitableError
@@ -50,7 +49,6 @@ class RowByRow:
         self.lines = lines
         self.parts = [_Part(self, stretch) for stretch in stretches(lines)]
         self._codes = CellCodes(layout, _FEW_SLOW)
-        self._coded: dict[int, CellCode | None] = {}
 
     def run(self, ev: Evaluator, marks: Marks) -> None:
         """Compute all cells."""
@@ -63,15 +61,10 @@ class RowByRow:
 
     def row(self, memory: Memory, lines: Sequence[Line], time: int) -> None:
         """Compute the cells of lines at one time, of any kind of values."""
-        if self._codes.due() and not self._coded:
-            formulas = self.formulas
-            for line in self.lines:
-                code = self._codes.code(memory.ev, line.producer, formulas[line.producer], line.right)
-                self._coded[id(line)] = code
+        by_code = self._codes.due()
         for line in lines:
-            code, down = self._coded.get(id(line)), time - line.first
-            if code is None or not memory.fill(code, down, line.offset + down):
-                self._codes.interpret(memory.ev, line.producer, self.formulas[line.producer], down, line.right)
+            formula, down = self.formulas[line.producer], time - line.first
+            self._codes.compute(memory, line.producer, formula, down, line.right, by_code)
 
 
 class _Part:

@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+import numpy as np
+
+from livesheet import portable
 from livesheet.formula.nodes import Node
+from mechsheet.kinematics.points_in_link import number_places
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.gaps import misfits_of
 from mechsheet.sheet.findings.finding import Finding, InTitle, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.grashof import why_nowhere
 from mechsheet.sheet.plan import MEANING, Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.table.start_table import assemblies_lost
+from mechsheet.words.equations import link_words
 
 SMALL = styles.numbered(styles.RESULT, styles.ERROR.number_format)
 """How numbers stand that are nothing but rounding where all is well."""
+
+GAP = 1e-9
+"""A gap of a joint, as a part of the size, that is nothing but rounding."""
 
 
 class RowsClosed(Finding):
@@ -55,6 +66,9 @@ class RowsClosed(Finding):
                               nowhere=nowhere)  # fmt: skip
         return formula("IF(count=0,nowhere,title)", count=on.value(self.key), nowhere=nowhere, title=title)
 
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        return {self.key: Expected([float(motion.search.count)])}
+
 
 class LargestGap(Finding):
     """The largest gap of a joint."""
@@ -89,6 +103,11 @@ class LargestGap(Finding):
     def overrules(self, on: Reading, title: Node) -> Node:
         return formula("IF(gap=closed,title,gap)", gap=on.words(self.key), closed=on.text("gap.closed"), title=title)
 
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        if not motion.search.count:
+            return {}
+        return {self.key: Expected([misfit_of(motion)[0]], GAP * motion.search.size, told=False)}
+
 
 class Leaps(Finding):
     """How often a link turns far between two rows."""
@@ -100,6 +119,29 @@ class Leaps(Finding):
         words = formula('IF(closed=0,"",IF(count=0,none,some))', closed=on.value("rows_closed"), count=count,
                         none=on.text("leaps.none"), some=on.text("leaps.some"))  # fmt: skip
         return Line(on.text("leaps"), on.checks.worst("leap"), words, levels=(look("count>0", count=count),))
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        if not (motion.sure or (motion.leaps and not (motion.search.holes or motion.search.doubtful))):
+            return {}
+        return {self.key: Expected([float(motion.leaps)], warning=True, told=False)}
+
+
+def misfit_of(motion: SearchedMotion) -> tuple[float, str]:
+    """By how much the length of a redundant link is off in the worst row, which is the only gap that there can be; and
+    the last of those that do not fit, "" where all do."""
+    search, mechanism = motion.search, motion.plan.mechanism
+    worst, found = 0.0, ""
+    for each in mechanism.redundant:
+        slot = next(joint for joint in mechanism.joints if joint.symbol == each.symbol)
+        places = number_places(each.link, search.dimensions)
+        (x, y), (x_end, y_end) = places[str(slot.through)], places[slot.point]
+        length = portable.hypot(x_end - x, y_end - y)
+        column = search.in_rows(each.symbol)[search.row_there]
+        off = float(np.max(np.abs(np.abs(column) - length)))  # of the other assembly it points the other way
+        worst = max(worst, off)
+        if off > GAP * search.size:
+            found = link_words(each.link).of(mechanism.language)
+    return worst, found
 
 
 def closes_in_some(plan: Plan, count: Node, rows: Node) -> Node:

@@ -1,12 +1,12 @@
 """What a finding is: one thing that is said of a motion, declared once.
 
-Layouts write it, the line under the title and the marks read its levels. All of them go through the list (`listing`); none
-asks which finding it has.
+Layouts write it, the line under the title and the marks read its levels, `check` and the library compare it with a search.
+All of them go through the list (`listing`); none asks which finding it has.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -14,6 +14,7 @@ from livesheet.formula.nodes import Node
 from livesheet.workbook import Conditional, Content, Style
 from mechsheet.sheet import styles
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.quoted import formula
 
 LEVELS = {"bad": styles.BAD, "look": styles.WARN, "good": styles.GOOD}
@@ -120,3 +121,7 @@ class Finding:
     def overrules(self, on: Reading, title: Node) -> Node:
         """The line under the title, if what it says comes before all else that `title` would say."""
         return title
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        """What a search finds, by the key of the cell; nothing where it cannot say."""
+        return {}

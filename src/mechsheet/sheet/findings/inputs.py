@@ -6,7 +6,7 @@ the words beside it name that input. While it is not 0 no row has a position: th
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -18,6 +18,7 @@ from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.deleted import missing_words
 from mechsheet.sheet.findings.finding import Finding, Line, bad, good
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.plan import SYMBOL, VALUE, Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.words.symbols import plain
@@ -61,6 +62,9 @@ class Inputs(Finding):
 
     def overrules(self, on: Reading, title: Node) -> Node:
         return formula("IF(fine,title,said)", fine=on.found.fine.cell, title=title, said=on.words(self.key))
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        return {self.key: Expected([0.0], told=False)}
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
 from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol
 from mechsheet.kinematics.equations import Group
+from mechsheet.kinematics.numeric import Array
 from mechsheet.sheet.findings.finding import Finding, InTitle, Line, good, look
 from mechsheet.sheet.findings.ratios import HIGH_LOW
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import MEANING, SYMBOL, VALUE
@@ -14,6 +21,9 @@ from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.positions import places
 from mechsheet.sheet.transmission import acute, poor_limit, worst_of_rows, worst_words
 from mechsheet.units import behind_number
+
+ROUNDED = 2e-6
+"""Angles by arccos [rad], at a dead centre."""
 
 
 class Transmission(Finding):
@@ -79,6 +89,29 @@ class Transmission(Finding):
         least = formula("ROUND(MIN(angles),digits)", angles=angles, digits=1 if unit.in_degrees else 2)
         said = joined(f"{on.text('line.transmission')} ", least, f"{behind_number(unit.text)}; ")
         return formula('IF(COUNT(angles)>0,said,"")', angles=angles, said=said)
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        if not motion.search.count or motion.too_many:
+            return {self.key: Expected([])}
+        found = self._least(motion, motion.says(self.key, "rows.only")) if motion.sure or motion.page else None
+        if found is None:
+            return {}
+        least, most = found
+        of_rows = self._least(motion, rows_only=True)
+        expected = motion.as_far(self.key, [least], [of_rows[0]] if of_rows else [])
+        scale = motion.angle_scale
+        allowed = motion.part(self.key) * max(most - least, 1e-3 * scale) + ROUNDED * scale
+        return {self.key: Expected(expected, allowed)}
+
+    def _least(self, motion: SearchedMotion, rows_only: bool) -> tuple[float, float] | None:
+        """The least and the largest acute angle; of several stretches, in their rows."""
+
+        def acute_of(angle: Array) -> Array:
+            return np.minimum(angle, math.pi - angle) if self.group.kind == "RRR" else math.pi / 2 - np.abs(angle)
+
+        rows_only = rows_only or motion.page or len(motion.search.row_stretches) > 1
+        extremes = motion.search.extremes(self.group.transmission, acute_of, rows_only=rows_only)
+        return None if extremes is None else (extremes[0] * motion.angle_scale, extremes[2] * motion.angle_scale)
 
 
 def key_of(group: Group) -> str:
