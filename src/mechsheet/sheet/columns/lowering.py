@@ -97,7 +97,7 @@ class Assignments:
     @property
     def listed(self) -> tuple[Assignment, ...]:
         """What is given row by row: nothing computes it."""
-        return tuple(_given(equation) for equation in self.equations.listed)
+        return tuple(assignment_of(equation) for equation in self.equations.listed)
 
     @property
     def all(self) -> tuple[Assignment, ...]:
@@ -122,6 +122,16 @@ class Assignments:
     def of(self, symbol: str) -> Assignment:
         """The assignment of a symbol."""
         return next(each for each in (*self.all, *self.listed) if each.symbol == symbol)
+
+
+def assignment_of(
+    equation: Equation, expression: Node | None = None, says: Node | None = None, first: Node | None = None
+) -> Assignment:
+    """The cells of an equation; where nothing else is given they hold and say what it does."""
+    own, unit, label = equation.expression, equation.unit, equation.label
+    return Assignment(
+        equation.symbol, expression or own, says or own, equation.role, unit, label, equation.group, first
+    )
 
 
 def lowered(mechanism: Mechanism, equations: Equations) -> Assignments:
@@ -185,12 +195,7 @@ class _Lowering:
 
     def _add(self, equation: Equation, expression: Node, first: Node | None = None, says: Node | None = None) -> Symbol:
         target = self.constants if equation.role == "constant" else self.columns
-        target.append(
-            Assignment(
-                equation.symbol, expression, says or equation.expression, equation.role, equation.unit, equation.label,
-                equation.group, first,
-            )
-        )  # fmt: skip
+        target.append(assignment_of(equation, expression, says, first))
         return Symbol(equation.symbol)
 
     def _passes(self, equation: Equation, system: System) -> None:
@@ -309,12 +314,6 @@ def _step(system: System, unknown: str) -> Node:
 def _next(system: System, unknown: str, number: int) -> Node:
     """An unknown after the pass of that number: x - (J^-1 F)."""
     return in_this_pass(system, _step(system, unknown), number)
-
-
-def _given(equation: Equation) -> Assignment:
-    return Assignment(
-        equation.symbol, equation.expression, equation.expression, equation.role, equation.unit, equation.label
-    )
 
 
 def pins_apart(equations: Equations, direction: Equation) -> tuple[Condition, ...]:

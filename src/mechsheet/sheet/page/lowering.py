@@ -28,7 +28,7 @@ from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.kinematics.numeric import value as numeric
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
-from mechsheet.sheet.columns.lowering import Assignment, Assignments, guarded, pins_apart
+from mechsheet.sheet.columns.lowering import Assignment, Assignments, assignment_of, guarded, pins_apart
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.status import NEAR
 from mechsheet.units import LENGTH
@@ -136,12 +136,7 @@ class _Lowering:
         if still:
             self.still.add(equation.symbol)
         target = self.constants if equation.role == "constant" or still else self.columns
-        target.append(
-            Assignment(
-                equation.symbol, expression, says, equation.role, equation.unit, equation.label, equation.group,
-                expression if continuous else None,
-            )
-        )  # fmt: skip
+        target.append(assignment_of(equation, expression, says, expression if continuous else None))
         self.known.add(equation.symbol)
         self.done.add(equation.symbol)
 
