@@ -3,7 +3,7 @@
 import pickle
 
 from livesheet.said import reason, say, translated
-from mechsheet.model import Words
+from mechsheet.model import Label
 
 
 def in_turkish(text, patterns):
@@ -31,7 +31,7 @@ def test_parts_are_translated_inside_out_and_names_stay():
 
 
 def test_words_of_both_languages_are_taken_from_each():
-    text = say("between {group}", group=Words("links 3, 4", "3, 4 uzuvları"))
+    text = say("between {group}", group=Label("links 3, 4", (("tr", "3, 4 uzuvları"),)))
     assert text == "between links 3, 4"
     assert in_turkish(text, {"between {group}": "{group} arasında"}) == "3, 4 uzuvları arasında"
 

@@ -7,15 +7,17 @@ other, and keeps its pattern and its parts, so that a catalogue of GNU gettext c
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, Protocol, runtime_checkable
+from typing import Any
 
 
-@runtime_checkable
-class Worded(Protocol):
-    """What has words of its own in every language, as the label of a group has."""
+class Words:
+    """What has a wording in every language, as the label of a group has."""
+
+    __slots__ = ()
 
     def of(self, language: str) -> str:
-        """The words in a language."""
+        """The wording in a language."""
+        raise NotImplementedError
 
 
 class Said(str):
@@ -28,7 +30,7 @@ class Said(str):
 def say(pattern: str, /, **parts: Any) -> Said:
     """The text of a pattern, `{name}` standing for a part as in `str.format`; without parts the pattern as it stands."""
     text = Said(
-        _filled(pattern, {name: part.of("en") if isinstance(part, Worded) else part for name, part in parts.items()})
+        _filled(pattern, {name: part.of("en") if isinstance(part, Words) else part for name, part in parts.items()})
     )
     text.pattern, text.parts = pattern, parts
     return text
@@ -51,7 +53,7 @@ def translated(text: str, gettext: Callable[[str], str], language: str) -> str:
 def _part_translated(part: Any, gettext: Callable[[str], str], language: str) -> Any:
     if isinstance(part, str):
         return translated(part, gettext, language)
-    return part.of(language) if isinstance(part, Worded) else part
+    return part.of(language) if isinstance(part, Words) else part
 
 
 def _filled(pattern: str, parts: Mapping[str, Any]) -> str:

@@ -13,7 +13,7 @@ from mechsheet.description import load, loads
 from mechsheet.exporting import export
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.solve import solve
-from mechsheet.model import Words
+from mechsheet.model import Label
 
 RUNNER = """
 import importlib.util, pathlib, sys, warnings
@@ -112,7 +112,7 @@ def test_printed_table_is_that_of_csv(tmp_path):
 
 def test_texts_of_the_description_stay_texts(tmp_path):
     given = load(next(path for path in TEMPLATES if path.stem == "four-bar"))
-    hostile = Words(*['x """ \\ " end\nimport os\n#\u2028import os'] * 2)
+    hostile = Label('x """ \\ " end\nimport os\n#\u2028import os')
     dims = tuple(replace(dim, label=hostile) for dim in given.dimensions)
     (module,) = export(
         replace(given, title=hostile, source=hostile, dimensions=dims, length_unit='"""\nimport os'), "python",

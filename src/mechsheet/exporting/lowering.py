@@ -18,11 +18,12 @@ from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Direction, Node, Symbol, TriangleAngle, symbols, transform
+from livesheet.said import Words
 from mechsheet.compiled import Compiled
 from mechsheet.kinematics.equations import FORCES, RATES, Condition, Equation, Equations, Group, System
 from mechsheet.kinematics.naming import FreshNames, given_names, without_group
 from mechsheet.kinematics.newton.lost_assembly import scales
-from mechsheet.model import Mechanism, Words
+from mechsheet.model import Mechanism
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import NOTHING, phrase
 

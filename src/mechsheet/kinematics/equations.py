@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Node, Root, Symbol, symbols
+from livesheet.said import Words
 from mechsheet.kinematics.closures import Loop
-from mechsheet.model import Words
 from mechsheet.units import Unit
 
 Role = Literal[
@@ -331,6 +331,10 @@ class Equations:
                 middle = al.sub(al.sub(al.mul(al.TWO, mode), most), al.ONE)
                 wrong.append(Binary(">=", al.call("ABS", middle), most))
         return al.any_of(wrong) if wrong else None
+
+    def group_of(self, equation: Equation) -> Group | None:
+        """The group that an equation belongs to; None on the driver's side, of outputs and of a cam's profile."""
+        return self.groups[equation.group - 1] if equation.group > 0 else None
 
     def of(self, symbol: str) -> Equation:
         """The equation of a symbol."""

@@ -8,11 +8,12 @@ from typing import Literal, TypeAlias
 
 from livesheet.formula.nodes import Call, Node, symbols
 from livesheet.formula.nodes import Number as NumberNode
+from livesheet.said import Words
 from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 
 from .asked import Exercise, Study, Synthesis, Tolerances
 from .cams import Cam, Segments
-from .symbols import TIME, Quantity, Words, rate_symbols
+from .symbols import TIME, Quantity, rate_symbols
 from .takes import Take
 
 
@@ -248,6 +249,11 @@ class Spring:
     stiffness: Node
     free_length: Node
     damping: Node
+
+    @property
+    def hold(self) -> str:
+        """What the free length is called with which it just holds the follower of a cam."""
+        return f"{self.name}.hold"
 
 
 def torque_unit(force_unit: str, metre: float | None, length_unit: str) -> str:
@@ -507,7 +513,7 @@ class Mechanism:
     summaries: tuple[Summary, ...] = ()
     charts: tuple[ChartRequest, ...] = ()
     tables: tuple[TableRequest, ...] = ()
-    language: Literal["en", "tr"] = "en"
+    language: str = "en"
     references: Literal["names", "anchors"] = "names"
     layout: Literal["sheets", "page"] = "sheets"
     drawn: bool = True

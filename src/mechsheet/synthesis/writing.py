@@ -12,7 +12,8 @@ from dataclasses import dataclass, field
 
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, with_symbols
 from livesheet.formula.parser import parse_description
-from mechsheet.model import Dimension, TaskPlace, Words
+from livesheet.said import Words
+from mechsheet.model import Dimension, TaskPlace
 from mechsheet.units import Unit
 from mechsheet.words.catalogue import is_key
 from mechsheet.words.synthesis import step_words

@@ -6,17 +6,24 @@ which `en.po` need not have. What a catalogue lacks is said in English.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cache
 from gettext import GNUTranslations, NullTranslations
 from io import BytesIO
 from pathlib import Path
-from typing import Literal
+from typing import TypeAlias
+
+from livesheet.said import Words
 
 FOLDER = Path(__file__).with_name("catalogues")
 
 ENGLISH = "en"
 
-Language = Literal["en", "tr"]
+LANGUAGES = (ENGLISH, *sorted({path.stem for path in FOLDER.glob("*.[mp]o")} - {ENGLISH}))
+"""The languages that there are, by the names of their catalogues (ISO 639)."""
+
+Language: TypeAlias = str
+"""One of `LANGUAGES`."""
 
 
 class _InEnglish(NullTranslations):
@@ -47,7 +54,45 @@ def words(language: str, key: str, **parts: object) -> str:
     text = catalogue(language).gettext(key)
     if text == key:
         raise KeyError(key)
-    return text.format(**parts) if parts else text
+    if not parts:
+        return text
+    return text.format(**{name: part.of(language) if isinstance(part, Words) else part for name, part in parts.items()})
+
+
+@dataclass(frozen=True, slots=True)
+class Phrase(Words):
+    """The text of a key and its parts, for whoever knows the language."""
+
+    key: str
+    parts: tuple[tuple[str, object], ...] = ()
+
+    def of(self, language: str) -> str:
+        """The text in a language, as `words` has it."""
+        return words(language, self.key, **dict(self.parts))
+
+
+@dataclass(frozen=True, slots=True)
+class Term(Words):
+    """A word of the field that stands for itself in English, as the usual name of a link; others have their context."""
+
+    context: str
+    word: str
+
+    def of(self, language: str) -> str:
+        """The word in a language; one that no catalogue has, as a name of somebody's own, stays as it is."""
+        return catalogue(language).pgettext(self.context, self.word)
+
+
+@dataclass(frozen=True, slots=True)
+class Listed(Words):
+    """Names one after another."""
+
+    names: tuple[Words, ...]
+    between: str
+
+    def of(self, language: str) -> str:
+        """All of them in a language."""
+        return self.between.join(name.of(language) for name in self.names)
 
 
 def is_key(key: str) -> bool:

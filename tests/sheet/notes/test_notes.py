@@ -136,7 +136,7 @@ def test_turkish_throughout(name):
     """No English word in any cell, formula, comment, message, chart or sheet title of a Turkish workbook."""
     laid = Laid(template_text(name), language="tr")
     own = laid.mechanism
-    given = {own.source.tr, *(link.name for link in own.links), *(joint.name for joint in own.joints)}
+    given = {own.source.of("tr"), *(link.name for link in own.links), *(joint.name for joint in own.joints)}
     given |= {dim.symbol for dim in own.dimensions} | {output.symbol for output in own.outputs}
     given |= {
         "mode",

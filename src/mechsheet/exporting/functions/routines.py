@@ -13,12 +13,14 @@ from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, renamed, transform
+from livesheet.said import Words
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.lowering import Lowering, Step
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
 from mechsheet.kinematics.dimensions import dimension_order
-from mechsheet.model import Words
+from mechsheet.model import Label
 from mechsheet.units import NUMBER, Unit
+from mechsheet.words.catalogue import Phrase
 from mechsheet.words.equations import phrase
 
 
@@ -121,12 +123,12 @@ class Source:
             else set()
         )
         given = [
-            Parameter(dim.symbol, dim.label or Words(dim.symbol, dim.symbol), dim.unit.internal)
+            Parameter(dim.symbol, dim.label or Label(dim.symbol), dim.unit.internal)
             for dim in self.mechanism.dimensions
             if not dim.derived and (not dim.driver_key or dim.symbol in read)
         ]
         driver = self.mechanism.driver
-        given.append(Parameter(driver.symbol, Words("driver", "tahrik"), driver.unit.internal))
+        given.append(Parameter(driver.symbol, Phrase("function.driver"), driver.unit.internal))
         for symbol in self.mechanism.listed_symbols:
             besides = self.mechanism.driver_of(symbol)
             given.append(Parameter(symbol, phrase("further_driver"), besides.unit.internal))

@@ -2,18 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+import numpy as np
+
+from livesheet import portable
 from livesheet.formula.nodes import Node
+from mechsheet.kinematics.points_in_link import number_places
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.gaps import misfits_of
 from mechsheet.sheet.findings.finding import Finding, InTitle, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.grashof import why_nowhere
 from mechsheet.sheet.plan import MEANING, Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.table.start_table import assemblies_lost
+from mechsheet.words.equations import link_words
 
 SMALL = styles.numbered(styles.RESULT, styles.ERROR.number_format)
 """How numbers stand that are nothing but rounding where all is well."""
+
+GAP = 1e-9
+"""A gap of a joint, as a part of the size, that is nothing but rounding."""
 
 
 class RowsClosed(Finding):
@@ -26,12 +37,15 @@ class RowsClosed(Finding):
         stretches = [stretch.words.cell for stretch in on.found.stretches]
         more = formula('IF(stretches>most," …","")', stretches=on.found.count.cell, most=len(stretches))
         count, rows = on.value(self.key), on.of_rows
+        some = joined(on.text("rows.some"), " ", *stretches, on.unit, more)
+        some = on.while_there("extremes", some, closes_in_some(on.plan, count, rows))
         words = formula(
             "IF(count=0,nowhere,IF(count=rows,everywhere,some))", count=count, rows=rows, nowhere=on.text("rows.none"),
-            everywhere=on.text("rows.all"), some=joined(on.text("rows.some"), " ", *stretches, on.unit, more),
+            everywhere=on.text("rows.all"), some=some,
         )  # fmt: skip
         return Line(
             on.text("rows"), formula("COUNTIF(said,ok)", said=said, ok=ok), words, formula("ROWS(said)", said=said),
+            itself=("words",),
             levels=(
                 bad("count=0", count=count),
                 look("count<rows", count=count, rows=rows),
@@ -42,12 +56,18 @@ class RowsClosed(Finding):
     def in_title(self, on: Reading) -> InTitle:
         return InTitle(here=closes_in(on.plan, on.value(self.key), on.of_rows))
 
+    def left(self, on: Reading) -> Node | str:
+        return formula('words&"; "', words=on.words(self.key))
+
     def overrules(self, on: Reading, title: Node) -> Node:
         nowhere = why_nowhere(on.plan, MEANING)
         if on.plan.found.newton:
             nowhere = formula("IF(ends>0,ended,nowhere)", ends=assemblies_lost(on.plan), ended=on.text("line.ended"),
                               nowhere=nowhere)  # fmt: skip
         return formula("IF(count=0,nowhere,title)", count=on.value(self.key), nowhere=nowhere, title=title)
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        return {self.key: Expected([float(motion.search.count)])}
 
 
 class LargestGap(Finding):
@@ -83,6 +103,11 @@ class LargestGap(Finding):
     def overrules(self, on: Reading, title: Node) -> Node:
         return formula("IF(gap=closed,title,gap)", gap=on.words(self.key), closed=on.text("gap.closed"), title=title)
 
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        if not motion.search.count:
+            return {}
+        return {self.key: Expected([misfit_of(motion)[0]], GAP * motion.search.size, told=False)}
+
 
 class Leaps(Finding):
     """How often a link turns far between two rows."""
@@ -94,6 +119,35 @@ class Leaps(Finding):
         words = formula('IF(closed=0,"",IF(count=0,none,some))', closed=on.value("rows_closed"), count=count,
                         none=on.text("leaps.none"), some=on.text("leaps.some"))  # fmt: skip
         return Line(on.text("leaps"), on.checks.worst("leap"), words, levels=(look("count>0", count=count),))
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        if not (motion.sure or (motion.leaps and not (motion.search.holes or motion.search.doubtful))):
+            return {}
+        return {self.key: Expected([float(motion.leaps)], warning=True, told=False)}
+
+
+def misfit_of(motion: SearchedMotion) -> tuple[float, str]:
+    """By how much the length of a redundant link is off in the worst row, which is the only gap that there can be; and
+    the last of those that do not fit, "" where all do."""
+    search, mechanism = motion.search, motion.plan.mechanism
+    worst, found = 0.0, ""
+    for each in mechanism.redundant:
+        slot = next(joint for joint in mechanism.joints if joint.symbol == each.symbol)
+        places = number_places(each.link, search.dimensions)
+        (x, y), (x_end, y_end) = places[str(slot.through)], places[slot.point]
+        length = portable.hypot(x_end - x, y_end - y)
+        column = search.in_rows(each.symbol)[search.row_there]
+        off = float(np.max(np.abs(np.abs(column) - length)))  # of the other assembly it points the other way
+        worst = max(worst, off)
+        if off > GAP * search.size:
+            found = link_words(each.link).of(mechanism.language)
+    return worst, found
+
+
+def closes_in_some(plan: Plan, count: Node, rows: Node) -> Node:
+    """In how many of how many positions, where these are not all."""
+    end = plan.text("verdict.line.positions")
+    return joined(plan.text("verdict.line.closes"), " ", count, " / ", rows, end)
 
 
 def closes_in(plan: Plan, count: Node, rows: Node) -> Node:

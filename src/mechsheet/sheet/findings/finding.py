@@ -1,12 +1,12 @@
 """What a finding is: one thing that is said of a motion, declared once.
 
-Layouts write it, the line under the title and the marks read its levels. All of them go through the list (`listing`); none
-asks which finding it has.
+Layouts write it, the line under the title and the marks read its levels, `check` and the library compare it with a search.
+All of them go through the list (`listing`); none asks which finding it has.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -14,6 +14,7 @@ from livesheet.formula.nodes import Node
 from livesheet.workbook import Conditional, Content, Style
 from mechsheet.sheet import styles
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.quoted import formula
 
 LEVELS = {"bad": styles.BAD, "look": styles.WARN, "good": styles.GOOD}
@@ -62,6 +63,7 @@ class Line:
     unit    of the value; a formula is the number of rows that the value is of
     style   of the value, or only its decimals
     place   where it occurs, a value of the driver;  beside: what else stands in its place, in a style of its own
+    itself  those of its cells that say themselves what is left where another sheet was deleted
     levels  the first that holds counts
     rules   colours of other cells that follow from it
     """
@@ -73,6 +75,7 @@ class Line:
     style: int | Style = 0
     place: Node | None = None
     place_style: Style | None = None
+    itself: Sequence[Literal["value", "words"]] = ()
     levels: Sequence[Level] = ()
     rules: Sequence[Conditional] = ()
 
@@ -96,9 +99,11 @@ class Finding:
 
     key     the name of its cell, in every language
     placed  whether it says where in the motion it occurs: that cell is `key`_at
+    needs   keys of other sheets without which nothing can be said, beside those that its formulas read
     """
 
     key: str
+    needs: Sequence[str] = ()
     placed: bool = False
 
     def line(self, on: Reading) -> Line:
@@ -109,6 +114,14 @@ class Finding:
         """What it adds to the line under the title where all is well."""
         return InTitle()
 
+    def left(self, on: Reading) -> Node | str:
+        """What it says in the line under the title, with "; " behind it, where another sheet was deleted."""
+        return ""
+
     def overrules(self, on: Reading, title: Node) -> Node:
         """The line under the title, if what it says comes before all else that `title` would say."""
         return title
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        """What a search finds, by the key of the cell; nothing where it cannot say."""
+        return {}

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from livesheet.formula.nodes import Call, Node, Number, RangeRef, Text
+from mechsheet.kinematics.numeric import value
 from mechsheet.sheet import styles
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.findings.finding import Finding, InTitle, Level, Line, bad, look, note
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
+from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.grashof import (
     BEGINS,
     Sides,
@@ -82,3 +86,12 @@ class FourBarType(Finding):
             return InTitle()
         complete = formula("count=rows", count=on.value("rows_closed"), rows=on.of_rows)
         return InTitle(here=in_summary(self.loop, on.plan, on.words(self.key), complete))
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        search, wrong = motion.search, motion.number("inputs")
+        if isinstance(wrong, float) and wrong > 0:  # of inputs that cannot be nothing is said
+            return {self.key: Expected([])}
+        known = {name: column[0] for name, column in search.at.items()}
+        poses, sides = motion.plan.equations.poses, self.loop.sides(search.mechanism.ground)
+        lengths = [float(value(length_in_cells(link, one, other, poses), known)) for link, one, other in sides]
+        return {self.key: Expected([2 * (min(lengths) + max(lengths)) - sum(lengths)], 1e-8 * search.size)}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Literal
 
 from livesheet.formula import algebra as al
@@ -10,6 +11,7 @@ from mechsheet.sheet.checks.limits import LIMITS
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.findings.finding import Finding, InTitle, Line, look
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.over_rows import but_first, but_last
 from mechsheet.sheet.quoted import formula, joined
 
@@ -38,6 +40,16 @@ class Limits(Finding):
             passes=on.value("passes"), none=on.text("limits.none"), found=joined(*parts, more),
         )  # fmt: skip
         return Line(symbol, count, words, levels=(look("count>0", count=cell),))
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        limits = motion.search.limits()
+        found = {self.key: Expected([float(len(limits))])}
+        if motion.search.stepped:
+            allowed = motion.place_allowed()
+            places = [motion.drivers(where) for _, where in limits]
+            places += [[]] * (len(motion.plan.searched.limits) - len(limits))
+            found |= {f"limit_{number}": Expected(place, allowed) for number, place in enumerate(places, 1)}
+        return found
 
 
 def _within_a_step(on: Reading) -> Node:
@@ -73,6 +85,20 @@ class InputEnd(Finding):
                        nowhere=on.text("rows.none"), first=on.text("input.first"), free=free,
                        within=_within_a_step(on))  # fmt: skip
 
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        search = motion.search
+        if not search.count:
+            return {self.key: Expected([])}
+        first, last = search.row_stretches[0]
+        if motion.plan.mechanism.driver.values:  # they may go to and fro
+            pick = min if self.end == "from" else max
+            found = [pick(motion.drivers(range(first, last + 1)))]
+        else:
+            row, other = (first, first - 1) if self.end == "from" else (last, last + 1)
+            inside = search.stepped and 1 <= other <= search.rows
+            found = motion.drivers((search.edges_between(row, other) if inside else []) or [float(row)])
+        return {self.key: Expected(found, motion.place_allowed())}
+
 
 class Passes(Finding):
     """Whether a group comes apart between two rows that exist, or lines of it turn parallel."""
@@ -100,3 +126,8 @@ class Passes(Finding):
 
     def in_title(self, on: Reading) -> InTitle:
         return InTitle(here=formula('IF(passes>0,"; "&dips,"")', passes=on.value(self.key), dips=on.words(self.key)))
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        if motion.search.doubtful:
+            return {}
+        return {self.key: Expected([float(bool(motion.search.holes))], warning=True, told=False)}

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+import numpy as np
+
 from livesheet.formula.nodes import Boolean, Node, Symbol, Text
+from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.search import TURN
 from mechsheet.model import Way
 from mechsheet.sheet.checks.extremes import about, about_turns, where_bounded
 from mechsheet.sheet.findings.finding import Finding, Line
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
 from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
@@ -15,6 +22,9 @@ from mechsheet.units import turn as whole_turn
 from mechsheet.words.symbols import plain
 
 HIGH_LOW: tuple[Way, Way] = ("max", "min")
+
+FLAT = 1e-4
+"""So much of its range an extreme may be off: where it is flat, its place is less sure than its value."""
 
 
 class _Extent(Finding):
@@ -38,6 +48,26 @@ class _Extent(Finding):
             about=about(on.plan, self.symbol), several=on.text("swing.several"), unsure=on.text("unsure"),
         )  # fmt: skip
         return Line(rich(self.symbol), node, said, unit, digits)
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        search = motion.search
+        found = self._extent(motion, motion.says(self.key, "rows.only"))
+        if not found and len(search.row_stretches) == 1:
+            return {}
+        if found and not motion.sure:
+            return {}
+        found = motion.as_far(self.key, found, self._extent(motion, rows_only=True))
+        least = 1e-8 * (motion.scale(self.symbol) if search.is_angle(self.symbol) else search.size)
+        return {self.key: Expected(found, motion.part(self.key) * max(found, default=0.0) + least)}
+
+    def _extent(self, motion: SearchedMotion, rows_only: bool) -> list[float]:
+        """Of one stretch, or of its rows; of several there is none."""
+        search, symbol = motion.search, self.symbol
+        extremes = search.extremes(symbol, rows_only=rows_only) if len(search.row_stretches) == 1 else None
+        if extremes is None:
+            return []
+        whole = search.is_angle(symbol) and search.is_crank(symbol)
+        return [(TURN if whole else extremes[2] - extremes[0]) * motion.scale(symbol)]
 
 
 class Swing(_Extent):
@@ -109,3 +139,41 @@ class TimeRatio(Finding):
             ways=on.text("ratio", symbol=plain(symbol)), none=on.text(none, symbol=plain(symbol)),
         )  # fmt: skip
         return Line(on.text("ratio.symbol"), node, words, style=3)
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        if not motion.sure:
+            return {}
+        ratios = self._ratios(motion)
+        part = max(motion.part(self.key), 5 * EXACT)  # two places, each with its own step beside it
+        return {self.key: Expected(ratios, part * min(ratios, default=1.0))}
+
+    def _ratios(self, motion: SearchedMotion) -> list[float]:
+        """Of extremes that are flat several are as true."""
+        search, symbol = motion.search, self.symbol
+        if search.mechanism.driver.uneven:
+            return []
+        step = abs(search.step)
+        if search.mechanism.driver.law is not None:  # its rows are equally far from each other in time
+            if abs(step * (search.rows - 1) / TURN - 1) > 1e-9:
+                return []
+            step = TURN / (search.rows - 1)
+        if (
+            search.equations.tied and step * (search.rows - 1) > 1.5 * TURN
+        ):  # gears may be back after several, or sooner
+            return []
+        turns = search.whole and search.closes_everywhere and not (search.is_angle(symbol) and search.is_crank(symbol))
+        extremes = search.extremes(symbol) if turns else None
+        if extremes is None or extremes[2] - extremes[0] < 1e-7 * (1.0 if search.is_angle(symbol) else search.size):
+            return []
+        low, at_low, high, at_high = extremes
+        ratios = []
+        for one in (at_low, *self._ties(motion, low, high - low)):
+            for other in (at_high, *self._ties(motion, high, high - low)):
+                way = abs(other - one) * step % TURN
+                if 0 < way < TURN:
+                    ratios.append(max(way, TURN - way) / min(way, TURN - way))
+        return ratios
+
+    def _ties(self, motion: SearchedMotion, best: float, span: float) -> Array:
+        near = motion.search.u[np.abs(motion.search.at[self.symbol] - best) < FLAT * span]
+        return near[:: max(1, len(near) // 20)]

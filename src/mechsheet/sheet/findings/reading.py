@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, Text
+from mechsheet.model import Way
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes, about
+from mechsheet.sheet.deleted import are_there
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.positions import places
 from mechsheet.units import behind_number
+
+NUMBERS = ">-1E+300"
+"""What every number is: a column that has none in some row is asked for its numbers only."""
 
 
 class Reading:
@@ -23,6 +28,15 @@ class Reading:
         self.rows = plan.blocks["verdicts"].rows
         self.driver = plan.mechanism.driver
         self.unit = behind_number(self.driver.unit.text)
+
+    def while_there(self, sheet: str, words: Node, otherwise: Node) -> Node:
+        """Words where a sheet that can be deleted is there, with what it needs; else others."""
+        present = are_there(self.plan, [sheet])
+        return (
+            words
+            if present is None
+            else formula("IF(present,words,otherwise)", present=present, words=words, otherwise=otherwise)
+        )
 
     # --- words ------------------------------------------------------------------------------------------------
 
@@ -46,6 +60,24 @@ class Reading:
             about=self.text("about"),
             more=about(self.plan, symbol),
         )
+
+    # --- extremes ---------------------------------------------------------------------------------------------
+
+    def extreme(self, way: Way, symbol: str) -> tuple[Node, Node]:
+        """The smallest or the largest value, in internal units, and where it occurs: between rows where it is searched."""
+        found = self.found.extremes.get((way, symbol))
+        if found is not None:
+            value: Node = found.value.cell
+            place: Node = found.occurs.cell
+        else:
+            column = Symbol(ALL + symbol)
+            value = formula(f'{way.upper()}IFS(all,all,"{NUMBERS}")', all=column)
+            place = self.driver_in_row("MATCH(value,all,0)", value=value, all=column)
+        return (formula("RADIANS(value)", value=value) if self.plan.at.spots[symbol].degrees else value), place
+
+    def doubt(self, symbol: str, *ways: Way) -> Node:
+        """What is added where an extreme is to be doubted."""
+        return about(self.plan, symbol, ways) if symbol in self.plan.found.extremes else Text("")
 
     # --- cells of findings ------------------------------------------------------------------------------------
 
