@@ -37,12 +37,15 @@ class RowsClosed(Finding):
         stretches = [stretch.words.cell for stretch in on.found.stretches]
         more = formula('IF(stretches>most," …","")', stretches=on.found.count.cell, most=len(stretches))
         count, rows = on.value(self.key), on.of_rows
+        some = joined(on.text("rows.some"), " ", *stretches, on.unit, more)
+        some = on.while_there("extremes", some, closes_in_some(on.plan, count, rows))
         words = formula(
             "IF(count=0,nowhere,IF(count=rows,everywhere,some))", count=count, rows=rows, nowhere=on.text("rows.none"),
-            everywhere=on.text("rows.all"), some=joined(on.text("rows.some"), " ", *stretches, on.unit, more),
+            everywhere=on.text("rows.all"), some=some,
         )  # fmt: skip
         return Line(
             on.text("rows"), formula("COUNTIF(said,ok)", said=said, ok=ok), words, formula("ROWS(said)", said=said),
+            itself=("words",),
             levels=(
                 bad("count=0", count=count),
                 look("count<rows", count=count, rows=rows),
@@ -52,6 +55,9 @@ class RowsClosed(Finding):
 
     def in_title(self, on: Reading) -> InTitle:
         return InTitle(here=closes_in(on.plan, on.value(self.key), on.of_rows))
+
+    def left(self, on: Reading) -> Node | str:
+        return formula('words&"; "', words=on.words(self.key))
 
     def overrules(self, on: Reading, title: Node) -> Node:
         nowhere = why_nowhere(on.plan, MEANING)
@@ -136,6 +142,12 @@ def misfit_of(motion: SearchedMotion) -> tuple[float, str]:
         if off > GAP * search.size:
             found = link_words(each.link).of(mechanism.language)
     return worst, found
+
+
+def closes_in_some(plan: Plan, count: Node, rows: Node) -> Node:
+    """In how many of how many positions, where these are not all."""
+    end = plan.text("verdict.line.positions")
+    return joined(plan.text("verdict.line.closes"), " ", count, " / ", rows, end)
 
 
 def closes_in(plan: Plan, count: Node, rows: Node) -> Node:

@@ -63,6 +63,7 @@ class Line:
     unit    of the value; a formula is the number of rows that the value is of
     style   of the value, or only its decimals
     place   where it occurs, a value of the driver;  beside: what else stands in its place, in a style of its own
+    itself  those of its cells that say themselves what is left where another sheet was deleted
     levels  the first that holds counts
     rules   colours of other cells that follow from it
     """
@@ -74,6 +75,7 @@ class Line:
     style: int | Style = 0
     place: Node | None = None
     place_style: Style | None = None
+    itself: Sequence[Literal["value", "words"]] = ()
     levels: Sequence[Level] = ()
     rules: Sequence[Conditional] = ()
 
@@ -97,9 +99,11 @@ class Finding:
 
     key     the name of its cell, in every language
     placed  whether it says where in the motion it occurs: that cell is `key`_at
+    needs   keys of other sheets without which nothing can be said, beside those that its formulas read
     """
 
     key: str
+    needs: Sequence[str] = ()
     placed: bool = False
 
     def line(self, on: Reading) -> Line:
@@ -109,6 +113,10 @@ class Finding:
     def in_title(self, on: Reading) -> InTitle:
         """What it adds to the line under the title where all is well."""
         return InTitle()
+
+    def left(self, on: Reading) -> Node | str:
+        """What it says in the line under the title, with "; " behind it, where another sheet was deleted."""
+        return ""
 
     def overrules(self, on: Reading, title: Node) -> Node:
         """The line under the title, if what it says comes before all else that `title` would say."""

@@ -10,13 +10,14 @@ from mechsheet.sheet.findings import cam, closing, forces, limits, newton, rates
 from mechsheet.sheet.findings.finding import Finding
 from mechsheet.sheet.findings.four_bars import FourBarType
 from mechsheet.sheet.findings.inputs import Inputs
+from mechsheet.sheet.findings.other_sheets import OtherSheets
 from mechsheet.sheet.findings.task import Task
 from mechsheet.sheet.findings.transmission import Transmission
 
 
 def findings_of(mechanism: Mechanism, found: Classification) -> list[Finding]:
     """The findings of a workbook of several sheets; `found`: what can be said of the mechanism."""
-    return [*_closing(found), *_motion(found), *_effort(mechanism, found)]
+    return [OtherSheets(), *_closing(found), *_motion(found), *_effort(mechanism, found)]
 
 
 def _closing(found: Classification) -> Iterator[Finding]:

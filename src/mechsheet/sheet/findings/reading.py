@@ -6,6 +6,7 @@ from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.model import Way
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes, about
+from mechsheet.sheet.deleted import are_there
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.positions import places
@@ -27,6 +28,15 @@ class Reading:
         self.rows = plan.blocks["verdicts"].rows
         self.driver = plan.mechanism.driver
         self.unit = behind_number(self.driver.unit.text)
+
+    def while_there(self, sheet: str, words: Node, otherwise: Node) -> Node:
+        """Words where a sheet that can be deleted is there, with what it needs; else others."""
+        present = are_there(self.plan, [sheet])
+        return (
+            words
+            if present is None
+            else formula("IF(present,words,otherwise)", present=present, words=words, otherwise=otherwise)
+        )
 
     # --- words ------------------------------------------------------------------------------------------------
 

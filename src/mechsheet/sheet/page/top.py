@@ -363,7 +363,7 @@ class Top(Cells):
             missed = formula("number>0", number=number)
             doubts = task.doubtful(plan, met)
         good = formula("IF(n=0,nowhere,good)", n=count, good=closes, nowhere=why_nowhere(plan, MEANING))
-        words = inputs.words(plan, wrong, there, good)
+        words = inputs.words(plan, wrong, inputs.where_it_is(plan, there, good))
         self.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))
