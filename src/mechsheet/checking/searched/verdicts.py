@@ -10,7 +10,7 @@ import numpy as np
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.search import TURN, Search
-from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.checks.search_rules import STRETCHES
 from mechsheet.sheet.classification import Classification, FourBar
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.plan import Plan
