@@ -19,12 +19,12 @@ ROOT = Path(__file__).parent.parent / "generated"
 ASKED = {
     "four-bar.xlsx": ("a1", ("mu_min", "swing", "verdict", "Positions!P4:Q28")),
     "slider-crank.xlsx": ("a2", ("verdict", "Positions!A4:H28")),
-    "jansen.xlsx": ("j_", ("step_length", "verdict")),
+    "jansen.xlsx": ("j_1", ("step_length", "verdict")),
 }
 """Workbook -> the dimension that is set, and what is read."""
 ROUND, SETTLED = 50, 20
 """Answers of a round; answers before anything is measured, after which all code is made."""
-GOALS = {("four-bar.xlsx", "mu_min"): 300, ("four-bar.xlsx", "swing"): 300}
+GOALS = {("four-bar.xlsx", "mu_min"): 500, ("four-bar.xlsx", "swing"): 500}
 """Answers a second on the machine of docs/speed.md."""
 
 

@@ -26,11 +26,12 @@ ROWS = table()
 
 
 def modules_with(pattern):
-    """Modules of the program whose text holds a pattern, below the package that they are in."""
+    """Modules and catalogues of the program whose text holds a pattern, below the package that they are in."""
     return {
         path.relative_to(package).as_posix()
         for package in PACKAGES
-        for path in package.rglob("*.py")
+        for kind in ("py", "po")
+        for path in package.rglob(f"*.{kind}")
         if re.search(pattern, path.read_text(encoding="utf-8"))
     }
 
@@ -62,6 +63,14 @@ def test_files_are_there_and_few(change):
 def test_a_dyad_is_named_in_no_other_module():
     files = ROWS["a kind of dyad"]
     assert all(covered(module, files) for module in modules_with(r'"RPR"')), modules_with(r'"RPR"')
+
+
+def test_what_is_no_formula_is_a_case_in_no_other_module():
+    """One that writes such a thing into its equations names it, too: a case is what tells it from others."""
+    row = next(change for change in ROWS if change.startswith("a thing in the list of equations"))
+    cases = modules_with(r"case TriangleAngle\(")
+    assert {"kinematics/numeric.py", "exporting/lowering.py", "sheet/columns/lowering.py"} <= cases
+    assert all(covered(module, ROWS[row]) for module in cases), cases
 
 
 def test_a_worksheet_function_is_named_in_its_table_and_its_kernel():

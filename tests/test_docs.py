@@ -15,10 +15,15 @@ import openpyxl
 import pytest
 
 import mechsheet
+from livesheet.engine import evaluate
+from livesheet.formats import read
 from livesheet.formula.functions import FUNCTIONS
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import cell_name
+from mechsheet import reference as independent
 from mechsheet.cli import main as commands
 from mechsheet.compiled import Compiled
-from mechsheet.description import Overrides, loads
+from mechsheet.description import Overrides, load, loads
 from mechsheet.description.grammar import Either, Items, Kinds, Named, Shape, Table
 from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.templates import template_names
@@ -341,3 +346,27 @@ def test_the_example_of_the_spreadsheet_library(monkeypatch, tmp_path):
     (example,) = re.findall(r"```python\n(.*?)```", (DOCS / "livesheet.md").read_text(encoding="utf-8"), re.DOTALL)
     exec(compile(example, "livesheet.md", "exec"), {})
     assert openpyxl.load_workbook("plan.xlsx", data_only=True)["Plan"]["C11"].value == pytest.approx(1000 * 1.05**10)
+
+
+def test_one_number_on_its_way():
+    """What the page says of A.x at each stage is there."""
+    page = (DOCS / "architecture.md").read_text(encoding="utf-8")
+    mechanism = load(ROOT / "templates" / "four-bar.toml")
+    compiled = Compiled(mechanism)
+    plan = compiled.plan
+    said = print_formula(compiled.equations.of("A.x").expression, "text")
+    spot, length, angle = (plan.at.spots[name] for name in ("A.x", "a2", "theta12"))
+    (fill,) = (fill for fill in compiled.workbook.sheets[1].fills if (fill.row, fill.col) == (spot.row, spot.col))
+    book = read(ROOT / "generated" / "four-bar.xlsx")
+    (block,) = (block for block in book.sheets[1].blocks if block.col == spot.col)
+    row = spot.row + 4
+    assert plan.given["theta12"][4] == pytest.approx(math.radians(60))
+    assert f"`A.x = {said}`" in page
+    assert f"`{print_formula(fill.formula)}`" in page
+    assert (fill.rows, block.rows) == (25, 25)
+    assert f"17.5 for {cell_name(row, spot.col)}:" in page
+    assert [cell_name(each.row, each.col) for each in (spot, length)] == ["D4", "B12"]
+    assert angle.degrees and angle.col == 1
+    assert evaluate(book).get("Positions", row, spot.col) == pytest.approx(17.5)
+    place = independent.solve(mechanism).points["A"][4]
+    assert place == pytest.approx((17.5, 30.31), abs=5e-3)

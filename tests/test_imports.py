@@ -33,7 +33,7 @@ ALLOWED = {
     "reference": {"model", "livesheet.formula.nodes"},
     # tasks and the steps of their solutions, as dimensions that follow from others
     "synthesis": {"livesheet.portable", "model", "livesheet.formula", "units", "words"},
-    "description": {"livesheet.portable", "model", "livesheet.formula", "units", "synthesis"},
+    "description": {"livesheet.portable", "model", "livesheet.formula", "units", "synthesis", "words.catalogue"},
     "kinematics": {"livesheet.portable", "model", "livesheet.formula", "units", "words"},
     # forces, from what is solved already; kinematics knows nothing of them
     "dynamics": {"livesheet.portable", "model", "livesheet.formula", "kinematics", "units", "words"},
@@ -114,6 +114,7 @@ ALLOWED["homework"] = {
     "kinematics.means",
     # the figure of a task, drawn as the first sheet draws
     "shapes.positions",
+    "shapes.colors",
     "sheet.drawing.drawing",
     "sheet.drawing.frames",
     "compiled",
@@ -302,6 +303,7 @@ SHEET = (
         "plan",
         "driving",
         "over_rows",
+        "deleted",
         "shown",
         "cells",
         "transmission",
@@ -313,7 +315,9 @@ SHEET = (
     {"checks"},
     {"drawing"},
     {"synthesis"},
-    # the first sheet says what all of these find; notes and tables asked for repeat it in words and for other dimensions
+    # what can be said of the motion, of what all of these find
+    {"findings"},
+    # the first sheet says it; notes and tables asked for repeat it in words and for other dimensions
     {"first"},
     {"notes", "asked"},
     # everything gets its place

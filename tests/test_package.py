@@ -38,7 +38,8 @@ def test_contents(wheel):
         "plotting/page.js",
     }
     page = {f"drawing_page/page/{path.name}" for path in (source / "drawing_page" / "page").iterdir()}
-    assert inside == modules | templates | data | page
+    catalogues = {f"words/catalogues/{path.stem}.mo" for path in (source / "words" / "catalogues").glob("*.po")}
+    assert inside == modules | templates | data | page | catalogues
     assert "templates/mechsheet.schema.json" in templates
     library = {name for name in names if name.startswith("livesheet/")}
     beside = {path.relative_to(ROOT / "src").as_posix() for path in (ROOT / "src" / "livesheet").rglob("*.py")}
@@ -58,7 +59,7 @@ def test_the_source_archive_holds_what_the_wheel_is_built_from(wheel, tmp_path):
     alone = {"hatch_build.py", "pyproject.toml", "README.md", "CHANGELOG.md", "LICENSE", "PKG-INFO", ".gitignore"}
     assert rooms == {"src", "templates", *alone}
     inside = {name for name in zipfile.ZipFile(wheel).namelist() if name.startswith(("mechsheet/", "livesheet/"))}
-    assert {f"src/{name}" for name in inside if "/templates/" not in name} <= names
+    assert {f"src/{name}".replace(".mo", ".po") for name in inside if "/templates/" not in name} <= names
     assert {f"templates/{Path(name).name}" for name in inside if "/templates/" in name} <= names
 
 

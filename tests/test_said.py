@@ -2,8 +2,12 @@
 
 import pickle
 
-from livesheet.said import in_turkish, reason, say
-from mechsheet.model import Words
+from livesheet.said import reason, say, translated
+from mechsheet.model import Label
+
+
+def in_turkish(text, patterns):
+    return translated(text, lambda pattern: patterns.get(pattern, pattern), "tr")
 
 
 def test_a_message_is_a_text_like_any_other():
@@ -27,7 +31,7 @@ def test_parts_are_translated_inside_out_and_names_stay():
 
 
 def test_words_of_both_languages_are_taken_from_each():
-    text = say("between {group}", group=Words("links 3, 4", "3, 4 uzuvları"))
+    text = say("between {group}", group=Label("links 3, 4", (("tr", "3, 4 uzuvları"),)))
     assert text == "between links 3, 4"
     assert in_turkish(text, {"between {group}": "{group} arasında"}) == "3, 4 uzuvları arasında"
 

@@ -1,21 +1,23 @@
 """Messages that know what they are made of, so that they can be said in another language, too.
 
 A message is written in English where it is raised, `say("no link is called {name}", name=name)`. It is a text like any
-other, and keeps its pattern and its parts; `words/messages/` has the Turkish of every pattern.
+other, and keeps its pattern and its parts, so that a catalogue of GNU gettext can say it in another language.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, Protocol, runtime_checkable
+from collections.abc import Callable, Mapping
+from typing import Any
 
 
-@runtime_checkable
-class InBoth(Protocol):
-    """What has words of its own in both languages, as the label of a group has."""
+class Words:
+    """What has a wording in every language, as the label of a group has."""
 
-    en: str
-    tr: str
+    __slots__ = ()
+
+    def of(self, language: str) -> str:
+        """The wording in a language."""
+        raise NotImplementedError
 
 
 class Said(str):
@@ -27,7 +29,9 @@ class Said(str):
 
 def say(pattern: str, /, **parts: Any) -> Said:
     """The text of a pattern, `{name}` standing for a part as in `str.format`; without parts the pattern as it stands."""
-    text = Said(_filled(pattern, {name: part.en if isinstance(part, InBoth) else part for name, part in parts.items()}))
+    text = Said(
+        _filled(pattern, {name: part.of("en") if isinstance(part, Words) else part for name, part in parts.items()})
+    )
     text.pattern, text.parts = pattern, parts
     return text
 
@@ -38,18 +42,18 @@ def reason(error: Exception) -> str:
     return first if isinstance(first, Said) else str(error)
 
 
-def in_turkish(text: str, patterns: Mapping[str, str]) -> str:
-    """A text with its patterns replaced, English -> Turkish; what is not said, or has no Turkish, stays as it is."""
-    if not isinstance(text, Said):
-        return text
-    parts = {name: _part_in_turkish(part, patterns) for name, part in text.parts.items()}
-    return _filled(patterns.get(text.pattern, text.pattern), parts)
+def translated(text: str, gettext: Callable[[str], str], language: str) -> str:
+    """A text with its patterns looked up by `gettext`; what was not said stays as it is."""
+    if not isinstance(text, Said) or not text:
+        return text  # of "" a catalogue knows who has made it
+    parts = {name: _part_translated(part, gettext, language) for name, part in text.parts.items()}
+    return _filled(gettext(text.pattern), parts)
 
 
-def _part_in_turkish(part: Any, patterns: Mapping[str, str]) -> Any:
-    if isinstance(part, InBoth):
-        return part.tr
-    return in_turkish(part, patterns) if isinstance(part, str) else part
+def _part_translated(part: Any, gettext: Callable[[str], str], language: str) -> Any:
+    if isinstance(part, str):
+        return translated(part, gettext, language)
+    return part.of(language) if isinstance(part, Words) else part
 
 
 def _filled(pattern: str, parts: Mapping[str, Any]) -> str:

@@ -19,6 +19,7 @@ from mechsheet.model import (
     Distances,
     Driver,
     Joint,
+    Label,
     Link,
     Mechanism,
     Output,
@@ -26,7 +27,6 @@ from mechsheet.model import (
     Sketch,
     Summary,
     TableRequest,
-    Words,
 )
 from mechsheet.units import DEG, NUMBER, RAD, unit_of
 
@@ -49,8 +49,8 @@ def test_four_bar() -> None:
     }
     assert load(path) == Mechanism(
         name="four-bar",
-        title=Words("four-bar", "four-bar"),
-        source=Words("", ""),
+        title=Label("four-bar"),
+        source=Label(""),
         length_unit="mm",
         angle_unit=DEG,
         dimensions=tuple(Dimension(name, value, MM, shown=value) for name, value in values.items()),
@@ -115,21 +115,21 @@ def test_layout_of_the_workbook() -> None:
 
 def test_every_key_head(everything: Mechanism) -> None:
     assert everything.name == "every-key_1"
-    assert everything.title == Words("Every key", "Her anahtar")
-    assert everything.source == Words("first line\nsecond line", "first line\nsecond line")
+    assert everything.title == Label("Every key", (("tr", "Her anahtar"),))
+    assert everything.source == Label("first line\nsecond line")
     assert (everything.length_unit, everything.angle_unit) == ("cm", RAD)
     assert (everything.language, everything.references) == ("tr", "anchors")
 
 
 def test_every_key_dimensions(everything: Mechanism) -> None:
-    label = Words("crank A0A", "krank A0A")
+    label = Label("crank A0A", (("tr", "krank A0A"),))
     assert everything.dimensions == (
         Dimension("a1", 7.0, CM, shown=7.0),
         Dimension("a2", 3.5, CM, label=label, cell="Krank", tolerance=0.1, shown=3.5),
         Dimension("phi0", math.radians(30), DEG, tolerance=0.5, shown=30.0),
         Dimension("half", 0.5, NUMBER, shown=0.5),
         Dimension("turn", 1.5, RAD, shown=1.5),
-        derived("late", "2*early", CM, label=Words("late", "late")),
+        derived("late", "2*early", CM, label=Label("late")),
         derived("early", "a1*half", CM),
         derived("gamma3", "acos(half)", DEG, cell="Gama.3"),
     )
@@ -142,7 +142,7 @@ def test_every_key_links(everything: Mechanism) -> None:
     assert [link.angle_symbol for link in everything.links[1:]] == ["theta12", "theta16", "theta17", "theta1_10"]
     assert ground.points["B0"] == Polar(Symbol("a1"), Unary("-", Symbol("phi0")))
     assert list(crank.points) == ["A0", "A"]
-    assert coupler.label == Words("biyel", "biyel")
+    assert coupler.label == Label("biyel")
     assert coupler.points["C"] == Distances("B", 5.0, "A", parse_description("2*a2"), "right")
     assert block.points == {"C": ORIGIN}
     assert rod.points == {"D": Polar(2.0, 0.25)}
@@ -160,19 +160,19 @@ def test_every_key_results(everything: Mechanism) -> None:
     assert everything.driver == Driver("theta62", RAD, "crank", "coupler", values=(0.0, 1.5, Symbol("phi0")))
     assert everything.sketch == Sketch({"B": (50.0, Symbol("a1"))}, {"theta16": 0.75, "s17": parse_description("2*a1")})
     assert everything.outputs == (
-        Output("mu", parse_description("theta12 - theta16"), DEG, Words("angle", "angle"), "Mu_1"),
+        Output("mu", parse_description("theta12 - theta16"), DEG, Label("angle"), "Mu_1"),
         Output("xc", parse_description("C.x + B0.y"), CM),
     )
     assert everything.summaries == (
-        Summary("stroke", "s17", TAKES["range"], Words("stroke", "kurs"), "Kurs"),
+        Summary("stroke", "s17", TAKES["range"], Label("stroke", (("tr", "kurs"),)), "Kurs"),
         Summary("top", "C.y", TAKES["max"]),
     )
     assert everything.charts == (
-        ChartRequest(Words("angles", "angles"), "theta62", ("theta12", "mu", "C.x")),
+        ChartRequest(Label("angles"), "theta62", ("theta12", "mu", "C.x")),
         ChartRequest(paths=("C", "B")),
     )
     columns = (math.radians(10), math.radians(20), parse_description("pi/6"))
-    assert everything.tables == (TableRequest("theta62", "phi0", columns, "xc", Words("two ways", "two ways")),)
+    assert everything.tables == (TableRequest("theta62", "phi0", columns, "xc", Label("two ways")),)
 
 
 def changed(*pairs: tuple[str, str]) -> Mechanism:

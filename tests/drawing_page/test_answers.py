@@ -9,6 +9,7 @@ import mechsheet
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.drawing_page.answers import Studio
 from mechsheet.drawing_page.questions import Refusal
+from mechsheet.words.catalogue import is_key
 
 TEXT = mechsheet.template("four-bar").text
 
@@ -87,12 +88,16 @@ def test_a_workbook_is_that_of_build(tmp_path):
     assert "Açılar" in zipfile.ZipFile(BytesIO(content)).read("xl/sharedStrings.xml").decode()
 
 
-@pytest.mark.slow
-def test_check_says_what_the_command_line_says(tmp_path):
-    lines = Studio(None).answer("check", {"text": TEXT})["lines"]
-    assert lines[0].startswith("closes in all 25 positions")
-    assert lines[1] == "mechanism.xlsx: all agree"
-    assert any(line.split()[0] == "reference" for line in lines)
+def test_the_check_says_whether_the_workbook_is_right_and_by_whom():
+    answer = Studio(None).answer("check", {"text": TEXT})
+    assert answer["agrees"]
+    assert answer["verdict"].startswith("closes in all 25 positions")
+    assert {each["judge"]: each["agrees"] for each in answer["judges"]} == {
+        "stored values": True,
+        "reference": True,
+        "search": True,
+    }
+    assert all(is_key(f"draw.check.by.{each['judge']}") for each in answer["judges"])
 
 
 @pytest.mark.parametrize(
@@ -134,10 +139,14 @@ def test_what_cannot_be_joined_is_told_in_turkish_with_the_links_in_turkish():
     assert faults[0]["links"] == ["coupler", "rocker"]
 
 
-@pytest.mark.slow
-def test_the_check_is_told_in_the_language_of_the_page(tmp_path):
+def test_the_check_is_told_in_the_language_of_the_workbook(tmp_path):
     path = tmp_path / "mine.toml"
     path.write_text(TEXT, encoding="utf-8")
-    lines = Studio(path).answer("check", {"text": TEXT, "language": "tr", "spoken": "tr"})["lines"]
-    assert lines[1] == "mine.xlsx: hepsi uyuşuyor"
-    assert all("uyuşuyor" in line for line in lines[2:])
+    answer = Studio(path).answer("check", {"text": TEXT, "language": "tr", "spoken": "tr"})
+    assert answer["verdict"].startswith("25 konumun hepsinde")
+
+
+def test_a_length_may_have_its_unit():
+    assert Studio(None).answer("length", {"text": TEXT, "value": "2 cm"}) == {"length": 20}
+    with pytest.raises(MechsheetError, match="kg"):
+        Studio(None).answer("length", {"text": TEXT, "value": "2 kg"})

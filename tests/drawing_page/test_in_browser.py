@@ -62,14 +62,14 @@ def test_a_number_that_is_typed_moves_the_drawing(opening, four_bar):
 
 
 def test_what_is_not_drawn_is_inserted_and_undone(opening, four_bar):
-    """The menu over the text writes a force with names of the drawing, goes there, and undo takes it away."""
+    """The menu over the text writes masses with names of the drawing, goes there, and undo takes it away."""
     opened = opening(four_bar)
     before = opened.text()
-    opened.page.select_option("#insert", "force")
+    opened.page.select_option("#insert", "masses")
     opened.said(re.compile(r"Written into the description, lines \d+ to \d+"))
     area = "document.querySelector('#text')"
-    assert opened.page.evaluate(f"{area}.value.slice({area}.selectionStart, {area}.selectionEnd)") == "[[loads]]"
-    assert 'link = "rocker"' in opened.text()
+    chosen = opened.page.evaluate(f"{area}.value.slice({area}.selectionStart, {area}.selectionEnd)")
+    assert chosen.startswith("m_crank = {")
     opened.page.click("#undo")
     assert opened.text() == before
 
@@ -102,7 +102,7 @@ def test_a_four_bar_is_drawn_with_the_mouse_and_becomes_a_workbook(opening, tmp_
         )
     page.click("#tab-workbook")
     page.click("#check")
-    opened.said("mechanism.xlsx: all agree")
+    opened.said("The workbook is right")
     with page.expect_download() as download:
         page.click("#get-xlsx")
     workbook = tmp_path / download.value.suggested_filename
@@ -256,7 +256,7 @@ def test_a_picture_lies_behind_and_is_scaled_by_two_clicks(opening, four_bar):
     page.click("#picture-scale")
     opened.click((0, 0))
     opened.click((20, 0))
-    page.fill("#ask-input", "50")
+    page.fill("#ask-input", "5 cm")
     page.keyboard.press("Enter")
     opened.until("async before => (await import('./state.js')).state.picture.width !== before", before)
     assert page.evaluate(width) == pytest.approx(2.5 * before, rel=0.02)
@@ -487,3 +487,91 @@ def test_a_point_and_a_link_are_renamed_by_double_click_everywhere_in_the_text(o
     page.click("#undo")
     page.click("#undo")
     assert opened.text() == before
+
+
+def test_loads_masses_and_the_speed_are_drawn_and_typed_with_their_units(opening, four_bar):
+    """A force by its arrow, a spring to a free place, a bar's mass, the speed: each with the mouse; then their numbers."""
+    opened = opening(four_bar)
+    page = opened.page
+
+    def click(place):
+        page.mouse.click(*place)
+
+    def answer(value, shape=None):
+        if shape:
+            page.select_option("#ask-list", shape)
+        page.fill("#ask-input", value)
+        page.keyboard.press("Enter")
+        opened.quiet()
+
+    (cx, cy), (bx, by), (px, py) = (opened.place(point) for point in ("C", "B", "B0"))
+    page.click("#tool-force")
+    click((cx, cy))
+    click((cx + 80, cy))
+    answer("0.2 kN")
+    assert "force = [200, 0]" in opened.text()
+    page.click("#tool-spring")
+    click((bx, by))
+    click((bx + 150, by))
+    answer("2 N/mm")
+    assert page.locator(".acting.spring").count() == 1
+    page.click("#tool-mass")
+    click(((bx + px) / 2, (by + py) / 2))
+    answer("500 g", "bar")
+    assert 'center = ["a4/2", 0]' in opened.text()
+    assert page.locator("[data-name=m_rocker]").input_value() == "0.5"
+    page.keyboard.press("v")
+    for name, typed, shown in (
+        ("driver.speed", "1 rev/s", "60"),
+        ("loads[2].stiffness", "3000 N/m", "3"),
+        ("a2", "3.2 cm", "32"),
+    ):
+        field = page.locator(f'[data-name="{name}"]')
+        field.fill(typed)
+        field.press("Enter")
+        opened.until(f"""document.querySelector('[data-name="{name}"]').value === '{shown}'""")
+    page.click("#velocities")
+    opened.until("document.querySelector('.acting.velocity') !== null")
+    page.set_viewport_size({"width": 1366, "height": 768})
+    page.click("#tab-workbook")
+    page.click("#check")
+    opened.said("The workbook is right")
+    result, panel = (page.locator(each).bounding_box() for each in ("#results", "#workbook"))
+    assert result["y"] + result["height"] <= panel["y"] + panel["height"] <= 768
+    assert "xlsx:" not in page.locator("#results").text_content()
+
+
+def test_wheels_loads_and_masses_are_drawn_and_deleted_by_the_mouse(opening, four_bar):
+    opened = opening(four_bar)
+    page, before = opened.page, opened.text()
+
+    def answer(value):
+        page.fill("#ask-input", value)
+        page.keyboard.press("Enter")
+        opened.quiet()
+
+    def middle(first, second):
+        return [(a + b) / 2 for a, b in zip(opened.place(first), opened.place(second), strict=True)]
+
+    page.click("#tool-gear")
+    page.mouse.click(*middle("A0", "A"))
+    opened.click((-60, 20))
+    answer("-20/30")
+    assert page.locator(".acting.gear").count() == 2
+    wheel = opened.text()
+    page.click("#tool-torque")
+    page.mouse.click(*middle("B0", "B"))
+    answer("3 N m")
+    page.click("#tool-mass")
+    page.mouse.click(*middle("B0", "B"))
+    answer("2")
+    page.click("#tool-delete")
+    page.mouse.click(*middle("B0", "B"))
+    opened.until("document.querySelector('.acting.mass') === null")
+    head = page.locator(".acting.torque").first.bounding_box()
+    page.mouse.click(head["x"] + 1, head["y"] + head["height"] / 2)
+    opened.until("document.querySelector('.acting.torque') === null")
+    assert opened.text().split() == wheel.split()
+    for _ in range(5):
+        page.click("#undo")
+    opened.until("before => document.querySelector('#text').value === before", before)

@@ -66,6 +66,7 @@ def conditions(below):
             st.lists(single, min_size=1, max_size=2),
         )
         | single.map(lambda c: Call("NOT", (c,)))
+        | st.builds(Binary, st.sampled_from(["=", "<>"]), single, single)
     )
 
 

@@ -46,7 +46,7 @@ def test_links_pass_their_points(tmp_path):
     points = points_of_dxf(path)
     lines = {line.dxf.layer: line for line in ezdxf.readfile(path).modelspace().query("LWPOLYLINE")}
     for link in mechanism.links[1:]:
-        corners = np.array([corner[:2] for corner in lines[link.label.en if link.label else link.name]])
+        corners = np.array([corner[:2] for corner in lines[link.label.of("en") if link.label else link.name]])
         for point in link.points:
             assert np.hypot(*(corners - points[point]).T).min() < 1e-9 * 70, (link.name, point)
     (svg,) = export(mechanism, "svg", tmp_path / "it.svg", at=75)

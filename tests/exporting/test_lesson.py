@@ -77,8 +77,8 @@ def test_the_five_link_is_the_texts(fivelink):
 def test_it_follows_dimensions_and_modes(fivelink, settings):
     """Alfa1 and SabitUzuv were found to be what the loop needs: they are so for other dimensions, too."""
     found = recalc(fivelink, settings).values
-    assert all(found.get(TITLE.tr, DIFFERENCE_ROW, col) < 1e-10 for col in (4, 5))
-    assert all(isinstance(value, float) for value in found.column(TITLE.tr, 3, FIRST, FIRST + 18))
+    assert all(found.get(TITLE.of("tr"), DIFFERENCE_ROW, col) < 1e-10 for col in (4, 5))
+    assert all(isinstance(value, float) for value in found.column(TITLE.of("tr"), 3, FIRST, FIRST + 18))
 
 
 @pytest.mark.cases(1)
@@ -88,7 +88,7 @@ def test_every_chain_gives_the_angles_of_the_table(name):
     chain = chain_of(compiled)
     assert chain
     workbook = computed(functions_workbook(compiled, "lambda"))
-    (sheet,) = (sheet for sheet in workbook.sheets if sheet.title == TITLE.en)
+    (sheet,) = (sheet for sheet in workbook.sheets if sheet.title == TITLE.of("en"))
     worst = [fill.values[0] for fill in sheet.fills if fill.row == DIFFERENCE_ROW]
     assert len(worst) == len(chain)
     assert max(worst) < 1e-10 * max(1.0, largest_length(compiled.mechanism, dimension_values(compiled.mechanism)))

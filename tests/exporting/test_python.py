@@ -13,7 +13,7 @@ from mechsheet.description import load, loads
 from mechsheet.exporting import export
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.solve import solve
-from mechsheet.model import Words
+from mechsheet.model import Label
 
 RUNNER = """
 import importlib.util, pathlib, sys, warnings
@@ -112,7 +112,7 @@ def test_printed_table_is_that_of_csv(tmp_path):
 
 def test_texts_of_the_description_stay_texts(tmp_path):
     given = load(next(path for path in TEMPLATES if path.stem == "four-bar"))
-    hostile = Words(*['x """ \\ " end\nimport os\n#\u2028import os'] * 2)
+    hostile = Label('x """ \\ " end\nimport os\n#\u2028import os')
     dims = tuple(replace(dim, label=hostile) for dim in given.dimensions)
     (module,) = export(
         replace(given, title=hostile, source=hostile, dimensions=dims, length_unit='"""\nimport os'), "python",
@@ -142,6 +142,22 @@ def test_modes_are_arguments(tmp_path):
     run_all(tmp_path)
     found = loaded(tmp_path, "mirror")
     assert worst_against_reference(mechanism, found, modes={"mode_1": -mode}) < 1e-9
+
+
+IMPOSSIBLE = [{"a2": -35.0}, {"a3": 0.0}, {"mode_1": 3.0}, {"mode_1": 0.0}]
+
+
+def test_what_a_workbook_refuses_has_no_positions(tmp_path):
+    """A length between joints that is not above 0, a mode that is neither 1 nor -1: the crank alone has an angle."""
+    mechanism = load(next(path for path in TEMPLATES if path.stem == "four-bar"))
+    for number, changes in enumerate([{}, *IMPOSSIBLE]):
+        export(mechanism, "python", tmp_path / f"four_bar_{number}.py")
+        (tmp_path / f"four_bar_{number}.changes").write_text(repr(changes))
+    run_all(tmp_path)
+    for number in range(len(IMPOSSIBLE) + 1):
+        found = loaded(tmp_path, f"four_bar_{number}")
+        assert np.isfinite(found["theta14"]).any() == (number == 0)
+        assert np.isfinite(found["theta12"]).all()
 
 
 def test_a_mechanism_without_dimensions_or_modes(tmp_path):

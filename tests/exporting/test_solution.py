@@ -14,7 +14,7 @@ from mechsheet.description import Overrides, load, loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting import Job, export, latex, markdown
 from mechsheet.exporting.mathtext import point_math, symbol_math
-from mechsheet.model import Words
+from mechsheet.model import Label
 
 BY_NAME = {path.stem: path for path in TEMPLATES}
 PUBLISHED = Path(__file__).parent.parent / "data" / "published" / "worked-values.toml"
@@ -113,7 +113,7 @@ def test_where_there_is_no_position(tmp_path):
 
 @pytest.mark.slow
 def test_texts_of_the_description_stay_texts():
-    hostile = Words(*[r"\input{x} $y$ #1 50% a_b ^~ | `c` <d> *e* & → ğ"] * 2)
+    hostile = Label(r"\input{x} $y$ #1 50% a_b ^~ | `c` <d> *e* & → ğ")
     given = load(BY_NAME["four-bar"])
     dims = tuple(replace(dim, label=hostile) for dim in given.dimensions)
     mechanism = replace(given, title=hostile, source=hostile, dimensions=dims)

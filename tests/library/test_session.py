@@ -21,6 +21,7 @@ from livesheet.engine.fast.cell_codes import CellCodes
 from livesheet.formula.book import BookBuilder
 from livesheet.formula.nodes import ErrorValue
 from livesheet.formula.parser import parse_formula
+from livesheet.time_limit import TimeLimitError
 from mechsheet.library.session import Session
 
 ROOT = Path(__file__).parent.parent.parent
@@ -230,6 +231,35 @@ def test_only_what_depends_on_the_change_and_is_asked_for_is_computed(monkeypatc
     assert ran == [0, 2]
     assert session.get("S!G2") == 8.0
     assert ran == [0, 2, 1, 3]
+
+
+def test_what_reads_the_same_as_before_is_not_computed_again(monkeypatch):
+    session = Session(columns("IF($A$1>0,$B$1,0)", "D1+1", "E1&$A$2"))
+    ran = steps_run(session, monkeypatch)
+    session.set("S!A1", 9.0)
+    assert session.get("S!F1") == "62"
+    assert ran == [0]
+    session.set("S!A1", -9.0)
+    assert session.get("S!D1") == 0.0
+    session.set("S!A1", -8.0)  # what reads D1 has not been asked for since it changed
+    assert session.get("S!F1") == "12"
+    assert ran == [0, 0, 0, 1, 2]
+
+
+def test_what_was_not_finished_is_computed_the_next_time(monkeypatch):
+    session = Session(columns("$A$1*2", "D1+1", "E1+1"))
+    steps = session._live.plan.steps
+
+    def out_of_time(ev, marks, run=steps[1].run):
+        run(ev, marks)
+        raise TimeLimitError("not finished")
+
+    session.set("S!A1", 9.0)
+    with monkeypatch.context() as patch:
+        patch.setattr(steps[1], "run", out_of_time)
+        with pytest.raises(TimeLimitError):
+            session.get("S!F1")
+    assert session.get("S!F1") == 20.0
 
 
 def test_values_of_every_kind():

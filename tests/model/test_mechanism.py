@@ -7,7 +7,7 @@ import pytest
 from livesheet.formula.nodes import Symbol
 from livesheet.formula.parser import parse_description
 from mechsheet.description import loads
-from mechsheet.model import Dimension, Link, Words
+from mechsheet.model import Dimension, Label, Link
 from mechsheet.units import RAD
 
 TEXT = """
@@ -43,7 +43,7 @@ def test_a_model_cannot_be_changed(crank):
 
 
 def test_words_in_both_languages():
-    assert [Words("crank", "krank").of(language) for language in ("en", "tr")] == ["crank", "krank"]
+    assert [Label("crank", (("tr", "krank"),)).of(language) for language in ("en", "tr")] == ["crank", "krank"]
 
 
 @pytest.mark.parametrize(("number", "symbol"), [(2, "theta12"), (9, "theta19"), (10, "theta1_10")])

@@ -155,4 +155,4 @@ def test_templates_state_the_slips_that_concern_them():
     for name in ("four-bar", "slider-crank", "fivelink", "adjustable-pump", "six-link-dwell"):
         comment = (TEMPLATES / f"{name}.toml").read_text(encoding="utf-8").partition("format = 1")[0]
         assert "docs/errata.md" in comment, name
-        assert load(TEMPLATES / f"{name}.toml").source.en.startswith("Eres Söylemez"), name
+        assert load(TEMPLATES / f"{name}.toml").source.of("en").startswith("Eres Söylemez"), name

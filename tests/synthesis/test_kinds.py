@@ -5,6 +5,7 @@ import math
 import pytest
 from laid import Laid
 
+from catalogues import added
 from mechsheet.description import loads
 from mechsheet.description.asked.schema import SYNTHESIS
 from mechsheet.description.grammar import Key, Number, Table, Text
@@ -13,7 +14,6 @@ from mechsheet.reference import dimension_values
 from mechsheet.reference.synthesis import results
 from mechsheet.synthesis import kinds
 from mechsheet.synthesis.kind import Kind, Line, Requirement
-from mechsheet.words.workbook import WORDS
 
 TEXT = """
 format = 1
@@ -70,18 +70,19 @@ CENTRAL = Kind(
 
 
 @pytest.fixture(autouse=True)
-def further(monkeypatch):
+def further(monkeypatch, tmp_path):
     """A central slider-crank from its stroke and the largest angle of its rod, as a kind of its own."""
     keys = Table({"kind": Key(Text(), "", True), "stroke": Key(Number(), "", True), "swing": Key(Number(), "", True)})
     monkeypatch.setitem(SYNTHESIS.tables, "central-slider", keys)
     monkeypatch.setitem(kinds.KINDS, "central-slider", CENTRAL)
-    monkeypatch.setitem(WORDS, "synthesis.kind.central-slider", ("Central", "Merkezî"))
-    monkeypatch.setitem(WORDS, "synthesis.figure.central-slider", ("Dead centre", "Ölü konum"))
+    further = {"synthesis.kind.central-slider": "Central", "synthesis.figure.central-slider": "Dead centre"}
     monkeypatch.setitem(
         results.KINDS,
         "central-slider",
         lambda given: {"a2": given.at("stroke") / 2, "a3": given.at("stroke") / 2 / math.sin(given.at("swing"))},
     )
+    with added(tmp_path, "en", further):
+        yield
 
 
 @pytest.mark.slow

@@ -91,13 +91,18 @@ def area_read(reference: CellRef | RangeRef, block: Block, sheets: dict[str, int
 
 def producers_read(layout: Layout, number: int, formula: Node, functions: Functions) -> set[int]:
     """The producers that a block reads (`Layout.producers`), itself among them when it reads its own cells."""
-    found: set[int] = set()
+    return set[int]().union(*map(layout.producers, _areas_read(layout, number, formula, functions)))
+
+
+def reads_area(layout: Layout, number: int, formula: Node, functions: Functions, area: Area) -> bool:
+    """Whether a block reads any cell of an area."""
+    return any(area.overlaps(read) for read in _areas_read(layout, number, formula, functions))
+
+
+def _areas_read(layout: Layout, number: int, formula: Node, functions: Functions) -> Iterator[Area]:
     block = seen_from(layout.blocks[number])
-    for reference in references(formula, functions):
-        area = area_read(reference, block, layout.sheets)
-        if area is not None:
-            found |= layout.producers(area)
-    return found
+    areas = (area_read(reference, block, layout.sheets) for reference in references(formula, functions))
+    return (area for area in areas if area is not None)
 
 
 def dependents(blocks: Iterable[int], reads: Sequence[set[int]]) -> set[int]:

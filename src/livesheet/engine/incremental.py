@@ -3,14 +3,17 @@ further than that value needs."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from itertools import compress
 from math import copysign
+from typing import Any
 
 import numpy as np
 
 from ..diagnostics import Fault
 from ..formula.nodes import Scalar
 from ..time_limit import check_time
+from .graph import reads_area
 from .interpreter.evaluator import Evaluator
 from .layout import Area
 from .plan import Plan
@@ -19,6 +22,9 @@ from .values.cells import NUMBER, TEXT, Cells, Texts
 
 MOST_TEXTS = 1 << 20
 """Texts that computed cells may leave behind before everything is computed anew without them."""
+
+_MOST_COMPARED = 1024
+"""Cells of a step that are compared with what they were: of more, that takes about as long as computing what reads them."""
 
 _MOST_KNOWN = 4096
 """Sets of steps whose order is remembered: a loop over a few inputs and outputs has a handful."""
@@ -41,10 +47,13 @@ class Live:
         self._reads: list[set[int]] = []
         self._readers: dict[int, list[int]] = {}
         # Sets of steps are the bits of one number each.
-        self._depending: dict[int, int] = {}
+        self._depending: dict[Cell, tuple[int, int]] = {}
         self._needed: dict[Area, int] = {}
         self._orders: dict[int, tuple[int, ...]] = {}
+        self._outputs: dict[int, _Output | None] = {}
+        # What may have other values since an input changed, and what must, as something that it reads does.
         self._stale = 0
+        self._touched = 0
         self._take_in()
         self._start()
 
@@ -57,7 +66,9 @@ class Live:
             for producer in self._reads[index]:
                 self._readers.setdefault(producer, []).append(index)
         if len(plan.steps) > known:
-            self._stale |= (1 << len(plan.steps)) - (1 << known)
+            new = (1 << len(plan.steps)) - (1 << known)
+            self._stale |= new
+            self._touched |= new
             self._depending.clear()
 
     def _reach(self, producers: Iterable[int]) -> None:
@@ -76,7 +87,7 @@ class Live:
         self._evaluator = Evaluator(layout, self.numbers, self.codes, self.texts, self.plan.environment())
         self._settled: Values | None = None
         self._most_texts = len(self.texts) + MOST_TEXTS
-        self._stale = (1 << len(self.plan.steps)) - 1
+        self._stale = self._touched = (1 << len(self.plan.steps)) - 1
         self._remarks: dict[int, tuple[Fault, ...]] = {}
         for cell, value in self.inputs.items():
             self._enter(cell, value)
@@ -129,21 +140,33 @@ class Live:
         if changed and self.plan.settles:
             self._stale, self._settled = 1, None
         elif changed:
-            self._stale |= self._steps_after(producer)
+            reading, after = self._steps_after(cell, producer)
+            self._touched |= reading
+            self._stale |= after
 
-    def _steps_after(self, producer: int) -> int:
-        """The steps that depend on a producer, at any remove."""
-        found = self._depending.get(producer)
+    def _steps_after(self, cell: Cell, producer: int) -> tuple[int, int]:
+        """The steps that read a constant, and these with all that depend on them, at any remove."""
+        found = self._depending.get(cell)
         if found is None:
+            plan, area = self.plan, Area(*cell, 1, 1)
+            reading = {
+                step
+                for step in self._readers.get(producer, ())
+                if any(
+                    reads_area(plan.layout, number, plan.formulas[number], plan.resolved.functions, area)
+                    for number in plan.steps[step].producers
+                    if producer in plan.reads[number]
+                )
+            }
             seen: set[int] = set()
-            waiting = list(self._readers.get(producer, ()))
+            waiting = list(reading)
             while waiting:
                 step = waiting.pop()
                 if step not in seen:
                     seen.add(step)
-                    for number in self.plan.steps[step].producers:
+                    for number in plan.steps[step].producers:
                         waiting += self._readers.get(number, ())
-            found = self._depending[producer] = _bits(seen, len(self.plan.steps))
+            found = self._depending[cell] = _bits(reading, len(plan.steps)), _bits(seen, len(plan.steps))
         return found
 
     # values
@@ -204,7 +227,8 @@ class Live:
         return _bits(seen, len(self.plan.steps))
 
     def _run(self, todo: int) -> None:
-        """Compute steps in their order. When one fails, all of them stay to be done."""
+        """Compute steps in their order, but those that read the same as the last time. When one fails, all of them stay to
+        be done."""
         if not todo:
             return
         if len(self.texts) > self._most_texts:
@@ -215,25 +239,69 @@ class Live:
             order = tuple(index for index, bit in enumerate(reversed(f"{todo:b}")) if bit == "1")
             if len(self._orders) < _MOST_KNOWN:
                 self._orders[todo] = order
-        marks, layout, around = self._marks, self.plan.layout, self._evaluator.around
-        around.budget.called = 0
-        with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
-            for index in order:
-                check_time()
-                step = self.plan.steps[index]
-                for number in step.producers:
-                    if number in marks.dirty:
-                        block, start = layout.blocks[number], layout.block_offsets[number]
-                        self.codes[start : start + block.rows * block.cols] = NUMBER
-                        marks.dirty.discard(number)
-                        marks.texts.discard(number)
-                around.remarks.clear()
-                step.run(self._evaluator, marks)
-                if around.remarks:
-                    self._remarks[index] = tuple(around.remarks)
-                elif index in self._remarks:
-                    del self._remarks[index]
+        self._evaluator.around.budget.called = 0
+        try:
+            with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
+                for index in order:
+                    if self._touched >> index & 1:
+                        check_time()
+                        self._compute(index)
+        except BaseException:
+            self._touched |= todo
+            raise
         self._stale &= ~todo
+        self._touched &= ~todo
+
+    def _compute(self, index: int) -> None:
+        """Compute a step, and note which steps read what has another value now."""
+        step, marks, layout, around = self.plan.steps[index], self._marks, self.plan.layout, self._evaluator.around
+        output = self._output(index)
+        before = None if output is None else output.values(self)
+        for number in step.producers:
+            if number in marks.dirty:
+                block, start = layout.blocks[number], layout.block_offsets[number]
+                self.codes[start : start + block.rows * block.cols] = NUMBER
+                marks.dirty.discard(number)
+                marks.texts.discard(number)
+        around.remarks.clear()
+        step.run(self._evaluator, marks)
+        if around.remarks:
+            self._remarks[index] = tuple(around.remarks)
+        elif index in self._remarks:
+            del self._remarks[index]
+        changed = step.producers if output is None or before is None else output.changed(self, before)
+        for number in changed:
+            for reader in self._readers.get(number, ()):
+                self._touched |= 1 << reader
+
+    def _output(self, index: int) -> _Output | None:
+        """The cells of a step, None of one with very many."""
+        if index not in self._outputs:
+            layout, producers = self.plan.layout, self.plan.steps[index].producers
+            sizes = [layout.blocks[number].rows * layout.blocks[number].cols for number in producers]
+            few = sum(sizes) <= _MOST_COMPARED
+            starts = [layout.block_offsets[number] for number in producers]
+            self._outputs[index] = _Output(producers, starts, sizes) if few else None
+        return self._outputs[index]
+
+
+class _Output:
+    """The cells of a step, by the blocks that they are of."""
+
+    def __init__(self, producers: Sequence[int], starts: Sequence[int], sizes: Sequence[int]) -> None:
+        self.producers = producers
+        self.cells = np.concatenate([np.arange(at, at + size) for at, size in zip(starts, sizes, strict=True)])
+        self.firsts = np.cumsum([0, *sizes[:-1]])
+
+    def values(self, live: Live) -> tuple[Any, Any]:
+        """Their values to the last bit, and what kinds they are."""
+        return live.numbers.view(np.int64)[self.cells], live.codes[self.cells]
+
+    def changed(self, live: Live, before: tuple[Any, Any]) -> list[int]:
+        """The blocks in which a cell is not what it was `before`."""
+        numbers, codes = self.values(live)
+        other = (numbers != before[0]) | (codes != before[1])
+        return list(compress(self.producers, np.logical_or.reduceat(other, self.firsts).tolist()))
 
 
 class Asked(Values):

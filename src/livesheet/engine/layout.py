@@ -33,6 +33,16 @@ class Area(NamedTuple):
     rows: int
     cols: int
 
+    def overlaps(self, other: Area) -> bool:
+        """Whether they have a cell in common."""
+        return (
+            self.sheet == other.sheet
+            and self.row < other.row + other.rows
+            and other.row < self.row + self.rows
+            and self.col < other.col + other.cols
+            and other.col < self.col + self.cols
+        )
+
 
 class Piece(NamedTuple):
     """Consecutive cells of one column filled by one producer: a block, or a run of constants."""

@@ -22,18 +22,23 @@ from ..formula.nodes import (
     Arrayed,
     ArrayLiteral,
     Binary,
+    Boolean,
     Call,
     CellRef,
     ErrorValue,
     Foreign,
     FunctionRef,
+    Missing,
     NameRef,
     Node,
+    Number,
     Previous,
     RangeRef,
     SheetsRef,
     Symbol,
     TableRef,
+    Text,
+    Unary,
     anchored,
     shifted,
     transform,
@@ -154,6 +159,10 @@ def _on_sheet(area: Node, title: str) -> Node:
     return transform(area, lambda ref: replace(ref, sheet=title) if isinstance(ref, CellRef) else ref)
 
 
+_RESOLVED = frozenset((Number, Text, Boolean, Missing, ErrorValue, Unary, Binary, RangeRef))
+"""What most of a formula is made of, and means the same in every workbook."""
+
+
 class Resolver:
     """Resolves the formulas of one book.
 
@@ -224,6 +233,8 @@ class Resolver:
         """The tree with its names replaced and its references given their sheet."""
 
         def change(part: Node) -> Node:
+            if type(part) in _RESOLVED:
+                return part
             match part:
                 case CellRef():
                     return self.cell(part, sheet)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-from decimal import Decimal
 from numbers import Real
 from typing import Any
 
@@ -27,7 +26,7 @@ def cell_value(where: str, value: Any, held: Scalar, force: bool = False) -> Sca
     if isinstance(value, ErrorValue):
         return value
     is_truth = isinstance(value, bool | np.bool_)
-    if not is_truth and isinstance(value, Real | Decimal):
+    if not is_truth and _is_number(value):
         number = float(value)
         if math.isfinite(number):
             return number
@@ -48,6 +47,14 @@ def cell_value(where: str, value: Any, held: Scalar, force: bool = False) -> Sca
     if isinstance(held, float):
         return Fault(say("expected a number, found {value}", value=_shown(scalar)), key=where, hint=_hint(scalar, held))
     return scalar
+
+
+def _is_number(value: Any) -> bool:
+    if isinstance(value, Real | str | None):
+        return isinstance(value, Real)
+    from decimal import Decimal  # the last of all types to be asked for, and slow to load
+
+    return isinstance(value, Decimal)
 
 
 def typed(where: str, text: str, held: Scalar) -> Scalar | Fault:

@@ -41,7 +41,7 @@ def new(template: str | None, output: str | None, show_list: bool) -> None:
         titles = template_titles()
         width = max(len(name) for name in titles)
         for name, title in titles.items():
-            click.echo(f"{name:<{width}}  {title.tr if spoken() == 'tr' else title.en}")
+            click.echo(f"{name:<{width}}  {title.of(spoken())}")
         return
     first_line = f"#:schema {FILE}\n"
     text = template_text(template).removeprefix(first_line)

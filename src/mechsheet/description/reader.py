@@ -28,7 +28,18 @@ from mechsheet.description.text.origin import with_origin
 from mechsheet.description.text.rewrite import with_value
 from mechsheet.description.text.source import Source, parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError
-from mechsheet.model import Dimension, Driver, Dynamics, FurtherDriver, Joint, Link, Mechanism, Sketch, Solution, Words
+from mechsheet.model import (
+    Dimension,
+    Driver,
+    Dynamics,
+    FurtherDriver,
+    Joint,
+    Label,
+    Link,
+    Mechanism,
+    Sketch,
+    Solution,
+)
 
 
 def load(path: str | FilePath, overrides: Overrides = AS_IT_IS) -> Mechanism:
@@ -282,8 +293,8 @@ class _Reading:
             return None
         return Mechanism(
             name=name,
-            title=words(self.head.get("title")) or Words(name, name),
-            source=words(self.head.get("source")) or Words("", ""),
+            title=words(self.head.get("title")) or Label(name),
+            source=words(self.head.get("source")) or Label(""),
             length_unit=self.scope.length_unit,
             angle_unit=self.scope.angle_unit,
             dimensions=self.table,

@@ -121,8 +121,15 @@ def charts(data: list[Any], driver: Driver | None, scope: Scope) -> tuple[ChartR
         _check_moves(paths, (*path, "paths"), scope)
         if hodographs:
             _check_velocities(hodographs, (*path, "hodographs"), scope)
+        shape = entry.get("profile") is True
+        if entry.get("profile") is False:
+            scope.report.at((*path, "profile"), say("a chart that is not wanted is left out"))
+        if shape and not scope.of_cam:
+            scope.report.at((*path, "profile"), say("there is no cam: a profile is that of [cam]"))
         ends = [_ends_of_axis(entry, axis, path, scope) for axis in ("x", "y")]
-        result.append(ChartRequest(words(entry.get("title")), x, tuple(y), tuple(paths), tuple(hodographs), *ends))
+        result.append(
+            ChartRequest(words(entry.get("title")), x, tuple(y), tuple(paths), tuple(hodographs), shape, *ends)
+        )
     return tuple(result)
 
 

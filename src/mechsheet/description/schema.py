@@ -26,6 +26,7 @@ from mechsheet.description.grammar import (
     YesNo,
 )
 from mechsheet.model import LAWS, SEGMENT_LAWS, TAKES
+from mechsheet.words.catalogue import LANGUAGES
 
 FORMAT = 1
 
@@ -374,13 +375,14 @@ CHART = Table(
         "hodographs": Key(
             Items(Text(names="point"), 1, MOST_SERIES), "curves of the ends of points' velocity vectors, at true scale"
         ),
+        "profile": Key(YesNo(), "true: the profile of the cam at true scale, with base circle and pitch curve"),
         **{
             f"{axis}_{end}": Key(Number(), f"where the {way} axis {verb}, in the unit shown; chosen when left out")
             for axis, way in (("x", "horizontal"), ("y", "vertical"))
             for end, verb in (("min", "begins"), ("max", "ends"))
         },
     },
-    ways=((("x", "y"), ("paths",), ("hodographs",)),),
+    ways=((("x", "y"), ("paths",), ("hodographs",), ("profile",)),),
 )
 
 MOST_PAIRS = 400
@@ -404,7 +406,7 @@ TABLE = Table(
 
 WORKBOOK = Table(
     {
-        "language": Key(Text(("en", "tr")), "language of sheet names, headings and notes; default en"),
+        "language": Key(Text(LANGUAGES), "language of sheet names, headings and notes; default en"),
         "layout": Key(Text(("sheets", "page")), "several sheets, or all on one; default sheets"),
         "drawing": Key(YesNo(), "false leaves the drawing out of the layout page; default true"),
         "references": Key(

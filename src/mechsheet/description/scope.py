@@ -13,15 +13,16 @@ from livesheet.formula.names import folded, name_fault
 from livesheet.formula.nodes import Node, Symbol, children, symbols, transform
 from livesheet.formula.parser import RESERVED, parse_description
 from livesheet.formula.scalar import evaluate
-from livesheet.said import Said, reason, say
+from livesheet.said import Said, Words, reason, say
 from mechsheet.description.kinds import ANGLE, ANY, DEGREES, LENGTH, kind_of, plain_unit
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.measured import EXAMPLES, Measured, home, labels_of, measured, spelled, unit_named
 from mechsheet.description.text.numbers import typed_number
-from mechsheet.model import Quantity, Take, Words
+from mechsheet.model import Label, Quantity, Take
 from mechsheet.units import DEG, NUMBER, Unit, unit_of
+from mechsheet.words.catalogue import ENGLISH
 
 DEEPEST = 200
 """Operators below one another in one expression; a workbook formula of more would not fit a cell anyway."""
@@ -333,10 +334,10 @@ def symbol_fault(name: str) -> str:
 
 
 def words(value: Any) -> Words | None:
-    """A text in both languages, from data that fits the schema."""
+    """A text in its languages, from data that fits the schema."""
     if not isinstance(value, dict):
         return None
-    return Words(str(value["en"]), str(value["tr"]))
+    return Label(str(value[ENGLISH]), tuple((key, str(text)) for key, text in value.items() if key != ENGLISH))
 
 
 def cycles(edges: Mapping[str, Iterable[str]]) -> tuple[list[str], list[list[str]]]:

@@ -7,11 +7,10 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 
 from livesheet.diagnostics import Fault
-from livesheet.said import say
+from livesheet.said import Words, say
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
 from mechsheet.diagnostics import DescriptionError
-from mechsheet.model import Words
 
 _SUFFIX = ".toml"
 
@@ -22,7 +21,7 @@ def template_names() -> tuple[str, ...]:
 
 
 def template_titles() -> dict[str, Words]:
-    """Name -> title in both languages, in alphabetical order of the names."""
+    """Name -> title, in alphabetical order of the names."""
     from mechsheet.description.reader import loads
 
     return {name: loads(template_text(name), name).title for name in template_names()}

@@ -14,12 +14,13 @@ from livesheet.said import say
 from mechsheet.description.templates import template_names, template_text, template_titles
 from mechsheet.description.text.file_names import is_file_name
 from mechsheet.description.text.source import read_text
+from mechsheet.drawing_page.cells import number_in_unit
 from mechsheet.drawing_page.editing.orders import edited
 from mechsheet.drawing_page.looking import look
-from mechsheet.drawing_page.questions import Refusal, number_in, places_in, text_in
+from mechsheet.drawing_page.questions import Impossible, Refusal, number_in, places_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
+from mechsheet.words.catalogue import ENGLISH, LANGUAGES, Language
 from mechsheet.words.messages import text_in as said_in
-from mechsheet.words.workbook import Language
 
 UNTITLED = "mechanism.toml"
 EMPTY = """format = 1
@@ -38,7 +39,7 @@ class Studio:
     """The description that is drawn, and the answers.
 
     path      its file; None where the drawing begins with nothing: then it is saved in `folder`
-    language  "en" or "tr", or None for the browser's
+    language  of the page, or None for the browser's
     """
 
     def __init__(self, path: Path | None = None, folder: Path | None = None, language: str | None = None) -> None:
@@ -53,6 +54,7 @@ class Studio:
             "file": self._give,
             "check": self._check,
             "template": self._template,
+            "length": self._length,
         }
         self._saving = threading.Lock()
 
@@ -77,7 +79,10 @@ class Studio:
             "text": text.removeprefix("\ufeff").replace("\r\n", "\n"),
             "mark": _mark(path) if path is not None else "",
             "language": self.language or "",
-            "templates": {name: {"en": title.en, "tr": title.tr} for name, title in template_titles().items()},
+            "templates": {
+                name: {language: title.of(language) for language in LANGUAGES}
+                for name, title in template_titles().items()
+            },
         }
 
     def _template(self, question: dict[str, Any]) -> dict[str, Any]:
@@ -122,7 +127,8 @@ class Studio:
         return self.path.name if self.path is not None else UNTITLED
 
     def _look(self, question: dict[str, Any]) -> dict[str, Any]:
-        return look(self._read(question), number_in(question, "at"), places_in(question, "places"), _language(question))
+        reading, at, held = self._read(question), number_in(question, "at"), places_in(question, "places")
+        return look(reading, at, held, _language(question), question.get("velocities") is True)
 
     def _edit(self, question: dict[str, Any]) -> dict[str, Any]:
         """The text after one order of the page (`editing.orders`), and what it shows then."""
@@ -132,7 +138,8 @@ class Studio:
             raise Refusal('"order" must be a table')
         held, language = places_in(question, "places"), _language(question)
         text, at = edited(reading, order, number_in(question, "at"), held, language)
-        return {"text": text, "look": look(read(text, self._name()), at, held, language)}
+        velocities = question.get("velocities") is True
+        return {"text": text, "look": look(read(text, self._name()), at, held, language, velocities)}
 
     # --- what comes of it ----------------------------------------------------------------------------------------------
 
@@ -145,8 +152,29 @@ class Studio:
     def _check(self, question: dict[str, Any]) -> dict[str, Any]:
         from mechsheet.drawing_page.files import checked
 
-        lines = checked(text_in(question, "text"), self._name(), *self._wanted(question))
-        return {"lines": [said_in(line, text_in(question, "spoken", "")) for line in lines]}
+        verdict, report = checked(text_in(question, "text"), self._name(), *self._wanted(question))
+        language = _language(question)
+        return {
+            "agrees": report.agrees,
+            "verdict": verdict,
+            "judges": [
+                {
+                    "judge": each.judge,
+                    "agrees": each.agrees,
+                    "count": each.cells,
+                    "where": said_in(each.where, language) if not each.agrees else "",
+                }
+                for each in report.comparisons
+            ],
+            "remarks": [said_in(each, language) for each in (report.red_line, report.stale) if each],
+        }
+
+    def _length(self, question: dict[str, Any]) -> dict[str, Any]:
+        """What was typed for a length, "20 mm" or "5 cm", in the description's own unit."""
+        reading = self._read(question)
+        if reading.source is None or reading.parts is None:
+            raise Impossible("unreadable")
+        return {"length": float(number_in_unit(reading.source, text_in(question, "value"), reading.parts.length_unit))}
 
     def _wanted(self, question: dict[str, Any]) -> tuple[str, str]:
         """Layout and language of a workbook."""
@@ -154,7 +182,8 @@ class Studio:
 
 
 def _language(question: dict[str, Any]) -> Language:
-    return "tr" if question.get("spoken") == "tr" else "en"
+    spoken = str(question.get("spoken"))
+    return spoken if spoken in LANGUAGES else ENGLISH
 
 
 def _stem(path: Path | None) -> str:

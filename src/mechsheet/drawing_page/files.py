@@ -6,8 +6,7 @@ import tempfile
 from dataclasses import replace
 from pathlib import Path
 
-from mechsheet.checking import check
-from mechsheet.checking.report_lines import report_lines
+from mechsheet.checking import Report, check
 from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides
 from mechsheet.description.locate import located
@@ -18,6 +17,7 @@ from mechsheet.library.changed import loads
 from mechsheet.library.verdicts import verdict
 from mechsheet.model import Mechanism
 from mechsheet.plotting import drawn
+from mechsheet.words.catalogue import LANGUAGES
 
 WORKBOOKS = ("xlsx", "ods")
 PICTURES = ("svg", "png")
@@ -49,14 +49,14 @@ def file_of(text: str, file: str, kind: str, at: float | None, layout: str, lang
 
 
 def _mechanism(text: str, file: str, layout: str, language: str) -> Mechanism:
-    if language not in ("", "en", "tr") or layout not in ("", "sheets", "page"):
+    if language not in ("", *LANGUAGES) or layout not in ("", "sheets", "page"):
         raise Refusal("no such language or layout")
     found = loads(text, file, Overrides(language=language or None, layout=layout or None))
     return replace(found, file=Path(file).stem)
 
 
-def checked(text: str, file: str, layout: str, language: str) -> list[str]:
-    """What is to be said of the mechanism, and the lines that `mechsheet check` prints of its workbook.
+def checked(text: str, file: str, layout: str, language: str) -> tuple[str, Report]:
+    """What is to be said of the mechanism, and the report on its workbook.
 
     Raises DescriptionError, and MechanismError with the lines of the text, for what cannot be built.
     """
@@ -66,6 +66,6 @@ def checked(text: str, file: str, layout: str, language: str) -> list[str]:
         with tempfile.TemporaryDirectory() as folder:
             (path,) = build(mechanism, Path(folder) / name)
             report = replace(check(path), file=name)
-        return [verdict(compiled_of(mechanism)), *report_lines(report)]
+        return verdict(compiled_of(mechanism)), report
     except MechanismError as error:
         raise located(error, mechanism.listing, file) from error

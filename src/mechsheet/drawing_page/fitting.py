@@ -22,7 +22,18 @@ from mechsheet.drawing_page.positions import Point, Pose, line_of, local_places
 from mechsheet.drawing_page.reading import followed, read_by_guide, reads_of
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.points_in_link import number
-from mechsheet.model import Cartesian, Distances, Driver, Joint, Link, Mechanism, Place, Polar, Quantity, Words
+from mechsheet.model import (
+    Cartesian,
+    Distances,
+    Driver,
+    Joint,
+    Label,
+    Link,
+    Mechanism,
+    Place,
+    Polar,
+    Quantity,
+)
 
 STEPS = 15
 """Of Gauss and Newton, at most."""
@@ -111,7 +122,7 @@ class _Task:
         )
         self.plain = tuple(self.paths)
         bare = Mechanism(
-            "", Words("", ""), Words("", ""), "", parts.angle_unit, parts.dimensions, (), (),
+            "", Label(""), Label(""), "", parts.angle_unit, parts.dimensions, (), (),
             Driver("", parts.angle_unit),
         )  # fmt: skip
         formulas = {dim.symbol: dim.value for dim in parts.dimensions if dim.derived}

@@ -17,6 +17,9 @@ from livesheet.formula.nodes import Node
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.motion import SHOWN_ROLES
 from mechsheet.description.parts import Parts
+from mechsheet.description.text.measured import METRES
+from mechsheet.description.text.source import dotted
+from mechsheet.drawing_page.cells import SPEED, cells_of, first_speed, own_units
 from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_positions, line_of, local_places
 from mechsheet.drawing_page.reading import Reading, fault_entry
 from mechsheet.kinematics.dimensions import dimension_values
@@ -27,11 +30,12 @@ from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import edges
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Link, Mechanism
-from mechsheet.shapes.forms import Shape
+from mechsheet.shapes.forms import Kind, Shape
 from mechsheet.shapes.outlines import corners, direction_of, through_of
 from mechsheet.shapes.positions import Positions
+from mechsheet.words.catalogue import Language, words
 from mechsheet.words.equations import link_words
-from mechsheet.words.workbook import Language, words
+from mechsheet.words.given import given_words
 
 FRAMES = 180
 """Positions of an animation, about: between the rows of a sweep that steps there are further ones."""
@@ -39,7 +43,7 @@ FRAMES = 180
 DIGITS = 7
 """Of the largest length: places are shown on a screen."""
 
-ACTING = ("spring", "damper", "load", "torque", "weight", "mass", "gear", "belt", "rack", "cam")
+ACTING = ("spring", "damper", "load", "torque", "weight", "mass", "velocity", "gear", "belt", "rack", "cam")
 """Kinds of shapes that are drawn as the list has them; links, guides and supports the page draws so that they can be
 taken hold of."""
 
@@ -50,10 +54,13 @@ ALIKE = 1e-9
 """Driver values nearer than this part of the sweep are one position."""
 
 
-def look(reading: Reading, at: float | None, held: Mapping[str, Point], language: Language = "en") -> dict[str, Any]:
+def look(
+    reading: Reading, at: float | None, held: Mapping[str, Point], language: Language = "en", velocities: bool = False
+) -> dict[str, Any]:
     """The answer to a text.
 
     at    the driver value that the page shows, in the driver's unit;  held: where it shows the points now
+    velocities  whether those of points are drawn
     """
     parts = reading.parts
     answer: dict[str, Any] = {
@@ -65,7 +72,9 @@ def look(reading: Reading, at: float | None, held: Mapping[str, Point], language
     if parts is None:
         return answer
     answer |= _described(parts, reading, language)
-    answer |= _moving(reading.compiled, at, language) if reading.compiled is not None else _standing(parts, held)
+    answer |= (
+        _moving(reading.compiled, at, language, velocities) if reading.compiled is not None else _standing(parts, held)
+    )
     return answer
 
 
@@ -102,6 +111,8 @@ def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, 
         ],
         "driver": None if parts.driver is None else _driver(parts.driver, parts, reading),
         "dimensions": _dimensions(parts, language),
+        "cells": _cells(reading, language),
+        "units": _units(parts, reading),
         "undrawn": _undrawn(reading, parts),
     }
 
@@ -147,8 +158,45 @@ def _dimensions(parts: Parts, language: str) -> list[dict[str, Any]]:
     return found
 
 
+def _units(parts: Parts, reading: Reading) -> dict[str, str]:
+    """In which unit the page asks for what is drawn."""
+    force, mass = own_units(reading.source)
+    length = parts.length_unit
+    return {
+        "spring": f"{force}/{length}",
+        "damper": f"{force} s/{length}",
+        "force": force,
+        "torque": f"{force} {'m' if length in METRES else length}",
+        "mass": mass,
+        "gear": "",
+        "rack": length,
+    }
+
+
+def _cells(reading: Reading, language: Language) -> list[dict[str, Any]]:
+    """Numbers given elsewhere than among the dimensions, by their places in the text; a speed that is not there yet last."""
+    found: list[dict[str, Any]] = []
+    for dim in cells_of(reading):
+        if reading.compiled is not None and isinstance(dim.value, float):
+            label = given_words(reading.compiled.mechanism, language, dim)
+            value = dim.shown if dim.shown is not None else dim.unit.to_shown(dim.value)
+            found.append(
+                {
+                    "place": dotted(dim.place),
+                    "symbol": dim.symbol,
+                    "value": value,
+                    "unit": dim.unit.text,
+                    "label": label,
+                }
+            )
+    unit = first_speed(reading)
+    if unit is not None:
+        found.append({"place": dotted(SPEED), "symbol": "speed", "value": None, "unit": unit.text, "label": ""})
+    return found
+
+
 _EDITED_AS_TEXT = {
-    "loads": "loads", "dynamics": "masses", "flywheel": "flywheel", "drivers": "drivers", "synthesis": "synthesis",
+    "flywheel": "flywheel", "synthesis": "synthesis",
     "exercise": "exercise", "tables": "tables",
 }  # fmt: skip
 
@@ -157,8 +205,6 @@ def _undrawn(reading: Reading, parts: Parts) -> list[str]:
     """What the description has that the drawing does not show or change: keys of the page's words."""
     data = reading.source.data if reading.source is not None else {}
     found = [word for key, word in _EDITED_AS_TEXT.items() if key in data]
-    if parts.relations:
-        found.append("gears")
     motion = data.get("driver")
     if isinstance(motion, dict):
         found += [word for word in ("motion", "values") if word in motion]
@@ -246,7 +292,7 @@ def values_at(compiled: Compiled, driver: Array) -> dict[str, Array]:
     return sweep(compiled.mechanism, compiled.equations, driver)
 
 
-def _moving(compiled: Compiled, at: float | None, language: Language) -> dict[str, Any]:
+def _moving(compiled: Compiled, at: float | None, language: Language, velocities: bool) -> dict[str, Any]:
     """All positions of the sweep."""
     mechanism, equations = compiled.mechanism, compiled.equations
     driver, shown = driver_places(compiled, at)
@@ -272,7 +318,7 @@ def _moving(compiled: Compiled, at: float | None, language: Language) -> dict[st
             "reasons": reasons,
         },
         "at": shown,
-        "shapes": _shapes(_Frames(mechanism, equations, driver, values), digits),
+        "shapes": _shapes(_Frames(mechanism, equations, driver, values), digits, velocities),
         "limits": [round(float(unit.to_shown(each)), 6) for each in _limits(compiled, driver, np.array(why) == 0)],
         "curves": _curves(mechanism, equations.columns, values, language),
     }
@@ -288,11 +334,16 @@ class _Frames:
     values: Mapping[str, Array]
 
 
-def _shapes(frames: _Frames, digits: int) -> list[dict[str, Any]]:
+def _shapes(frames: _Frames, digits: int, velocities: bool) -> list[dict[str, Any]]:
     """Of the list of shapes what the page does not draw by itself: a path in a frame whose vectors have a column for each
     part, or corners that have one."""
-    found = Positions(frames)
+    vectors: tuple[Kind, ...] = ("velocity",) if velocities else ()
+    found = Positions(frames, vectors)
     shapes = []
+    marks = dict.fromkeys(shape.name for shape in found.list.shapes if shape.kind == "mass")
+    dynamics = frames.mechanism.dynamics
+    bodies = [mass.link for mass in dynamics.masses if mass.mass is not None] if dynamics is not None else []
+    weighed = dict(zip(marks, bodies, strict=False))  # each has one mark, in their order
     for shape in found.list.shapes:
         if isinstance(shape, Shape) and shape.kind in ACTING:
             columns = found.columns(shape)
@@ -302,6 +353,7 @@ def _shapes(frames: _Frames, digits: int) -> list[dict[str, Any]]:
                 {
                     "kind": shape.kind,
                     "name": shape.name,
+                    "of": weighed.get(shape.name, "") if shape.kind == "mass" else "",
                     "filled": {"": "", "FFFFFF": "paper"}.get(shape.fill, "own"),
                     "path": path or shape.path,
                     "places": [[_short(part, digits) for part in vector.T] for vector in np.moveaxis(columns, 1, 0)],

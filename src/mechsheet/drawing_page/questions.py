@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from mechsheet.drawing_page.positions import Point
-from mechsheet.words.drawing_page import DRAWING_PAGE
+from mechsheet.words.catalogue import words
 
 LARGEST = 1e9
 """Places farther out than this are no drawing."""
@@ -30,8 +30,8 @@ class Impossible(Exception):  # noqa: N818
         self.parts = parts
 
     def text(self, language: str) -> str:
-        """The sentence in "en" or "tr"."""
-        return DRAWING_PAGE[self.key][1 if language == "tr" else 0].format(**self.parts)
+        """The sentence in a language."""
+        return words(language, f"draw.{self.key}", **self.parts)
 
 
 def text_in(question: Mapping[str, Any], key: str, default: str | None = None) -> str:

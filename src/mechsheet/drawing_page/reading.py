@@ -18,7 +18,7 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.library.changed import loads
-from mechsheet.model import Cartesian, Distances, Driver, Joint, Link, Mechanism, Polar, Quantity, Words
+from mechsheet.model import Cartesian, Distances, Driver, Joint, Label, Link, Mechanism, Polar, Quantity
 from mechsheet.words.messages import text_in
 
 KEPT = 12
@@ -74,7 +74,7 @@ def _counted(parts: Parts) -> tuple[int | None, list[Fault]]:
     if len(parts.links) < 2:
         return None, []
     mechanism = Mechanism(
-        "", Words("", ""), Words("", ""), parts.length_unit, parts.angle_unit, (), parts.links, parts.joints,
+        "", Label(""), Label(""), parts.length_unit, parts.angle_unit, (), parts.links, parts.joints,
         parts.driver or Driver("", parts.angle_unit),
     )  # fmt: skip
     graph = graph_of(mechanism)

@@ -14,13 +14,14 @@ from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Node, Symbol
 from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, size, together
+from livesheet.said import Words
 from mechsheet.dynamics.columns import LONGEST, Columns
 from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.points_in_link import LinkPlaces, cartesian
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Motions
-from mechsheet.model import Dynamics, Link, Load, Mass, Spring, Words, center_symbol
+from mechsheet.model import Dynamics, Link, Load, Mass, Spring, center_symbol
 from mechsheet.model import Place as GivenPlace
 from mechsheet.units import LENGTH, Unit
 from mechsheet.words.equations import body_words, link_words, phrase

@@ -11,6 +11,7 @@ from __future__ import annotations
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node
 from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
+from livesheet.said import Words
 from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.kinematics.assur import bodies_of
@@ -18,7 +19,7 @@ from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.cam import Contact
 from mechsheet.kinematics.equations import ForceKind
 from mechsheet.kinematics.graph import Slide
-from mechsheet.model import CONTACT, Driver, FurtherDriver, Words, pair_symbol
+from mechsheet.model import CONTACT, Driver, FurtherDriver, pair_symbol
 from mechsheet.words.equations import body_words, phrase
 
 

@@ -20,6 +20,7 @@ from __future__ import annotations
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node
 from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
+from livesheet.said import Words
 from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
@@ -27,7 +28,7 @@ from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.gear_relations import Held, Tied, axis_of, eliminated, terms_of
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.rates.motions import Motions
-from mechsheet.model import Gear, Rack, Relation, Words, pair_symbol
+from mechsheet.model import Gear, Rack, Relation, pair_symbol
 from mechsheet.units import LENGTH
 from mechsheet.words.equations import body_words, phrase
 

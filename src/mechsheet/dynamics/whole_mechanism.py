@@ -13,9 +13,10 @@ from __future__ import annotations
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node, Symbol
 from livesheet.formula.vectors import Vector, cross, size, times
+from livesheet.said import Words
 from mechsheet.dynamics.acting import ActingForces
 from mechsheet.kinematics.build_equations import Found
-from mechsheet.model import SHAKING, Mass, Words, center_symbol
+from mechsheet.model import SHAKING, Mass, center_symbol
 from mechsheet.units import LENGTH, Unit
 from mechsheet.words.equations import link_words, phrase
 

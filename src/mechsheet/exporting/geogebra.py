@@ -19,8 +19,9 @@ from livesheet.formula.nodes import Node, Symbol, symbols, transform
 from livesheet.formula.printer import number_text, print_formula
 from livesheet.formula.vectors import Vector
 from livesheet.said import say
-from mechsheet.exporting.functions.routines import Parameter, Source, folded, missing_where, needed_for
+from mechsheet.exporting.functions.routines import Parameter, Source, folded, needed_for
 from mechsheet.exporting.job import Job
+from mechsheet.exporting.lowering import missing_where
 from mechsheet.exporting.program import one_line
 from mechsheet.kinematics.angle_branch import WINDOWED
 from mechsheet.kinematics.dimensions import dimension_values
@@ -28,9 +29,9 @@ from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.plotting.sampling import sample
 from mechsheet.shapes.forms import HALF, Mark, Shape, place_of
 from mechsheet.shapes.positions import Positions, longest
+from mechsheet.words.catalogue import words
 from mechsheet.words.equations import body_words
 from mechsheet.words.symbols import GREEK, parts, plain
-from mechsheet.words.workbook import words
 
 WIDTH, HEIGHT = 1000, 700
 """The view [pixels]; of it SLIDERS at the left are for sliders."""

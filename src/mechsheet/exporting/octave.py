@@ -17,10 +17,9 @@ from livesheet.formula.vectors import Vector, minus, plus
 from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.program import ColumnLine, Line, Loop, Program, commented, heading, one_line, program_of
-from mechsheet.kinematics.equations import System
-from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
-from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
+from mechsheet.exporting.lowering import Loop, Step
+from mechsheet.exporting.program import Program, commented, heading, one_line, program_of, with_numbers
+from mechsheet.kinematics.equations import Equation, System
 from mechsheet.model import TIME, ChartRequest
 from mechsheet.shapes.forms import ARROWS, HALF, LEAST, Extreme, Mark, Shape
 from mechsheet.shapes.listing import shapes_of
@@ -38,16 +37,9 @@ _TAKEN = """
 """Keywords, and what the function itself calls."""
 
 
-_NUMBERS = {"CLOSED": CLOSED, "FIRST": FIRST_PASSES, "LED": LED, "STEADY": STEADY, "SETTLED": SETTLED,
-            "TREND": TREND, "LEAP": LEAP}  # fmt: skip
-"""Of Newton's method, in the helpers."""
-
-
 def write(job: Job) -> list[bytes]:
     """The file in UTF-8. Raises MechsheetError where its name is that of a function which the file itself calls."""
-    helpers = files("mechsheet.exporting").joinpath("octave_helpers.m").read_text(encoding="utf-8")
-    for mark, number in _NUMBERS.items():
-        helpers = helpers.replace(f"@@{mark}@@", repr(number))
+    helpers = with_numbers(files("mechsheet.exporting").joinpath("octave_helpers.m").read_text(encoding="utf-8"))
     if job.name in {*_called(helpers), *_TAKEN.split()}:
         fault = say(
             '"{name}" is called by the file itself: a function of that name would stand in its way', name=job.name
@@ -125,17 +117,19 @@ def _given(program: Program) -> list[str]:
         lines += _argument(program, line)
     lines += ["", "  % what follows from them"]
     for line in program.derived:
-        lines += commented(f"  {names[line.symbol]} = {_text(program, line.node)};", _words(line), "%")
+        lines += _line(program, line, _words(program, line))
     return lines
 
 
-def _words(line: Line) -> str:
-    return ", ".join(part for part in (one_line(line.unit), line.words) if part)
+def _words(program: Program, line: Step) -> str:
+    return ", ".join(part for part in (one_line(program.unit(line)), program.words(line)) if part)
 
 
-def _argument(program: Program, line: Line) -> list[str]:
+def _argument(program: Program, line: Step) -> list[str]:
     name = program.names[line.symbol]
-    return commented(f"  {name} = given(varargin, '{name}', {_text(program, line.node)});", _words(line), "%")
+    return commented(
+        f"  {name} = given(varargin, '{name}', {_text(program, line.expression)});", _words(program, line), "%"
+    )
 
 
 def _driver(program: Program) -> list[str]:
@@ -170,20 +164,18 @@ def _columns(program: Program) -> list[str]:
         if column.group != group:
             group = column.group
             lines += ["", f"  % {heading(program, group)}"]
-        lines += _column(program, column)
+        lines += _line(program, column) if column.loop is None else _loop(program, column, column.loop)
     return lines
 
 
-def _column(program: Program, column: ColumnLine) -> list[str]:
-    if column.loop is not None:
-        return _loop(program, column, column.loop)
-    text = _text(program, column.node)
-    if column.still:
+def _line(program: Program, line: Step | Equation, words: str | None = None) -> list[str]:
+    text = _text(program, line.expression)
+    if isinstance(line, Step) and line.still:
         text = f"repmat({text}, rows, 1)"
-    return commented(f"  {program.names[column.symbol]} = {text};", column.words, "%")
+    return commented(f"  {program.names[line.symbol]} = {text};", program.words(line) if words is None else words, "%")
 
 
-def _loop(program: Program, column: ColumnLine, loop: Loop) -> list[str]:
+def _loop(program: Program, column: Step, loop: Loop) -> list[str]:
     """The unknowns of a system, row by row."""
     names, system, number = program.names, loop.system, column.group
     given, there = (
@@ -204,7 +196,7 @@ def _loop(program: Program, column: ColumnLine, loop: Loop) -> list[str]:
     ]
 
 
-def _way(program: Program, column: ColumnLine, loop: Loop) -> list[str]:
+def _way(program: Program, column: Step, loop: Loop) -> list[str]:
     """A function for what a pass is given, on the way from the described values to those that are there."""
     names = program.names
     lines = ["", f"function given_ = newton_way_{column.group}(share_, there_)"]
@@ -212,22 +204,19 @@ def _way(program: Program, column: ColumnLine, loop: Loop) -> list[str]:
     for index, (symbol, value) in enumerate(loop.described, 1):
         lines.append(f"  {names[symbol]} = {value!r} + share_ .* (there_({index}) - ({value!r}));")
     lines += [f"  {names[name]} = there_({at});" for at, name in enumerate(loop.besides, len(loop.described) + 1)]
-    for line in loop.way:
-        lines += commented(f"  {names[line.symbol]} = {_text(program, line.node)};", line.words, "%")
+    lines += [text for line in loop.way for text in _line(program, line)]
     given = ", ".join(f"{names[name]} .* ones(numel(share_), 1)" for name in loop.system.given)
     return [*lines, f"  given_ = [{given}];", "end"]
 
 
-def _pass(program: Program, column: ColumnLine, system: System) -> list[str]:
+def _pass(program: Program, column: Step, system: System) -> list[str]:
     """A function for one pass."""
     names = program.names
     lines = ["", f"function [correction, residual_, determinant] = newton_pass_{column.group}(x_, row_)"]
     lines += ["% J^-1 F, the residual and det J."]
     lines += [f"  {names[name]} = x_({index});" for index, name in enumerate(system.unknowns, 1)]
     lines += [f"  {names[name]} = row_({index});" for index, name in enumerate(system.given, 1)]
-    for part in system.body:
-        words = one_line(part.label.of(program.mechanism.language))
-        lines += commented(f"  {names[part.symbol]} = {_text(program, part.expression)};", words, "%")
+    lines += [text for part in system.body for text in _line(program, part)]
     corrections = "; ".join(_text(program, part) for part in system.corrections)
     return [
         *lines,
@@ -344,12 +333,17 @@ def _shape(program: Program, shape: Shape) -> list[str]:
 
 
 def _curves(program: Program, request: ChartRequest, number: int, name: str) -> str:
-    """A chart of the workbook: curves against the driver, paths of points, or hodographs."""
+    """A chart of the workbook: curves against the driver, paths of points, hodographs, or the profile of a cam."""
     mechanism = program.mechanism
     unit = one_line(mechanism.length_unit)
     if request.paths:
         x, y = (", ".join(["rows", *(_place(program, point, axis) for point in request.paths)]) for axis in "xy")
         legend = ", ".join(_string(point) for point in request.paths)
+        return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"
+    if request.profile:
+        named = ["cam"] if mechanism.cam is None or mechanism.cam.radius is None else ["cam", "pitch"]
+        x, y = (", ".join(["rows", *(_shown(program, f"{name}.{axis}") for name in named)]) for axis in "xy")
+        legend = ", ".join(_string(each) for each in named)
         return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"
     if request.hodographs:
         x, y = (

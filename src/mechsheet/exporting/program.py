@@ -8,75 +8,25 @@ an angle over the rows, `TRIANGLE` is the angle of a triangle opposite the first
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, symbols, transform
+from livesheet.formula.nodes import Call, Node, Number, Symbol
 from livesheet.formula.printer import print_formula
 from mechsheet.compiled import Compiled
-from mechsheet.exporting.functions.routines import missing_where
 from mechsheet.exporting.identifiers import identifiers
+from mechsheet.exporting.lowering import Step, columns_of, constants_of
 from mechsheet.kinematics.dimensions import dimension_order
-from mechsheet.kinematics.equations import FORCES, RATES, Condition, Equation, Equations, Group, System
-from mechsheet.kinematics.newton.lost_assembly import scales
+from mechsheet.kinematics.equations import Equation, Equations, Group
+from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
+from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Dimension, Law, Mechanism, Quantity
 from mechsheet.units import NUMBER, Unit
-
-BESIDE = (*RATES, *FORCES)
-"""Roles of what stands beside the positions."""
+from mechsheet.words.equations import NOTHING
 
 WIDTH = 100
 """Characters of a line of a program that has a comment."""
-
-
-@dataclass(frozen=True, slots=True)
-class Line:
-    """`symbol = node` with what it means; `unit` is that of the value, "" for a plain number."""
-
-    symbol: str
-    node: Node
-    unit: str
-    words: str
-
-
-@dataclass(frozen=True, slots=True)
-class Loop:
-    """A group that Newton's method solves row by row, and where it begins.
-
-    described  symbols that change from the values for which the start values were found to those asked for, and these
-    way        what follows from them, in order, over a share of the way
-    besides    what else the way and the group read: it stays as it is
-    scales     in what each unknown is measured: 1 for an angle, else the largest length
-    """
-
-    system: System
-    described: tuple[tuple[str, float], ...]
-    way: tuple[Line, ...]
-    besides: tuple[str, ...]
-    scales: tuple[float, ...]
-
-    @property
-    def there(self) -> tuple[str, ...]:
-        """What a function for the way is given."""
-        return (*(symbol for symbol, _ in self.described), *self.besides)
-
-
-@dataclass(frozen=True, slots=True)
-class ColumnLine:
-    """A quantity that has one value per row: `node` over whole columns.
-
-    still  the expression has one value for all rows;  group  number of the group, 0 on the driver's side, -1 for outputs
-    loop   Newton's method finds it, with the other unknowns of a system, row by row (`node` says nothing then)
-    """
-
-    symbol: str
-    node: Node
-    still: bool
-    unit: str
-    words: str
-    group: int
-    loop: Loop | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +34,7 @@ class Program:
     """The parts in order.
 
     given      dimensions that a user may change;  derived  those that follow, and the constants of the equations
-    modes      assembly modes, +1 or -1
+    modes      assembly modes, +1 or -1;  assemblies  what the values of each mode mean
     start, stop, step, or values  the driver's, as expressions; neither where it moves by a law
     listed     what is listed beside `values`, by symbol: speeds, accelerations
     exists     true in a row that every group closes
@@ -94,13 +44,14 @@ class Program:
 
     mechanism: Mechanism
     equations: Equations
-    given: tuple[Line, ...]
-    derived: tuple[Line, ...]
-    modes: tuple[Line, ...]
+    given: tuple[Step, ...]
+    derived: tuple[Step, ...]
+    modes: tuple[Step, ...]
+    assemblies: Mapping[str, str]
     sweep: tuple[Node, Node, Node] | None
     values: tuple[Node, ...]
     listed: Mapping[str, tuple[Node, ...]]
-    columns: tuple[ColumnLine, ...]
+    columns: tuple[Step, ...]
     exists: Node
     shown: tuple[str, ...]
     names: dict[str, str]
@@ -128,6 +79,14 @@ class Program:
         """The unit of a shown symbol's value: "rad", the length unit, an output's own label, or ""."""
         return self.unit_shown(symbol).internal.text
 
+    def words(self, step: Step | Equation) -> str:
+        """What a step is, on one line."""
+        return self.assemblies.get(step.symbol) or one_line(step.label.of(self.mechanism.language))
+
+    def unit(self, step: Step) -> str:
+        """The unit of what is given or derived, "" of a plain number."""
+        return self.mechanism.shown(step.unit.internal).text
+
     def print(self, node: Node, dialect: str, calls: Mapping[str, str]) -> str:
         """The text of an expression; `calls` spell the helpers, `{0}` being the first argument."""
         return print_formula(node, dialect, lambda part: self.names[part.name], calls)
@@ -139,6 +98,19 @@ def heading(program: Program, number: int) -> str:
         return "outputs" if number < 0 else "driver's side"
     group = program.equations.groups[number - 1]
     return f"group {number} ({group.kind}): {one_line(group.label.of(program.mechanism.language))}"
+
+
+_NUMBERS = {
+    "CLOSED": CLOSED, "FIRST": FIRST_PASSES, "LED": LED, "STEADY": STEADY, "SETTLED": SETTLED, "TREND": TREND, "LEAP": LEAP,
+}  # fmt: skip
+"""Of Newton's method, by their marks in what languages bring along."""
+
+
+def with_numbers(helpers: str) -> str:
+    """What a language brings along, with the numbers of Newton's method in it."""
+    for mark, number in _NUMBERS.items():
+        helpers = helpers.replace(f"@@{mark}@@", repr(number))
+    return helpers
 
 
 def commented(code: str, words: str, mark: str) -> list[str]:
@@ -155,35 +127,17 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     """The program of a mechanism; no name in it is one of `reserved`. Raises MechanismError."""
     mechanism, equations = compiled.mechanism, compiled.equations
     tell(mechanism, equations)
-    language = mechanism.language
     dimensions = {dim.symbol: dim for dim in mechanism.dimensions}
     order = [dimensions[symbol] for symbol in dimension_order(mechanism)]
-    constants = [
-        Line(
-            eq.symbol,
-            _constant(eq),
-            mechanism.shown(eq.unit.internal).text,
-            one_line(eq.label.of(language)),
-        )
-        for eq in equations.constants
-    ]
-    modes = tuple(
-        Line(group.mode, Number(float(group.mode_value)), "", _assemblies(group, language))
-        for group in equations.groups
-        if group.mode and group.follows is None
-    )
-    found = tuple(
-        Line(group.mode, group.follows, "", _assemblies(group, language))
-        for group in equations.groups
-        if group.follows is not None
-    )
+    modes = [group for group in equations.groups if group.mode]
+    found = tuple(Step(group.mode, group.follows) for group in modes if group.follows is not None)
     driver = mechanism.driver
     sweep = (
         None
         if not driver.stepped
         else tuple(quantity(part, driver.unit) for part in (driver.start, driver.stop, driver.step))
     )
-    columns = _columns(mechanism, equations)
+    columns = columns_of(mechanism, equations)
     kept = [eq.symbol for eq in equations.columns if eq.role in ("variable", "point", "rate", "force", "output")]
     given = (driver.symbol, *mechanism.given_by_row)
     lists = dict(zip(mechanism.driver_rates, (driver.speeds, driver.accelerations), strict=True))
@@ -191,14 +145,16 @@ def program_of(compiled: Compiled, reserved: Collection[str]) -> Program:
     listed |= {
         each.symbol: tuple(quantity(one, each.unit) for one in each.values) for each in mechanism.drivers if each.values
     }
-    wanted = [*given, *dimensions, *(line.symbol for line in (*modes, *found)), *(eq.symbol for eq in equations.all)]
+    order_of_names = [group.mode for group in sorted(modes, key=lambda group: group.follows is not None)]
+    wanted = [*given, *dimensions, *order_of_names, *(eq.symbol for eq in equations.all)]
     wanted += [column.symbol for column in columns]
     return Program(
         mechanism,
         equations,
-        tuple(_dimension(mechanism, dim) for dim in order if not dim.derived),
-        (*(_dimension(mechanism, dim) for dim in order if dim.derived), *constants, *found),
-        modes,
+        tuple(_dimension(dim) for dim in order if not dim.derived),
+        (*(_dimension(dim) for dim in order if dim.derived), *found, *constants_of(mechanism, equations)),
+        tuple(Step(group.mode, Number(float(group.mode_value))) for group in modes if group.follows is None),
+        {group.mode: _assemblies(group, mechanism.language) for group in modes},
         (sweep[0], sweep[1], sweep[2]) if sweep else None,
         tuple(quantity(value, driver.unit) for value in driver.values),
         listed,
@@ -217,9 +173,8 @@ def _assemblies(group: Group, language: str) -> str:
     return "; ".join(f"{value}: {words.of(language)}" for value, words in pairs)
 
 
-def _dimension(mechanism: Mechanism, dim: Dimension) -> Line:
-    words = one_line(dim.label.of(mechanism.language)) if dim.label else ""
-    return Line(dim.symbol, quantity(dim.value, dim.unit), dim.unit.internal.text, words)
+def _dimension(dim: Dimension) -> Step:
+    return Step(dim.symbol, quantity(dim.value, dim.unit), None, dim.label or NOTHING, dim.unit)
 
 
 def quantity(value: Quantity, unit: Unit) -> Node:
@@ -233,89 +188,6 @@ def quantity(value: Quantity, unit: Unit) -> Node:
 def one_line(text: str) -> str:
     """A text of the description on one line, free of control characters: it may stand in a comment."""
     return "".join(letter for letter in " ".join(text.split()) if letter.isprintable())
-
-
-def _columns(mechanism: Mechanism, equations: Equations) -> tuple[ColumnLine, ...]:
-    moving = {mechanism.driver.symbol, *mechanism.given_by_row}
-    systems = {name: group.system for group in equations.groups if group.system for name in group.system.unknowns}
-    passes = {each.symbol for system in systems.values() for each in system.body}
-    after = _read_afterwards(equations, passes)
-    closed: dict[tuple[Condition, ...], Symbol] = {}
-    found = []
-    for equation in equations.columns:
-        if equation.symbol in systems:
-            found += _loop(equation, systems[equation.symbol], equations, mechanism)
-            moving.add(equation.symbol)
-            continue
-        if any(equation.symbol in system.variables for system in systems.values()):
-            equation = replace(equation, exists=())  # the loop says where it is none
-        elif (
-            equation.symbol not in after and equation.role not in BESIDE and passes & {equation.symbol, *equation.reads}
-        ):
-            continue  # within the loop, or what the table says of it
-        still = not moving.intersection(equation.reads)
-        moving.add(equation.symbol)
-        if equation.exists and equation.exists not in closed:
-            line = _closed(equation, len(closed), still)
-            closed[equation.exists] = Symbol(line.symbol)
-            found.append(line)
-        node = _with_helpers(equation.expression)
-        if equation.exists:
-            node = Call("IF", (closed[equation.exists], al.rooted(node), Call("NA")))
-            still = False  # the condition has one value per row
-        unit, words = mechanism.shown(equation.unit.internal).text, one_line(equation.label.of(mechanism.language))
-        found.append(ColumnLine(equation.symbol, node, still, unit, words, equation.group))
-    return tuple(found)
-
-
-def _read_afterwards(equations: Equations, passes: Collection[str]) -> set[str]:
-    """Parts of a pass that velocities and forces read where it has arrived: the Jacobian."""
-    found: set[str] = set()
-    for equation in reversed(equations.columns):
-        if equation.role in BESIDE or equation.symbol in found:
-            found.update(name for name in equation.reads if name in passes)
-    return found
-
-
-def _loop(equation: Equation, system: System, equations: Equations, mechanism: Mechanism) -> list[ColumnLine]:
-    """The unknowns of a system, all in one line: that of the first."""
-    if equation.symbol != system.unknowns[0]:
-        return []
-    language = mechanism.language
-    way = tuple(Line(each.symbol, _constant(each), "", one_line(each.label.of(language))) for each in system.way)
-    moving = {*(line.symbol for line in way), *(symbol for symbol, _ in system.described)}
-    read = [name for line in way for name in symbols(line.node)]
-    besides = tuple(name for name in dict.fromkeys((*read, *system.given)) if name not in moving)
-    loop = Loop(system, system.described, way, besides, scales(mechanism, equations, system))
-    words = one_line(equation.label.of(language))
-    return [ColumnLine(equation.symbol, al.ZERO, False, "", words, equation.group, loop)]
-
-
-def _closed(equation: Equation, number: int, still: bool) -> ColumnLine:
-    """Where the conditions of an equation hold; others of its group share them."""
-    tests = tuple(Binary(">=", condition.margin, condition.least) for condition in equation.exists)
-    name = f"closed {number + 1}"  # no description can use a name with a blank in it
-    return ColumnLine(name, al.all_of(tests), still, "", "", equation.group)
-
-
-def _constant(equation: Equation) -> Node:
-    """A value that all rows share, where it exists."""
-    value = _with_helpers(equation.expression)
-    return value if equation.fails is None else missing_where(equation.fails, al.rooted(value))
-
-
-def _with_helpers(expression: Node) -> Node:
-    """The expression as arrays compute it: helpers called for what is no function of spreadsheets."""
-
-    def called(part: Node) -> Node:
-        match part:
-            case Direction(y, x):
-                return Call("CONTINUOUS", (al.atan2(x, y),))
-            case TriangleAngle(opposite, beside, other):
-                return Call("TRIANGLE", (opposite, beside, other))
-        return part
-
-    return transform(expression, called)
 
 
 def _exists(equations: Equations) -> Node:

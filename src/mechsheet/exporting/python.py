@@ -14,9 +14,9 @@ from livesheet.formula.nodes import Node
 from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.program import WIDTH, ColumnLine, Line, Loop, Program, commented, heading, one_line, program_of
-from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
-from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
+from mechsheet.exporting.lowering import Loop, Step
+from mechsheet.exporting.program import WIDTH, Program, commented, heading, one_line, program_of, with_numbers
+from mechsheet.kinematics.equations import Equation
 from mechsheet.model import TIME
 
 RESERVED = (
@@ -130,11 +130,6 @@ _FOLLOWED = '''def _followed(
 
 
 '''
-for _name, _number in (
-    ("CLOSED", CLOSED), ("FIRST", FIRST_PASSES), ("LED", LED), ("STEADY", STEADY), ("SETTLED", SETTLED),
-    ("TREND", TREND), ("LEAP", LEAP),
-):  # fmt: skip
-    _FOLLOWED = _FOLLOWED.replace(f"@@{_name}@@", repr(_number))
 
 
 def write(job: Job) -> list[bytes]:
@@ -145,7 +140,7 @@ def write(job: Job) -> list[bytes]:
     program = program_of(job.compiled, RESERVED)
     lines = [*_opening(program, job.name), *_tables(program), *_solve(program)]
     loops = any(column.loop for column in program.columns)
-    return [("\n".join(lines) + _HELPERS.replace("@@FOLLOWED@@", _FOLLOWED if loops else "")).encode()]
+    return [("\n".join(lines) + _HELPERS.replace("@@FOLLOWED@@", with_numbers(_FOLLOWED) if loops else "")).encode()]
 
 
 _CALLS = {"CONTINUOUS": "_continuous({0})", "TRIANGLE": "_triangle({0}, {1}, {2})"}
@@ -221,7 +216,7 @@ def _solve(program: Program) -> list[str]:
         if column.group != group:
             group = column.group
             body += [f"        # {heading(program, group)}"]
-        body += _column(program, column)
+        body += _line(program, column) if column.loop is None else _loop(program, column, column.loop)
     body += [f"        exists = np.broadcast_to({_text(program, program.exists)}, {driver}.shape)"]
     body += ["        return {"]
     given_rows = program.given_by_row
@@ -231,7 +226,7 @@ def _solve(program: Program) -> list[str]:
     return [*_signature(program), *body, "        }", ""]
 
 
-def _loop(program: Program, column: ColumnLine, loop: Loop) -> list[str]:
+def _loop(program: Program, column: Step, loop: Loop) -> list[str]:
     """The unknowns of a system, by a function of its own for one pass."""
     names, system = program.names, loop.system
     unknowns, given = (", ".join(names[name] for name in part) for part in (system.unknowns, system.given))
@@ -244,9 +239,7 @@ def _loop(program: Program, column: ColumnLine, loop: Loop) -> list[str]:
         "        ) -> tuple[Array, float, float]:",
     ]
     lines += [f"            {unknowns}{tail} = x_"]
-    for part in system.body:
-        words = one_line(part.label.of(program.mechanism.language))
-        lines += commented(f"            {names[part.symbol]} = {_text(program, part.expression)}", words, "#")
+    lines += [text for part in system.body for text in _line(program, part, 12)]
     corrections = [_text(program, part) for part in system.corrections]
     there = _paragraph(", ".join(names[name] for name in loop.there) + ",", " " * 16)
     first = f"np.argmin(np.abs({names[system.driver]} - {system.home!r}))"
@@ -288,8 +281,7 @@ def _way(program: Program, name: str, loop: Loop) -> list[str]:
     ]
     for symbol, value in loop.described:
         lines.append(f"            {names[symbol]} = {value!r} + share_ * ({names[symbol]} - {value!r})")
-    for line in loop.way:
-        lines += commented(f"            {names[line.symbol]} = {_text(program, line.node)}", line.words, "#")
+    lines += [text for line in loop.way for text in _line(program, line, 12)]
     return [*lines, f"            return ({', '.join(names[symbol] for symbol in loop.system.given)},)"]
 
 
@@ -300,26 +292,24 @@ def _signature(program: Program) -> list[str]:
     whose = "driver's values" if program.law is None else "time in seconds"
     texts = ["", f"    {names[0]}: the {whose}, one per row; by default the description's sweep"]
     texts += [f"    {name}: one per row; by default as the description lists them" for name in names[1:]]
-    for line in program.given:
-        head.append(f"    {program.names[line.symbol]}: float = {_text(program, line.node)},")
-        texts += _argument(program, line)
-    for line in program.modes:
-        head.append(f"    {program.names[line.symbol]}: float = {_text(program, line.node)},")
+    for line in (*program.given, *program.modes):
+        head.append(f"    {program.names[line.symbol]}: float = {_text(program, line.expression)},")
         texts += _argument(program, line)
     doc = ['    """Positions of all links in every row: {symbol: array}, units in `UNITS`.', *texts, '    """']
     return [*head, ") -> dict[str, Array]:", *doc]
 
 
-def _argument(program: Program, line: Line) -> list[str]:
-    unit = f" [{line.unit}]" if line.unit else ""
-    text = _quoted(
-        f"{program.names[line.symbol]}{unit}: {line.words}" if line.words else program.names[line.symbol] + unit
-    )
-    return _paragraph(text, " " * 4)
+def _argument(program: Program, line: Step) -> list[str]:
+    unit, words = program.unit(line), program.words(line)
+    text = f"{program.names[line.symbol]} [{unit}]" if unit else program.names[line.symbol]
+    return _paragraph(_quoted(f"{text}: {words}" if words else text), " " * 4)
 
 
-def _line(program: Program, line: Line) -> list[str]:
-    return commented(f"        {program.names[line.symbol]} = {_text(program, line.node)}", line.words, "#")
+def _line(program: Program, line: Step | Equation, indent: int = 8) -> list[str]:
+    text = _text(program, line.expression)
+    if isinstance(line, Step) and line.still:
+        text = f"np.full(rows, {text})"
+    return commented(f"{' ' * indent}{program.names[line.symbol]} = {text}", program.words(line), "#")
 
 
 def _driver(program: Program, driver: str) -> list[str]:
@@ -354,12 +344,3 @@ def _driver(program: Program, driver: str) -> list[str]:
 def _own(program: Program, name: str) -> list[str]:
     """Whether the rows are the description's: asked where a loop begins in one of them."""
     return [f"        own_ = {name} is None"] if any(column.loop for column in program.columns) else []
-
-
-def _column(program: Program, column: ColumnLine) -> list[str]:
-    if column.loop is not None:
-        return _loop(program, column, column.loop)
-    text = _text(program, column.node)
-    if column.still:
-        text = f"np.full(rows, {text})"
-    return commented(f"        {program.names[column.symbol]} = {text}", column.words, "#")

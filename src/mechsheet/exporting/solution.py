@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node, Number, Symbol, symbols
 from livesheet.formula.scalar import evaluate
-from livesheet.said import say
+from livesheet.said import Words, say
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.mathtext import RATIO, Pen, packed, point_math, seen, symbol_math
 from mechsheet.exporting.position import Position
@@ -20,10 +20,9 @@ from mechsheet.exporting.program import one_line, quantity
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.equations import CAM, Equation, Group
 from mechsheet.kinematics.newton.refusing import need_one_position
-from mechsheet.model import Words
 from mechsheet.synthesis.writing import says
 from mechsheet.units import LENGTH, RAD, Unit
-from mechsheet.words import solution as words
+from mechsheet.words.catalogue import words
 
 LINE = 66
 """Characters of LaTeX that numbers and their result may share a line with."""
@@ -102,6 +101,9 @@ class _Writer:
     def say(self, text: Words) -> str:
         return text.of(self.pen.language)
 
+    def text(self, key: str, **parts: object) -> str:
+        return words(self.pen.language, f"solution.{key}", **parts)
+
     def heading(self, level: int, text: str) -> None:
         self.blocks.append(Heading(level, text))
 
@@ -117,11 +119,11 @@ class _Writer:
             self.group(group, group.closure)
         cam = [equation for equation in self.equations.columns if equation.group == CAM]
         if cam:
-            self.heading(2, self.say(words.CAM))
+            self.heading(2, self.text("cam"))
             self.steps(cam)
         outputs = [equation for equation in self.equations.columns if equation.role == "output"]
         if outputs:
-            self.heading(2, self.say(words.OUTPUTS))
+            self.heading(2, self.text("outputs"))
             self.steps(outputs)
         self.result()
         return self.blocks
@@ -133,12 +135,12 @@ class _Writer:
         self.heading(1, one_line(self.say(mechanism.title)))
         source = one_line(self.say(mechanism.source))
         if source:
-            self.paragraph(f"{self.say(words.SOURCE)}: {source}")
-        units = self.say(words.UNITS).format(unit=one_line(mechanism.length_unit)) if mechanism.length_unit else ""
-        self.paragraph(f"{units} {self.say(words.HOW)}".strip())
+            self.paragraph(f"{self.text('source')}: {source}")
+        units = self.text("units", unit=one_line(mechanism.length_unit)) if mechanism.length_unit else ""
+        self.paragraph(f"{units} {self.text('how')}".strip())
 
     def given(self) -> None:
-        self.heading(2, self.say(words.GIVEN))
+        self.heading(2, self.text("given"))
         rows = []
         for dim in self.mechanism.dimensions:
             if not dim.derived:
@@ -146,7 +148,7 @@ class _Writer:
                 node = quantity(dim.value, dim.unit)
                 rows.append(((Math(symbol_math(dim.symbol)),), (Math(self.exact(node, dim.symbol)),), (label,)))
         if rows:
-            self.table((words.SYMBOL, words.VALUE, words.MEANING), rows, (1,))
+            self.table(("symbol", "value", "meaning"), rows, (1,))
         lines = []
         for dim in self.mechanism.dimensions:
             if not isinstance(dim.value, float):
@@ -157,7 +159,7 @@ class _Writer:
                 if step.symbol != self.equations.tolerance and not al.is_simple(step.expression):
                     lines += self.step(step.symbol, step.expression, step.unit)
         if lines:
-            self.paragraph(self.say(words.FOLLOWS) + ":")
+            self.paragraph(self.text("follows") + ":")
             self.blocks.append(Display(tuple(lines)))
 
     def exact(self, node: Node, symbol: str) -> str:
@@ -168,27 +170,27 @@ class _Writer:
 
     def driver(self) -> None:
         symbol = self.mechanism.driver.symbol
-        self.heading(2, self.say(words.DRIVER))
-        self.paragraph(self.say(words.DRIVEN))
+        self.heading(2, self.text("driver"))
+        self.paragraph(self.text("driven"))
         self.blocks.append(Display((f"{symbol_math(symbol)} &= {self.pen.result(symbol)}",)))
         self.steps(equation for equation in self.equations.columns if equation.group == 0)
 
     # --- a group ----------------------------------------------------------------------------------------------
 
     def group(self, group: Group, loop: Loop) -> None:
-        title = f"{self.say(words.GROUP)} {group.number} ({group.kind}): {one_line(self.say(group.label))}"
+        title = f"{self.text('group')} {group.number} ({group.kind}): {one_line(self.say(group.label))}"
         self.heading(2, title)
-        self.heading(3, self.say(words.LOOP))
+        self.heading(3, self.text("loop"))
         self.loop(loop, group)
-        self.heading(3, self.say(words.STEPS))
+        self.heading(3, self.text("steps"))
         points = [f"{name}" for name in group.pins]
-        self.paragraph(self.say(words.KINDS[group.kind]).format(*points))
+        self.paragraph(self.text(group.kind).format(*points))
         if group.mode:
             text = one_line(self.say(group.mode_words))
             mode = f"{symbol_math(group.mode)} = {group.mode_value:+d}"
-            self.paragraph(f"{self.say(words.MODE)} ", Math(mode), f": {text}")
+            self.paragraph(f"{self.text('mode')} ", Math(mode), f": {text}")
         self.steps(equation for equation in self.equations.columns if equation.group == group.number)
-        self.heading(3, self.say(words.CHECK))
+        self.heading(3, self.text("check"))
         self.check(loop)
 
     def loop(self, loop: Loop, group: Group) -> None:
@@ -198,9 +200,9 @@ class _Writer:
         if named:
             lines += _equated(_way(loop.left_way), _way(loop.right_way))
         lines += _equated(*([pen.vector(vector) for vector in side] for side in (loop.left, loop.right)))
-        self.paragraph(self.say(words.VECTORS if named else words.COMPLEX))
+        self.paragraph(self.text("vectors" if named else "complex"))
         self.blocks.append(Display(tuple(lines)))
-        self.paragraph(self.say(words.SCALARS))
+        self.paragraph(self.text("scalars"))
         scalars: list[str] = []
         for part in (al.cos, al.sin):
             left, right = (
@@ -211,8 +213,8 @@ class _Writer:
         self.blocks.append(Display(tuple(scalars)))
         solved = [eq.symbol for eq in self.equations.columns if eq.group == group.number and eq.role == "variable"]
         unknown = [name for name in loop.reads if name in solved or name in group.unknowns]
-        between = f" {self.say(words.AND)} "
-        parts: list[str | Math] = [f"{self.say(words.UNKNOWNS)} "]
+        between = f" {self.text('and')} "
+        parts: list[str | Math] = [f"{self.text('unknowns')} "]
         for index, name in enumerate(unknown):
             parts += [between if index else "", Math(symbol_math(name))]
         self.paragraph(*parts, ".")
@@ -220,7 +222,7 @@ class _Writer:
     def check(self, loop: Loop) -> None:
         """Each vector in numbers, and the sums of both sides."""
         rows: list[tuple[Inline, ...]] = []
-        for side, name in ((loop.left, words.LEFT), (loop.right, words.RIGHT)):
+        for side, name in ((loop.left, "left"), (loop.right, "right")):
             total = 0j
             for vector in side:
                 length, angle = self.number(vector.length), self.number(vector.angle.expression())
@@ -235,11 +237,11 @@ class _Writer:
                 )  # fmt: skip
             empty: list[Inline] = [()] * 4
             sums = _cells(self.pen.shown(total.real, LENGTH), self.pen.shown(total.imag, LENGTH))
-            rows.append(((self.say(name),), *empty, *sums))
+            rows.append(((self.text(name),), *empty, *sums))
         self.blocks.append(
             Table(
-                ((self.say(words.VECTOR),), (self.say(words.LENGTH),), (self.say(words.ANGLE),), (Math(r"\cos"),),
-                 (Math(r"\sin"),), (self.say(words.REAL),), (self.say(words.IMAGINARY),)),
+                ((self.text("vector"),), (self.text("length"),), (self.text("angle"),), (Math(r"\cos"),),
+                 (Math(r"\sin"),), (self.text("real"),), (self.text("imaginary"),)),
                 tuple(rows), (1, 2, 3, 4, 5, 6),
             )
         )  # fmt: skip
@@ -255,7 +257,7 @@ class _Writer:
         for step in (step for equation in equations for step in self.position.steps[equation.symbol]):
             if step.counts_turns:
                 value = Math(self.pen.rounded(self.position.value(step.symbol), "number"))
-                self.paragraph(Math(symbol_math(step.symbol)), f": {self.say(words.TURNS)} ", value)
+                self.paragraph(Math(symbol_math(step.symbol)), f": {self.text('turns')} ", value)
                 continue
             label = one_line(self.say(step.label))
             self.paragraph(label + ":") if label != step.symbol else None
@@ -283,7 +285,7 @@ class _Writer:
 
     def result(self) -> None:
         """All variables, points and outputs at the position."""
-        self.heading(2, self.say(words.RESULT))
+        self.heading(2, self.text("result"))
         kinds = ("variable", "point", "rate", "force", "output")
         rows = []
         for equation in self.equations.columns:
@@ -291,10 +293,10 @@ class _Writer:
                 label = one_line(self.say(equation.label))
                 text = label if label != equation.symbol else ""
                 rows.append(((Math(symbol_math(equation.symbol)),), (Math(self.pen.result(equation.symbol)),), (text,)))
-        self.table((words.SYMBOL, words.VALUE, words.MEANING), rows, (1,))
+        self.table(("symbol", "value", "meaning"), rows, (1,))
 
-    def table(self, head: tuple[Words, ...], rows: Sequence[tuple[Inline, ...]], numbers: tuple[int, ...]) -> None:
-        self.blocks.append(Table(tuple((self.say(word),) for word in head), tuple(rows), numbers))
+    def table(self, head: tuple[str, ...], rows: Sequence[tuple[Inline, ...]], numbers: tuple[int, ...]) -> None:
+        self.blocks.append(Table(tuple((self.text(word),) for word in head), tuple(rows), numbers))
 
 
 def _degrees(node: Node) -> bool:

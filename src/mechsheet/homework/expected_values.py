@@ -117,7 +117,10 @@ def truth_of(
     rows = np.flatnonzero(solution.exists)
     if not len(rows):
         return None
-    if mechanism.driver.speed is not None and not mechanism.driver.speeds:
+    cam = mechanism.cam
+    if cam is not None:
+        columns = reference.profile(solution, cam).columns | columns
+    if cam is not None or (mechanism.driver.speed is not None and not mechanism.driver.speeds):
         columns = reference.by_time(solution) | columns
     columns = reference.forces(solution) | columns
     poses = {name: tuple(map(float, pose[rows[0]])) for name, pose in solution.poses.items()}
@@ -143,6 +146,9 @@ def _kinds(mechanism: Mechanism, columns: Mapping[str, Array]) -> dict[str, Kind
     if not mechanism.driver.joint:
         angles.add(mechanism.driver.symbol)
     lengths = {joint.symbol for joint in mechanism.joints} | {name for name in columns if name.endswith((".x", ".y"))}
+    if mechanism.cam is not None:
+        angles.add("alpha")
+        lengths |= {"contact", "rho"}
     if mechanism.driver.joint:
         lengths.add(mechanism.driver.symbol)
     units = {output.symbol: output.unit.kind for output in mechanism.outputs}
@@ -229,7 +235,8 @@ def _same(one: Truth, other: Truth) -> bool:
 def vocabulary(truth: Truth) -> list[Quantity]:
     """What moves: the columns; of the points distances, directions, differences and the angles of three."""
     found = [truth.quantity(symbol) for symbol in truth.columns]
-    points = sorted({symbol[:-2] for symbol in truth.columns if symbol.endswith(".x")})
+    curves = () if truth.mechanism.cam is None else truth.mechanism.cam.symbols
+    points = sorted({symbol[:-2] for symbol in truth.columns if symbol.endswith(".x") and symbol not in curves})
     places = {point: (truth.columns[f"{point}.x"], truth.columns[f"{point}.y"]) for point in points}
     for p, q in itertools.combinations(points, 2):
         dx, dy = (places[q][axis] - places[p][axis] for axis in (0, 1))

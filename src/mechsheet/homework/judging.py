@@ -23,7 +23,8 @@ from mechsheet.homework.two_way import others_of
 from mechsheet.homework.understanding import MOVING, Understanding, other_runs, understand
 from mechsheet.homework.verdicts import Finding, Sheet, findings, with_doubt, with_liveness
 from mechsheet.model import Mechanism
-from mechsheet.words.homework import HOMEWORK, said
+from mechsheet.words.catalogue import is_key
+from mechsheet.words.homework import said
 
 MOST_TABLES = 4
 """Tables of one workbook that are looked at."""
@@ -363,6 +364,8 @@ def _found_once(mechanism: Mechanism) -> Mechanism:
 
 def _told(error: WorkbookError, mechanism: Mechanism, shown: str) -> WorkbookError:
     return WorkbookError(
-        replace(fault, file=shown, message=said(mechanism.language, fault.about)) if fault.about in HOMEWORK else fault
+        replace(fault, file=shown, message=said(mechanism.language, fault.about))
+        if is_key(f"homework.{fault.about}")
+        else fault
         for fault in error.faults
     )

@@ -148,7 +148,8 @@ def _called(mechanism: Mechanism, table: Table) -> tuple[Input, ...]:
 
 
 def deciding(mechanism: Mechanism) -> tuple[str, ...]:
-    """The dimensions that decide how the links move, in the description's order: those in the places of joints.
+    """The dimensions that decide how the links move, in the description's order: those in the places of joints, those of a
+    cam and of its motion.
 
     A point that only one link has is carried along: its dimensions decide nothing.
     """
@@ -157,6 +158,11 @@ def deciding(mechanism: Mechanism) -> tuple[str, ...]:
     parts: list[object] = [(joint.through, joint.angle, joint.orientation) for joint in mechanism.joints]
     for link in mechanism.links:
         parts += [at for point, at in link.points.items() if counted_points[point] > 1 or point in slides]
+    if mechanism.cam is not None:
+        parts += [mechanism.cam.base_radius, mechanism.cam.radius]
+    for driver in mechanism.drivers:
+        for segment in driver.segments.parts if driver.segments is not None else ():
+            parts += [segment.over, segment.by]
     by_symbol = {dim.symbol: dim for dim in mechanism.dimensions}
     read: set[str] = set()
     waiting = [symbol for part in parts for symbol in _read(part)]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from mechsheet.homework.audit import Audit, FaultFound
-from mechsheet.words.homework import HOMEWORK, marks_of, said
+from mechsheet.words.catalogue import is_key
+from mechsheet.words.homework import marks_of, said
 
 
 def lines(audit: Audit) -> list[str]:
@@ -34,4 +35,4 @@ def fault_line(fault: FaultFound, language: str) -> str:
 
 def kind_words(kind: str, language: str) -> str:
     """A kind of fault in a language."""
-    return said(language, kind) if kind in HOMEWORK else kind
+    return said(language, kind) if is_key(f"homework.{kind}") else kind

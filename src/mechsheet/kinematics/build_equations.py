@@ -13,7 +13,7 @@ from livesheet.diagnostics import Fault
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Node, Number, Symbol, symbols
-from livesheet.said import say
+from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
 from mechsheet.kinematics.closures import Loop
@@ -46,9 +46,9 @@ from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rates.coefficients import Written, add_rates, wanted
 from mechsheet.kinematics.segments import write_segments
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import FurtherDriver, Mechanism, Quantity, Words
+from mechsheet.model import FurtherDriver, Label, Mechanism, Quantity
 from mechsheet.units import ANGLE, LENGTH
-from mechsheet.words.equations import phrase, same
+from mechsheet.words.equations import phrase
 
 PROBED_ROWS = 200
 """Rows at the start, and as many again spread over the rest, on which modes are picked."""
@@ -519,7 +519,7 @@ def _outputs(mechanism: Mechanism, ledger: Ledger, whole: bool) -> None:
                 Fault(say('"{name}" is not known here', name=unknown[0]), key=f"outputs.{output.symbol}.formula")
             )
             continue
-        label = output.label or same(output.symbol)
+        label = output.label or Label(output.symbol)
         ledger.define(output.symbol, output.formula, output.unit, label, "output")
     if faults:
         raise MechanismError(faults)

@@ -21,13 +21,14 @@ from dataclasses import dataclass
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol
 from livesheet.formula.vectors import Vector, cross, dot, minus, negative, over, plus, size, times, turned
+from livesheet.said import Words
 from mechsheet.kinematics.equations import CAM, Condition, Role
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Motions, PointRate
 from mechsheet.kinematics.rates.rate_columns import RateColumns
-from mechsheet.model import Cam, Words
+from mechsheet.model import Cam
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 

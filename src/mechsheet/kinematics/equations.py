@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Node, Root, Symbol, symbols
+from livesheet.said import Words
 from mechsheet.kinematics.closures import Loop
-from mechsheet.model import Words
 from mechsheet.units import Unit
 
 Role = Literal[
@@ -314,6 +314,27 @@ class Equations:
     def shown_forces(self) -> tuple[str, ...]:
         """What people read of the forces: not the parts, nor the effort once more."""
         return self.forces("effort", "besides", *JOINT_FORCES, "couple", "whole", "center", "hold")
+
+    def impossible(self, driver: str) -> Node | None:
+        """True while an input is none that a mechanism can have: a length between joints that is not above 0, another mode
+        than there are. None where no input could be one.
+
+        driver  its symbol: a driven slide that is no length is found row by row, where its group comes apart
+        """
+        lengths = tuple(Symbol(name) for name in self.positive if name != driver)
+        wrong: list[Node] = [Binary("<=", al.smallest(lengths), al.ZERO)] if lengths else []
+        modes = [(Symbol(group.mode), group.system) for group in self.groups if group.mode]
+        wrong += [Binary("<>", al.call("ABS", mode), al.ONE) for mode, system in modes if system is None]
+        for mode, system in modes:
+            if system is not None:
+                most = al.number(len(system.starts))
+                middle = al.sub(al.sub(al.mul(al.TWO, mode), most), al.ONE)
+                wrong.append(Binary(">=", al.call("ABS", middle), most))
+        return al.any_of(wrong) if wrong else None
+
+    def group_of(self, equation: Equation) -> Group | None:
+        """The group that an equation belongs to; None on the driver's side, of outputs and of a cam's profile."""
+        return self.groups[equation.group - 1] if equation.group > 0 else None
 
     def of(self, symbol: str) -> Equation:
         """The equation of a symbol."""

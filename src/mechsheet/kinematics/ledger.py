@@ -14,11 +14,11 @@ import numpy as np
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Call, Direction, Node, Number, Root, Symbol, symbols
+from livesheet.said import Words
 from mechsheet.kinematics.equations import Condition, Equation, ForceKind, Role, System
 from mechsheet.kinematics.naming import FreshNames
 from mechsheet.kinematics.newton.system import followed
 from mechsheet.kinematics.numeric import Array, evaluate_equation
-from mechsheet.model import Words
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import NOTHING, phrase
 

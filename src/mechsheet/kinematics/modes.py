@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from livesheet.diagnostics import Fault
-from livesheet.said import say
+from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dyads.solved import Solved
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.points_in_link import number
-from mechsheet.model import Mechanism, Words
+from mechsheet.model import Mechanism
 
 BETWEEN = 0.1
 """A sketch lies between two assemblies where the squares of its distances to them differ by less than this part of the

@@ -17,7 +17,7 @@ import numpy as np
 
 from livesheet.diagnostics import Fault
 from livesheet.formula.nodes import Root
-from livesheet.said import say
+from livesheet.said import Words, say
 from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.modes import BETWEEN, SEPARATE, BetweenModesError, Entry, difference, shown_entries
@@ -26,7 +26,7 @@ from mechsheet.kinematics.newton.starts import MOST_FOUND
 from mechsheet.kinematics.newton.system import followed
 from mechsheet.kinematics.numeric import Array, evaluate_equation
 from mechsheet.kinematics.points_in_link import number
-from mechsheet.model import Mechanism, Words
+from mechsheet.model import Mechanism
 
 WIDTH = 256
 """So many combinations are followed at most: of more those that miss the sketch least so far."""

@@ -15,9 +15,10 @@ from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Call, Node, Symbol, TriangleAngle
 from livesheet.formula.scalar import evaluate
+from livesheet.said import Words
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.model import Cartesian, Distances, Link, Polar, Quantity, Words
+from mechsheet.model import Cartesian, Distances, Link, Polar, Quantity
 from mechsheet.model import Place as LinkPlace
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import link_words, phrase

@@ -15,13 +15,14 @@ import numpy as np
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Node, Symbol, symbols
+from livesheet.said import Words
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.gear_relations import Tied, solved_for
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.points_in_link import ORIGIN, LinkPlaces, Place, angle_of, arm_of, cartesian
-from mechsheet.model import Joint, Link, Mechanism, Words
+from mechsheet.model import Joint, Link, Mechanism
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import body_words, link_words, listed, phrase
 

@@ -110,7 +110,7 @@ def _no_mode(name: str, value: str, file: str, hint: str = "") -> Fault:
 
 
 def _no_number(group: Group, name: str, value: str, file: str) -> Fault:
-    hint = "; ".join(f"{number}: {words.en}" for number, words in enumerate(group.assemblies, 1))
+    hint = "; ".join(f"{number}: {words.of('en')}" for number, words in enumerate(group.assemblies, 1))
     message = say(
         "{name} is the number of one of 1 assembly, not {value}"
         if len(group.assemblies) == 1

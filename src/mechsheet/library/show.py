@@ -30,7 +30,7 @@ from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.shown import unit_of_column
 from mechsheet.synthesis.writing import says
 from mechsheet.units import NUMBER, behind_number, unit_of
-from mechsheet.words.workbook import words
+from mechsheet.words.catalogue import LANGUAGES, words
 
 
 def overview_text(mechanism: Mechanism) -> str:
@@ -48,12 +48,12 @@ def overview_text(mechanism: Mechanism) -> str:
         for each in mechanism.redundant
     ]
     for group in equations.groups:
-        mode = f"  {group.mode} = {group.mode_value:+d} ({group.mode_words.en})" if group.mode else ""
+        mode = f"  {group.mode} = {group.mode_value:+d} ({group.mode_words.of('en')})" if group.mode else ""
         if group.system is not None:
             mode = f"  {group.mode} = {group.mode_value} of {len(group.assemblies)}, by Newton's method"
-        lines.append(f"group {group.number} {group.kind}: {group.label.en}{mode}")
+        lines.append(f"group {group.number} {group.kind}: {group.label.of('en')}{mode}")
         if group.system is not None:
-            lines += [f"  {number}: {words.en}" for number, words in enumerate(group.assemblies, 1)]
+            lines += [f"  {number}: {words.of('en')}" for number, words in enumerate(group.assemblies, 1)]
             lines.append(f"  {group.system.passes} passes a row")
     variables = [equation.symbol for equation in equations.columns if equation.role == "variable"]
     lines.append(f"variables: {', '.join(variables)}")
@@ -170,7 +170,7 @@ def _group_heading(equations: Assignments, number: int) -> str:
     if number < 0:
         return "outputs"
     group = equations.groups[number - 1]
-    return f"group {number} {group.kind}: {group.label.en}"
+    return f"group {number} {group.kind}: {group.label.of('en')}"
 
 
 def _line(equation: Assignment) -> str:
@@ -187,7 +187,7 @@ def equations_json(mechanism: Mechanism) -> str:
             "unit": (mechanism.given_unit(symbol) or NUMBER).kind,
             "group": 0,
             "label": {
-                language: words(language, "given.t" if symbol == TIME else "notes.driver") for language in ("en", "tr")
+                language: words(language, "given.t" if symbol == TIME else "notes.driver") for language in LANGUAGES
             },
         }
         for symbol, node in given_by_law(mechanism).items()
@@ -199,7 +199,7 @@ def equations_json(mechanism: Mechanism) -> str:
             "kind": equation.role,
             "unit": equation.unit.symbol if equation.unit.kind == "label" else equation.unit.kind,
             "group": equation.group,
-            "label": {"en": equation.label.en, "tr": equation.label.tr},
+            "label": {language: equation.label.of(language) for language in LANGUAGES},
         }
         for equation in lowered(mechanism, compiled_of(mechanism).equations).all
     ]

@@ -18,6 +18,8 @@ from mechsheet.kinematics.search import Search
 from mechsheet.library.building import told
 from mechsheet.library.named import Named
 from mechsheet.model import Mechanism
+from mechsheet.sheet.findings.listing import findings_of
+from mechsheet.sheet.findings.searched import SearchedMotion
 from mechsheet.sheet.plan import MEANING, TOLERANCE
 from mechsheet.sheet.shown import shown_unit
 from mechsheet.units import behind_number
@@ -157,8 +159,6 @@ def verdicts_of(mechanism: Mechanism) -> Named[Verdict]:
     that there is none of. Values are searched in Python wherever a search can be sure (`kinematics.search`), the others
     and the words are the sheet's: those of several sheets, which say more than one page has room for.
     """
-    from mechsheet.checking.searched.verdicts import SearchedVerdicts
-
     mechanism = replace(mechanism, layout="sheets")
     compiled = told(mechanism)
     plan = compiled.plan
@@ -173,8 +173,8 @@ def verdicts_of(mechanism: Mechanism) -> Named[Verdict]:
 
     verdict = plan.places.verdict
     found = Named({verdict.name: line(None, None, compiled.value(verdict))})
-    for key in plan.found.entries:
-        spot, at = plan.places.lines[key], plan.places.occurs.get(key)
+    for key, spot in plan.places.lines.items():
+        at = plan.places.occurs.get(key)
         where = None if at is None else compiled.value(at)
         found[spot.name] = line(compiled.value(spot), where, compiled.value(replace(spot, col=MEANING)))
     for spot in plan.searched.limits:
@@ -186,11 +186,11 @@ def verdicts_of(mechanism: Mechanism) -> Named[Verdict]:
         found[spot.name] = line(compiled.value(spot), where, words)
     names = {key: spot.name for key, spot in plan.places.lines.items()}
     names |= {f"limit_{number}": spot.name for number, spot in enumerate(plan.searched.limits, 1)}
-    search = Search(mechanism, compiled.equations, compiled.given)
-    for key, numbers in SearchedVerdicts(plan, search).numbers().items():
-        name = names.get(key, key)
-        value = numbers[0] if numbers else None
-        found[name] = replace(found.get(name, line(None, None, None)), value=value)
+    motion = SearchedMotion(plan, Search(mechanism, compiled.equations, compiled.given))
+    for finding in findings_of(mechanism, plan.found):
+        for key, expected in finding.expected(motion).items():
+            if expected.told and (name := names.get(key, key)) in found:
+                found[name] = replace(found[name], value=next(iter(expected.numbers), None))
     return found
 
 

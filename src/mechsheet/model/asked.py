@@ -8,8 +8,7 @@ from dataclasses import dataclass, field
 from typing import Literal, TypeAlias
 
 from livesheet.formula.nodes import Node
-
-from .symbols import Words
+from livesheet.said import Words
 
 
 def values_in(low: float, high: float, step: float) -> int:

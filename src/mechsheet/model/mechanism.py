@@ -8,11 +8,12 @@ from typing import Literal, TypeAlias
 
 from livesheet.formula.nodes import Call, Node, symbols
 from livesheet.formula.nodes import Number as NumberNode
+from livesheet.said import Words
 from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 
 from .asked import Exercise, Study, Synthesis, Tolerances
 from .cams import Cam, Segments
-from .symbols import TIME, Quantity, Words, rate_symbols
+from .symbols import TIME, Quantity, rate_symbols
 from .takes import Take
 
 
@@ -249,6 +250,11 @@ class Spring:
     free_length: Node
     damping: Node
 
+    @property
+    def hold(self) -> str:
+        """What the free length is called with which it just holds the follower of a cam."""
+        return f"{self.name}.hold"
+
 
 def torque_unit(force_unit: str, metre: float | None, length_unit: str) -> str:
     """The unit of a torque: N m, or that of a force times the description's own lengths."""
@@ -426,6 +432,7 @@ Ends: TypeAlias = tuple[float | None, float | None]
 class ChartRequest:
     """Curves of `y` against `x`, or the paths of points at true scale, or those of the ends of their velocity vectors.
 
+    profile         whether the profile of the cam is drawn instead
     x_ends, y_ends  where the axes of curves begin and end, as they are shown; None: chosen
     """
 
@@ -434,6 +441,7 @@ class ChartRequest:
     y: tuple[str, ...] = ()
     paths: tuple[str, ...] = ()
     hodographs: tuple[str, ...] = ()
+    profile: bool = False
     x_ends: Ends = (None, None)
     y_ends: Ends = (None, None)
 
@@ -505,7 +513,7 @@ class Mechanism:
     summaries: tuple[Summary, ...] = ()
     charts: tuple[ChartRequest, ...] = ()
     tables: tuple[TableRequest, ...] = ()
-    language: Literal["en", "tr"] = "en"
+    language: str = "en"
     references: Literal["names", "anchors"] = "names"
     layout: Literal["sheets", "page"] = "sheets"
     drawn: bool = True

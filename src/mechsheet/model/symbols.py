@@ -1,4 +1,4 @@
-"""What a model is written in: quantities, symbols by rule, words in both languages."""
+"""What a model is written in: quantities, symbols by rule, labels in several languages."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from livesheet.formula.nodes import Node
+from livesheet.said import Words
 
 Quantity: TypeAlias = float | Node
 
@@ -52,12 +53,15 @@ def pair_symbol(letter: str, first: int, second: int) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Words:
-    """A text in both languages; a description that gives one string has it in both."""
+class Label(Words):
+    """A text of the description: one, or one for each language; what has none in a language has the English one.
 
-    en: str
-    tr: str
+    others  language -> text, besides the English one
+    """
+
+    text: str
+    others: tuple[tuple[str, str], ...] = ()
 
     def of(self, language: str) -> str:
-        """The text in "en" or "tr"."""
-        return self.tr if language == "tr" else self.en
+        """The text in a language."""
+        return dict(self.others).get(language, self.text)

@@ -31,7 +31,7 @@ X = Symbol("x")
 class Take:
     """One of them.
 
-    key     how the description calls it; its words are `take.` and the key (`words/workbook.py`)
+    key     how the description calls it; its words are `take.` and the key (`words/catalogues/`)
     value   a formula over the parts
     of_row  what the mean is of: x, or a formula over it, which then has a column of its own in a workbook
     mark    what that column's symbol has behind the quantity's

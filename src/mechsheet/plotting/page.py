@@ -12,7 +12,7 @@ from string import Template
 from livesheet.workbook import Cell, Chart, Fill, SeriesRef, Workbook
 from mechsheet.plotting.figures import Figure, Move, drawing, figure
 from mechsheet.plotting.scenes import Curves, Piece, Stage, comes_round
-from mechsheet.words import pictures as words
+from mechsheet.words.catalogue import words
 
 
 def page(stage: Stage) -> bytes:
@@ -34,15 +34,15 @@ def page(stage: Stage) -> bytes:
         "driver": [round(value, 9) for value in driver],
         "captions": captions,
         "round": all(sample.exists[: sample.sweep]) and comes_round(scenes[0], scenes[-1]),
-        "play": words.PLAY.of(language),
-        "pause": words.PAUSE.of(language),
+        "play": words(language, "picture.play"),
+        "pause": words(language, "picture.pause"),
         "moves": [[move.id, move.kind, move.frames] for made in (picture, *figures) for move in made.moves],
     }
     source = mechanism.source.of(language)
     text = Template(_part("page.html")).substitute(
         language=language,
         title=escape(mechanism.title.of(language)),
-        source=f"<p>{words.SOURCE.of(language)}: {escape(source)}</p>" if source else "",
+        source=f"<p>{words(language, 'picture.source')}: {escape(source)}</p>" if source else "",
         style=_part("page.css"),
         script=_part("page.js"),
         picture=picture.markup,
@@ -51,12 +51,12 @@ def page(stage: Stage) -> bytes:
         last=len(captions) - 1,
         shown=sample.shown,
         caption=escape(captions[sample.shown]),
-        play=words.PLAY.of(language),
-        position=words.POSITION.of(language),
-        drawing=words.DRAWING.of(language),
-        curves=words.CURVES.of(language),
-        help=words.HELP.of(language),
-        no_script=words.NO_SCRIPT.of(language),
+        play=words(language, "picture.play"),
+        position=words(language, "picture.position"),
+        drawing=words(language, "picture.drawing"),
+        curves=words(language, "picture.curves"),
+        help=words(language, "picture.help"),
+        no_script=words(language, "picture.no_script"),
     )
     return text.encode()
 

@@ -3,6 +3,7 @@
 It knows nothing of equations, formulas, cells or the groups that the workbook is solved by; it judges them.
 """
 
+from .cams import profile
 from .forces import forces
 from .geometry import dimension_values, driver_values
 from .nearby import nearby
@@ -23,6 +24,7 @@ __all__ = [
     "further",
     "nearby",
     "outputs",
+    "profile",
     "rates",
     "reached",
     "residuals",

@@ -7,8 +7,8 @@ from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Link, Mechanism
 from mechsheet.shapes.colors import link_color
 from mechsheet.shapes.points import pins_of
+from mechsheet.words.catalogue import words
 from mechsheet.words.equations import link_words
-from mechsheet.words.workbook import words
 
 
 class Described:

@@ -41,7 +41,7 @@ from mechsheet.shapes.loads import acting, loaded_points
 from mechsheet.shapes.outlines import block_has_line, corners, direction_of, line_end, through_of
 from mechsheet.shapes.points import moving_points, traced_points
 from mechsheet.shapes.wheels import ALIKE, Belt, axis_between, wheels_of
-from mechsheet.words import pictures
+from mechsheet.words.catalogue import words
 from mechsheet.words.symbols import plain
 
 BORE = 0.033
@@ -169,7 +169,7 @@ def is_cylinder(known: Described, joint: Joint) -> bool:
 def _cylinder(known: Described, found: Shapes, joint: Joint) -> Iterator[Shape]:
     """The rod from its eye into the barrel, and the barrel from the other eye, from pin to pin."""
     eye = place_of(next(iter(known.links[joint.on].points)))
-    name = pictures.CYLINDER.of(known.mechanism.language).format(symbol=plain(joint.symbol))
+    name = words(known.mechanism.language, "picture.cylinder", symbol=plain(joint.symbol))
     colors = known.color(joint.on), known.color(joint.link)
     yield from telescope(found, "cylinder", name, (eye, place_of(joint.point)), colors, BORE)
 

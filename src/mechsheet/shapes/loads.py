@@ -55,7 +55,7 @@ from mechsheet.shapes.forms import (
 )
 from mechsheet.shapes.outlines import direction_of
 from mechsheet.shapes.points import points_with_rates
-from mechsheet.words import pictures
+from mechsheet.words.catalogue import words
 from mechsheet.words.symbols import plain
 
 LONGEST = 0.36
@@ -166,11 +166,11 @@ def _spring(known: Described, found: Shapes, spring: Spring) -> Iterator[Shape]:
     language, name = known.mechanism.language, plain(spring.name)
     way = minus(ends[1], ends[0])
     if not al.is_zero(spring.damping):
-        called = pictures.DAMPER.of(language).format(name=name)
+        called = words(language, "picture.damper", name=name)
         yield from telescope(found, "damper", called, ends, (SPRING, SPRING), DAMPER_BORE)
     if not al.is_zero(spring.stiffness):
         frame = Frame(ends[0], way, times(sized(COIL_ASIDE), turned(unit(way))))
-        yield Shape("spring", pictures.SPRING.of(language).format(name=name), SPRING, 1.5, frame, COIL)
+        yield Shape("spring", words(language, "picture.spring", name=name), SPRING, 1.5, frame, COIL)
     found.names.append(Name(name, plus(ends[0], times(al.number(0.5), way)), beside=COIL_ASIDE))
 
 
@@ -181,7 +181,7 @@ def _centre(known: Described, found: Shapes, mass: Mass) -> Iterator[Shape]:
     """The mark of a mass centre; its name, where it is no point with a name of its own."""
     link = known.links[mass.link]
     at = _place(known, link, mass.center)
-    name = pictures.MASS_CENTRE.of(known.mechanism.language).format(link=known.called(link))
+    name = words(known.mechanism.language, "picture.mass_centre", link=known.called(link))
     frame = Frame(at, (sized(CENTRE), al.ZERO), (al.ZERO, sized(CENTRE)))
     yield Shape("mass", name, INK, 0.75, frame, ROUND, fill="FFFFFF")
     yield Shape("mass", name, INK, 0.0, frame, QUARTERS, fill=INK)
@@ -193,7 +193,7 @@ def _centre(known: Described, found: Shapes, mass: Mass) -> Iterator[Shape]:
 def _weight(known: Described, dynamics: Dynamics, mass: Mass) -> Force:
     """The weight of a link."""
     link = known.links[mass.link]
-    name = pictures.WEIGHT.of(known.mechanism.language).format(link=known.called(link))
+    name = words(known.mechanism.language, "picture.weight", link=known.called(link))
     weight = times(mass.mass or al.ZERO, dynamics.gravity)
     return Force("weight", name, "", _place(known, link, mass.center), weight, size(weight))
 
@@ -208,7 +208,7 @@ def _load(known: Described, load: Load) -> Force:
     if load.in_link:
         ahead = along(known.equations.poses[link.name].angle)
         parts = plus(times(parts[0], ahead), times(parts[1], turned(ahead)))
-    name = pictures.LOAD.of(known.mechanism.language).format(name=plain(load.name))
+    name = words(known.mechanism.language, "picture.load", name=plain(load.name))
     return Force("load", name, plain(load.name), _place(known, link, load.point), parts, size(load.force or parts))
 
 
@@ -225,7 +225,7 @@ def _torques(known: Described, found: Shapes, dynamics: Dynamics) -> Iterator[Sh
         strength = al.call("ABS", part)
         radius = al.mul(HALF, al.add(al.number(NARROWEST), al.mul(al.number(WIDEST - NARROWEST), strength)))
         frame = Frame(middle, times(radius, away), times(al.mul(al.call("SIGN", part), radius), turned(away)))
-        name = pictures.LOAD.of(known.mechanism.language).format(name=plain(load.name))
+        name = words(known.mechanism.language, "picture.load", name=plain(load.name))
         yield Shape("torque", name, FORCE, 1.75, frame, BOW, size=strength)
         yield Shape("torque", name, FORCE, 0.5, frame, BOW_HEAD, fill=FORCE, size=strength)
         at = plus(middle, times(radius, away))

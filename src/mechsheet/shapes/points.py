@@ -43,8 +43,9 @@ def remarkable_points(mechanism: Mechanism) -> tuple[str, ...]:
     """Traced points whose paths are neither circles about a fixed pin nor straight guides."""
     fixed = set(mechanism.ground.points)
     plain_paths = {joint.point for joint in mechanism.joints if mechanism.ground.name == joint.on}
+    guided = {each.link for each in mechanism.joints if each.kind == "prismatic" and each.on == mechanism.ground.name}
     for link in mechanism.links[1:]:
-        if fixed & set(link.points):
+        if fixed & set(link.points) or link.name in guided:
             plain_paths |= set(link.points)
     return tuple(point for point in tracing_points(mechanism) if point not in plain_paths)
 

@@ -44,9 +44,9 @@ from mechsheet.shapes.listing import shapes_of
 from mechsheet.shapes.loads import VECTORS
 from mechsheet.shapes.names import POINTS, Boxes, Lines, Sheet, half_box
 from mechsheet.units import behind_number
+from mechsheet.words.catalogue import words
 from mechsheet.words.equations import body_words
 from mechsheet.words.symbols import plain
-from mechsheet.words.workbook import words
 
 FITTED = 8
 """How often a window is made larger for arrows, which grow with it, each time by less than half as much."""

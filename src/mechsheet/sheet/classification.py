@@ -1,21 +1,19 @@
 """What the first sheet can say about a mechanism: four-bar loops, links that swing or turn, slides, force transmission.
 
-Found in the mechanism and its groups, before any cell has a place; `verdicts` writes it down as live formulas.
+Found in the mechanism and its groups, before any cell has a place; `findings` say it as live formulas.
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Set
 from dataclasses import dataclass
 from itertools import combinations
 
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Group
-from mechsheet.model import Joint, Link, Mechanism, Segments, Synthesis
+from mechsheet.model import CONTACT, Joint, Link, Mechanism, Segments, Synthesis
 from mechsheet.sheet.columns.lowering import Assignments
-
-CAM_PLACED = frozenset({"pressure_angle", "least_rho"})
-"""Those of these lines that say where something occurs."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +61,7 @@ class Classification:
     flywheel      True where the description asks for one
     newton        True where a group is solved by Newton's method
     task          from which dimensions are found
-    cam           keys of the lines about a cam
+    cam           columns of a cam whose largest or smallest values are said, and that change
     """
 
     four_bars: tuple[FourBar, ...]
@@ -80,37 +78,12 @@ class Classification:
     cam: tuple[str, ...] = ()
 
     @property
-    def entries(self) -> list[str]:
-        """Keys of the lines of the block, in order: the names of their cells, too."""
-        lines = ["inputs", *(["task"] if self.task else []), "rows_closed"]
-        lines += [*(["limits", "input_from", "input_to", "passes"] if self.limits else [])]
-        lines += ["largest_gap", "leaps"]
-        lines += ["same_assembly", "largest_residual", "passes_needed", "least_det"] if self.newton else []
-        lines += [f"grashof_{loop.group}" for loop in self.four_bars]
-        lines += [f"swing_{link.angle_symbol}" for link in self.swings]
-        lines += [f"stroke_{joint.symbol}" for joint in self.strokes]
-        lines += [f"time_ratio_{symbol}" for symbol in self.returning]
-        lines += [f"transmission_{group.number}" for group in self.transmission]
-        lines += ["dead_centres", "velocities_fit", "accelerations_fit"] if self.rates else []
-        lines += ["largest_effort", "largest_force", "effort_fits"] if self.forces else []
-        lines += self.cam
-        return lines + (["mean_torque", "energy_change", "flywheel"] if self.flywheel else [])
-
-    @property
-    def placed(self) -> frozenset[str]:
-        """Keys of the lines that say where something occurs."""
-        found = {f"transmission_{group.number}" for group in self.transmission}
-        found |= {"largest_effort", "largest_force"} if self.forces else set()
-        found |= {"least_det"} if self.newton else set()
-        found |= CAM_PLACED.intersection(self.cam)
-        return frozenset({*found, "largest_gap", *(["passes"] if self.limits else [])})
-
-    @property
     def extremes(self) -> tuple[str, ...]:
         """Symbols whose smallest and largest values the lines need."""
         swings = [link.angle_symbol for link in self.swings]
         strokes = [joint.symbol for joint in self.strokes]
-        return tuple(dict.fromkeys([*swings, *strokes, *(group.transmission for group in self.transmission)]))
+        groups = [group.transmission for group in self.transmission]
+        return tuple(dict.fromkeys([*swings, *strokes, *groups, *self.cam]))
 
 
 def classification(mechanism: Mechanism, equations: Assignments) -> Classification:
@@ -139,8 +112,17 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         mechanism.flywheel is not None,
         any(group.system is not None for group in equations.groups),
         mechanism.synthesis,
-        _of_cam(mechanism),
+        _of_cam(mechanism, equations, names - still),
     )
+
+
+def _of_cam(mechanism: Mechanism, equations: Assignments, moving: Set[str]) -> tuple[str, ...]:
+    """How the follower is pressed, how sharp the profile is, what would hold the follower."""
+    if mechanism.cam is None:
+        return ()
+    sharp = "rho" if mechanism.cam.radius is None else "kappa"
+    wanted = ("alpha", sharp, CONTACT, *equations.equations.forces("hold"))
+    return tuple(name for name in wanted if name in moving)
 
 
 def _still(mechanism: Mechanism, equations: Assignments) -> frozenset[str]:
@@ -225,9 +207,3 @@ def _joined(mechanism: Mechanism) -> list[tuple[str, str]]:
 def segments_of(mechanism: Mechanism) -> Segments | None:
     """The motion over a cam's angle, where there is one."""
     return next((driver.segments for driver in mechanism.drivers if driver.segments is not None), None)
-
-
-def _of_cam(mechanism: Mechanism) -> tuple[str, ...]:
-    """Keys of the lines about a cam."""
-    moved = () if segments_of(mechanism) is None else ("velocity_leaps", "acceleration_leaps")
-    return (*(() if mechanism.cam is None else ("pressure_angle", "least_rho")), *moved)

@@ -11,9 +11,9 @@ from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
+from mechsheet.words.catalogue import Language
 from mechsheet.words.equations import link_words
 from mechsheet.words.symbols import plain
-from mechsheet.words.workbook import Language
 
 SAME = 1e-9
 """Shortest + longest and the other two are equal (a change point) up to this part of the longest link of the loop: a

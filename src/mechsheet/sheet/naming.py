@@ -8,7 +8,7 @@ from collections.abc import Collection
 
 from livesheet.formula.names import folded, safe_name
 from mechsheet.model import Dimension, Mechanism
-from mechsheet.words.workbook import words
+from mechsheet.words.catalogue import words
 
 _WORD = re.compile(r"[^\W\d_]{3,}")
 """A word by which a person would call a length: letters only, and more than a pin's name has."""

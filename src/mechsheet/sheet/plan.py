@@ -33,7 +33,7 @@ from mechsheet.sheet.columns.bands import Banded, sizes
 from mechsheet.sheet.columns.lowering import Assignment, Assignments
 from mechsheet.sheet.places import Checked, Places, Searched, there
 from mechsheet.sheet.task_rows import Rows
-from mechsheet.words.workbook import Language, words
+from mechsheet.words.catalogue import Language, words
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING, MARGIN, CHARTS = range(7)
 """Columns of the blocks on the first sheet, the narrow one beside them, and the first one of the charts."""
@@ -50,6 +50,9 @@ them."""
 
 HIDDEN = ("drawing", "checks", "extremes", "iterations")
 """Those that are hidden when the workbook opens: the proof, and what is drawn. They are not printed."""
+
+MAY_GO = ("synthesis", "iterations", "rates", "forces", "tolerance", "checks", "extremes")
+"""Those that the first sheet reads beside the positions, and that a person may delete all the same."""
 
 HEADING_ROWS = 3
 """Rows over the table: group, symbol with unit, formula as text."""

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from typing import Literal
 
+from livesheet.formula.nodes import RangeRef
 from livesheet.workbook import Name
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_values
@@ -19,6 +21,7 @@ from mechsheet.sheet.columns.bands import found_bands, tolerance_symbol, with_ba
 from mechsheet.sheet.columns.flywheel import MEAN, with_energy
 from mechsheet.sheet.columns.lowering import Assignment, in_pass, lowered
 from mechsheet.sheet.columns.start_columns import start_columns
+from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.places import Places, Starts
 from mechsheet.sheet.plan import (
@@ -26,6 +29,8 @@ from mechsheet.sheet.plan import (
     FIRST_BLOCK,
     HEADING_ROWS,
     INPUT_BLOCKS,
+    MAY_GO,
+    MEANING,
     NUMBER,
     RATES_STATUS,
     SHEETS,
@@ -41,9 +46,11 @@ from mechsheet.sheet.plan import (
     TableColumn,
     block_of,
 )
+from mechsheet.sheet.table.rates import dead_words
+from mechsheet.sheet.table.status import words_looked_up
 from mechsheet.sheet.task_rows import plan_rows
 from mechsheet.synthesis.kinds import kind_of
-from mechsheet.words.workbook import words
+from mechsheet.words.catalogue import words
 
 
 def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
@@ -102,11 +109,13 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
         _block(plan, "summary", [each.symbol for each in singles])
     if mechanism.bands:
         _block(plan, "bands", [*mechanism.bands.quantities, *mechanism.bands.summaries])
-    _block(plan, "verdicts", plan.found.entries)
+    findings = findings_of(mechanism, plan.found)
+    keys = [finding.key for finding in findings]
+    _block(plan, "verdicts", keys)
     _block(plan, "derived", [dim.symbol for dim in derived] + [eq.symbol for eq in plan.equations.constants])
     spots, rows = plan.at.spots, {key: block.rows for key, block in plan.blocks.items()}
     placed = [dim for dim in mechanism.dimensions if block_of(dim) != "synthesis"]
-    called = names_of_dimensions(mechanism, placed, named.taken, kept_names(mechanism, [*plan.found.entries, *shown]))
+    called = names_of_dimensions(mechanism, placed, named.taken, kept_names(mechanism, [*keys, *shown]))
     for dim in placed:
         own_rows = rows[block_of(dim) or ("dimensions" if dim.symbol in rows["dimensions"] else "derived")]
         row, name = own_rows[dim.symbol], called[dim.symbol]
@@ -134,9 +143,10 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
     }
     verdict = named.cell(VERDICT_ROW, "verdict", SYMBOL)
     lines, occurs = {}, {}
-    for key, row in rows["verdicts"].items():
+    for finding in findings:
+        key, row = finding.key, rows["verdicts"][finding.key]
         lines[key] = named.cell(row, key)
-        if key in plan.found.placed:
+        if finding.placed:
             occurs[key] = named.cell(row, f"{key}_at", TOLERANCE)
     if "mean_torque" in lines:
         spots[MEAN] = lines["mean_torque"]
@@ -148,6 +158,23 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
         status, count, verdict, lines, summaries, number, rates, position, start, step, unsolved, line, arrows, occurs,
         bands, starts=starts,
     )  # fmt: skip
+    _plan_below(plan)
+
+
+def _plan_below(plan: Plan) -> None:
+    """The last blocks of the first sheet: the words that tables look up, and which other sheets there are."""
+
+    def looked_up(key: str, said: list[str]) -> RangeRef | None:
+        if not said:
+            return None
+        block = _block(plan, key, [f"{key}_{number}" for number in range(len(said))])
+        return Spot(plan.main, block.row + 1, MEANING, len(said)).whole()
+
+    reasons, dead = looked_up("reasons", words_looked_up(plan)), looked_up("dead", dead_words(plan))
+    block = _block(plan, "sheets", ["left", *(key for key in MAY_GO if key in plan.at.titles)])
+    spots = {key: Spot(plan.main, row, VALUE) for key, row in block.rows.items()}
+    left = replace(spots.pop("left"), col=MEANING)
+    plan.places = replace(plan.places, left=left, reasons=reasons, dead=dead, sheets=spots)
 
 
 def _place_synthesis(plan: Plan, named: Named) -> tuple[Spot | None, Spot | None]:

@@ -41,6 +41,15 @@ def worst_words(plan: Plan, worst: Node, place: Node, poor: Node, of_rows: Node 
     return formula("words&IF(poor,bad,fair)", words=words, poor=poor, bad=plan.text("verdict.poor"), fair=fair)
 
 
+def worst_of_rows(plan: Plan, worst: Node, poor: Node) -> Node:
+    """The worst angle of the rows, in words: where nobody looks between them."""
+    angle = plan.mechanism.angle_unit
+    before, after = plan.text("verdict.worst.rows", angle="#").split("#")
+    rounded = formula("ROUND(angle,digits)", angle=worst, digits=1 if angle.in_degrees else 2)
+    words = joined(before, rounded, behind_number(angle.text) + after)
+    return formula('words&IF(poor,bad,"")', words=words, poor=poor, bad=plan.text("verdict.poor"))
+
+
 def acute(low: Node, high: Node, from_right: bool) -> tuple[Node, Node]:
     """An angle of transmission in radians, folded to 0 to 90 degrees, of an angle that goes from `low` to `high`.
 

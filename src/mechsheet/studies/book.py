@@ -30,7 +30,7 @@ from mechsheet.model import Objective, Range
 from mechsheet.sheet import styles
 from mechsheet.studies.designs import DESIGN
 from mechsheet.studies.parts import heads_of, told_of
-from mechsheet.words.study import study_words
+from mechsheet.words.catalogue import words
 
 if TYPE_CHECKING:
     from mechsheet.studies.run import Studied
@@ -62,7 +62,7 @@ def book_of(found: Studied) -> Workbook:
 
 
 def _said(found: Studied, key: str, **parts: object) -> str:
-    return study_words(found.designs.mechanism.language, key, **parts)
+    return words(found.designs.mechanism.language, f"study.{key}", **parts)
 
 
 def _table(table: Any, row: int, col: int) -> list[Cell]:

@@ -14,7 +14,7 @@ from mechsheet.plotting.axes import scale_of, tick_text
 from mechsheet.studies.designs import APART
 from mechsheet.studies.packages import arrow
 from mechsheet.studies.parts import heads_of
-from mechsheet.words.study import study_words
+from mechsheet.words.catalogue import words
 
 if TYPE_CHECKING:
     from mechsheet.studies.run import Studied
@@ -45,7 +45,7 @@ def picture_of(found: Studied) -> bytes:
 
 
 def _said(found: Studied, key: str) -> str:
-    return study_words(found.designs.mechanism.language, key)
+    return words(found.designs.mechanism.language, f"study.{key}")
 
 
 def _cloud(found: Studied, names: Sequence[str]) -> Array:

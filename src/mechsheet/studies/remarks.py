@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.sheet.checks import search_rules as rules
-from mechsheet.words.workbook import Language, words
+from mechsheet.words.catalogue import Language, words
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]

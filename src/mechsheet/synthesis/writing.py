@@ -12,9 +12,11 @@ from dataclasses import dataclass, field
 
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, with_symbols
 from livesheet.formula.parser import parse_description
-from mechsheet.model import Dimension, TaskPlace, Words
+from livesheet.said import Words
+from mechsheet.model import Dimension, TaskPlace
 from mechsheet.units import Unit
-from mechsheet.words.synthesis import STEPS, step_words
+from mechsheet.words.catalogue import is_key
+from mechsheet.words.synthesis import step_words
 
 PLACE = ("synthesis",)
 """What the places of all dimensions of a synthesis begin with."""
@@ -149,7 +151,7 @@ class Writer:
 
     def _reason(self, symbol: str, words: str) -> None:
         """Why the step has no value, where there are words for it."""
-        if f"none.{words}" in STEPS:
+        if is_key(f"step.none.{words}"):
             self.reasons.append((symbol, step_words(f"none.{words}")))
 
     def _named(self, name: str, kind: str) -> str:

@@ -60,6 +60,8 @@ def parts(symbol: str) -> tuple[str, str]:
     if dot and axis in _DOTS and _DISPLACEMENT.fullmatch(point):
         letter, subscript = parts(point)
         return unicodedata.normalize("NFC", letter + _DOTS[axis]), subscript
+    if dot and axis == "j" and point.startswith("theta"):  # the jerk, beside ω and α of the same link
+        return axis, parts(point)[1]
     if dot and len(axis) == 2:
         return axis[0], f"{point},{axis[1]}"
     if dot:

@@ -44,6 +44,11 @@ def lines(below):
             line | across,
             words | numbers | refs,
         )
+        | st.builds(
+            lambda name, r, s, a: Call(name, (r, s, a)), st.sampled_from(["MINIFS", "MAXIFS"]), line, line, words | refs
+        )
+        | st.builds(lambda r, s: Call("SUMPRODUCT", (r, s)), line, line)
+        | st.builds(lambda r, a: Call("ROW", (r,) * a), refs, st.integers(0, 1))
         | st.builds(lambda r, a, b: _parted("MAX", r, a, b), line, below | numbers, below | numbers)
         | st.builds(lambda a, b, c: Call("MEDIAN", (a, b, c)), below, below, below)
         | st.builds(

@@ -114,7 +114,7 @@ def test_moodle_reads_the_grades(week, tmp_path):
     run("mark", tmp_path / "101.xlsx", "--against", week / "week" / "key.json", "--moodle", tmp_path / "moodle.csv")
     text = (tmp_path / "moodle.csv").read_text(encoding="utf-8")
     head, first, second, third = csv.reader(io.StringIO(text))
-    title = mechsheet.template("four-bar", language="en").title.en
+    title = mechsheet.template("four-bar", language="en").title.of("en")
     assert head == ["ID number", title, f"Feedback: {title}"]
     assert first[:2] == ["101", "4"]
     assert [row[:2] for row in (second, third)] == [["102", "-"], ["103", "-"]]

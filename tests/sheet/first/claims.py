@@ -21,7 +21,7 @@ from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.rates.sensitivity import toleranced
 from mechsheet.kinematics.search import TURN
 from mechsheet.sheet.checks.search_rules import STRETCHES
-from mechsheet.sheet.first.title_line import closes_in_all
+from mechsheet.sheet.findings.closing import closes_in_all
 from mechsheet.sheet.geometry import distance
 from mechsheet.sheet.grashof import is_all, named
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
@@ -116,7 +116,7 @@ class _Judge:
         self.line()
         if not self.truth.count:
             loops = [f"grashof_{loop.group}" for loop in self.found.four_bars]
-            for key in self.found.entries:
+            for key in self.plan.places.lines:
                 if key not in ("inputs", "rows_closed", "input_from", *loops):
                     self.say(
                         "nothing else said where nothing closes",
@@ -172,7 +172,7 @@ class _Judge:
 
     def no_errors_in_words(self):
         sheets = self.sheets
-        texts = [sheets.cell(VERDICT_ROW, 0), *(sheets.words(key) for key in self.found.entries)]
+        texts = [sheets.cell(VERDICT_ROW, 0), *(sheets.words(key) for key in self.plan.places.lines)]
         for summary in self.plan.mechanism.summaries:
             texts.append(sheets.cell(self.plan.blocks["summary"].rows[summary.symbol], MEANING))
         for text in texts:
@@ -347,7 +347,7 @@ class _Judge:
         elif truth.count == truth.rows:
             self.say("verdict", line.startswith(closes_in_all(self.plan)), line)
             if not truth.doubtful:
-                doubts = truth.holes or self.some_poor() or self.verdict("grashof.reach") in line
+                doubts = truth.holes or self.some_poor() or self.verdict("grashof.reach") in line or self.some_counted()
                 self.say("verdict colour", colour == ("amber" if doubts else "green"), colour, truth.holes)
         else:
             said = numbers_in(line.split(";")[0])
@@ -356,6 +356,14 @@ class _Judge:
                 loop = self.found.four_bars[0]
                 self.say("verdict", (loop.name in line) == (named(loop, self.plan) == loop.name), line)
             self.say("verdict colour", colour == "amber", colour)
+
+    def some_counted(self):
+        """Whether links turn far between rows, rows are dead centres, or Newton's method needs more passes than it has."""
+        asked = [key for key in ("leaps", "dead_centres") if key in self.plan.places.lines]
+        needed = self.sheets.words("passes_needed") if "passes_needed" in self.plan.places.lines else ""
+        most = max((group.system.passes for group in self.plan.equations.groups if group.system), default=0)
+        many = needed == self.verdict("passes_needed.many", passes=most)
+        return many or any(self.sheets.of(key) > 0 for key in asked)
 
     def some_poor(self):
         """Whether an angle of transmission on the sheet is below 40 degrees; the angles themselves are judged elsewhere."""

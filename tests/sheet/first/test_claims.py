@@ -7,10 +7,10 @@ from claimed import ROOT, Sheets, change, named_sheets, random_sheets
 from claims import Claims, judge
 from numpy.random import default_rng
 
+from catalogues import pairs
 from chosen import LISTED, LOADED, but, first, some
 from mechsheet.description import load, loads
 from mechsheet.sheet.plan import VERDICT_ROW
-from mechsheet.words.workbook import WORDS
 
 FOUR_BAR = """
 format = 1
@@ -261,8 +261,8 @@ def test_random_mechanisms(seed):
 
 def test_words_fit_their_cells():
     """Column E is 44 characters wide; letters of proportional type take less than the digits that the width counts."""
-    free = ("verdict.line", "verdict.gap.open", "verdict.gap.typed")
-    for key, both in WORDS.items():
-        if key.startswith("verdict.") and not key.startswith(free):
+    free = ("line", "gap.open", "gap.typed")
+    for key, both in pairs("verdict.").items():
+        if not key.startswith(free):
             for text in both:
                 assert len(text) <= 46, (key, text)

@@ -80,7 +80,7 @@ def test_time_ratio_by_a_motion_law_is_one_of_times():
     laid.change(stop=720.0)  # by this law its two turns are not alike
     assert laid.spot("time_ratio_s14") == NA
     part = text.replace("stop = 360", "stop = 90")
-    assert not any(entry.startswith("time_ratio") for entry in Laid(part).plan.found.entries)
+    assert not any(entry.startswith("time_ratio") for entry in Laid(part).plan.places.lines)
 
 
 @pytest.mark.slow

@@ -492,3 +492,30 @@ def test_numbers_of_all_rows_leave_out_those_that_another_group_ends():
     assert found == pytest.approx(wanted, rel=1e-12)
     mu = np.degrees(page.column("theta14") - page.column("theta13"))[there]
     assert page.cell("transmission_1") == pytest.approx(np.minimum(mu % 180, 180 - mu % 180).min(), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("template", "unit", "places"), [("five-bar-robot", "deg", "0.00"), ("four-bar", "rad", "0.0000")]
+)
+def test_what_is_given_row_by_row_looks_alike_in_both_layouts(template, unit, places):
+    """Over it stands what it is, and it has the decimals of its unit: 0.2618 rad, not 0.3."""
+    text = (
+        (ROOT / "templates" / f"{template}.toml")
+        .read_text("utf-8")
+        .replace("[dimensions]", f'angle_unit = "{unit}"\n\n[dimensions]', 1)
+    )
+    found = {}
+    for layout in ("sheets", "page"):
+        made = Compiled(loads(text, overrides=Overrides(layout=layout)))
+        plan, driver = made.plan, made.mechanism.driver
+        for symbol in (driver.symbol, *made.mechanism.given_by_row):
+            spot = plan.at.spots[symbol]
+            sheet = next(sheet for sheet in made.layout.sheets if sheet.title == spot.sheet)
+            over = {cell.content or "" for cell in sheet.cells if (cell.row, cell.col) == (plan.at.first - 1, spot.col)}
+            styled = {getattr(part.style, "number_format", "") for part in (*sheet.cells, *sheet.fills)
+                      if (part.row, part.col) == (plan.at.first, spot.col) }  # fmt: skip
+            found.setdefault(symbol, []).append((over, styled))
+    assert found
+    for symbol, (sheets, page) in found.items():
+        assert sheets == page, symbol
+        assert sheets[1] <= {places, "General"}

@@ -3,8 +3,10 @@
 import pytest
 from laid import Laid, template_text
 
+from catalogues import pairs
 from mechsheet.sheet.task_rows import INPUTS, REMARK, UNSOLVED, USED
-from mechsheet.words.synthesis import STEPS
+
+STEPS = pairs("step.")
 
 pytestmark = pytest.mark.slow
 

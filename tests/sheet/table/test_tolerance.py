@@ -4,7 +4,9 @@ import math
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
+from laid import Laid, template_text
 from placed import places_of
 
 from chosen import ITERATED, but
@@ -184,3 +186,19 @@ def test_ranges_of_another_sheet_are_written_as_they_are_read():
     written = [print_formula(fill.formula) for fill in sheet.fills]
     assert any("MAX(Extremes!" in text for text in written)
     assert not any(":Extremes!" in text for text in written)
+
+
+def test_a_cams_follower_stands_where_base_circle_and_offset_put_it():
+    """s is moved by the cam and no driver: its derivatives are those of neighbours."""
+    text = template_text("cam-slide") + '\n[tolerance]\nof = ["s"]\n'
+    for symbol, value in (("rb", 40), ("e", 8)):
+        text = text.replace(f"{symbol} = {{ value = {value},", f"{symbol} = {{ value = {value}, tolerance = 0.1,")
+    laid = Laid(text)
+    columns = {symbol: np.array(laid.column(f"s:{symbol}")) for symbol in ("rb", "e")}
+    for symbol, value in (("rb", 40), ("e", 8)):
+        sides = []
+        for change in (-1e-4, 1e-4):
+            laid.change(**{symbol: value + change})
+            sides.append(np.array(laid.column("s")))
+        laid.change(**{symbol: value})
+        assert columns[symbol] == pytest.approx((sides[1] - sides[0]) / 2e-4, abs=1e-6)

@@ -9,14 +9,30 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...formula.book import Block
 from ...formula.functions import FUNCTIONS
-from ...formula.nodes import Binary, Boolean, Call, CellRef, ErrorValue, Node, Number, RangeRef, Scalar, Text, Unary
-from ..graph import area_read
+from ...formula.nodes import (
+    Apply,
+    Binary,
+    Boolean,
+    Call,
+    CellRef,
+    ErrorValue,
+    FunctionRef,
+    Local,
+    Node,
+    Number,
+    RangeRef,
+    Scalar,
+    Text,
+    Unary,
+    walk,
+)
+from ..graph import area_read, reads_anywhere
 from ..kernels.arithmetic import Arithmetic
 from ..layout import Layout
 from ..values.cells import BLANK, BOOLEAN, ERROR, NA, TEXT, error_code
@@ -26,28 +42,49 @@ from .memory import MOST, Memory
 from .scalars import scalar, scalar_power
 from .scalars import sign as sign_of
 
-CellCode = Callable[[Memory, int], Scalar]
-
 _DEEPEST = 60
 """Calls inside one another in one expression: Python's parser takes some ninety."""
 
 
-def cell_code(layout: Layout, block: Block, arithmetic: Arithmetic, alone: bool = True) -> CellCode | None:
-    """The value of a cell of a column as a function of (what is computed so far, the row: 0 is the block's first).
+class CellCode(NamedTuple):
+    """How the cells of a column are computed.
+
+    leading  the places of cells that are read before anything is computed, and how much further each is in the next row: the
+             first error among them is the value; of IFERROR it decides about the next of such lists, or
+    instead  the number that is the value then
+    value    a cell's value as a function of (what is computed so far, the row: 0 is the block's first); None where only the
+             interpreter knows it, or nobody has asked for code
+    """
+
+    leading: tuple[tuple[tuple[int, int], ...], ...]
+    instead: float | None
+    value: Callable[[Memory, int], Scalar] | None
+
+
+def cell_code(
+    layout: Layout, sheet: int, block: Block, arithmetic: Arithmetic, alone: bool = True, leading_only: bool = False
+) -> CellCode:
+    """How a column of one block is computed.
 
     alone  whether the interpreter would take the cells one by one, too: numpy raises arrays to powers other than 2 by other
            code than single numbers
     """
-    if layout.date1904 or layout.texts.settings.case_sensitive:
-        return None  # here texts compare without regard to case, and dates in texts count from 1900
-    writer = _Writer(layout, block, arithmetic, alone)
+    writer = _Writer(layout, sheet, block, arithmetic, alone)
+    parts = writer.in_turn(block.formula)
+    last = parts[-1]
+    instead = float(last.value) if len(parts) > 1 and isinstance(last, Number) else None
+    parts = parts if instead is None else parts[:-1]
+    leading = tuple(tuple(writer.leading(part)[0]) for part in parts)
+    if leading_only or layout.date1904 or layout.texts.settings.case_sensitive:
+        return CellCode(
+            leading, instead, None
+        )  # code compares texts without regard to case, and counts dates in texts from 1900
     try:
         source = f"lambda m, k: {writer.result(block.formula)}"
         namespace = {**NAMES, "atan2": direction(scalar("arctan2", arithmetic)), **writer.names}
-        code: CellCode = eval(compile(source, "<cell>", "eval"), namespace)
+        return CellCode(leading, instead, eval(compile(source, "<cell>", "eval"), namespace))
     except (_UnsaidError, RecursionError, SyntaxError, MemoryError):
-        return None
-    return code
+        return CellCode(leading, instead, None)
 
 
 class _UnsaidError(Exception):
@@ -57,7 +94,8 @@ class _UnsaidError(Exception):
 class _Writer:
     """Writes a formula as a Python expression."""
 
-    def __init__(self, layout: Layout, block: Block, arithmetic: Arithmetic, alone: bool) -> None:
+    def __init__(self, layout: Layout, sheet: int, block: Block, arithmetic: Arithmetic, alone: bool) -> None:
+        self.sheet = sheet
         self.alone = alone
         self.arithmetic = arithmetic
         self.layout = layout
@@ -120,13 +158,32 @@ class _Writer:
                 return f"joined({self.value(left)}, {self.value(right)})"
             case Binary(op, left, right) if op in COMPARED:
                 return f"{COMPARED[op]}({self.value(left)}, {self.value(right)})"
-            case Call(name, args) if name in _CALLS:
-                return _CALLS[name](self, args)
-            case Call(name, (only,)) if name in UFUNCS:
-                return f"{self._ufunc(UFUNCS[name])}({self.flat(only)})"
-            case Call(name, args):
-                return f"m.called({name!r}, {', '.join(self._singles(name, args))})"
+            case Call():
+                try:
+                    return self._called(node)
+                except _UnsaidError:
+                    return self._interpreted(node)
         return self._unsaid()
+
+    def _called(self, call: Call) -> str:
+        name, args = call.name, call.args
+        if name in _CALLS:
+            return _CALLS[name](self, args)
+        if name in UFUNCS and len(args) == 1:
+            return f"{self._ufunc(UFUNCS[name])}({self.flat(args[0])})"
+        return f"m.called({name!r}, {', '.join(self._singles(name, args))})"
+
+    def _interpreted(self, call: Call) -> str:
+        """A part of the formula by the interpreter: a function of ranges, say, under an IF."""
+        if not self.alone or self.depth == 1 or call.name in _WHOLE or reads_anywhere(call):
+            raise _UnsaidError
+        for part in walk(call):
+            if isinstance(part, Local | Apply | FunctionRef) or (
+                isinstance(part, Call) and FUNCTIONS[part.name].volatile
+            ):
+                raise _UnsaidError
+        frame = self.sheet, self.block.row, self.block.col
+        return f"m.interpreted({self._named('part', call)}, {frame}, k)"
 
     def _unsaid(self) -> str:
         raise _UnsaidError
@@ -139,20 +196,59 @@ class _Writer:
             raise _UnsaidError
         return [self.value(arg) if kind == "t" else self.flat(arg) for arg, kind in zip(args, kinds, strict=True)]
 
+    def in_turn(self, node: Node) -> list[Node]:
+        """The formula, or of IFERROR what is tried one after the other."""
+        match node:
+            case Call("IFERROR", (first, second)):
+                return [*self.in_turn(first), *self.in_turn(second)]
+        return [node]
+
+    def leading(self, node: Node) -> tuple[list[tuple[int, int]], bool]:
+        """`CellCode.leading`; and whether a tree is no more than a cell or a number, which cannot go wrong by itself."""
+        match node:
+            case Number():
+                return [], True
+            case CellRef():
+                place, step = self._spot(node)
+                return ([(place, step)], True) if isinstance(place, int) and place >= 0 else ([], False)
+            case Binary(op, left, right) if op in COMPARED or op in "+-*/^&":
+                return self._leading_of((left, right))
+            case Unary(operand=operand):
+                return self._leading_of((operand,))
+            case Call("IF", (condition, *_)):
+                return self._leading_of((condition,))
+            case Call(name, args) if name in UFUNCS or name in _IN_ORDER:
+                return self._leading_of(args)
+        return [], False
+
+    def _leading_of(self, parts: tuple[Node, ...]) -> tuple[list[tuple[int, int]], bool]:
+        found: list[tuple[int, int]] = []
+        for part in parts:
+            leading, bare = self.leading(part)
+            found += leading
+            if not bare:
+                break
+        return found, False
+
     def place(self, node: CellRef) -> str:
         """Where a cell lies, of the row k."""
+        place, step = self._spot(node)
+        if isinstance(place, int):
+            return f"{place} + k" if step else str(place)
+        return f"{self._named('places', place)}[k]"
+
+    def _spot(self, node: CellRef) -> tuple[int | list[int], int]:
+        """The place of a cell, and its step from row to row; all its places where these do not lie side by side."""
         area = area_read(node, self.block, self.layout.sheets)
         if area is None:
-            return self._unsaid()
+            raise _UnsaidError
         moves = self.block.rows > 1 and not node.row_abs
         column = self.layout.columns[area.sheet].get(area.col)
         band = None if column is None else column.band_at(area.row)
         if band is not None and area.row + area.rows <= band.row + band.rows:
-            place = band.offset + area.row - band.row
-            return f"{place} + k" if moves else str(place)
-        name = f"places_{area.sheet}_{area.row}_{area.col}"
-        self.names[name] = [self.layout.place(area.sheet, area.row + down, area.col) for down in range(area.rows)]
-        return f"{name}[k]" if moves else f"{name}[0]"
+            return band.offset + area.row - band.row, int(moves)
+        places = [self.layout.place(area.sheet, area.row + down, area.col) for down in range(area.rows)]
+        return (places, 1) if moves else (places[0], 0)
 
     def line(self, node: Node) -> tuple[str, tuple[int, int]]:
         """The places of a short row or column as an expression; rows and columns (at most, for `INDEX(…):INDEX(…)`)."""
@@ -175,8 +271,11 @@ class _Writer:
             if moves:
                 return f"range({place} + k, {place + rows} + k)", (rows, cols)
             return self._named("line", range(place, place + rows)), (rows, cols)
-        if moves:
+        if moves and cols > 1:
             raise _UnsaidError
+        if moves:
+            moving = [self.layout.place(area.sheet, area.row + down, area.col) for down in range(area.rows)]
+            return f"{self._named('line', moving)}[k : k + {rows}]", (rows, cols)
         cells = [(area.row + down, area.col + right) for down in range(rows) for right in range(cols)]
         return self._named("line", [self.layout.place(area.sheet, *cell) for cell in cells]), (rows, cols)
 
@@ -280,16 +379,31 @@ def _of_numbers(name: str, least: int, most: int) -> Callable[[_Writer, tuple[No
     return written
 
 
-def _extreme(name: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
-    def part(writer: _Writer, node: Node) -> str:
-        if isinstance(node, RangeRef | Binary) and not writer.is_number(node):
-            return f"*m.in_line({writer.line(node)[0]})"
-        return writer.flat(node)
+def _fold(name: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
+    """Of numbers and short lines; not of more than numpy adds one after the other, where that makes a difference."""
 
     def written(writer: _Writer, args: tuple[Node, ...]) -> str:
-        if not 1 <= len(args) <= MOST_SUMMED:
+        parts, cells = [], 0
+        for arg in args:
+            if isinstance(arg, RangeRef | Binary) and not writer.is_number(arg):
+                places, (rows, cols) = writer.line(arg)
+                parts.append(f"*m.in_line({places})")
+                cells += rows * cols
+            else:
+                parts.append(writer.flat(arg))
+                cells += 1
+        if not parts or (cells if name == "total" else len(parts)) > MOST_SUMMED:
             raise _UnsaidError
-        return f"{name}({', '.join(part(writer, arg) for arg in args)})"
+        return f"{name}({', '.join(parts)})"
+
+    return written
+
+
+def _fold_if(name: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
+    def written(writer: _Writer, args: tuple[Node, ...]) -> str:
+        if not args:
+            raise _UnsaidError
+        return f"{name}(*m.in_line_if({writer.line(args[0])[0]}, {_asked(writer, args[1:], writer.line(args[0])[1])}))"
 
     return written
 
@@ -311,11 +425,18 @@ def _match(writer: _Writer, args: tuple[Node, ...]) -> str:
 
 
 def _count_if(writer: _Writer, args: tuple[Node, ...]) -> str:
+    return f"m.count_if({_asked(writer, args)})"
+
+
+def _asked(writer: _Writer, args: tuple[Node, ...], size: tuple[int, int] | None = None) -> str:
+    """Pairs of a line, all of one size, and what is asked for in it."""
     lines = [writer.line(arg) for arg in args[::2]]
-    if len(args) % 2 or len({size for _, size in lines}) > 1 or any(isinstance(arg, Binary) for arg in args[::2]):
+    sizes = {found for _, found in lines} | ({size} if size else set())
+    if len(args) % 2 or len(sizes) != 1 or any(isinstance(arg, Binary) for arg in args[::2]):
         raise _UnsaidError
-    asked = (f"({places}, {_criterion(writer, arg)})" for (places, _), arg in zip(lines, args[1::2], strict=True))
-    return f"m.count_if({', '.join(asked)})"
+    return ", ".join(
+        f"({places}, {_criterion(writer, arg)})" for (places, _), arg in zip(lines, args[1::2], strict=True)
+    )
 
 
 def _criterion(writer: _Writer, node: Node) -> str:
@@ -344,6 +465,15 @@ def _round(writer: _Writer, args: tuple[Node, ...]) -> str:
     return f"finite(rounded_one({writer.flat(args[0])}, {digits}))"
 
 
+def _row(writer: _Writer, args: tuple[Node, ...]) -> str:
+    if args and not isinstance(args[0], CellRef):
+        raise _UnsaidError
+    cell = args[0] if args and isinstance(args[0], CellRef) else None
+    if cell is not None and (cell.row_abs or writer.block.rows == 1):
+        return f"({cell.row + 1.0!r})"
+    return f"({(writer.block.row if cell is None else cell.row) + 1.0!r} + k)"
+
+
 def _power(writer: _Writer, args: tuple[Node, ...]) -> str:
     if len(args) != 2:
         raise _UnsaidError
@@ -356,11 +486,16 @@ _CALLS: dict[str, Callable[[_Writer, tuple[Node, ...]], str]] = {
     "ISBLANK": _asks(f"== {BLANK}"), "ISNA": _asks(f"== {NA}"), "ISERROR": _asks(f">= {ERROR}"),
     "PI": lambda *_: "(3.141592653589793)", "NA": lambda *_: f"fail({NA})",
     "ATAN2": _of_numbers("atan2", 2, 2), "MOD": _of_numbers("modulo", 2, 2), "ROUND": _round, "POWER": _power,
-    "MIN": _extreme("least"), "MAX": _extreme("greatest"), "SUM": _of_numbers("total", 1, MOST_SUMMED),
+    "MIN": _fold("least"), "MAX": _fold("greatest"), "SUM": _fold("total"),
+    "MINIFS": _fold_if("least"), "MAXIFS": _fold_if("greatest"),
     "MEDIAN": _of_numbers("middle", 3, 3),
-    "N": _n, "COUNT": _count, "COUNTIF": _count_if, "COUNTIFS": _count_if, "MATCH": _match, "INDEX": _index,
+    "N": _n, "ROW": _row, "COUNT": _count, "COUNTIF": _count_if, "COUNTIFS": _count_if, "MATCH": _match, "INDEX": _index,
 }  # fmt: skip
 _TRUTHS = frozenset(("AND", "OR", "NOT", "ISNUMBER", "ISTEXT", "ISLOGICAL", "ISBLANK", "ISNA", "ISERROR"))
+_WHOLE = frozenset(("IF", "IFERROR", "IFNA"))
+"""Functions whose parts are computed only where they are needed, which leave more to code when they stand in it."""
+_IN_ORDER = frozenset(("ATAN2", "MIN", "MAX", "AND", "OR", "NOT"))
+"""Functions whose arguments are all computed, from the left, before anything else."""
 _SINGLE = frozenset("npyatd")
 """Kinds of arguments (`functions.txt`) that are single values, without those that may be errors."""
 _ARITHMETIC = {"+": "plus", "-": "minus", "*": "times", "/": "over"}

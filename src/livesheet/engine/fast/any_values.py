@@ -10,7 +10,8 @@ from ...formula.nodes import Scalar
 from ..kernels.math import BELOW_HALF, rounded_one
 from ..values.calling import to_number
 from ..values.cells import DIV0, NA, NEAR, NUM, VALUE
-from ..values.coerce import MOST_CHARACTERS, to_text
+from ..values.coerce import MOST_CHARACTERS, text_to_number, to_text
+from ..values.typed_numbers import Serial
 from .scalars import snap, trunc
 
 COMPARED = {"=": "equal", "<>": "unequal", "<": "less", "<=": "at_most", ">": "more", ">=": "at_least"}
@@ -41,9 +42,14 @@ def _fail(code: int) -> float:
 def _number(value: Scalar) -> float:
     if isinstance(value, float):
         return value
-    if isinstance(value, str):
+    if not isinstance(value, str):
+        return to_number(value)
+    shown = text_to_number(value)
+    if shown is None:
+        raise CellError(VALUE)
+    if isinstance(shown, Serial):
         raise LeftError
-    return to_number(value)
+    return shown
 
 
 def _only_number(value: Scalar) -> float:

@@ -23,7 +23,7 @@ class CellCodes:
         self.layout = layout
         self.patience = patience
         self.alone = alone
-        self._made: dict[tuple[int, int], CellCode | None] = {}
+        self._made: dict[tuple[int, int, bool], CellCode] = {}
 
     def due(self) -> bool:
         """Another time that cells are computed: whether by code, as far as there is some."""
@@ -31,15 +31,12 @@ class CellCodes:
         return self.patience < 0
 
     def compute(
-        self, ev: Evaluator, memory: Memory | None, number: int, formula: Node, down: int, right: int = 0
+        self, memory: Memory, number: int, formula: Node, down: int, right: int = 0, by_code: bool = True
     ) -> None:
-        """Compute a cell of a block; without `memory` by the interpreter."""
-        if memory is not None:
-            code = self.code(ev, number, formula, right)
-            place = self.layout.block_offsets[number] + right * self.layout.blocks[number].rows + down
-            if code is not None and memory.fill(code, down, place):
-                return
-        self.interpret(ev, number, formula, down, right)
+        """Compute a cell of a block: as far as can be by code, else by the interpreter."""
+        place = self.layout.block_offsets[number] + right * self.layout.blocks[number].rows + down
+        if not memory.fill(self.code(memory.ev, number, formula, right, by_code), down, place):
+            self.interpret(memory.ev, number, formula, down, right)
 
     def interpret(self, ev: Evaluator, number: int, formula: Node, down: int, right: int) -> None:
         """Compute a cell of a block by the interpreter."""
@@ -50,13 +47,12 @@ class CellCodes:
         ev.numbers[place] = found.numbers
         ev.codes[place] = 0 if found.codes is None else found.codes
 
-    def code(self, ev: Evaluator, number: int, formula: Node, right: int = 0) -> CellCode | None:
-        """The code of a column of a block; None where it cannot be said."""
-        try:
-            return self._made[number, right]
-        except KeyError:
-            block = self.layout.blocks[number]
+    def code(self, ev: Evaluator, number: int, formula: Node, right: int = 0, by_code: bool = True) -> CellCode:
+        """The code of a column of a block, without `by_code` no more than what costs nothing to make."""
+        key = number, right, by_code
+        if key not in self._made:
+            block, sheet = self.layout.blocks[number], self.layout.block_sheets[number]
             seen = shifted(formula, 0, right) if right else formula
             column = Block(block.row, block.col + right, block.rows, 1, seen)
-            self._made[number, right] = cell_code(self.layout, column, ev.around.arithmetic, self.alone)
-            return self._made[number, right]
+            self._made[key] = cell_code(self.layout, sheet, column, ev.around.arithmetic, self.alone, not by_code)
+        return self._made[key]

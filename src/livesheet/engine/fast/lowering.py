@@ -268,7 +268,10 @@ class Lowering:
         return self.value("truth", (), flag, 0, "true" if flag else "false")
 
     def _compared(self, op: str, left: int, right: int) -> int:
-        """As `compare_numbers`: nearly equal is equal, measured at the right side."""
+        """As `compare_numbers`: nearly equal is equal, measured at the right side. Truths are the same or not."""
+        if self.values[left].kind == self.values[right].kind == "mask" and op in ("=", "<>"):
+            apart = self.value("not_equal", (left, right), kind="mask")
+            return apart if op == "<>" else self.value("logical_not", (apart,), kind="mask")
         if self.values[left].kind != "number" or self.values[right].kind != "number":
             raise UnsuitableError
         sides = self.values[left], self.values[right]
@@ -384,14 +387,4 @@ class Lowering:
             if kind.op == "-":
                 step = self.value("negative", (step,))
             return self.value("running", (step,), (place, kind.step_first), ROWS)
-        value = self.number(kind.value)
-        if isinstance(kind, Unwrapped):
-            return self.value("unwrapped", (value, self.number(kind.turn)), place, ROWS)
-        mask = self.mask(kind.condition)
-        if self.values[mask].kind != "mask":
-            if (self.values[mask].kind == "true") == kind.taken:
-                return value
-            raise UnsuitableError
-        if not kind.taken:
-            mask = self.value("logical_not", (mask,), kind="mask")
-        return self.value("held", (mask, value), place, ROWS)
+        return self.value("unwrapped", (self.number(kind.value), self.number(kind.turn)), place, ROWS)

@@ -31,6 +31,8 @@ _PART = 4096
 _PIECE = 64
 _GAP = 16
 """Rows: a piece that is tried by itself; good rows between bad ones that are worth a call of their own."""
+_SHORT = 64
+"""Rows that cell by cell, by code, are done before the interpreter has looked at each part of their formula once."""
 _INTERPRETED = 4
 """Times that a segment is interpreted before its cells get code of their own, for values of any kind."""
 
@@ -227,15 +229,13 @@ class Segment:
                 marks.note(member.number, member.run(ev, start, stop))
 
     def _by_code(self, member: Member, ev: Evaluator, memory: Memory, marks: Marks, start: int, stop: int) -> bool:
-        """Compute cells one by one, where the interpreter would do so too, as in the row at an end; False where code cannot
-        compute all of them."""
-        if not member.singly and stop - start > 1:
+        """Compute cells one by one, where they are few or the interpreter would do so too; False where code cannot compute
+        all of them."""
+        if not member.singly and stop - start > _SHORT:
             return False
         number = member.number
         for col in range(self.cols):
             code = self._cells.code(ev, number, member.formula, col)
-            if code is None:
-                return False
             first = self.layout.block_offsets[number] + col * self.rows
             for down in range(start, stop):
                 if not memory.fill(code, down, first + down):

@@ -1,14 +1,12 @@
-"""Functions of texts: characters, searching and replacing, joining and splitting, texts that show numbers."""
+"""Functions of texts: characters, searching and replacing, joining and splitting."""
 
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Callable
-from decimal import ROUND_HALF_UP, Decimal
 from functools import partial
 from typing import TYPE_CHECKING, Any
-from urllib.parse import quote
 
 import numpy as np
 
@@ -18,7 +16,6 @@ from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Missing, Node, S
 from ...formula.printer import quote_sheet
 from ...formula.references import column_letters
 from ..texts.expressions import expression
-from ..texts.number_formats import WIDE, formatted
 from ..texts.patterns import pattern_of
 from ..values.calling import Problem, called, since_epoch, to_number
 from ..values.cells import BLANK, Cells, codes_of
@@ -40,45 +37,6 @@ def _number(value: Scalar) -> float | None:
     if isinstance(value, str):
         return text_to_number(value)
     return float(value) if isinstance(value, bool | float | int) else None
-
-
-def text(value: Scalar, pattern: Scalar, epochs: float = 0.0) -> Scalar:
-    """TEXT(value, format). The format's decimal sign is the point; #VALUE! for what is no format."""
-    number = _number(value)
-    if isinstance(number, Serial):
-        number = since_epoch(number, epochs)
-    shown = to_text(value) if number is None or isinstance(value, bool) else number
-    if pattern is None or pattern == "":
-        return "" if isinstance(shown, float) else shown
-    found = formatted(shown, to_text(pattern), epochs)
-    return VALUE if found is None else found
-
-
-def _text(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-    epochs = ev.texts.epochs
-    kernel: Callable[..., Cells] = _each(lambda value, pattern: text(value, pattern, epochs))
-    return kernel(ev, args, frame, spread)
-
-
-def fixed(value: Scalar, decimals: Scalar = 2.0, plain: Scalar = False) -> Scalar:
-    """FIXED(number, decimals, no commas)."""
-    number, places = _number(value), _number(decimals)
-    if number is None or places is None:
-        return VALUE
-    whole_places = int(places)
-    number = _to_tens(number, whole_places)
-    comma = "0" if _number(plain) else "#,##0"
-    if whole_places > 127:
-        return VALUE
-    return formatted(number, comma + ("." + "0" * whole_places if whole_places > 0 else ""))
-
-
-def _to_tens(number: float, places: int) -> float:
-    """Rounded to tens, hundreds ... where there are fewer than no decimals; else as it is."""
-    if places >= 0:
-        return number
-    scale = Decimal(10) ** -places
-    return float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP, WIDE) * scale)
 
 
 def _counted(value: Scalar, many: Scalar) -> tuple[str, int] | None:
@@ -450,19 +408,15 @@ def number_value(text: str, decimal: str = ".", group: str = ",") -> float:
     return to_number(plain) / 100.0**percents
 
 
-def dollar(number: float, decimals: float = 2.0) -> str:
-    """DOLLAR."""
-    places = math.trunc(decimals)
-    if places > 127:
-        raise Problem("#VALUE!")
-    number = _to_tens(number, places)
-    body = "$#,##0" + ("." + "0" * places if places > 0 else "")
-    return formatted(number, f"{body};({body})") or ""
+def encode_url(text: str) -> str:
+    """ENCODEURL."""
+    from urllib.parse import quote  # which few workbooks need, and takes as long to load as all of this module
+
+    return quote(text, safe="-_.~")
 
 
 KERNELS: dict[str, Any] = {
-    "TEXT": _text, "FIXED": _each(fixed), "VALUE": _value, "CONCAT": concat,
-    "CONCATENATE": _each(joined),
+    "VALUE": _value, "CONCAT": concat, "CONCATENATE": _each(joined),
     "LEN": _each(lambda value: float(len(to_text(value)))), "LEFT": _each(left), "RIGHT": _each(right),
     "MID": _each(mid), "REPT": _each(rept), "UPPER": _each(lambda value: to_text(value).upper()),
     "LOWER": _each(lambda value: to_text(value).lower()),
@@ -498,6 +452,5 @@ PLAIN: dict[str, Callable[..., Any]] = {
     "ADDRESS": address,
     "HYPERLINK": lambda link, *shown: (0.0 if shown[0] is None else shown[0]) if shown else link,
     "NUMBERVALUE": number_value,
-    "DOLLAR": dollar,
-    "ENCODEURL": lambda text: quote(text, safe="-_.~"),
+    "ENCODEURL": encode_url,
 }

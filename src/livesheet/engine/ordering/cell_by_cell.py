@@ -204,8 +204,10 @@ class Together:
         number, down, right = cell
         if self.layout.blocks[number].kind != "fill":
             fill_array(self.layout, number, self.formulas[number], number in self.blocked, ev)
+        elif memory is not None:
+            self._codes.compute(memory, number, self.formulas[number], down, right)
         else:
-            self._codes.compute(ev, memory, number, self.formulas[number], down, right)
+            self._codes.interpret(ev, number, self.formulas[number], down, right)
 
     def _note_circle(self, circle: list[Cell], done: dict[Cell, None], ev: Evaluator) -> None:
         """The cells of a circle are #REF!, and remarked: no value of theirs would mean anything.

@@ -57,6 +57,8 @@ def number_shown(text: str, texts: Texts) -> float | None:
 
 def number_to_text(value: float) -> str:
     """A number as General shows it in a text: up to 15 digits, 1E+21 and 1E-10 in powers of ten."""
+    if -1e15 < value < 1e15 and value == int(value):
+        return str(int(value))
     text = f"{value:.15g}"
     mantissa, _, exponent = text.partition("e")
     if exponent:

@@ -12,11 +12,11 @@ from livesheet.formula.nodes import Scalar, Symbol
 from livesheet.formula.references import cell_address
 from livesheet.formula.scalar import evaluate
 from mechsheet.checking.report import Tally
-from mechsheet.checking.searched.verdicts import SearchedVerdicts
 from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.model import Output, Summary
+from mechsheet.sheet.findings.searched import SearchedMotion
 from mechsheet.sheet.plan import MEANING, Plan
 from mechsheet.sheet.shown import unit_of_column
 
@@ -36,7 +36,7 @@ SAME = 1e-9
 """As a part of itself an output of summaries may be off what its formula makes of the summaries shown."""
 
 
-def judge_summaries(values: Any, judged: SearchedVerdicts, tally: Tally) -> None:
+def judge_summaries(values: Any, judged: SearchedMotion, tally: Tally) -> None:
     """Note each summary of the first sheet, and each output of summaries."""
     plan = judged.plan
     shown: dict[str, float] = {}
@@ -59,7 +59,7 @@ def _where(plan: Plan, symbol: str) -> str:
     return f"{cell_address(spot.sheet, spot.row, spot.col)} ({symbol})"
 
 
-def _judge(values: Any, judged: SearchedVerdicts, tally: Tally, summary: Summary, number: float) -> None:
+def _judge(values: Any, judged: SearchedMotion, tally: Tally, summary: Summary, number: float) -> None:
     plan = judged.plan
     where = _where(plan, summary.symbol)
     if not judged.search.count:
@@ -80,7 +80,7 @@ def _judge(values: Any, judged: SearchedVerdicts, tally: Tally, summary: Summary
     tally.note(expected.apart(number, settled) * tally.tolerance, where, number, expected.value)
 
 
-def _grows(judged: SearchedVerdicts, summary: Summary) -> bool:
+def _grows(judged: SearchedMotion, summary: Summary) -> bool:
     """Whether the search, too, finds values far beyond the rows."""
     inner, outer = (judged.search.extremes(summary.of, rows_only=rows_only) for rows_only in (True, False))
     if inner is None or outer is None:
@@ -140,7 +140,7 @@ class Expected:
         return off / ((EXACT if settled or not self.whole else ABOUT) * self.range + self.rounded)
 
 
-def expected_of(judged: SearchedVerdicts, summary: Summary) -> Expected | None:
+def expected_of(judged: SearchedMotion, summary: Summary) -> Expected | None:
     """What a summary is over the rows that exist and, but on a page, what lies between them.
 
     None where no row exists, for an extreme over too many stretches, and for a quantity with a pole.

@@ -9,11 +9,11 @@ from typing import Any
 from livesheet.formula.references import cell_address
 from mechsheet.checking.report import Tally
 from mechsheet.checking.searched.summaries import expected_of
-from mechsheet.checking.searched.verdicts import SearchedVerdicts
 from mechsheet.kinematics.search import Search
 from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.asked.summary_table import SummaryTable
 from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW
+from mechsheet.sheet.findings.searched import SearchedMotion
 from mechsheet.sheet.plan import Plan
 
 
@@ -47,7 +47,7 @@ def _judge(
             shown = values.get(table.title, row, col)
             words = ", ".join(f"{symbol} = {number:.6g}" for symbol, number in given.items())
             where = f"{cell_address(table.title, row, col)} ({table.request.value} with {words})"
-            expected = expected_of(SearchedVerdicts(plan, found), table.summary)
+            expected = expected_of(SearchedMotion(plan, found), table.summary)
             if expected is None:
                 tally.note(0.0 if not isinstance(shown, float) else math.inf, where, shown, "no number")
             elif expected.sure or not isinstance(shown, float):

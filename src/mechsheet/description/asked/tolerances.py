@@ -32,7 +32,8 @@ def read(
     named = data["tolerance"].get("of")
     if named is BAD:
         return None
-    given = {driver.symbol for driver in driven}
+    # a cam's follower stands where dimensions say: base circle, roller, offset, its segments
+    given = {each.symbol for each in driven if not (isinstance(each, FurtherDriver) and each.segments is not None)}
     if named is None:
         found = [name for name in (*scope.outputs, *scope.summaries) if _has_positions(name, given, scope)]
         if not found:

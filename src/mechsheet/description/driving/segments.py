@@ -58,8 +58,7 @@ def with_cam(data: dict[str, Any], scope: Scope) -> dict[str, Any]:
         scope.report.at(path, message, suggestion(center, points, "points"))
         return data
     name = next((name for name in LINKS if name not in links), LINKS[-1])
-    own = {"points": {center: [0.0, 0.0]}, "label": {"en": "cam", "tr": "kam"}}
-    return {**data, "links": {**links, name: own}}
+    return {**data, "links": {**links, name: {"points": {center: [0.0, 0.0]}}}}
 
 
 def check_alone(data: dict[str, Any], scope: Scope) -> None:

@@ -47,10 +47,28 @@ def drive(sheet: Sheet, link_name: str, joint_name: str) -> Sheet:
             lines["relative_to"] = f'"{base.name}"'
         turn = sheet.drawn.poses.get(found.name, Pose()).turn - sheet.drawn.poses.get(base.name, Pose()).turn
         at = unit.to_shown(turn % math.tau)
+    if _one_more(sheet, link_name, joint_name):
+        return _with_further(sheet, lines, at)
     source = _with_driver(sheet, lines)
     at = round(at, 2 if unit.in_degrees or joint_name else 5) + 0.0
     source = with_value(source, ("assembly", "at"), number_text(at))
     return replace(sheet, source=source, drawn=replace(sheet.drawn, at=at))
+
+
+def _one_more(sheet: Sheet, link: str, joint: str) -> bool:
+    """Whether a second link or joint is to be driven beside the first: there is a freedom left for it."""
+    driver, further = sheet.parts.driver, sheet.source.data.get("drivers", [])
+    if driver is None or sheet.mobility is None or (driver.link, driver.joint) == (link, joint):
+        return False
+    return sheet.mobility > 1 + len(further)
+
+
+def _with_further(sheet: Sheet, lines: Mapping[str, str], at: float) -> Sheet:
+    """A further driver, which stays where it is drawn until its cell is turned by hand."""
+    number = len(sheet.source.data.get("drivers", []))
+    kept = [f"{key} = {value}" for key, value in lines.items() if key not in ("start", "stop", "step")]
+    written = [*kept, f"value = {number_text(round(at, sheet.digits) + 0.0)}"]
+    return sheet.again(with_table(sheet.source, ("drivers", number), written), {})
 
 
 def _pivoted_on(sheet: Sheet, link: Link) -> Link:

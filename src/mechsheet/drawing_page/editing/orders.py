@@ -5,19 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from mechsheet.drawing_page.cells import typed_in_cell
+from mechsheet.drawing_page.editing.acting import between, force, torque
 from mechsheet.drawing_page.editing.driving import drive
-from mechsheet.drawing_page.editing.inserting import Wish, insert
+from mechsheet.drawing_page.editing.gearing import gear
+from mechsheet.drawing_page.editing.inserting import insert
 from mechsheet.drawing_page.editing.links import ground_pin, link, plate
 from mechsheet.drawing_page.editing.removing import without
 from mechsheet.drawing_page.editing.renaming import rename
 from mechsheet.drawing_page.editing.shaping import Edited, drawn_now, moved, typed, with_sketched
 from mechsheet.drawing_page.editing.sheet import Sheet
 from mechsheet.drawing_page.editing.sliding import slide
+from mechsheet.drawing_page.editing.weighing import weigh
 from mechsheet.drawing_page.positions import Point
 from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
+from mechsheet.words.catalogue import Language
 from mechsheet.words.messages import text_in as said_in
-from mechsheet.words.workbook import Language
 
 
 def edited(
@@ -49,6 +53,12 @@ def _dimension(
     return typed(reading, text_in(order, "name"), text_in(order, "value")), at
 
 
+def _cell(
+    reading: Reading, order: dict[str, Any], at: float | None, _held: Mapping[str, Point], _language: Language
+) -> Edited:
+    return typed_in_cell(reading, text_in(order, "name"), text_in(order, "value")), at
+
+
 def _drawn(draw: Callable[[Sheet, dict[str, Any]], Sheet]) -> Order:
     """An order that draws something new, or takes it away: on the sheet as it is shown."""
 
@@ -58,8 +68,7 @@ def _drawn(draw: Callable[[Sheet, dict[str, Any]], Sheet]) -> Order:
         if reading.source is None or reading.parts is None:
             raise Impossible("unreadable")
         drawn = drawn_now(reading, at, held)
-        stem = "uzuv" if language == "tr" else "link"
-        sheet = draw(Sheet(reading.source, reading.parts, drawn, stem), what)
+        sheet = draw(Sheet(reading.source, reading.parts, drawn, language, reading.mobility), what)
         return settled(reading, sheet), sheet.drawn.at
 
     return order
@@ -73,17 +82,8 @@ def _rename(sheet: Sheet, order: dict[str, Any]) -> Sheet:
 
 
 def _delete(sheet: Sheet, order: dict[str, Any]) -> Sheet:
-    kind = next((key for key in ("link", "point", "joint") if key in order), "")
+    kind = next((key for key in ("link", "point", "joint", "load", "mass") if key in order), "")
     return sheet.again(without(sheet.source, kind, text_in(order, kind)), {})
-
-
-def _insert(
-    reading: Reading, order: dict[str, Any], at: float | None, held: Mapping[str, Point], language: Language
-) -> Edited:
-    """Something that is written, not drawn."""
-    wish = Wish(text_in(order, "link", ""), text_in(order, "point", ""), reading.mobility, language)
-    draw = _fitting(lambda sheet, what: insert(sheet, text_in(what, "what"), wish))
-    return draw(reading, order, at, held, language)
 
 
 def _fitting(draw: Callable[[Sheet, dict[str, Any]], Sheet]) -> Order:
@@ -129,5 +129,16 @@ _ORDERS: dict[str, Order] = {
     "driver": _drawn(lambda sheet, order: drive(sheet, text_in(order, "link", ""), text_in(order, "joint", ""))),
     "delete": _drawn(_delete),
     "rename": _fitting(_rename),
-    "insert": _insert,
+    "force": _fitting(
+        lambda sheet, order: force(sheet, order.get("end"), point_in(order, "to"), text_in(order, "size"))
+    ),
+    "torque": _fitting(lambda sheet, order: torque(sheet, text_in(order, "link"), text_in(order, "size"))),
+    "spring": _fitting(lambda sheet, order: between(sheet, "stiffness", order.get("ends"), text_in(order, "size"))),
+    "damper": _fitting(lambda sheet, order: between(sheet, "damping", order.get("ends"), text_in(order, "size"))),
+    "mass": _fitting(
+        lambda sheet, order: weigh(sheet, text_in(order, "link"), text_in(order, "size"), text_in(order, "shape"))
+    ),
+    "cell": _cell,
+    "gear": _fitting(lambda sheet, order: gear(sheet, text_in(order, "on"), order.get("end"), text_in(order, "size"))),
+    "insert": _fitting(lambda sheet, order: insert(sheet, text_in(order, "what"))),
 }

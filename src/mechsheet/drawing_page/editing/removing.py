@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable, Mapping
+from typing import Any
 
+from mechsheet.description.forces.force_names import first_key
 from mechsheet.description.parts import Parts, parts_of
 from mechsheet.description.text.rewrite import without_key
 from mechsheet.description.text.rewrite_tables import without_table
@@ -16,16 +19,51 @@ from mechsheet.model import Joint
 def without(source: Source, kind: str, name: str) -> Source:
     """The text without a link, a point or a joint, and without the dimensions that it alone read."""
     parts = parts_of(source)
-    before = _read_by_places(parts)
+    before = _read_by_places(parts) | _named_by_mass(source, name if kind in ("link", "mass") else "")
     if kind == "link":
         source = _without_link(source, parts, name)
     elif kind == "point":
         source = _without_point(source, parts, name)
     elif kind == "joint":
         source = _without_joint(source, parts, name)
+    elif kind == "load":
+        source = _without_entries(source, "loads", lambda load, n: str(load.get("name", f"L{n + 1}")) == name)
+    elif kind == "mass":
+        for key in ("mass", "center", "inertia"):
+            source = without_key(source, ("links", name, key))
     else:
         raise Refusal(f'nothing of the kind "{kind}" can be deleted')
+    if first_key(source.data.get("links", {}), source.data.get("loads", [])) is None:
+        source = without_table(source, ("dynamics",))  # units and gravity of nothing
     return _without_dimensions(source, before - _read_by_places(parts_of(source)))
+
+
+def _named_by_mass(source: Source, link: str) -> set[str]:
+    """Dimensions that a link's mass and moment of inertia name."""
+    own = source.data.get("links", {}).get(link, {})
+    return {word for key in ("mass", "inertia") for text in _expressions(own.get(key)) for word in _words(text)}
+
+
+def _without_entries(source: Source, key: str, gone: Callable[[Mapping[str, Any], int], bool]) -> Source:
+    """The text without those entries of a list of tables; with their order in it."""
+    given = source.data.get(key)
+    entries = list(enumerate(given)) if isinstance(given, list) else []
+    for number, entry in reversed(entries):  # from the last, so that the others keep their places
+        if isinstance(entry, dict) and gone(entry, number):
+            source = without_table(source, (key, number))
+    return source
+
+
+def _without_what_names(source: Source, names: set[str], keys: tuple[str, ...]) -> Source:
+    """The text without gears, racks, loads and further drivers that name one of these links, joints or points."""
+
+    def names_one(entry: Mapping[str, Any], _number: int) -> bool:
+        ends = entry.get("between", [])
+        return any(entry.get(key) in names for key in keys if isinstance(entry.get(key), str)) or bool(names & {*ends})
+
+    for key in ("joints", "loads", "drivers"):
+        source = _without_entries(source, key, names_one)
+    return source
 
 
 def _read_by_places(parts: Parts) -> set[str]:
@@ -39,6 +77,7 @@ def _without_link(source: Source, parts: Parts, name: str) -> Source:
     if link is None or link is parts.links[0]:
         raise Impossible("ground_stays")
     source = _without_joints(source, parts, [joint for joint in parts.joints if name in (joint.link, joint.on)])
+    source = _without_what_names(source, {name}, ("link", "on", "arm", "relative_to"))
     source = without_table(source, ("links", name, "points"))
     source = without_table(source, ("links", name))
     if parts.driver is not None and name in (parts.driver.link, parts.driver.relative_to):
@@ -51,6 +90,7 @@ def _without_joints(source: Source, parts: Parts, gone: list[Joint]) -> Source:
     for order in sorted((parts.orders[joint.name] for joint in gone), reverse=True):
         source = without_table(source, ("joints", order))
     names = {name for joint in gone for name in (joint.name, joint.symbol)}
+    source = _without_what_names(source, {joint.name for joint in gone}, ("joint",))
     return _without_driver(source) if parts.driver is not None and parts.driver.joint in names else source
 
 
@@ -74,7 +114,7 @@ def _without_point(source: Source, parts: Parts, name: str) -> Source:
                 source = _without_link(source, found, link.name)
         else:
             source = without_key(source, ("links", link.name, "points", name))
-    return _tidied(source, {name})
+    return _tidied(_without_what_names(source, {name}, ("point",)), {name})
 
 
 def _without_joint(source: Source, parts: Parts, name: str) -> Source:

@@ -16,16 +16,21 @@ from mechsheet.drawing_page.editing.shaping import Drawn, digits_for, size_of, w
 from mechsheet.drawing_page.positions import Point, Pose
 from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
 from mechsheet.model import Link
+from mechsheet.words.catalogue import Language, words
 
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """What is drawn on: the text, what is readable of it, and where everything is shown."""
+    """What is drawn on: the text, what is readable of it, where everything is shown.
+
+    language  of what is written;  mobility  degrees of freedom of what is drawn
+    """
 
     source: Source
     parts: Parts
     drawn: Drawn
-    link_stem: str = "link"
+    language: Language = "en"
+    mobility: int | None = None
 
     def again(self, source: Source, places: Mapping[str, Point]) -> Sheet:
         """The same after a change of the text."""
@@ -34,6 +39,11 @@ class Sheet:
     def with_places(self, places: Mapping[str, Point]) -> Sheet:
         """The same with new points."""
         return replace(self, drawn=replace(self.drawn, places={**self.drawn.places, **places}))
+
+    @property
+    def link_stem(self) -> str:
+        """New links are called by it, with a number."""
+        return words(self.language, "name.link")
 
     @property
     def ground(self) -> Link:

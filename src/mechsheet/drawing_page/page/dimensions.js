@@ -8,12 +8,14 @@ import { order } from "./work.js";
 const dimensions = document.getElementById("dimensions");
 let table = "";
 
-function field(name, value, label) {
+/** A number that can be typed over; `kind`: by which order. */
+function field(name, value, label, kind = "dimension") {
   const input = document.createElement("input");
   input.type = "text";
   input.inputMode = "decimal";
-  input.value = shown(value, 8).replace("−", "-");
+  input.value = typable(value);
   input.dataset.name = name;
+  input.dataset.kind = kind;
   input.setAttribute("aria-label", label);
   input.addEventListener("change", () => type(input));
   input.addEventListener("keydown", (event) => {
@@ -28,11 +30,14 @@ function field(name, value, label) {
   return input;
 }
 
+const typable = (value) => (value === null ? "" : shown(value, 8).replace("−", "-"));
+
 async function type(input) {
   const name = input.dataset.name;
-  const done = await order({ do: "dimension", name, value: input.value });
+  const done = await order({ do: input.dataset.kind, name, value: input.value });
   const now = dimensions.querySelector(`[data-name="${CSS.escape(name)}"]`);
   now?.classList.toggle("bad", !done);
+  if (done && now?.value === input.value) refreshAll(true); // what was typed with its unit is now a number in the cell's own
 }
 
 function rowOf(head, value, unit, label) {
@@ -52,10 +57,10 @@ function drawDimensions() {
   const look = state.look;
   const listed = look?.dimensions ?? [];
   const sweep = look?.driver?.sweep ?? {};
-  const now = JSON.stringify([listed.map((each) => [each.symbol, each.unit, each.label, each.formula]), Object.keys(sweep), look?.undrawn, state.language, look?.driver?.symbol]);
+  const cells = look?.cells ?? [];
+  const now = JSON.stringify([cells.map((each) => [each.place, each.unit]), listed.map((each) => [each.symbol, each.unit, each.label, each.formula]), Object.keys(sweep), look?.undrawn, state.language, look?.driver?.symbol]);
   if (now === table) {
-    for (const { symbol: name, value, formula } of listed) refresh(name, value, formula);
-    for (const [key, value] of Object.entries(sweep)) refresh(`driver.${key}`, value, "");
+    refreshAll(false);
     return;
   }
   table = now;
@@ -82,15 +87,33 @@ function drawDimensions() {
     }
     dimensions.append(head, more);
   }
+  if (cells.length) {
+    const head = note(word("cells"));
+    head.className = "part";
+    const more = document.createElement("table");
+    for (const { place, symbol: name, value, unit, label } of cells) {
+      const said = label || word("cells.speed");
+      more.append(rowOf(symbol(name), field(place, value, said, "cell"), escaped(unit), escaped(said)));
+    }
+    dimensions.append(head, more);
+  }
   if (look?.undrawn?.length) {
     dimensions.append(note(`${word("undrawn")} ${look.undrawn.map((key) => word(`undrawn.${key}`)).join(", ")}.`));
   }
 }
 
-function refresh(name, value, formula) {
+/** The numbers as they are now; a field in which somebody types is left alone, unless `typed` says it is done. */
+function refreshAll(typed) {
+  const { dimensions: listed = [], driver, cells = [] } = state.look;
+  for (const { symbol: name, value, formula } of listed) refresh(name, value, formula, typed);
+  for (const [key, value] of Object.entries(driver?.sweep ?? {})) refresh(`driver.${key}`, value, "", typed);
+  for (const { place, value } of cells) refresh(place, value, "", typed);
+}
+
+function refresh(name, value, formula, typed) {
   const cell = dimensions.querySelector(`[data-name="${CSS.escape(name)}"]`);
-  if (!cell || cell === document.activeElement) return;
-  const text = formula ? shown(value) : shown(value, 8).replace("−", "-");
+  if (!cell || (cell === document.activeElement && !typed)) return;
+  const text = formula ? shown(value) : typable(value);
   if ("value" in cell && cell.value !== text) cell.value = text;
 }
 

@@ -1,6 +1,7 @@
 // What lies under a place of the sheet.
 
 import { distance, fromStretch, ground, lastPlace } from "./geometry.js";
+import { actingAt } from "./scene.js";
 import { state } from "./state.js";
 import { toScreen } from "./view.js";
 
@@ -16,6 +17,10 @@ export function hit(px, py, kinds, touch = false) {
       if (away <= near && (!best || away < best.away)) best = { point: name, away };
     }
     if (best) return { point: best.point };
+  }
+  if (kinds.includes("load")) {
+    const found = actingAt(p, near);
+    if (found) return found;
   }
   if (kinds.includes("joint")) {
     for (const joint of state.look?.joints ?? []) {

@@ -1,11 +1,11 @@
-// What is not drawn but written: speed, loads, gears …; the program writes it into the text with the names of the drawing.
+// What is not drawn but written: a motion law, masses for all links; the program writes it into the text with the names of the drawing.
 
 import { word } from "./language.js";
 import { on, state } from "./state.js";
 import { goTo } from "./textpane.js";
 import { order, say } from "./work.js";
 
-const KINDS = ["speed", "motion", "force", "torque", "spring", "masses", "gear"];
+const KINDS = ["motion", "masses"];
 const menu = document.getElementById("insert");
 
 /** The first and the last line that are new in `after`, counted from 1, without empty lines around them. */
@@ -23,10 +23,9 @@ function changedLines(before, after) {
 
 async function insert(what) {
   const before = state.text;
-  const chosen = ["link", "point"].includes(state.chosen?.kind) ? { [state.chosen.kind]: state.chosen.name } : {};
-  if (!(await order({ do: "insert", what, ...chosen }))) return;
+  if (!(await order({ do: "insert", what }))) return;
   const [first, last] = changedLines(before, state.text);
-  goTo(what === "gear" ? state.text.split("\n").lastIndexOf("[[joints]]") + 1 : first); // a wheel may stand before it
+  goTo(first);
   say(word("insert.done", { first, last }));
 }
 

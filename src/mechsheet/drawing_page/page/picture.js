@@ -1,5 +1,6 @@
 // A picture behind the drawing: a photo, or the figure of a textbook, scaled by two clicks on a known length.
 
+import { ask } from "./asking.js";
 import { distance, shown } from "./geometry.js";
 import { word } from "./language.js";
 import { changed, keep, on, state } from "./state.js";
@@ -46,7 +47,13 @@ export async function scalePicture(first, second) {
   const there = distance(first, second);
   if (!state.picture || !there) return;
   const answer = await confirmed(word("picture.length"), { yes: word("picture.scale"), field: state.look?.unit ?? "", value: shown(there, 4) });
-  const length = Number((answer ?? "").replace(",", "."));
+  if (answer === null) return;
+  let length = 0;
+  try {
+    ({ length } = await ask("length", { text: state.text, value: answer }));
+  } catch (error) {
+    say(error.message);
+  }
   if (!(length > 0)) return;
   const factor = length / there;
   const { x, y, width, height } = state.picture;

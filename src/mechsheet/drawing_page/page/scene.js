@@ -2,7 +2,7 @@
 
 import { state, on } from "./state.js";
 import { canvas, size, spacing, toPlane, toScreen } from "./view.js";
-import { at, ground, isPin, lastPlace, linkNamed, linksAt, parts, shown } from "./geometry.js";
+import { at, fromStretch, ground, isPin, lastPlace, linkNamed, linksAt, parts, shown } from "./geometry.js";
 import { word } from "./language.js";
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
@@ -128,13 +128,7 @@ function buildPin(point) {
   element("circle", { class: "reach", r: 17 }, group);
   element("circle", { class: "halo", r: 12 }, group);
   element("circle", { class: "dot", r: isPin(point) ? 5.5 : 3.5 }, group);
-  const text = element("text", { x: 9, y: -9 }, group);
-  const [head, low] = parts(point);
-  text.textContent = head;
-  if (low) {
-    const lowered = element("tspan", { dy: 4 }, text);
-    lowered.textContent = low;
-  }
+  nameOf(point, { x: 9, y: -9 }, group);
   return { point, group };
 }
 
@@ -145,19 +139,59 @@ let acting = [];
 /** As many elements as there are shapes; they are only looked at. */
 function buildActing() {
   layers.acting.replaceChildren();
+  const named = new Set();
   acting = (state.look?.shapes ?? []).map((shape) => {
     const made = element("path", { class: `acting ${shape.kind} ${shape.filled}` }, layers.acting);
     element("title", {}, made).textContent = shape.name;
-    return { shape, made };
+    const name = NAMED.includes(shape.kind) && !named.has(shape.name) ? shape.name.split(" ").pop() : "";
+    named.add(shape.name);
+    return { shape, made, text: name ? nameOf(name, { class: "acting-name" }, layers.acting) : null };
   });
 }
 
+/** What acts on a link at a place of the sheet: { load: name }, { mass: link }, or null. */
+export function actingAt(p, near) {
+  for (const { shape, shown } of [...acting].reverse()) {
+    const close = (shown ?? []).some((corner, n) => n && fromStretch(p, shown[n - 1], corner) <= near / 2);
+    if (close && NAMED.includes(shape.kind)) return { load: shape.name.split(" ").pop() };
+    if (close && shape.kind === "mass") return { mass: shape.of };
+  }
+  return null;
+}
+
+const NAMED = ["spring", "damper", "load", "torque"];
+
+/** A name as a textbook sets it, its digits lowered. */
+function nameOf(name, attributes, parent) {
+  const text = element("text", attributes, parent);
+  const [head, low] = parts(name);
+  text.textContent = head;
+  if (low) element("tspan", { dy: 4 }, text).textContent = low;
+  return text;
+}
+
 function moveActing() {
-  for (const { shape, made } of acting) {
+  for (const each of acting) {
+    const { shape, made, text } = each;
     const vectors = shape.places.map(([x, y]) => [at(x), at(y)]);
     const there = vectors.every(([x, y]) => x !== null && y !== null);
-    made.setAttribute("d", there ? line(corners(shape.path, vectors).map(([x, y]) => toScreen(x, y))) : "");
+    const places = there ? corners(shape.path, vectors).map(([x, y]) => toScreen(x, y)) : [];
+    made.setAttribute("d", line(places));
+    each.shown = places;
+    if (text) placeName(text, places);
   }
+}
+
+/** Beside the middle of what it names, on the side that lies higher or farther right. */
+function placeName(text, places) {
+  text.style.display = places.length ? "" : "none";
+  if (!places.length) return;
+  const [start, end] = [places[0], places[places.length - 1]];
+  const along = Math.hypot(end[0] - start[0], end[1] - start[1]) || 1;
+  const [across, up] = [(end[1] - start[1]) / along, (end[0] - start[0]) / along];
+  const side = Math.abs(up) > 0.3 ? Math.sign(up) : Math.sign(across) || 1;
+  text.setAttribute("x", (start[0] + end[0]) / 2 + 26 * across * side - 4);
+  text.setAttribute("y", (start[1] + end[1]) / 2 - 26 * up * side + 4);
 }
 
 /** A path stands in a frame: its origin, and the vectors of its two directions. */

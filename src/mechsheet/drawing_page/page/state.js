@@ -14,6 +14,7 @@ export const state = {
   theme: "light",
   grid: true,
   paths: true,
+  velocities: false, // whether those of points are drawn
   playing: false,
   picture: null, // { url, x, y, width, height, strength }: behind the drawing, in lengths
   view: null, // { x, y, scale }: the middle of the sheet, and pixels in a length
@@ -71,7 +72,7 @@ export const redoable = () => future.length > 0;
 
 // --- a reload keeps the work ------------------------------------------------------------------------------------------
 
-const KEPT = ["text", "at", "file", "mark", "saved", "grid", "paths", "picture", "view", "curves", "language", "theme"];
+const KEPT = ["text", "at", "file", "mark", "saved", "grid", "paths", "velocities", "picture", "view", "curves", "language", "theme"];
 const place = `mechsheet ${location.pathname}`;
 
 /** Keep the work in this tab. What is too large to be kept is the picture. */

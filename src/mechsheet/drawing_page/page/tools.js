@@ -10,7 +10,8 @@ import { changed, on, state } from "./state.js";
 import { canvas, snapped, toPlane, toScreen } from "./view.js";
 import { confirmed, order, say } from "./work.js";
 
-/** Name, key, and what a click may hit: points, links, sliding joints; how many clicks it takes. */
+/** Name, key, and what a click may hit: points, links, sliding joints; how many clicks it takes; the first answer to its question
+ * of size. */
 export const TOOLS = [
   { name: "shape", key: "v" },
   { name: "turn", key: "t" },
@@ -20,8 +21,15 @@ export const TOOLS = [
   { name: "slider", key: "s", clicks: 2, hits: ["point", "link"] },
   { name: "slot", key: "o", clicks: 2, hits: ["point", "link"] },
   { name: "driver", key: "d", clicks: 1, hits: ["link", "joint"] },
-  { name: "delete", key: "x", clicks: 1, hits: ["point", "link", "joint"] },
+  { name: "gear", key: "e", clicks: 2, hits: ["joint", "link"], size: "-1" },
+  { name: "spring", key: "n", clicks: 2, hits: ["point"], size: "0.5" },
+  { name: "damper", key: "m", clicks: 2, hits: ["point"], size: "0.1" },
+  { name: "force", key: "f", clicks: 2, hits: ["point", "link"], size: "100" },
+  { name: "torque", key: "q", clicks: 1, hits: ["link"], size: "1" },
+  { name: "mass", key: "w", clicks: 1, hits: ["link"], size: "1" },
+  { name: "delete", key: "x", clicks: 1, hits: ["point", "load", "link", "joint"] },
 ];
+const SHAPES = ["bar", "disc", "plate", "point"];
 const SCALE = { name: "scale", clicks: 2, hits: [] };
 
 /** The present one. */
@@ -87,8 +95,10 @@ export function advise() {
 /** What a click of the present tool means: what it hits, or the place. */
 export function target(px, py, event = {}) {
   const kinds = tool().name === "plate" ? (drawn.ends.length ? ["point"] : ["link"]) : tool().hits;
-  const first = (tool().name === "slider" || tool().name === "slot") && !drawn.ends.length ? ["point"] : kinds;
+  const first = tool().name === "gear" && !drawn.ends.length ? ["link"] : (tool().name === "slider" || tool().name === "slot") && !drawn.ends.length ? ["point"] : kinds;
   const found = hit(px, py, first, event.pointerType === "touch");
+  if (found?.link && tool().name === "force") return { ...found, at: toPlane(px, py) };
+  if (tool().name === "force" && drawn.ends.length) return { at: toPlane(px, py) };
   if (found) return found;
   return { at: snapped(toPlane(px, py), state.grid && !event.altKey) };
 }
@@ -98,8 +108,10 @@ const placeOf = (end) => (end.at ? end.at : end.point ? lastPlace(end.point)?.pl
 /** A click with the present tool: the last one that it needs becomes an order. */
 export async function click(end) {
   const { name, clicks } = tool();
-  if ((name === "driver" || name === "delete") && end.at) return;
-  if (name === "plate" && !drawn.ends.length && !end.link) return;
+  const nothing = !end.point && !end.link && !end.joint && !end.load && !end.mass;
+  if (["driver", "delete", "torque", "mass"].includes(name) && nothing) return;
+  if (["spring", "damper", "force"].includes(name) && !drawn.ends.length && nothing) return;
+  if (["plate", "gear"].includes(name) && !drawn.ends.length && !end.link) return;
   drawn.ends.push(end);
   if (drawn.ends.length < clicks) {
     drawBand();
@@ -116,6 +128,12 @@ export async function click(end) {
     slider: () => ({ do: "slide", kind: "prismatic", end: first, on: second }),
     slot: () => ({ do: "slide", kind: "pin-slot", end: first, on: second }),
     driver: () => ({ do: "driver", ...first }),
+    gear: () => ({ do: "gear", on: first.link, end: second }),
+    spring: () => ({ do: "spring", ends: [first, second] }),
+    damper: () => ({ do: "damper", ends: [first, second] }),
+    force: () => ({ do: "force", end: first, to: second.at }),
+    torque: () => ({ do: "torque", ...first }),
+    mass: () => ({ do: "mass", ...first }),
     delete: () => ({ do: "delete", ...first }),
   };
   if (name === "scale") {
@@ -123,7 +141,20 @@ export async function click(end) {
     await scalePicture(first.at, second.at);
     return;
   }
-  if (await order(orders[name]())) advise();
+  const what = orders[name]();
+  if (tool().size && !(await sized(what))) advise();
+  else if (await order(what)) advise();
+}
+
+/** Ask how large a load or a mass is, and of which shape; false where nobody answers. */
+async function sized(what) {
+  const kind = what.end?.joint ? "rack" : what.do;
+  const choices = kind === "mass" ? { label: word("shape"), values: SHAPES.map((each) => [each, word(`shape.${each}`)]) } : null;
+  const answer = await confirmed(word(`size.${kind}`), { yes: word("ready"), field: state.look.units[kind], value: kind === "rack" ? "20" : tool().size, choices });
+  if (answer === null) return false;
+  if (choices) Object.assign(what, { size: answer.value, shape: answer.choice });
+  else what.size = answer;
+  return true;
 }
 
 /** Delete a point, a link or a joint. */

@@ -13,7 +13,7 @@ export function say(text) {
   place.dataset.said = text;
 }
 
-const question = () => ({ text: state.text, at: state.at, places: places() });
+const question = () => ({ text: state.text, at: state.at, places: places(), velocities: state.velocities });
 
 const looking = new Latest(async () => {
   const asked = question();
@@ -126,8 +126,9 @@ export function redo() {
 
 // --- questions to the user --------------------------------------------------------------------------------------------
 
-/** A question in the middle of the page; with `field` it asks for a text. The answer is false or null where it is "no". */
-export function confirmed(text, { yes, field = null, value = "" }) {
+/** A question in the middle of the page; with `field` it asks for a text, with `choices` for one of several as
+ * well ({ value, choice }). The answer is false or null where it is "no". */
+export function confirmed(text, { yes, field = null, value = "", choices = null }) {
   const dialog = document.getElementById("ask");
   const input = document.getElementById("ask-input");
   document.getElementById("ask-text").textContent = text;
@@ -136,6 +137,10 @@ export function confirmed(text, { yes, field = null, value = "" }) {
   document.getElementById("ask-field").hidden = field === null;
   document.getElementById("ask-label").textContent = field ?? "";
   input.value = value;
+  const list = document.getElementById("ask-list");
+  document.getElementById("ask-choice").hidden = choices === null;
+  document.getElementById("ask-choice-label").textContent = choices?.label ?? "";
+  list.replaceChildren(...(choices?.values ?? []).map(([key, words]) => new Option(words, key)));
   dialog.returnValue = "no";
   dialog.showModal();
   (field === null ? document.getElementById("ask-yes") : input).focus();
@@ -151,7 +156,9 @@ export function confirmed(text, { yes, field = null, value = "" }) {
       "close",
       () => {
         const agreed = dialog.returnValue === "yes";
-        resolve(field === null ? agreed : agreed ? input.value : null);
+        if (field === null) resolve(agreed);
+        else if (!agreed) resolve(null);
+        else resolve(choices ? { value: input.value, choice: list.value } : input.value);
       },
       { once: true },
     );

@@ -1,56 +1,51 @@
 // What is taken away: the workbook, pictures, the description; and the check of it.
 
 import { ask, askFile } from "./asking.js";
-import { word } from "./language.js";
+import { LANGUAGES, called, word } from "./language.js";
 import { on, state } from "./state.js";
 import { say } from "./work.js";
 
 const workbook = document.getElementById("workbook");
 const wanted = { layout: "", language: "" };
-const FILES = [["xlsx", "ods"], ["svg", "png", "gif", "toml"]];
+const WISHES = { layout: ["", "sheets", "page"], language: ["", ...LANGUAGES] };
+const FILES = ["xlsx", "ods", "svg", "png", "gif", "toml"];
+const results = document.createElement("output");
 
 function drawWorkbook() {
   workbook.replaceChildren();
-  const choices = (key, values) => {
-    const row = document.createElement("div");
-    row.className = "row";
-    row.setAttribute("role", "group");
-    row.setAttribute("aria-label", word(`workbook.${key}`));
-    for (const value of values) {
-      const button = document.createElement("button");
-      button.textContent = word(`workbook.${key}.${value || "own"}`);
-      button.setAttribute("aria-pressed", String(wanted[key] === value));
-      button.addEventListener("click", () => {
-        wanted[key] = value;
-        drawWorkbook();
-      });
-      row.append(button);
-    }
-    return row;
+  const row = () => {
+    const made = document.createElement("div");
+    made.className = "row";
+    workbook.append(made);
+    return made;
   };
-  workbook.append(choices("layout", ["", "sheets", "page"]), choices("language", ["", "en", "tr"]));
-  for (const group of FILES) {
-    const row = document.createElement("div");
-    row.className = "row";
-    for (const kind of group) {
-      const button = document.createElement("button");
-      button.textContent = `.${kind}`;
-      button.id = `get-${kind}`;
-      button.className = kind === "xlsx" ? "main" : "";
-      button.title = word(`get.${kind}`);
-      button.addEventListener("click", () => get(kind, button));
-      row.append(button);
-    }
-    workbook.append(row);
+  const button = (id, text, holder, act) => {
+    const made = document.createElement("button");
+    made.id = id;
+    made.textContent = text;
+    made.addEventListener("click", () => act(made));
+    holder.append(made);
+    return made;
+  };
+  const wishes = row();
+  for (const [key, values] of Object.entries(WISHES)) {
+    const list = document.createElement("select");
+    list.setAttribute("aria-label", word(`workbook.${key}`));
+    list.append(...values.map((value) => new Option(LANGUAGES.includes(value) ? called(value) : word(`workbook.${key}.${value || "own"}`), value)));
+    list.value = wanted[key];
+    list.addEventListener("change", () => (wanted[key] = list.value));
+    wishes.append(list);
   }
-  const check = document.createElement("button");
-  check.id = "check";
-  check.textContent = word("check");
-  check.addEventListener("click", () => judge(check));
-  const results = document.createElement("output");
+  const files = row();
+  for (const kind of FILES) {
+    const made = button(`get-${kind}`, `.${kind}`, files, (pressed) => get(kind, pressed));
+    made.title = word(`get.${kind}`);
+    if (kind === "xlsx") made.className = "main";
+  }
+  button("check", word("check"), files, judge);
   results.id = "results";
   results.setAttribute("aria-live", "polite");
-  workbook.append(check, results);
+  workbook.append(results);
 }
 
 const what = (more) => ({ text: state.text, at: state.at, ...wanted, ...more });
@@ -66,24 +61,35 @@ async function get(kind, button) {
     setTimeout(() => URL.revokeObjectURL(anchor.href), 10000);
   } catch (error) {
     say(error.message);
-    document.getElementById("results").textContent = error.message;
+    results.textContent = error.message;
   } finally {
     button.disabled = false;
   }
 }
 
+/** Check the workbook: first whether it is right, then what was compared, and what is to be said of the mechanism. */
 async function judge(button) {
-  const results = document.getElementById("results");
   button.disabled = true;
   results.textContent = word("check.running");
   try {
-    const { lines } = await ask("check", what());
-    results.textContent = lines.join("\n");
+    show(await ask("check", what()));
   } catch (error) {
     results.textContent = error.message;
   } finally {
     button.disabled = false;
   }
+}
+
+function show({ agrees, verdict, judges, remarks }) {
+  const line = (text, kind) => Object.assign(document.createElement("p"), { textContent: text, className: kind });
+  const count = judges.reduce((sum, each) => sum + each.count, 0);
+  const shown = [line(word(agrees ? "check.right" : "check.wrong", { count: count.toLocaleString(state.language) }), agrees ? "fine" : "wrong")];
+  for (const { judge: name, agrees: alike, count: cells, where } of judges) {
+    const text = word(alike ? "check.agrees" : "check.differs", { judge: word(`check.by.${name}`), count: cells.toLocaleString(state.language), where });
+    shown.push(line(text, alike ? "part" : "wrong"));
+  }
+  shown.push(line(verdict, ""), ...remarks.map((each) => line(each, "wrong")));
+  results.replaceChildren(...shown);
 }
 
 on("language", drawWorkbook);

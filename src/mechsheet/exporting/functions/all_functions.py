@@ -9,12 +9,14 @@ from functools import lru_cache
 
 from livesheet.formula.names import folded, safe_name
 from livesheet.formula.nodes import Call, Node, Symbol
+from livesheet.said import Words
 from mechsheet.exporting.functions.calls import with_calls
-from mechsheet.exporting.functions.library import PARAMETERS, basics
+from mechsheet.exporting.functions.library import basics, name_of
 from mechsheet.exporting.functions.routines import Routine, Source
 from mechsheet.exporting.lowering import Step
-from mechsheet.model import Mechanism, TableRequest, Words
+from mechsheet.model import Label, Mechanism, TableRequest
 from mechsheet.units import DEG, NUMBER
+from mechsheet.words.catalogue import words
 
 LONGEST_PREFIX = 24
 """A title that makes a longer word is replaced by the mechanism's name in the names of its functions."""
@@ -57,17 +59,16 @@ def variable_key(symbol: str) -> str:
 @lru_cache(maxsize=1)
 def _library() -> tuple[tuple[Words, Routine], ...]:
     """Names and routines of the basic functions, calling each other."""
-    found: list[tuple[Words, Routine]] = []
-    for basic in basics():
-        others = [pattern for pattern in patterns() if pattern.key != basic.routine.key]
-        found.append((basic.name, with_calls(basic.routine, others)))
-    return tuple(found)
+    return tuple(
+        (name, with_calls(routine, [pattern for pattern in patterns() if pattern.key != routine.key]))
+        for name, routine in basics()
+    )
 
 
 @lru_cache(maxsize=1)
 def patterns() -> tuple[Routine, ...]:
     """The elementary functions, those that say most first."""
-    elementary = {basic.routine.key: basic.routine for basic in basics() if not basic.routine.steps}
+    elementary = {routine.key: routine for _, routine in basics() if not routine.steps}
     return tuple(elementary[key] for key in ("triangle area", "triangle angle", "leg", "length", "angle"))
 
 
@@ -80,9 +81,7 @@ def functions_of(source: Source, language: str, taken: Collection[str] = ()) -> 
     found = [
         Function(
             names.take(name.of(language)),
-            tuple(
-                PARAMETERS.get(part.symbol, Words(part.symbol, part.symbol)).of(language) for part in routine.parameters
-            ),
+            tuple(name_of(part.symbol).of(language) for part in routine.parameters),
             routine,
             basic=True,
         )
@@ -132,7 +131,7 @@ def table_routine(source: Source, request: TableRequest) -> Routine:
         unit = source.equations.of(request.value).unit.internal
     if in_degrees(source, request.value):
         value, unit = Call("DEGREES", (value,)), DEG
-    title = request.title or Words(f"{request.value}", f"{request.value}")
+    title = request.title or Label(request.value)
     return Routine(TABLE_KEY, title, tuple(parameters), tuple(steps), value, unit)
 
 
@@ -153,7 +152,7 @@ def prefix_of(mechanism: Mechanism, language: str) -> str:
 
 
 def _capital(word: str, language: str) -> str:
-    first = "İ" if language == "tr" and word[0] == "i" else word[0].upper()
+    first = words(language, "letter.i") if word[0] == "i" else word[0].upper()
     return first + word[1:]
 
 

@@ -16,8 +16,8 @@ from mechsheet.exporting.functions.routines import Parameter
 from mechsheet.exporting.functions.solvers import Solver
 from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step
-from mechsheet.model import Words
 from mechsheet.units import Unit
+from mechsheet.words.catalogue import words
 
 HELPERS = """\
 Private Function PiValue() As Double
@@ -89,25 +89,19 @@ def module(
     parts += ["Option Explicit", "", *(comment(line) for line in opening), ""]
     parts += ["Private Const xlErrNA As Long = 2042", ""]
     parts += [line for solver in solvers for line in declarations(solver, own[solver.number])]
-    for basic, title in ((True, _BASIC), (False, _MECHANISM)):
+    for basic, title in ((True, "basic"), (False, "mechanism")):
         chosen = [function for function in functions if function.basic == basic]
         if not chosen:
             continue
-        parts += [rule(title.of(language)), ""]
+        parts += [rule(words(language, f"basic.{title}")), ""]
         if not basic:
             parts += [*_parameters(chosen[0], language), ""]
         parts += [_Writer(function, names, calls, own.values(), language).text() for function in chosen]
     if solvers:
-        parts += [rule(_SOLVERS.of(language)), ""]
+        parts += [rule(words(language, "basic.solvers")), ""]
         parts += [procedures(solver, own, calls, names.values(), language) for solver in solvers]
-    parts += [rule(_HELPERS.of(language)), "", HELPERS]
+    parts += [rule(words(language, "basic.helpers")), "", HELPERS]
     return "\n".join(parts)
-
-
-_BASIC = Words("Basic functions", "Temel fonksiyonlar")
-_MECHANISM = Words("Functions of the mechanism", "Mekanizmanın fonksiyonları")
-_SOLVERS = Words("Newton's method", "Newton yöntemi")
-_HELPERS = Words("What Basic does not have", "Basic'te bulunmayanlar")
 
 
 def _call(name: str, count: int) -> str:
@@ -116,11 +110,11 @@ def _call(name: str, count: int) -> str:
 
 def _parameters(function: Function, language: str) -> list[str]:
     """The parameters that all functions of a mechanism share."""
-    lines = [comment(Words("Parameters, in this order:", "Parametreler, bu sırayla:").of(language))]
+    lines = [comment(words(language, "basic.parameters"))]
     for part, shown in zip(function.routine.parameters, function.parameters, strict=True):
         default = function.modes.get(part.symbol)
-        words = Words("; {0} when left out", "; yazılmazsa {0}").of(language).format(default) if default else ""
-        lines.append(comment(f"    {shown}: {part.label.of(language)}{_unit(part.unit)}{words}"))
+        omitted = words(language, "basic.left_out", default=default) if default else ""
+        lines.append(comment(f"    {shown}: {part.label.of(language)}{_unit(part.unit)}{omitted}"))
     return lines
 
 

@@ -20,7 +20,7 @@ from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step
 from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
-from mechsheet.model import Words
+from mechsheet.words.catalogue import words
 
 FARTHEST = 40_000
 """Steps of the drivers: what lies farther away is #N/A."""
@@ -36,17 +36,6 @@ PARTS = (
     "Step", "Still", "stride", "there", "x",
 )  # fmt: skip
 """What follows a solver's name and _ in the names of its procedures, and of the variables that it keeps."""
-
-ABOUT = Words(
-    """{links}: {unknowns}
-From the described dimensions to those asked for in {led} equal steps, then with the driver in the table's steps.
-Where the links do not meet on the way, or their assembly ends there, all that lies behind is #N/A.
-The way gone for the last arguments is kept: its places are the same whatever was asked before.""",
-    """{links}: {unknowns}
-Tanımdaki boyutlardan istenenlere {led} eşit adımda, sonra tahrikle tablonun adımlarıyla gider.
-Yolda uzuvlar birleşmezse ya da montaj sona ererse ardında kalan her şey #YOK (#N/A) olur.
-Son istenen değerler için gidilen yol saklanır: yerleri, önceden ne istenirse istensin aynıdır.""",
-)
 
 
 def solver_names(solvers: Sequence[Solver], taken: Collection[str]) -> dict[int, str]:
@@ -249,7 +238,7 @@ class _Writer:
         """All of them."""
         solver, name = self.solver, self.name
         unknowns = ", ".join(shown_name(symbol) for symbol in solver.passing.given[: len(solver.keys)])
-        about = ABOUT.of(language).format(links=solver.label.of(language), unknowns=unknowns, led=LED)
+        about = words(language, "basic.solver", links=solver.label, unknowns=unknowns, led=LED)
         found = [comment(line) for line in about.split("\n")]
         differing = self._differing()
         for line in SOLVER.format(**self._counts()).splitlines():
@@ -367,15 +356,14 @@ class _Writer:
     def _way(self, others: Sequence[str]) -> list[str]:
         """What a pass is given follows from these, at a share of the way from what was described."""
         solver = self.solver
-        described = {start.symbol: start.value for start in solver.described}
         given = solver.reading.given
         ends = dict(zip(given[: self.still], _places(f"{self.name}_there", self.still), strict=True))
         ends |= dict(zip(solver.earlier, others, strict=True))
         lines = []
         for symbol, end in ends.items():
             there: Node = Symbol(end)
-            if symbol in described:
-                start = described[symbol]
+            if symbol in solver.described:
+                start = solver.described[symbol]
                 there = al.add(start, al.mul(Symbol("share"), al.sub(there, start)))
             lines.append(f"here({given.index(symbol)}) = {_said(there)}")
         return lines

@@ -10,24 +10,14 @@ from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRe
 from livesheet.workbook import Area, Cell, Column, Conditional, Fill, Merge, PrintSetup, Sheet
 from mechsheet.exporting.functions.all_functions import TABLE_KEY, Function, in_degrees, variable_key
 from mechsheet.exporting.functions.routines import Source
-from mechsheet.model import Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places
+from mechsheet.words.catalogue import Phrase, words
 
-LIST_TITLE = Words("Functions", "Fonksiyonlar")
-ABOUT = Words(
-    "Every cell of the table below calls a function of this file; the row over it has the largest difference from the "
-    "sheet {positions}. The functions take angles in radians and give them in radians.",
-    "Aşağıdaki tablonun her hücresi bu dosyanın bir fonksiyonunu çağırır; üstündeki satırda {positions} sayfasından en "
-    "büyük fark durur. Fonksiyonlar açıları radyan alır, radyan verir.",
-)
-HEADS = (Words("Function", "Fonksiyon"), Words("Meaning", "Anlamı"))
-ROW, DIFFERENCE = Words("row", "satır"), Words("largest difference", "en büyük fark")
-
-DIFFERENCES = Words("Differences from the sheet {positions}", "{positions} sayfasından farklar")
+LIST_TITLE = Phrase("function.list.title")
 
 MOST_ROWS = 37
 """Rows of the table: of a longer sweep every second, third … row."""
@@ -49,7 +39,7 @@ def functions_sheet(
     """The sheet; `calls` make the formula that calls a function, from the cell of the driver."""
     language = plan.language
     cells = [Cell(0, 0, LIST_TITLE.of(language), styles.TITLE)]
-    cells.append(Cell(1, 0, ABOUT.of(language).format(positions=plan.table), styles.NOTE_TEXT))
+    cells.append(Cell(1, 0, words(language, "function.list.about", positions=plan.table), styles.NOTE_TEXT))
     end = 2 * SPAN + 2
     merges = [Merge(Area(1, 0, 1, end)), Merge(Area(DIFFERENCE_ROW, 0, DIFFERENCE_ROW, 1))]
     shown = [function for function in functions if function.key != TABLE_KEY and not function.basic]
@@ -60,8 +50,8 @@ def functions_sheet(
     fills = _table(plan, source, shown, calls, (step, count), behind)
     area = Area(FIRST, 2, FIRST + count - 1, 1 + len(shown))
     row = FIRST + count + 1
-    for col, head in ((0, HEADS[0]), (SPAN, HEADS[1])):
-        cells.append(Cell(row, col, head.of(language), styles.SECTION))
+    for col, head in ((0, "function"), (SPAN, "meaning")):
+        cells.append(Cell(row, col, words(language, f"function.list.{head}"), styles.SECTION))
     cells += [Cell(row, col, None, styles.SECTION) for col in range(end + 1) if col not in (0, SPAN)]
     for function in functions:
         row += 1
@@ -97,11 +87,11 @@ FIRST = 6
 def _heads(plan: Plan, shown: Sequence[Function], behind: int) -> list[Cell]:
     driver = plan.mechanism.driver.symbol
     cells = [
-        Cell(NAME_ROW, 0, ROW.of(plan.language), styles.HEAD),
+        Cell(NAME_ROW, 0, words(plan.language, "function.list.row"), styles.HEAD),
         Cell(NAME_ROW, 1, rich(driver), styles.HEAD),
         Cell(UNIT_ROW, 0, None, styles.HEAD),
         Cell(UNIT_ROW, 1, shown_unit(plan, driver), styles.HEAD),
-        Cell(DIFFERENCE_ROW, 0, DIFFERENCE.of(plan.language), styles.NOTE_CELL),
+        Cell(DIFFERENCE_ROW, 0, words(plan.language, "function.list.difference"), styles.NOTE_CELL),
         Cell(DIFFERENCE_ROW, 1, None, styles.NOTE_CELL),
     ]
     for col, function in enumerate(shown, 2):
@@ -110,7 +100,12 @@ def _heads(plan: Plan, shown: Sequence[Function], behind: int) -> list[Cell]:
             cells.append(Cell(NAME_ROW, first, rich(symbol), styles.HEAD))
             cells.append(Cell(UNIT_ROW, first, shown_unit(plan, symbol), styles.HEAD))
     cells.append(
-        Cell(NAME_ROW - 1, behind, DIFFERENCES.of(plan.language).format(positions=plan.table), styles.NOTE_TEXT)
+        Cell(
+            NAME_ROW - 1,
+            behind,
+            words(plan.language, "function.list.differences", positions=plan.table),
+            styles.NOTE_TEXT,
+        )
     )
     return cells
 

@@ -8,7 +8,8 @@ from livesheet.formula.names import folded, safe_name
 from livesheet.formula.nodes import Call, Local, Node, Symbol, transform
 from livesheet.workbook import NamedFunction
 from mechsheet.exporting.functions.all_functions import TABLE_KEY, Function
-from mechsheet.exporting.functions.routines import guarded, missing_where
+from mechsheet.exporting.functions.routines import guarded
+from mechsheet.exporting.lowering import missing_where
 
 MOST_PAIRS = 120
 """Names of one LET: it takes 126."""

@@ -26,7 +26,6 @@ from mechsheet.exporting.functions.all_functions import in_degrees
 from mechsheet.exporting.functions.function_sheet import MOST_ROWS, SMALL, difference
 from mechsheet.exporting.functions.lesson import Link
 from mechsheet.exporting.functions.routines import Source
-from mechsheet.model import Words
 from mechsheet.sheet import styles
 from mechsheet.sheet.drawing.charts import driver_axis
 from mechsheet.sheet.places import there
@@ -36,16 +35,10 @@ from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places
 from mechsheet.units import Unit
+from mechsheet.words.catalogue import Phrase, words
 from mechsheet.words.symbols import plain
 
-TITLE = Words("Step by step", "Adım adım")
-ABOUT = Words(
-    "One column for each group of links, and no other: a cell calls the function of a simple mechanism, whose input is the "
-    "output of the column before. Every row has the same formulas: fill them down.",
-    "Her uzuv grubuna bir sütun, başka sütun yok: hücre basit bir mekanizmanın fonksiyonunu çağırır; girdisi önceki sütunun "
-    "çıktısıdır. Her satırda aynı formüller vardır: aşağı doğru doldurun.",
-)
-DIFFERENCE = Words("from {positions}", "{positions} farkı")
+TITLE = Phrase("lesson.title")
 
 TITLE_ROW, ABOUT_ROW, NAME_ROW, UNIT_ROW, DIFFERENCE_ROW, FIRST = 0, 1, 3, 4, 5, 6
 WIDTH, HEIGHT = 620, 380
@@ -109,8 +102,8 @@ class _Lesson:
         plan, language = self.plan, self.plan.language
         cells = [
             Cell(TITLE_ROW, 0, f"{TITLE.of(language)}: {plan.mechanism.title.of(language)}", styles.TITLE),
-            Cell(ABOUT_ROW, 0, ABOUT.of(language), styles.NOTE_TEXT),
-            Cell(DIFFERENCE_ROW, 0, DIFFERENCE.of(language).format(positions=plan.table), styles.NOTE_CELL),
+            Cell(ABOUT_ROW, 0, words(language, "lesson.about"), styles.NOTE_TEXT),
+            Cell(DIFFERENCE_ROW, 0, words(language, "lesson.difference", positions=plan.table), styles.NOTE_CELL),
         ]
         for symbol in self.read:
             for col in dict.fromkeys((self.read[symbol], self.shown[symbol])):

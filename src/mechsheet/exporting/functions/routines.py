@@ -13,12 +13,14 @@ from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, renamed, transform
+from livesheet.said import Words
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.lowering import Lowering, Step
 from mechsheet.kinematics.angle_branch import WINDOWED, AngleBranch, branches_of, reading_taken
 from mechsheet.kinematics.dimensions import dimension_order
-from mechsheet.model import Words
+from mechsheet.model import Label
 from mechsheet.units import NUMBER, Unit
+from mechsheet.words.catalogue import Phrase
 from mechsheet.words.equations import phrase
 
 
@@ -59,9 +61,11 @@ class Source:
     steps    what every symbol that is not given equals at one position, by symbol, in order of solution
     solved   the unknowns that Newton's method finds, as the table calls them
     closing  the steps that have no number where a group cannot be joined, by the number of the group
+
+    judged   without it any numbers are taken that close: for functions that belong to no mechanism
     """
 
-    def __init__(self, compiled: Compiled) -> None:
+    def __init__(self, compiled: Compiled, judged: bool = True) -> None:
         self.mechanism = compiled.mechanism
         self.equations = equations = compiled.equations
         self.modes = compiled.modes
@@ -73,6 +77,9 @@ class Source:
         branches = branches_of(self.mechanism, equations, compiled.values)
         self.branches = {symbol: branch for symbol, branch in branches.items() if symbol not in self.solved}
         self.steps = self._steps(lowering, self.branches)
+        if judged:  # no number while an input is none that the mechanism can have
+            tolerance, impossible = self.steps[equations.tolerance], equations.impossible(self.mechanism.driver.symbol)
+            self.steps[equations.tolerance] = replace(tolerance, missing=impossible)
         given = tuple(Symbol(part.symbol) for part in self.parameters())
         for symbol in self.solved:
             self.steps[symbol] = Step(symbol, Call(unknown_key(symbol), given))
@@ -116,12 +123,12 @@ class Source:
             else set()
         )
         given = [
-            Parameter(dim.symbol, dim.label or Words(dim.symbol, dim.symbol), dim.unit.internal)
+            Parameter(dim.symbol, dim.label or Label(dim.symbol), dim.unit.internal)
             for dim in self.mechanism.dimensions
             if not dim.derived and (not dim.driver_key or dim.symbol in read)
         ]
         driver = self.mechanism.driver
-        given.append(Parameter(driver.symbol, Words("driver", "tahrik"), driver.unit.internal))
+        given.append(Parameter(driver.symbol, Phrase("function.driver"), driver.unit.internal))
         for symbol in self.mechanism.listed_symbols:
             besides = self.mechanism.driver_of(symbol)
             given.append(Parameter(symbol, phrase("further_driver"), besides.unit.internal))
@@ -210,11 +217,6 @@ def with_names(routine: Routine, names: Mapping[str, str]) -> Routine:
         steps=tuple(replace(step, symbol=name(step.symbol)) for step in routine.steps),
         guards=tuple(name(symbol) for symbol in routine.guards),
     )
-
-
-def missing_where(condition: Node | None, value: Node) -> Node:
-    """The value, or #N/A where the condition is true."""
-    return value if condition is None else Call("IF", (condition, Call("NA"), value))
 
 
 def guarded(routine: Routine, result: Node, forms: Mapping[str, Node]) -> Node:

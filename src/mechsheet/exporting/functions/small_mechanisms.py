@@ -13,7 +13,7 @@ from typing import TypeAlias
 from livesheet.formula.nodes import Symbol
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.functions.routines import Source
-from mechsheet.model import Cartesian, Dimension, Driver, Joint, Link, Mechanism, Quantity, Words
+from mechsheet.model import Cartesian, Dimension, Driver, Joint, Label, Link, Mechanism, Quantity
 from mechsheet.units import RAD, unit_of
 
 MILLIMETRE = unit_of("mm", "mm")
@@ -42,7 +42,7 @@ def _source(
     )
     driven = next((joint.symbol for joint in joints if joint.name == slides), "theta12")
     driver = Driver(driven, MILLIMETRE if slides else RAD, "" if slides else bodies[1].name, bodies[0].name, slides)
-    nothing = Words("", "")
+    nothing = Label("")
     mechanism = Mechanism(
         "basic",
         nothing,
@@ -54,7 +54,7 @@ def _source(
         tuple(joints),
         replace(driver, values=(value,)),
     )
-    return Source(Compiled(mechanism))
+    return Source(Compiled(mechanism), judged=False)
 
 
 def _size(named: Named) -> Quantity:

@@ -12,25 +12,7 @@ from mechsheet.exporting.functions.solvers import solvers_of
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.refusing import refuse_synthesis
 from mechsheet.kinematics.sketched import tell
-from mechsheet.model import Words
-
-INTRODUCTION = Words(
-    """{title}
-{source}
-
-Written by mechsheet. Lengths in {unit}, angles in radians{degrees}.
-A position that does not exist is #N/A in Excel, the text "Error 2042" in LibreOffice.
-Excel: Alt+F11, File, Import File. LibreOffice: Tools, Macros, Edit Macros, import into the document's Standard library.
-Then in a cell, for example: ={example}""",
-    """{title}
-{source}
-
-mechsheet tarafından yazıldı. Uzunluklar {unit}, açılar radyan{degrees}.
-Var olmayan bir konum Excel'de #YOK (#N/A), LibreOffice'te "Error 2042" yazısıdır.
-Excel: Alt+F11, Dosya, Dosya Al. LibreOffice: Araçlar, Makrolar, Makroları Düzenle, belgenin Standard kütüphanesine alın.
-Sonra bir hücrede, örneğin: ={example}""",
-)
-
+from mechsheet.words.catalogue import words
 
 MOST_ARGUMENTS = 60
 
@@ -70,13 +52,8 @@ def introduction(source: Source, functions: tuple[Function, ...], language: str)
     arguments = ", ".join(name for part, name in zip(function.routine.parameters, function.parameters, strict=True)
                           if part.symbol not in function.modes)  # fmt: skip
     in_degrees = any(part.unit.in_degrees for part in function.routine.parameters)
-    degrees = Words(" ({name} takes degrees)", " ({name} derece alır)").of(language)
     name = function_names(functions)[function.key]
-    text = INTRODUCTION.of(language).format(
-        title=mechanism.title.of(language),
-        source=mechanism.source.of(language),
-        unit=mechanism.length_unit,
-        degrees=degrees.format(name=name) if in_degrees else "",
-        example=f"{name}({arguments})",
-    )
-    return text.split("\n")
+    return words(
+        language, "basic.introduction", title=mechanism.title, source=mechanism.source, unit=mechanism.length_unit,
+        degrees=words(language, "basic.degrees", name=name) if in_degrees else "", example=f"{name}({arguments})",
+    ).split("\n")  # fmt: skip

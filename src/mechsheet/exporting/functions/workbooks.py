@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from livesheet.formula.names import folded
 from livesheet.formula.nodes import Call, CellRef, Node, Number, Text
-from livesheet.said import say
+from livesheet.said import Words, say
 from livesheet.workbook import Area, Cell, Conditional, Fill, Module, Sheet, Workbook
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.functions.all_functions import (
@@ -32,11 +32,12 @@ from mechsheet.exporting.functions.routines import Source
 from mechsheet.exporting.functions.vba import introduction
 from mechsheet.exporting.refusing import refuse_synthesis
 from mechsheet.kinematics.newton.refusing import need_one_position
-from mechsheet.model import TableRequest, Words
+from mechsheet.model import TableRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.units import Unit
+from mechsheet.words.catalogue import words
 
 NEEDS_ROW = 3
 """The row of the first sheet, empty otherwise, that says what the file needs."""
@@ -55,42 +56,16 @@ class Form:
     """A way of putting functions into a workbook.
 
     suffix  the file's ending, after the mechanism's name
-    needs   what the first sheet says that the file needs
-    works   what it says instead where a function of the file has a value. None where programs that lack something do not
-            even understand the formula that would try it
+    tried   the first sheet says that the functions work where one of them has a value; not where programs that lack
+            something do not even understand the formula that would try it
     """
 
     name: str
     suffix: str
-    needs: Words
-    works: Words | None = None
+    tried: bool = False
 
 
-FORMS = {
-    form.name: form
-    for form in (
-        Form(
-            "basic",
-            "-basic.ods",
-            Words(
-                "This file needs LibreOffice with macros ALLOWED: its functions are written in Basic. Without: {name}.ods",
-                "Bu dosya LibreOffice'te makrolara İZİN ister: fonksiyonları Basic dilindedir. Makrosuz: {name}.ods",
-            ),
-            Words(
-                "This file needs LibreOffice with macros allowed, and has them: the functions work.",
-                "Bu dosya makrolara izin verilmiş LibreOffice ister; izin var, fonksiyonlar çalışıyor.",
-            ),
-        ),
-        Form(
-            "lambda",
-            "-lambda.xlsx",
-            Words(
-                "This file needs Excel 365, 2024 or later: its functions are LAMBDA names. For other programs: {name}.xlsx",
-                "Bu dosya Excel 365, 2024 ya da sonrasını ister: fonksiyonları LAMBDA adlarıdır. Öbürleri için: {name}.xlsx",
-            ),
-        ),
-    )
-}
+FORMS = {form.name: form for form in (Form("basic", "-basic.ods", tried=True), Form("lambda", "-lambda.xlsx"))}
 """Name of the option -> form."""
 
 
@@ -187,12 +162,12 @@ class _Work:
     def first_sheet(self, sheet: Sheet) -> Sheet:
         """The first sheet, with a line that says what the file needs, and tries a function where that can be tried."""
         form, language = FORMS[self.form], self.plan.language
-        needs = form.needs.of(language).format(name=self.plan.mechanism.name)
+        needs = words(language, f"function.{form.name}.needs", name=self.plan.mechanism.name)
         warning = replace(styles.WARN, name="")
-        if form.works is None:
+        if not form.tried:
             return replace(sheet, cells=(*sheet.cells, Cell(NEEDS_ROW, 0, needs, NEEDS)))
         tried = Call("ISNUMBER", (self.checked(Call(self.names["length"], (Number(3.0), Number(4.0)))),))
-        line = Call("IF", (tried, Text(form.works.of(language)), Text(needs)))
+        line = Call("IF", (tried, Text(words(language, f"function.{form.name}.works")), Text(needs)))
         rule = Conditional(Area(NEEDS_ROW, 0, NEEDS_ROW, 0), Call("NOT", (tried,)), warning)
         return replace(
             sheet,

@@ -12,15 +12,16 @@ from livesheet.formula.nodes import Node, Number, Symbol, symbols
 from livesheet.workbook import Rich
 from mechsheet import reference
 from mechsheet.compiled import Compiled
+from mechsheet.homework.classroom.cam import cam_lines, sign_of
 from mechsheet.homework.classroom.directions import Direction, Directions
 from mechsheet.kinematics.equations import FORCES
 from mechsheet.model import Cartesian, Dimension, Distances, Gear, Joint, Link, Place, Polar, Quantity, Rack
-from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.mathematics import Part, written
 from mechsheet.units import DEG
+from mechsheet.words.catalogue import words
 from mechsheet.words.equations import body_words, link_words
+from mechsheet.words.given import given_words
 from mechsheet.words.homework import said
-from mechsheet.words.workbook import words
 
 Line = list[Part]
 NEXT: Part = (";  ", "")
@@ -60,7 +61,7 @@ class Statement:
             found = self.mechanism.synthesis is not None and not dim.written and not dim.place
             if found or (isinstance(dim.value, float) and (not dim.place or dim.symbol in self.needed)):
                 known = dim.place[:1] not in ((), ("synthesis",)) and "center" not in dim.place
-                label = given_words(self.compiled.plan, dim) if known else ""
+                label = given_words(self.compiled.mechanism, self.language, dim) if known else ""
                 number = round(float(dim.unit.to_shown(values[dim.symbol])), 10)
                 yield dim, number, dim.label.of(self.language) if dim.label is not None else label
 
@@ -113,7 +114,7 @@ class Statement:
                 yield Rich(((f"{self.text('torque')} ", ""), *self.math(load.torque), (f" {on}", "")))
                 continue
             place = [(load.point, "")] if isinstance(load.point, str) else self._place(link, load.name, load.point)[1:]
-            turned = [(f", {self.text('axis')} ", ""), *self._direction(link)] if load.in_link else []
+            turned = [(f", {self.text('axis')} ", ""), *self.direction(link)] if load.in_link else []
             line: Line = [(f"{self.text('force')} ", ""), *self._pair(*load.force), *turned]
             yield Rich((*line, (f" {on}, {self.text('at')} ", ""), *place))
         for spring in dynamics.springs:
@@ -128,16 +129,19 @@ class Statement:
             yield Rich(tuple(line))
 
     def driver(self) -> Iterator[Rich]:
-        """What is driven, from where its angle counts."""
+        """What is driven, from where its angle counts; of a cam what it does, and how it is made."""
+        if any(driver.segments is not None for driver in self.mechanism.drivers):
+            yield from cam_lines(self)
+            return
         for driver in self.mechanism.all_drivers:
             line: Line = [(f"{self.text('driven')} {driver.symbol}", "")]
             link = next((one for one in self.mechanism.links if one.name == driver.link), None)
             if link is not None:
                 base = driver.relative_to or self.mechanism.ground.name
                 other = next(one for one in self.mechanism.links if one.name == base)
-                line += [(": ", ""), *self._direction(link)]
+                line += [(": ", ""), *self.direction(link)]
                 if other is not self.mechanism.ground:
-                    line += [(f" {self.text('against')} ", ""), *self._direction(other)]
+                    line += [(f" {self.text('against')} ", ""), *self.direction(other)]
             follows = getattr(driver, "follows", None)
             if follows is not None:
                 line += [(f";  {driver.symbol} = ", ""), *self.math(follows)]
@@ -169,11 +173,10 @@ class Statement:
                     symbol, unit, output.formula, output.label.of(self.language) if output.label else ""
                 )
             elif symbol in angles:
-                yield Rich(
-                    ((f"{symbol}: ", ""), *self._direction(angles[symbol]), (f"  ({meant.get(symbol, '')})", ""))
-                )
+                yield Rich(((f"{symbol}: ", ""), *self.direction(angles[symbol]), (f"  ({meant.get(symbol, '')})", "")))
             elif meant.get(symbol):
-                yield Rich(((f"{symbol}: {meant[symbol]}", ""),))
+                counted = sign_of(self, symbol)
+                yield Rich(((f"{symbol}: {meant[symbol]}{f'; {counted}' if counted else ''}", ""),))
         yield Rich(((self.text("angles"), ""),))
 
     def _read(self, asked: Iterable[str], formulas: Mapping[str, Node]) -> dict[str, None]:
@@ -208,10 +211,10 @@ class Statement:
         return self._distances(name, place) if isinstance(place, Distances) else self._point(link, name, place)
 
     def _defined(self, symbol: str, unit: str, formula: Node, label: str) -> Rich:
-        head = f"{symbol} [{unit}] = " if unit else f"{symbol} = "
+        head = f"{symbol} [{unit}] = " if unit not in ("", "1") else f"{symbol} = "
         return Rich(((head, ""), *self.math(formula), *([(f"  ({label})", "")] if label else [])))
 
-    def _direction(self, link: Link) -> Line:
+    def direction(self, link: Link) -> Line:
         """From which line the angle of a link counts."""
         known = self.directions.of[link.name]
         if known is None:

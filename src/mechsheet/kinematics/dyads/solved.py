@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Call, Node, Symbol
+from livesheet.said import Words
 from mechsheet.kinematics.equations import Condition, System
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.model import Words
 from mechsheet.units import LENGTH
 from mechsheet.words.equations import NOTHING, phrase
 

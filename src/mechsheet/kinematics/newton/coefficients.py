@@ -8,12 +8,12 @@ from livesheet.formula import algebra as al
 from livesheet.formula.derivatives import derivative
 from livesheet.formula.nodes import Node, Symbol, renamed
 from livesheet.formula.vectors import NOWHERE, Vector, minus, negative
+from livesheet.said import Words
 from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.newton.rates import Closing, Own, dead, known_sides, own_rate, solved, without
 from mechsheet.kinematics.rates.motions import PointRate
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, RateColumns, order_words
-from mechsheet.model import Words
 from mechsheet.units import LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 

@@ -20,13 +20,14 @@ from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Call, Node, Number, Symbol, renamed, symbols
 from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, turned
+from livesheet.said import Words
 from mechsheet.kinematics.equations import Condition, Equation, System
 from mechsheet.kinematics.gear_relations import terms_of
 from mechsheet.kinematics.newton.chains import Assembly, Binary, Carrier, Chain
 from mechsheet.kinematics.newton.cramer import Cramer, cramer
 from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.kinematics.poses import Guide, Poses
-from mechsheet.model import Rack, Relation, Words
+from mechsheet.model import Rack, Relation
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import body_words, link_words, phrase, several
 

@@ -11,7 +11,7 @@ import numpy as np
 from livesheet import portable
 from livesheet.diagnostics import Fault
 from livesheet.formula.nodes import Symbol
-from livesheet.said import say
+from livesheet.said import Words, say
 from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, difference, entries_of
@@ -21,7 +21,7 @@ from mechsheet.kinematics.newton.singular_start import DeadStartError, singular
 from mechsheet.kinematics.newton.starts import MOST_FOUND, assemblies_in
 from mechsheet.kinematics.newton.system import refined
 from mechsheet.kinematics.numeric import Array
-from mechsheet.model import Mechanism, Words
+from mechsheet.model import Label, Mechanism
 from mechsheet.units import Unit
 
 NEARLY = 0.05
@@ -114,7 +114,7 @@ def words_of(mechanism: Mechanism, system: System, ledger: Ledger) -> tuple[Word
             shown = unit.to_shown(number) if angle else number
             parts.append(f"{name} = {float(shown):.4g}{unit.text if angle else ''}")
         text = ", ".join(parts)
-        found.append(Words(text, text))
+        found.append(Label(text))
     return tuple(found)
 
 

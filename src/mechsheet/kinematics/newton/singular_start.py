@@ -14,13 +14,13 @@ from dataclasses import replace
 import numpy as np
 
 from livesheet.diagnostics import Fault
-from livesheet.said import say
+from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import System
 from mechsheet.kinematics.modes import BetweenModesError
 from mechsheet.kinematics.numeric import Array, evaluate_equation, value
-from mechsheet.model import Mechanism, Words
+from mechsheet.model import Mechanism
 
 ASIDE = 1e-3
 """So far aside it is seen how an equation bends."""

@@ -7,10 +7,10 @@ import math
 import numpy as np
 
 from livesheet.diagnostics import Fault
-from livesheet.said import say
+from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.numeric import Array
-from mechsheet.model import Driver, Words
+from mechsheet.model import Driver
 
 STEP = math.radians(1.0)
 FEWEST, MOST = 24, 390

@@ -21,7 +21,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.derivatives import derivative
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, with_symbols
 from livesheet.formula.vectors import Vector, cross, minus, plus, size, times
-from livesheet.said import say
+from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.cam import Contact, write_cam
@@ -37,7 +37,7 @@ from mechsheet.kinematics.newton.rates import Closings, known_pins, without
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Meeting, Motions, PointRate, Rate
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, RateColumns, order_words
-from mechsheet.model import POINT_RATES, FurtherDriver, Mechanism, Words, rate_symbols
+from mechsheet.model import POINT_RATES, FurtherDriver, Mechanism, rate_symbols
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words.equations import link_words, phrase
 

@@ -6,10 +6,11 @@ from collections.abc import Collection
 
 from livesheet.formula.nodes import Node, Symbol
 from livesheet.formula.vectors import Vector
+from livesheet.said import Words
 from mechsheet.kinematics.cell_lengths import CellLengths
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.model import Mechanism, Words
+from mechsheet.model import Mechanism
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase
 

@@ -8,8 +8,9 @@ The driver's axis is fixed, since its rows are: steps of 15, 30 or 45 degrees wh
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
@@ -86,16 +87,17 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     displacements: list[str] = []
     if mechanism.driver.law is not None:  # its own curve over the time is worth a look
         (displacements if mechanism.driver.joint else angles).append(driver)
-    turned = _turned_by_cam(mechanism)
+    turned, moved = _turned_by_cam(mechanism), _of_follower(plan)
+    told = {symbol for request in moved for symbol in request.y}
     for equation in plan.equations.columns:
-        own = equation.symbol in (driver, turned)
+        own = equation.symbol in (driver, turned, *told)
         if equation.role == "variable" and not own and not _stands_still(columns[equation.symbol]):
             (angles if equation.unit.kind == "angle" else displacements).append(equation.symbol)
     still = {symbol for symbol, column in columns.items() if _stands_still(column)} | plan.only_rounding.keys()
     outputs = [output.symbol for output in mechanism.outputs if output.symbol not in still]
-    rates = [name for name in _rates(plan) if name not in still]
+    rates = [name for name in _rates(plan) if name not in still | told]
     sizes = {symbol: float(np.max(np.abs(column), initial=0.0)) for symbol, column in columns.items()}
-    requests = []
+    requests = [*moved, *([ChartRequest(profile=True)] if mechanism.cam else [])]
     for symbols in (angles, displacements, outputs, rates):
         requests += [ChartRequest(x=across(plan), y=group) for group in _shared(plan, symbols, sizes)]
     requests += _of_forces(plan, still)
@@ -113,6 +115,20 @@ def _turned_by_cam(mechanism: Mechanism) -> str:
     return next(link.angle_symbol for link in mechanism.links[1:] if link.name in driven)
 
 
+def _of_follower(plan: Plan) -> list[ChartRequest]:
+    """What a cam moves, as books have it: displacement, velocity, acceleration and jerk, one under another; without a speed,
+    derivatives by the cam's angle."""
+    known = {equation.symbol for equation in plan.equations.columns}
+    for driver in plan.mechanism.drivers:
+        if driver.segments is not None:
+            symbol = driver.symbol
+            by_time = (*rate_symbols(symbol, not driver.joint), f"{symbol}.j")
+            by_angle = tuple(f"{symbol}.{ending}" for ending in ("d", "dd", "ddd"))
+            names = by_time if known.issuperset(by_time) else by_angle
+            return [ChartRequest(x=across(plan), y=(name,)) for name in (symbol, *names)]
+    return []
+
+
 def across(plan: Plan) -> str:
     """What curves are drawn against: the driver, or the time of its law."""
     return plan.mechanism.driver.symbol if plan.mechanism.driver.law is None else TIME
@@ -120,12 +136,18 @@ def across(plan: Plan) -> str:
 
 def _rates(plan: Plan) -> list[str]:
     """Velocities and accelerations of links, of slides on the ground, and of points; of a cam's columns the pressure
-    angle: the others are curves of another plane."""
+    angle: the others are curves of another plane, and derivatives by its angle look like those by time."""
     mechanism = plan.mechanism
     ground = mechanism.ground.name
     moving = {joint.symbol for joint in mechanism.joints if ground not in (joint.on, joint.link)}
     hidden = {name for symbol in moving for name in rate_symbols(symbol, False)}
     hidden |= {eq.symbol for eq in plan.equations.columns if eq.group == CAM and eq.symbol != "alpha"}
+    for driver in mechanism.drivers:
+        if driver.segments is not None:
+            hidden |= {f"{driver.symbol}.{ending}" for ending in ("d", "dd", "ddd")}
+            guided = next((joint.link for joint in mechanism.joints if joint.name == driver.joint), "")
+            points = next((link.points for link in mechanism.links if link.name == guided), ())
+            hidden |= {f"{point}.{part}" for point in points for part in ("v", "a")}  # as fast as the slide
     return [eq.symbol for eq in plan.equations.columns if eq.role == "rate" and eq.symbol not in hidden]
 
 
@@ -189,27 +211,38 @@ def _at_position(plan: Plan, drawing: Drawing, symbol: str) -> SeriesRef | None:
     return None
 
 
-def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
+def curve_chart(
+    plan: Plan,
+    request: ChartRequest,
+    at: Callable[[str], SeriesRef | None],
+    size: tuple[int, int],
+    axis: Axis,
+    legend: Literal["right", "bottom"],
+) -> Chart:
+    """Curves over a quantity, with a mark on each where the position stands.
+
+    at    the cell with a quantity at the position shown;  size: width and height [pixels];  axis: that of the quantity
+    legend  where it stands, where there is more than one curve
+    """
     curves, markers = [], []
-    x = _at_position(plan, drawing, request.x)
+    x = at(request.x)
     for index, symbol in enumerate(request.y):
         color = styles.SERIES[index % len(styles.SERIES)]
-        dash = dash_of(plan, request, index)
+        dash = _dash_of(plan, request, index)
         curves.append(Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=color, dash=dash))
         curves += _ends_of_band(plan, request.x, symbol, color)
-        y = _at_position(plan, drawing, symbol)
+        y = at(symbol)
         if x and y:
             markers.append(marker(plain(symbol), x, y, color))
-    title = chart_title(plan, request)
+    title = _chart_title(plan, request)
     return Chart(
-        title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), driver_axis(plan, request.x, request.x_ends),
-        value_axis(plan, request),
-        legend="right" if sum(curve.in_legend for curve in curves) > 1 else "", alt_text=title,
-        smooth=are_smooth(plan, request.y),
+        title, Anchor(0, 0, *size), (*curves, *markers), axis, value_axis(plan, request),
+        legend=legend if sum(curve.in_legend for curve in curves) > 1 else "", alt_text=title,
+        smooth=_are_smooth(plan, request.y),
     )  # fmt: skip
 
 
-def dash_of(plan: Plan, request: ChartRequest, index: int) -> Dash:
+def _dash_of(plan: Plan, request: ChartRequest, index: int) -> Dash:
     """How a curve is drawn: each otherwise than the one before, for whoever prints in black and white.
 
     The driver's effort by virtual work lies on that from the reactions, and bands are dashed: there dashes mean just that.
@@ -272,15 +305,18 @@ def _as_described(plan: Plan, symbol: str) -> Array:
     return np.degrees(there) if plan.at.spots[symbol].degrees else there
 
 
-def are_smooth(plan: Plan, symbols: Sequence[str]) -> bool:
-    """Whether curves may be bent between their points: all but those that leap, or grow without bound, between two rows."""
+def _are_smooth(plan: Plan, symbols: Sequence[str]) -> bool:
+    """Whether curves may be bent between their points: all but those that leap, or grow without bound, between two rows, and
+    accelerations and jerks of what a cam moves, which leap where two segments meet."""
+    if any(request.y == tuple(symbols) for request in _of_follower(plan)[2:]):
+        return False
     columns = [_as_described(plan, symbol) for symbol in symbols]
     return not any(
         np.max(np.abs(np.diff(column)), initial=0.0) > LEAP * np.ptp(column) for column in columns if len(column)
     )
 
 
-def chart_title(plan: Plan, request: ChartRequest) -> str:
+def _chart_title(plan: Plan, request: ChartRequest) -> str:
     """What stands over curves: as the description has it, else what they show."""
     if request.title:
         return request.title.of(plan.language)
@@ -319,12 +355,21 @@ def driver_axis(plan: Plan, symbol: str, ends: Ends = (None, None)) -> Axis:
 
 def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing) -> tuple[Chart, ...]:
     """The drawing under the scroll bar, the other charts beside and below it in two columns."""
-    curves = [_curve_chart(plan, drawing, request) for request in requests if request.y]
-    paths = [drawing.paths[request] for request in requests if not request.y]
+    curves = {
+        request: curve_chart(
+            plan, request, lambda symbol: _at_position(plan, drawing, symbol), (SIZE, HEIGHT),
+            driver_axis(plan, request.x, request.x_ends), "right",
+        )
+        for request in requests
+        if request.y
+    }  # fmt: skip
+    right = {curves[request] for request in _of_follower(plan) if request in curves}
+    left = [drawing.paths[request] for request in requests if request.profile]
+    paths = [drawing.paths[request] for request in requests if not (request.y or request.profile)]
     heights = [SIZE + GAP, 0]
     placed = [_placed(drawing.chart, 0, 0)]
-    for chart in (*curves, *paths):
-        side = 0 if heights[0] <= heights[1] else 1
+    for chart in (*left, *curves.values(), *paths):
+        side = 0 if chart in left or (chart not in right and heights[0] <= heights[1]) else 1
         placed.append(_placed(chart, side * (SIZE + GAP), heights[side]))
         heights[side] += chart.anchor.height + GAP
     return tuple(placed)

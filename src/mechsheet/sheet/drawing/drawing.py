@@ -32,6 +32,7 @@ from mechsheet.sheet.drawing.frames import (
 )
 from mechsheet.sheet.drawing.hodographs import hodograph_chart
 from mechsheet.sheet.drawing.listed import Listed, PointCells
+from mechsheet.sheet.drawing.profile import profile_chart
 from mechsheet.sheet.over_rows import LEAST, MOST
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
@@ -58,7 +59,7 @@ MOST_SERIES = 255
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """The sheet, the chart of the mechanism, those of paths and of hodographs, and where quantities stand.
+    """The sheet, the chart of the mechanism, those of paths, hodographs and a profile, and where quantities stand.
 
     points  the cells of every point at the position shown
     shown   cells with the value at the position shown, as people read it, of symbols that have none on the first sheet
@@ -83,10 +84,15 @@ def drawing_of(plan: Plan, requests: Sequence[ChartRequest]) -> Drawing:
     plan.window["half"] = Spot(page.title, half.row, half.col)
     shown = _shown(page, requests, listed.points)
     paths = {request: _path_chart(page, request, listed.points) for request in requests if request.paths}
-    for request in requests:
-        if request.hodographs:
-            paths[request] = hodograph_chart(page, request, SIZE, PATH_INNER)
+    paths |= {
+        request: square_chart(page, request, SIZE) for request in requests if request.hodographs or request.profile
+    }
     return Drawing(_sheet(page), chart_of(plan, listed.series, SIZE), paths, listed.points, shown)
+
+
+def square_chart(page: Page, request: ChartRequest, size: int) -> Chart:
+    """What has a frame of its own: a hodograph, or the profile of a cam."""
+    return (profile_chart if request.profile else hodograph_chart)(page, request, size, PATH_INNER)
 
 
 def letters_in(size: int) -> float:

@@ -10,9 +10,8 @@ from livesheet.workbook import Chart, Column, Content, Style
 from mechsheet.model import ChartRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.degrees import degrees_together
-from mechsheet.sheet.drawing.drawing import PATH_INNER, caption, chart_of, letters_in
+from mechsheet.sheet.drawing.drawing import caption, chart_of, letters_in, square_chart
 from mechsheet.sheet.drawing.frames import FIRST, NAME, NUMBER_STYLE, Page
-from mechsheet.sheet.drawing.hodographs import hodograph_chart
 from mechsheet.sheet.drawing.listed import Listed
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan
 from mechsheet.sheet.symbols import rich
@@ -69,6 +68,6 @@ class PageDrawing:
             Column(self._page.left, last, 11.0, level=1, hidden=True), Column(last + 1, last + 1, 3.0, collapsed=True)
         )  # fmt: skip
 
-    def hodograph(self, request: ChartRequest) -> Chart:
-        """The ends of velocities from one pole at true scale, and the vectors in the row that is drawn."""
-        return hodograph_chart(self._page, request, CHART_HEIGHT, PATH_INNER)
+    def square(self, request: ChartRequest) -> Chart:
+        """A hodograph or a cam's profile, and what is at the row that is drawn."""
+        return square_chart(self._page, request, CHART_HEIGHT)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from livesheet.diagnostics import Fault
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, symbols
@@ -26,7 +27,7 @@ from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.places import Places
 from mechsheet.sheet.plan import SHEETS, UNIT, VERDICT_ROW, Block, Named, Plan, TableColumn
 from mechsheet.sheet.wrapping import ROW_HEIGHT
-from mechsheet.words.workbook import words
+from mechsheet.words.catalogue import words
 
 FIRST_ROW = 3
 """The row of the first dimension: its value is $B$4, as in the text."""
@@ -36,6 +37,9 @@ CHART_HEIGHT = 320
 
 CHART_ROWS = CHART_HEIGHT // ROW_HEIGHT + 2
 """Rows beside the top that the charts take, with the scroll bar below the drawing."""
+
+STATUS_GROUP = -2
+"""The number under which the column stands that says what does not close: it has no heading."""
 
 SPARE = 400
 """So many rows below the table are looked at too: a person may fill it further down."""
@@ -80,6 +84,11 @@ class PagePlan(Plan):
     def plain(self) -> Mapping[str, Node]:
         """What has no cell of its own: points that are written where they are read."""
         return self.page.plain
+
+    @cached_property
+    def unguarded(self) -> frozenset[str]:
+        """Columns that say where a group closes, with listed values of the driver, above which no cell asks the inputs."""
+        return frozenset(self.page.closes.values()) if self.mechanism.driver.values else frozenset()
 
     @property
     def ok(self) -> str:
@@ -244,7 +253,7 @@ def _plan_table(plan: PagePlan) -> None:
         group = -1 if equation.symbol in outputs else equation.group
         columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
         degrees[equation.symbol] = plan.mechanism.shown(equation.unit).in_degrees
-    columns.append(TableColumn(len(columns), "", "status", -2, False))
+    columns.append(TableColumn(len(columns), "", "status", STATUS_GROUP, False))
     plan.columns += columns
     for column in columns[:-1]:
         shown = degrees.get(column.symbol, False)

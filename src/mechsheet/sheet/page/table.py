@@ -6,27 +6,27 @@ import math
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, transform, walk
-from livesheet.workbook import Area, Comment, Conditional, Fill, Rich, Style, plain_text
-from mechsheet.kinematics.equations import CAM, Group
-from mechsheet.model import TIME
+from livesheet.workbook import Area, Comment, Conditional, Fill, plain_text
+from mechsheet.kinematics.equations import Group
 from mechsheet.sheet import styles
 from mechsheet.sheet.cells import Cells
-from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.driving import by_time, driver_after, rows_before, time_after
-from mechsheet.sheet.mathematics import written
-from mechsheet.sheet.page.plan import PagePlan
+from mechsheet.sheet.degrees import degrees_together
+from mechsheet.sheet.driving import rows_before
+from mechsheet.sheet.page.plan import STATUS_GROUP, PagePlan
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import TableColumn
 from mechsheet.sheet.quoted import SHOWN, formula
-from mechsheet.sheet.shown import shown_unit
-from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import (
+    cell_formula,
+    given_in_row,
     group_headings,
-    places,
-    places_of,
+    group_title,
+    heading,
+    listed_values,
+    mathematics,
+    style_of,
 )
 from mechsheet.sheet.table.status import first_open, links_of, undetermined, while_inputs_can_be
-from mechsheet.units import SECONDS
 
 NARROWEST, WIDEST = 10.0, 26.0
 """Widths of columns in characters."""
@@ -43,7 +43,7 @@ class Table(Cells):
     def __init__(self, plan: PagePlan) -> None:
         super().__init__(plan, plan.main)
         self.plan: PagePlan = plan
-        self.mathematics = {column.col: self._mathematics(column) for column in plan.columns}
+        self.mathematics = {column.col: mathematics(plan, column) for column in plan.columns}
         self.widths = [self._width(column) for column in plan.columns]
         self._note()
         if plan.grouped:
@@ -69,20 +69,9 @@ class Table(Cells):
     def _group_title(self, number: int) -> str:
         plan = self.plan
         if number <= 0:
-            titles = {0: "group.driver", -1: "group.outputs", CAM: "block.cam"}
-            return plan.text(titles[number]) if number in titles else ""
+            return group_title(plan, number) if number != STATUS_GROUP else ""
         group = plan.equations.groups[number - 1]
         return plan.text("page.group", number=number, links=links_of(plan, group))
-
-    def _mathematics(self, column: TableColumn) -> Rich | str:
-        """The formula as people write it."""
-        plan = self.plan
-        law = plan.mechanism.driver.law
-        if law is not None and column.kind in ("driver", "time"):
-            return written(time_after(law, Symbol("n")) if column.kind == "time" else law.value, plan.language)
-        if column.kind == "driver" and plan.mechanism.driver.stepped:
-            return f"{plan.text('name.start')} + n·{plan.text('name.step')}"
-        return "" if column.equation is None else written(column.equation.says, plan.language)
 
     def _width(self, column: TableColumn) -> float:
         if column.kind == "status":
@@ -102,74 +91,37 @@ class Table(Cells):
     # --- columns ----------------------------------------------------------------------------------------------
 
     def _column(self, column: TableColumn) -> None:
-        plan, first = self.plan, self.plan.at.first
-        unit = shown_unit(plan, column.symbol) if column.kind != "status" else ""
-        title = rich(column.symbol, f" [{unit}]" if unit else "") if column.kind != "status" else ""
-        self.put(plan.symbol_row, column.col, title or None, styles.HEAD)
+        plan = self.plan
+        title = heading(plan, column) if column.kind != "status" else None
+        self.put(plan.symbol_row, column.col, title, styles.HEAD)
         self.put(plan.symbol_row + 1, column.col, self.mathematics[column.col] or None, styles.FORMULA_TEXT)
-        match column.kind:
-            case "driver":
-                self._driver()
-            case "listed":
-                own = plan.mechanism.given_unit(column.symbol) or SECONDS
-                self._listed(column.symbol, column.col, styles.decimals(styles.COLUMN, places_of(plan, own)))
-            case "time" if plan.mechanism.driver.law is not None:
-                time = while_inputs_can_be(plan, time_after(plan.mechanism.driver.law, rows_before(plan)))
-                self._fill(
-                    column.col, self._bound(time, first), styles.decimals(styles.COLUMN, places_of(plan, SECONDS))
-                )
-            case "status":
-                self._fill(column.col, self._bound(status(plan), first), styles.STATUS)
-            case _:
-                self._equation(column)
-
-    def _fill(self, col: int, node: Node, style: Style) -> None:
-        self.fills.append(Fill(self.plan.at.first, col, node, style, rows=self.plan.rows))
-
-    def _bound(self, node: Node, row: int) -> Node:
-        return transform(self.plan.at.bind(node, self.plan.main, row), degrees_together)
-
-    def _driver(self) -> None:
-        plan, driver, first = self.plan, self.plan.mechanism.driver, self.plan.at.first
-        style = styles.decimals(styles.COLUMN, places(plan, driver.unit.kind))
-        if driver.values:
-            self._listed(driver.symbol, 0, style)
+        if column.equation is not None:
+            self.comments.append(Comment(plan.symbol_row, column.col, column.equation.label.of(plan.language)))
+        if column.symbol in plan.mechanism.listed:
+            cells, fills = listed_values(plan, column, plan.main)
+            self.cells += cells
+            self.fills += fills
             return
-        if driver.law is not None:
-            self._fill(0, self._bound(by_time(driver.law, Symbol(TIME)), first), style)
-            return
-        stepped = while_inputs_can_be(plan, driver_after(plan, rows_before(plan)))
-        self._fill(0, self._bound(stepped, first), style)
+        first = plan.at.first
+        self.fills.append(Fill(first, column.col, self._formula(column), style_of(plan, column), rows=plan.rows))
 
-    def _listed(self, symbol: str, col: int, style: Style) -> None:
-        """What is listed row by row, as inputs."""
-        unit = self.plan.mechanism.given_unit(symbol) or SECONDS
-        for row, value in enumerate(self.plan.mechanism.listed[symbol], self.plan.at.first):
-            if isinstance(value, float):
-                self.put(row, col, unit.written(value), styles.INPUT)
-            else:
-                node = self._bound(value, row)
-                self.fills.append(Fill(row, col, in_degrees(node) if unit.in_degrees else node, style))
-
-    def _equation(self, column: TableColumn) -> None:
+    def _formula(self, column: TableColumn) -> Node:
+        """What the cells of a column hold."""
         plan, equation, first = self.plan, column.equation, self.plan.at.first
         if equation is None:
-            raise ValueError(f"a column without an equation: {column.symbol}")
-        self.comments.append(Comment(plan.symbol_row, column.col, equation.label.of(plan.language)))
-        inner = styles.INNER if column.inner else styles.COLUMN
-        style = styles.decimals(inner, places_of(plan, equation.unit))
-        node = self._bound(equation.expression, first)
-        degrees = plan.at.spots[column.symbol].degrees
-        value = in_degrees(node) if degrees else node
-        if plan.mechanism.driver.values and column.symbol in plan.page.closes.values():
-            value = plan.at.bind(while_inputs_can_be(plan, value), plan.main)
-        if equation.first is not None:  # anew under the heading, and after a row without a value
-            turn: Node = Number(360.0) if degrees else al.mul(al.TWO, al.PI)
-            value = formula(
-                "value+turn*IFERROR(ROUND((above-value)/turn,0),0)",
-                value=value, turn=turn, above=CellRef(first - 1, column.col),
-            )  # fmt: skip
-        self._fill(column.col, value, style)
+            node = status(plan) if column.kind == "status" else given_in_row(plan, column, rows_before(plan))
+            if column.kind == "time" or (column.kind == "driver" and plan.mechanism.driver.law is None):
+                node = while_inputs_can_be(plan, node)
+            return transform(plan.at.bind(node, plan.main, first), degrees_together)
+        value = cell_formula(plan, plan.at, column, equation.expression, plan.main, first)
+        if equation.first is None:
+            return value
+        # anew under the heading, and after a row without a value
+        turn: Node = Number(360.0) if plan.at.spots[column.symbol].degrees else al.mul(al.TWO, al.PI)
+        return formula(
+            "value+turn*IFERROR(ROUND((above-value)/turn,0),0)",
+            value=value, turn=turn, above=CellRef(first - 1, column.col),
+        )  # fmt: skip
 
     # --- colours ----------------------------------------------------------------------------------------------
 

@@ -14,11 +14,10 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.first import inputs, task
+from mechsheet.sheet.findings import inputs, task
+from mechsheet.sheet.findings.closing import closes_in
 from mechsheet.sheet.first.blocks import value_style
-from mechsheet.sheet.first.given import given_words
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.first.title_line import closes_in
 from mechsheet.sheet.grashof import (
     Sides,
     bound_of,
@@ -41,6 +40,7 @@ from mechsheet.sheet.table.positions import places_of
 from mechsheet.sheet.transmission import poor_limit, some_poor, worst_words
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import ANGLE, LENGTH, Unit, turn
+from mechsheet.words.given import given_words
 from mechsheet.words.symbols import plain
 
 SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
@@ -130,7 +130,7 @@ class Top(Cells):
             if dim.derived:
                 continue
             row = plan.blocks["dimensions"].rows[dim.symbol]
-            label = dim.label.of(plan.language) if dim.label else given_words(plan, dim)
+            label = dim.label.of(plan.language) if dim.label else given_words(plan.mechanism, plan.language, dim)
             if dim.tolerance:
                 label = f"{label} (±{dim.tolerance:g})".strip()
             self.line(row, rich(dim.symbol), dim.unit.text, label)
@@ -184,7 +184,11 @@ class Top(Cells):
         rows = plan.blocks["derived"].rows
         for dim in plan.mechanism.dimensions:
             if not isinstance(dim.value, float):
-                label = dim.label.of(plan.language) if dim.label else given_words(plan, dim) or dim.written
+                label = (
+                    dim.label.of(plan.language)
+                    if dim.label
+                    else given_words(plan.mechanism, plan.language, dim) or dim.written
+                )
                 self.line(rows[dim.symbol], rich(dim.symbol), dim.unit.text, label)
                 rate = styles.decimals(styles.RESULT, places_of(plan, dim.unit))
                 style = rate if dim.unit.per else value_style(plan, dim.unit)
@@ -359,7 +363,7 @@ class Top(Cells):
             missed = formula("number>0", number=number)
             doubts = task.doubtful(plan, met)
         good = formula("IF(n=0,nowhere,good)", n=count, good=closes, nowhere=why_nowhere(plan, MEANING))
-        words = inputs.words(plan, wrong, there, good)
+        words = inputs.words(plan, wrong, inputs.where_it_is(plan, there, good))
         self.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))

@@ -81,7 +81,7 @@ def positions_sheet(plan: Plan) -> Sheet:
         if column.equation is not None:
             comments.append(Comment(SYMBOL_ROW, column.col, column.equation.label.of(plan.language)))
         if column.symbol in plan.mechanism.listed:
-            listed_cells, listed_fills = _listed(plan, column)
+            listed_cells, listed_fills = listed_values(plan, column, plan.table)
             cells += listed_cells
             fills += listed_fills
         else:
@@ -117,23 +117,27 @@ def positions_sheet(plan: Plan) -> Sheet:
 
 def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: int) -> list[Fill]:
     """The formulas of a column in so many rows of a sheet."""
-    style, law = style_of(plan, column), plan.mechanism.driver.law
+    style = style_of(plan, column)
     match column.kind:
         case "number":
             return [Fill(first, NUMBER, rows_before(plan), style, rows=rows)]
-        case "driver":
-            number = CellRef(first, NUMBER, col_abs=True)
-            stepped = by_time(law, Symbol(TIME)) if law is not None else driver_after(plan, number)
-            return [Fill(first, DRIVER, plan.at.bind(stepped, sheet, first), style, rows=rows)]
-        case "time" if law is not None:
-            passed = time_after(law, CellRef(first, NUMBER, col_abs=True))
-            return [Fill(first, column.col, plan.at.bind(passed, sheet), style, rows=rows)]
+        case "driver" | "time":
+            given = given_in_row(plan, column, CellRef(first, NUMBER, col_abs=True))
+            return [Fill(first, column.col, plan.at.bind(given, sheet, first), style, rows=rows)]
         case "status":
             return [Fill(first, STATUS, plan.at.bind(status(plan), sheet, first), style, rows=rows)]
     if column.equation is None:
         raise ValueError(f"a column without an equation: {column.symbol}")
     value = cell_formula(plan, plan.at, column, column.equation.expression, sheet, first)
     return [Fill(first, column.col, value, style, rows=rows)]
+
+
+def given_in_row(plan: Plan, column: TableColumn, number: Node) -> Node:
+    """The driver's value, or the time of its law, in the row of that number; symbols are still to be bound."""
+    law = plan.mechanism.driver.law
+    if law is None:
+        return driver_after(plan, number)
+    return time_after(law, number) if column.kind == "time" else by_time(law, Symbol(TIME))
 
 
 def cell_formula(plan: Plan, at: Addresses, column: TableColumn, expression: Node, sheet: str, row: int) -> Node:
@@ -144,7 +148,7 @@ def cell_formula(plan: Plan, at: Addresses, column: TableColumn, expression: Nod
     return in_degrees(value) if at.spots[column.symbol].degrees else value
 
 
-def _listed(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
+def listed_values(plan: Plan, column: TableColumn, sheet: str) -> tuple[list[Cell], list[Fill]]:
     """The listed values of the driver, or what is listed beside them, as inputs."""
     unit = plan.mechanism.given_unit(column.symbol) or NUMBER_UNIT
     cells: list[Cell] = []
@@ -153,8 +157,8 @@ def _listed(plan: Plan, column: TableColumn) -> tuple[list[Cell], list[Fill]]:
         if isinstance(value, float):
             cells.append(Cell(row, column.col, unit.written(value), styles.INPUT))
             continue
-        node = plan.at.bind(value, plan.table, row)
-        fills.append(Fill(row, column.col, in_degrees(node) if unit.in_degrees else node, styles.COLUMN))
+        node = transform(plan.at.bind(value, sheet, row), degrees_together)
+        fills.append(Fill(row, column.col, in_degrees(node) if unit.in_degrees else node, style_of(plan, column)))
     return cells, fills
 
 
@@ -215,8 +219,8 @@ def style_of(plan: Plan, column: TableColumn) -> Style:
     if column.kind in ("time", "listed"):
         return styles.decimals(styles.COLUMN, places_of(plan, plan.mechanism.given_unit(column.symbol) or NUMBER_UNIT))
     if column.equation is None:
-        in_degrees = plan.mechanism.driver_of(column.symbol).unit.in_degrees
-        return styles.decimals(styles.COLUMN, places(plan, "angle" if in_degrees else "length"))
+        unit = plan.mechanism.driver.unit
+        return styles.decimals(styles.COLUMN, places(plan, unit.kind, unit.symbol))
     unit = column.equation.unit
     if column.symbol in plan.residuals:
         return styles.numbered(styles.INNER, styles.ERROR.number_format)
@@ -227,7 +231,8 @@ def style_of(plan: Plan, column: TableColumn) -> Style:
     if column.symbol in plan.band_places:
         return styles.decimals(styles.COLUMN, plan.band_places[column.symbol])
     if column.inner:
-        return styles.decimals(styles.INNER, 4 if unit.kind == "angle" else places_of(plan, unit))
+        in_radians = unit.kind == "angle" and not plan.at.spots[column.symbol].degrees
+        return styles.decimals(styles.INNER, 4 if in_radians else places_of(plan, unit))
     return styles.decimals(styles.COLUMN, places_of(plan, unit))
 
 

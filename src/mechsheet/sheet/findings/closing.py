@@ -1,0 +1,171 @@
+"""In how many rows a mechanism closes, how far its joints are apart there, and whether the rows are near enough together."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from livesheet import portable
+from livesheet.formula.nodes import Node
+from mechsheet.kinematics.points_in_link import number_places
+from mechsheet.sheet import styles
+from mechsheet.sheet.checks.gaps import misfits_of
+from mechsheet.sheet.findings.finding import Finding, InTitle, Line, bad, good, look
+from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
+from mechsheet.sheet.grashof import why_nowhere
+from mechsheet.sheet.plan import MEANING, Plan
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.table.start_table import assemblies_lost
+from mechsheet.words.equations import link_words
+
+SMALL = styles.numbered(styles.RESULT, styles.ERROR.number_format)
+"""How numbers stand that are nothing but rounding where all is well."""
+
+GAP = 1e-9
+"""A gap of a joint, as a part of the size, that is nothing but rounding."""
+
+
+class RowsClosed(Finding):
+    """In how many rows it closes, and in which stretches."""
+
+    key = "rows_closed"
+
+    def line(self, on: Reading) -> Line:
+        said, ok = on.plan.places.status.whole(), on.plan.text("status.ok")
+        stretches = [stretch.words.cell for stretch in on.found.stretches]
+        more = formula('IF(stretches>most," …","")', stretches=on.found.count.cell, most=len(stretches))
+        count, rows = on.value(self.key), on.of_rows
+        some = joined(on.text("rows.some"), " ", *stretches, on.unit, more)
+        some = on.while_there("extremes", some, closes_in_some(on.plan, count, rows))
+        words = formula(
+            "IF(count=0,nowhere,IF(count=rows,everywhere,some))", count=count, rows=rows, nowhere=on.text("rows.none"),
+            everywhere=on.text("rows.all"), some=some,
+        )  # fmt: skip
+        return Line(
+            on.text("rows"), formula("COUNTIF(said,ok)", said=said, ok=ok), words, formula("ROWS(said)", said=said),
+            itself=("words",),
+            levels=(
+                bad("count=0", count=count),
+                look("count<rows", count=count, rows=rows),
+                good("count=rows", count=count, rows=rows),
+            ),
+        )  # fmt: skip
+
+    def in_title(self, on: Reading) -> InTitle:
+        return InTitle(here=closes_in(on.plan, on.value(self.key), on.of_rows))
+
+    def left(self, on: Reading) -> Node | str:
+        return formula('words&"; "', words=on.words(self.key))
+
+    def overrules(self, on: Reading, title: Node) -> Node:
+        nowhere = why_nowhere(on.plan, MEANING)
+        if on.plan.found.newton:
+            nowhere = formula("IF(ends>0,ended,nowhere)", ends=assemblies_lost(on.plan), ended=on.text("line.ended"),
+                              nowhere=nowhere)  # fmt: skip
+        return formula("IF(count=0,nowhere,title)", count=on.value(self.key), nowhere=nowhere, title=title)
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        return {self.key: Expected([float(motion.search.count)])}
+
+
+class LargestGap(Finding):
+    """The largest gap of a joint."""
+
+    key, placed = "largest_gap", True
+
+    def line(self, on: Reading) -> Line:
+        plan, gap = on.plan, on.value(self.key)
+        rounding, closed = plan.checked.rounding.cell, on.text("gap.closed")
+        wrong = {"open": on.text("gap.open", sheet=on.checks.title)}
+        left_open: Node = formula("open", open=wrong["open"])
+        for number, (link, group) in enumerate(misfits_of(plan), 1):
+            wrong[f"misfit_{number}"] = misfit = on.text("gap.redundant", link=link, sheet=on.checks.title)
+            left_open = formula("IF(own>rounding,misfit,other)", own=on.checks.worst("gap", group), rounding=rounding,
+                                misfit=misfit, other=left_open)  # fmt: skip
+        wrong["apart"] = on.text("gap.apart", notes=plan.at.titles["notes"])
+        wrong["over"] = on.text("gap.typed", sheet=on.checks.title)
+        words = formula(
+            'IF(rows_apart>0,apart,IF(typed>0,over,IF(count=0,"",IF(gap>rounding,open,closed))))',
+            rows_apart=plan.searched.rows_apart.cell, apart=wrong["apart"], over=wrong["over"],
+            typed=plan.checked.typed.cell, count=on.value("rows_closed"), gap=gap, rounding=rounding, closed=closed,
+            open=left_open,
+        )  # fmt: skip
+        said = on.words(self.key)
+        some = ",".join(f"said={name}" for name in wrong)
+        return Line(
+            on.text("gap"), on.checks.worst("gap"), words, plan.mechanism.length_unit, SMALL,
+            place=formula('IFERROR(place,"")', place=on.checks.worst_at("gap")),
+            levels=(bad(f"OR({some})", said=said, **wrong), good("said=closed", said=said, closed=closed)),
+        )  # fmt: skip
+
+    def overrules(self, on: Reading, title: Node) -> Node:
+        return formula("IF(gap=closed,title,gap)", gap=on.words(self.key), closed=on.text("gap.closed"), title=title)
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        if not motion.search.count:
+            return {}
+        return {self.key: Expected([misfit_of(motion)[0]], GAP * motion.search.size, told=False)}
+
+
+class Leaps(Finding):
+    """How often a link turns far between two rows."""
+
+    key = "leaps"
+
+    def line(self, on: Reading) -> Line:
+        count = on.value(self.key)
+        words = formula('IF(closed=0,"",IF(count=0,none,some))', closed=on.value("rows_closed"), count=count,
+                        none=on.text("leaps.none"), some=on.text("leaps.some"))  # fmt: skip
+        return Line(on.text("leaps"), on.checks.worst("leap"), words, levels=(look("count>0", count=count),))
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        if not (motion.sure or (motion.leaps and not (motion.search.holes or motion.search.doubtful))):
+            return {}
+        return {self.key: Expected([float(motion.leaps)], warning=True, told=False)}
+
+
+def misfit_of(motion: SearchedMotion) -> tuple[float, str]:
+    """By how much the length of a redundant link is off in the worst row, which is the only gap that there can be; and
+    the last of those that do not fit, "" where all do."""
+    search, mechanism = motion.search, motion.plan.mechanism
+    worst, found = 0.0, ""
+    for each in mechanism.redundant:
+        slot = next(joint for joint in mechanism.joints if joint.symbol == each.symbol)
+        places = number_places(each.link, search.dimensions)
+        (x, y), (x_end, y_end) = places[str(slot.through)], places[slot.point]
+        length = portable.hypot(x_end - x, y_end - y)
+        column = search.in_rows(each.symbol)[search.row_there]
+        off = float(np.max(np.abs(np.abs(column) - length)))  # of the other assembly it points the other way
+        worst = max(worst, off)
+        if off > GAP * search.size:
+            found = link_words(each.link).of(mechanism.language)
+    return worst, found
+
+
+def closes_in_some(plan: Plan, count: Node, rows: Node) -> Node:
+    """In how many of how many positions, where these are not all."""
+    end = plan.text("verdict.line.positions")
+    return joined(plan.text("verdict.line.closes"), " ", count, " / ", rows, end)
+
+
+def closes_in(plan: Plan, count: Node, rows: Node) -> Node:
+    """In how many of how many positions; of all what `closes_in_all` says, of the rows that there are."""
+    text = plan.text
+    some, end = joined(text("verdict.line.closes"), " ", count, " / ", rows), text("verdict.line.positions")
+    before, after = text("verdict.line.all", rows="#").split("#")
+    everywhere = joined(before, rows)
+    if plan.rows == 1:
+        everywhere = formula("IF(rows=1,one,many)", rows=rows, one=closes_in_all(plan), many=joined(everywhere, after))
+        after = ""
+    if after != end:  # else it is said once
+        everywhere, some, end = joined(everywhere, after), joined(some, end), ""
+    return joined(
+        formula("IF(count=rows,everywhere,some)", count=count, rows=rows, everywhere=everywhere, some=some), end
+    )
+
+
+def closes_in_all(plan: Plan) -> str:
+    """What the line says first of a mechanism that closes in all positions, of so many rows as were built."""
+    return plan.text("verdict.line.one") if plan.rows == 1 else plan.text("verdict.line.all", rows=plan.rows)

@@ -1,0 +1,106 @@
+"""How large the driver's effort and the joints' forces become, and how even a flywheel keeps the speed."""
+
+from __future__ import annotations
+
+from livesheet.formula.nodes import Node, Symbol
+from mechsheet.model import ENERGY, inertia_unit
+from mechsheet.sheet import styles
+from mechsheet.sheet.findings.finding import Finding, Line
+from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.quoted import ALL, formula, joined
+from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.table.positions import places, places_of
+from mechsheet.words.symbols import plain
+
+
+class LargestEffort(Finding):
+    """The largest effort of the driver, over rows."""
+
+    key, placed, needs = "largest_effort", True, ("forces",)
+
+    def line(self, on: Reading) -> Line:
+        effort = on.plan.efforts[0]
+        unit = on.plan.equations.of(effort).unit
+        return Line(
+            rich(effort), on.checks.worst("effort"), on.where_it_closes(on.text(self.key)), unit.text,
+            places_of(on.plan, unit), place=formula('IFERROR(place,"")', place=on.checks.worst_at("effort")),
+        )  # fmt: skip
+
+
+class LargestForce(Finding):
+    """The largest joint force, over rows, and of which joint it is."""
+
+    key, placed = "largest_force", True
+
+    def line(self, on: Reading) -> Line:
+        plan, cell = on.plan, on.value(self.key)
+        names: list[Node | str] = [
+            formula('IF(COUNTIF(column,most)>0,name,"")', column=Symbol(ALL + name), most=cell, name=f" {plain(name)}")
+            for name in plan.equations.equations.forces("size")
+        ]
+        return Line(
+            on.text(self.key), on.checks.worst("force"), on.where_it_closes(joined(on.text(f"{self.key}.words"), *names)),
+            plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else "", places(plan, "force"),
+            place=formula('IFERROR(place,"")', place=on.checks.worst_at("force")),
+        )  # fmt: skip
+
+
+class MeanTorque(Finding):
+    """The driver's mean torque over a turn at even speed."""
+
+    key = "mean_torque"
+
+    def line(self, on: Reading) -> Line:
+        plan, torque = on.plan, on.plan.efforts[0]
+        speed, acceleration = (Symbol(name) for name in plan.mechanism.driver_rates)
+        even = formula("AND(whole=1,count=rows,speed<>0,acceleration=0)", count=on.value("rows_closed"), rows=on.of_rows,
+                       whole=on.found.whole.cell, speed=speed, acceleration=acceleration)  # fmt: skip
+        column = plan.at.column(torque, plan.main)
+        mean = formula("IF(even,(SUM(column)-(first+last)/2)/steps,NA())", even=even, column=column, first=column.start,
+                       last=column.end, steps=formula("MAX(1,rows-1)", rows=on.of_rows))  # fmt: skip
+        words = _where_known(on, self.key, on.text("mean_torque.words"))
+        unit = plan.equations.of(torque).unit.text
+        return Line(on.text(self.key), mean, words, unit, places(plan, "moment"))
+
+
+class EnergyChange(Finding):
+    """By how much the energy changes over the turn, and where the shaft is slowest and fastest."""
+
+    key = "energy_change"
+    needs = ("extremes",)  # it is the change from the mean torque of a whole turn
+
+    def line(self, on: Reading) -> Line:
+        plan, drivers = on.plan, on.drivers
+        energy = plan.at.column(ENERGY, plan.main)
+        slow, fast = (
+            on.driver_text(formula(f"INDEX(drivers,MATCH({way}(energy),energy,0))", drivers=drivers, energy=energy))
+            for way in ("MAX", "MIN")
+        )
+        words = joined(on.text("energy_change.slow"), " ", slow, on.text("energy_change.fast"), " ", fast)
+        change = formula("MAX(energy)-MIN(energy)", energy=energy)
+        unit = plan.equations.of(ENERGY).unit.text
+        return Line("ΔE", change, _where_known(on, self.key, words), unit, places(plan, "moment"))
+
+
+class FlywheelInertia(Finding):
+    """The moment of inertia that keeps the speed within its bounds."""
+
+    key = "flywheel"
+    needs = ("extremes",)
+
+    def line(self, on: Reading) -> Line:
+        mechanism = on.plan.mechanism
+        inertia = formula(
+            "change/(fluctuation*speed^2)", change=on.value("energy_change"), fluctuation=Symbol("fluctuation"),
+            speed=Symbol(mechanism.driver_rates[0]),
+        )  # fmt: skip
+        unit = inertia_unit(mechanism.dynamics, mechanism.length_unit) if mechanism.dynamics else ""
+        return Line(on.text(self.key), inertia, _where_known(on, self.key, on.text("flywheel.words")), unit,
+                    styles.numbered(styles.RESULT, "0.000E+00"))  # fmt: skip
+
+
+def _where_known(on: Reading, key: str, words: Node | str) -> Node:
+    """Words where there is the number, else what it needs."""
+    known = formula("IF(ISNUMBER(value),words,missing)", value=on.value(key), words=words,
+                    missing=on.text("flywheel.missing"))  # fmt: skip
+    return on.where_it_closes(known)

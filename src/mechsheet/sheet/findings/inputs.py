@@ -1,0 +1,179 @@
+"""Whether the yellow cells hold what a mechanism can have: no length is empty or below 0, no mode 0.5, no position 99.
+
+One cell, `inputs`, is the number of the first input that cannot be, in the order in which they stand, and 0 where all can;
+the words beside it name that input. While it is not 0 no row has a position: the constant that counts as zero is #N/A.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text
+from livesheet.workbook import Area, Conditional
+from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.deleted import missing_words
+from mechsheet.sheet.findings.finding import Finding, Line, bad, good
+from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
+from mechsheet.sheet.plan import SYMBOL, VALUE, Plan
+from mechsheet.sheet.quoted import formula, joined
+from mechsheet.words.symbols import plain
+
+Kind = Literal["number", "length", "step", "mode", "choice", "task"]
+
+CAN_BE: dict[Kind, str] = {
+    "number": "ISNUMBER(cell)",
+    "length": "(N(cell)>0)",
+    "step": "(N(cell)<>0)",
+    "mode": "(ABS(N(cell))=1)",
+    "task": "(cell=0)",
+    "choice": "((ABS(2*N(cell)-most-1)<most)*(MOD(N(cell),1)=0))",
+}
+"""What holds of a cell of each kind; an empty cell counts as 0 for N, and so does a text."""
+
+
+CHOICES = 29
+"""So many LibreOffice's CHOOSE takes beside the number; Excel takes more."""
+
+
+class Inputs(Finding):
+    """Which yellow cell holds what cannot be; it is red, and so is the line."""
+
+    key = "inputs"
+
+    def line(self, on: Reading) -> Line:
+        plan, said = on.plan, on.words(self.key)
+        fine = on.text("inputs.fine")
+        fits = formula("IF(known,fine,misfit)", known=on.found.fine.cell, fine=fine, misfit=on.text("inputs.misfit"))
+        nowhere = formula("said=words", said=said, words=no_position(plan))
+        others = on.while_there("extremes", where_it_is(plan, on.found.there.cell, fits), missing_words(plan))
+        return Line(
+            on.text(self.key), first_wrong(plan), words(plan, on.value(self.key), others), itself=("words",),
+            levels=(bad("said<>fine", said=said, fine=fine), good("said=fine", said=said, fine=fine)),
+            rules=red_where_wrong(plan, nowhere),
+        )  # fmt: skip
+
+    def left(self, on: Reading) -> Node | str:
+        return formula('IF(wrong>0,words&"; ","")', wrong=on.value(self.key), words=on.words(self.key))
+
+    def overrules(self, on: Reading, title: Node) -> Node:
+        return formula("IF(fine,title,said)", fine=on.found.fine.cell, title=title, said=on.words(self.key))
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        return {self.key: Expected([0.0], told=False)}
+
+
+@dataclass(frozen=True, slots=True)
+class Input:
+    """A yellow cell, or one that says whether a task has a solution: what people call it, its row on the first sheet.
+
+    most  choices are 1 to that
+    """
+
+    spot: Spot
+    name: str
+    kind: Kind
+    row: int
+    most: int = 1
+
+    def can_be(self, cell: Node) -> Node:
+        """Whether its cell holds what it can."""
+        return formula(CAN_BE[self.kind], cell=cell, **({"most": self.most} if self.kind == "choice" else {}))
+
+
+def inputs_of(plan: Plan) -> list[Input]:
+    """Dimensions, gears, start and step (of a motion law start, stop and duration), modes, in the order in which they stand,
+    and whether the task of a synthesis has a solution: what positions depend on.
+
+    The driver's listed values are not among them.
+    """
+    law = plan.mechanism.driver.law
+    of_law = (law.start, law.stop, law.duration) if law else ()
+    found = []
+    for dim in plan.mechanism.dimensions:
+        of_ties = dim.place[:1] in (("joints",), ("drivers",), ("cam",)) or dim.place[1:2] == ("segments",)
+        if isinstance(dim.value, float) and (not dim.place or of_ties or dim.symbol in of_law):
+            kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
+            if dim.place[-1:] in (("ratio",), ("radius",)):
+                kind = "step"  # not 0
+            spot = plan.at.spots[dim.symbol]
+            found.append(Input(spot, plain(dim.symbol), kind, spot.row))
+    driver = plan.mechanism.driver
+    start, step = plan.places.start, plan.places.step
+    if start is not None and isinstance(driver.start, float):
+        found.append(Input(start, plan.text("name.start"), "number", start.row))
+    if step is not None and isinstance(driver.step, float):
+        found.append(Input(step, plan.text("name.step"), "step", step.row))
+    for group in plan.equations.groups:
+        if group.mode and group.follows is None:
+            kind = "mode" if group.system is None else "choice"
+            spot = plan.at.spots[group.mode]
+            found.append(Input(spot, plain(group.mode), kind, spot.row, len(group.assemblies)))
+    if plan.places.unsolved is not None:
+        title, row = plan.at.titles["synthesis"], plan.blocks["dimensions"].row
+        found.append(Input(plan.places.unsolved, title, "task", row))
+    return found
+
+
+def first_wrong(plan: Plan) -> Node:
+    """The number of the first input that cannot be, 0 where all can: where the first 0 is in 111...10, a digit an input."""
+    found = inputs_of(plan)
+    each_can = (each.can_be(plan.at.bind(each.spot.cell, plan.main)) for each in found)
+    digits = joined(*(formula("can_be*1", can_be=can_be) for can_be in each_can), "0")
+    return formula('MOD(FIND("0",digits),beyond)', digits=digits, beyond=len(found) + 1)
+
+
+def words(plan: Plan, wrong: Node, others: Node) -> Node:
+    """What is said of the inputs: which one cannot be (`wrong` is the cell with its number), or something else."""
+    before, after = plan.text("verdict.inputs.wrong", symbol="#").split("#")
+    which = joined(before, _named(plan, wrong), after) if inputs_of(plan) else Text("")
+    return formula("IF(wrong>0,which,others)", wrong=wrong, which=which, others=others)
+
+
+def where_it_is(plan: Plan, position: Node, otherwise: Node) -> Node:
+    """What is said where the position that is drawn is one, or that it is none."""
+    return formula("IF(position,otherwise,nowhere)", position=position, otherwise=otherwise, nowhere=no_position(plan))
+
+
+def _named(plan: Plan, wrong: Node) -> Node:
+    """What the input of that number is called: the symbol beside it where the inputs stand one below another."""
+    found = inputs_of(plan)
+    first, last = found[0].row, found[-1].row
+    if last - first < len(found) and found[-1].kind != "task":
+        symbols = RangeRef(CellRef(first, SYMBOL, True, True), CellRef(last, SYMBOL, True, True))
+        return formula("INDEX(symbols,wrong)", symbols=symbols, wrong=wrong)
+    return _choice(wrong, [Text(each.name) for each in found])
+
+
+def _choice(number: Node, texts: Sequence[Text]) -> Node:
+    """The text of that number, from 1."""
+    near = Call("CHOOSE", (number, *texts[:CHOICES]))
+    if len(texts) <= CHOICES:
+        return near
+    far = _choice(al.sub(number, al.number(CHOICES)), texts[CHOICES:])
+    return formula("IF(number>most,far,near)", number=number, most=CHOICES, far=far, near=near)
+
+
+def no_position(plan: Plan) -> str:
+    """What is said where there is no such position."""
+    return plan.text("verdict.inputs.wrong", symbol=plan.text("name.position"))
+
+
+def red_where_wrong(plan: Plan, nowhere: Node | None) -> list[Conditional]:
+    """The yellow cells that cannot be are red. `nowhere`: whether the position is none, asked of this sheet's cells."""
+
+    def red(row: int, wrong: Node) -> Conditional:
+        return Conditional(Area(row, VALUE, row, VALUE), wrong, styles.BAD)
+
+    rules = [
+        red(each.row, formula("NOT(can_be)", can_be=each.can_be(CellRef(each.row, VALUE, True, True))))
+        for each in inputs_of(plan)
+        if each.kind != "task"
+    ]
+    if nowhere is not None:
+        rules.append(red(plan.blocks["position"].rows["position"], nowhere))
+    return rules

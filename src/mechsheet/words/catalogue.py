@@ -1,0 +1,106 @@
+"""What is said in each language: one catalogue of GNU gettext a language, read when it first says something.
+
+A text is known by a key, as "verdict.line.all", whose English stands in `en.po`; or by its English, as messages are,
+which `en.po` need not have. What a catalogue lacks is said in English.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from gettext import GNUTranslations, NullTranslations
+from io import BytesIO
+from pathlib import Path
+from typing import TypeAlias
+
+from livesheet.said import Words
+
+FOLDER = Path(__file__).with_name("catalogues")
+
+ENGLISH = "en"
+
+LANGUAGES = (ENGLISH, *sorted({path.stem for path in FOLDER.glob("*.[mp]o")} - {ENGLISH}))
+"""The languages that there are, by the names of their catalogues (ISO 639)."""
+
+Language: TypeAlias = str
+"""One of `LANGUAGES`."""
+
+
+class _InEnglish(NullTranslations):
+    """Says what a catalogue lacks; the English one is read only then."""
+
+    def gettext(self, message: str) -> str:
+        return catalogue(ENGLISH).gettext(message)
+
+
+@cache
+def catalogue(language: str) -> GNUTranslations:
+    """The texts of a language, compiled when the package was built, or now."""
+    path = FOLDER / f"{language}.mo"
+    if path.exists():
+        data = path.read_bytes()
+    else:
+        from .compiling import compiled
+
+        data = compiled(path.with_suffix(".po").read_text(encoding="utf-8"))
+    found = GNUTranslations(BytesIO(data))
+    if language != ENGLISH:
+        found.add_fallback(_InEnglish())
+    return found
+
+
+def words(language: str, key: str, **parts: object) -> str:
+    """The text of a key, `{name}` standing for a part as in `str.format`; without parts the text as it stands."""
+    text = catalogue(language).gettext(key)
+    if text == key:
+        raise KeyError(key)
+    if not parts:
+        return text
+    return text.format(**{name: part.of(language) if isinstance(part, Words) else part for name, part in parts.items()})
+
+
+@dataclass(frozen=True, slots=True)
+class Phrase(Words):
+    """The text of a key and its parts, for whoever knows the language."""
+
+    key: str
+    parts: tuple[tuple[str, object], ...] = ()
+
+    def of(self, language: str) -> str:
+        """The text in a language, as `words` has it."""
+        return words(language, self.key, **dict(self.parts))
+
+
+@dataclass(frozen=True, slots=True)
+class Term(Words):
+    """A word of the field that stands for itself in English, as the usual name of a link; others have their context."""
+
+    context: str
+    word: str
+
+    def of(self, language: str) -> str:
+        """The word in a language; one that no catalogue has, as a name of somebody's own, stays as it is."""
+        return catalogue(language).pgettext(self.context, self.word)
+
+
+@dataclass(frozen=True, slots=True)
+class Listed(Words):
+    """Names one after another."""
+
+    names: tuple[Words, ...]
+    between: str
+
+    def of(self, language: str) -> str:
+        """All of them in a language."""
+        return self.between.join(name.of(language) for name in self.names)
+
+
+def is_key(key: str) -> bool:
+    """Whether there is a text of this key."""
+    return catalogue(ENGLISH).gettext(key) != key
+
+
+def texts(language: str, begins: str) -> dict[str, str]:
+    """All texts whose keys begin so, by the rest of their keys: for a page, which looks them up itself."""
+    keys = [key for key in catalogue(ENGLISH)._catalog if isinstance(key, str) and key.startswith(begins)]  # type: ignore[attr-defined]
+    return {key.removeprefix(begins): words(language, key) for key in sorted(keys)}

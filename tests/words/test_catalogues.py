@@ -1,0 +1,71 @@
+"""The catalogues: complete, in order, and read as Babel reads them."""
+
+import gettext
+import re
+import runpy
+import string
+from io import BytesIO
+from pathlib import Path
+
+import pytest
+from babel.messages.pofile import read_po
+
+from catalogues import FOLDER, added, texts
+from mechsheet.words.catalogue import words
+from mechsheet.words.compiling import compiled
+
+ROOT = Path(__file__).parents[2]
+PATHS = sorted(FOLDER.glob("*.po"))
+ordered = runpy.run_path(str(ROOT / "tools" / "catalogues.py"))["ordered"]
+OTHERS = [path for path in PATHS if path.stem != "en"]
+
+
+def holes(text):
+    """The parts of a text and how they are written."""
+    return {name for _, name, _, _ in string.Formatter().parse(text) if name}
+
+
+@pytest.mark.parametrize("path", PATHS, ids=lambda path: path.stem)
+def test_gettext_reads_what_babel_reads(path):
+    ours = gettext.GNUTranslations(BytesIO(compiled(path.read_text(encoding="utf-8"))))
+    with path.open("rb") as file:
+        theirs = read_po(file, locale=path.stem)
+    assert len(theirs) > 1000
+    for one in filter(lambda each: each.id, theirs):
+        found = ours.pgettext(one.context, one.id) if one.context else ours.gettext(one.id)
+        assert found == one.string, one.id
+    assert ours.info()["language"] == path.stem
+
+
+@pytest.mark.parametrize("path", PATHS, ids=lambda path: path.stem)
+def test_entries_stand_in_order_each_text_in_one_line(path):
+    head, *entries = path.read_text(encoding="utf-8").removesuffix("\n").split("\n\n")
+    assert "Plural-Forms" in head
+    for entry in entries:
+        assert re.fullmatch(r'(msgctxt ".+"\n)?msgid ".+"\nmsgstr ".+"', entry), entry
+    assert ordered("\n\n".join([head, *entries])) == path.read_text(encoding="utf-8")
+    ids = [entry.partition("\nmsgstr ")[0] for entry in entries]
+    assert len(ids) == len(set(ids))
+
+
+@pytest.mark.parametrize("path", OTHERS, ids=lambda path: path.stem)
+def test_every_key_is_in_every_catalogue(path):
+    assert sorted(texts("en").keys() - texts(path.stem).keys()) == []
+
+
+@pytest.mark.parametrize("path", OTHERS, ids=lambda path: path.stem)
+def test_a_text_has_the_parts_of_the_english_one(path):
+    for key, english in texts("en").items():
+        if key.startswith(("homework.", "study.", "draw.", "equation.", "step.")) or "{" in english:
+            assert holes(texts(path.stem)[key]) == holes(english), key
+
+
+def test_a_key_without_a_text_is_an_error():
+    with pytest.raises(KeyError):
+        words("en", "verdict.of_nobody")
+
+
+def test_another_language_without_a_text_says_it_in_english(tmp_path):
+    """A catalogue that is not finished yet."""
+    with added(tmp_path, "en", {"verdict.of_somebody": "{count} rows"}):
+        assert words("tr", "verdict.of_somebody", count=3) == "3 rows"
