@@ -65,6 +65,14 @@ def test_a_dyad_is_named_in_no_other_module():
     assert all(covered(module, files) for module in modules_with(r'"RPR"')), modules_with(r'"RPR"')
 
 
+def test_what_is_no_formula_is_a_case_in_no_other_module():
+    """One that writes such a thing into its equations names it, too: a case is what tells it from others."""
+    row = next(change for change in ROWS if change.startswith("a thing in the list of equations"))
+    cases = modules_with(r"case TriangleAngle\(")
+    assert {"kinematics/numeric.py", "exporting/lowering.py", "sheet/columns/lowering.py"} <= cases
+    assert all(covered(module, ROWS[row]) for module in cases), cases
+
+
 def test_a_worksheet_function_is_named_in_its_table_and_its_kernel():
     files = ROWS["a worksheet function"]
     for name in ("PERCENTRANK", "BESSELI", "NETWORKDAYS"):

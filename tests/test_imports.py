@@ -33,7 +33,7 @@ ALLOWED = {
     "reference": {"model", "livesheet.formula.nodes"},
     # tasks and the steps of their solutions, as dimensions that follow from others
     "synthesis": {"livesheet.portable", "model", "livesheet.formula", "units", "words"},
-    "description": {"livesheet.portable", "model", "livesheet.formula", "units", "synthesis"},
+    "description": {"livesheet.portable", "model", "livesheet.formula", "units", "synthesis", "words.catalogue"},
     "kinematics": {"livesheet.portable", "model", "livesheet.formula", "units", "words"},
     # forces, from what is solved already; kinematics knows nothing of them
     "dynamics": {"livesheet.portable", "model", "livesheet.formula", "kinematics", "units", "words"},
@@ -114,6 +114,7 @@ ALLOWED["homework"] = {
     "kinematics.means",
     # the figure of a task, drawn as the first sheet draws
     "shapes.positions",
+    "shapes.colors",
     "sheet.drawing.drawing",
     "sheet.drawing.frames",
     "compiled",

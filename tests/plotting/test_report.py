@@ -9,7 +9,7 @@ import mechsheet
 from chosen import some
 from loaded_mechanisms import SUSPENSION
 from mechsheet.compiled import Compiled
-from mechsheet.plotting import report
+from mechsheet.plotting import paper, report
 from mechsheet.plotting.pictures import settings
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage
@@ -35,18 +35,18 @@ def test_true_scale(path):
     _, pages = pages_of(mechanism)
     assert 1 <= len(pages) <= report.MOST
     drawing = pages[0].axes[0]
-    wide, high = drawing.get_position().size * np.array([report.WIDE, report.HIGH])
+    wide, high = drawing.get_position().size * np.array([paper.WIDE, paper.HIGH])
     (caption,) = [text for text in texts_of(pages[0]) if " : " in text and "=" in text]
     one, n = (float(part) for part in caption.rpartition(", ")[2].split(" : "))
-    unit = report.MILLIMETRES[mechanism.length_unit]
+    unit = paper.MILLIMETRES[mechanism.length_unit]
     assert wide * n / one == pytest.approx(np.ptp(drawing.get_xlim()) * unit, rel=1e-4)
     assert high * n / one == pytest.approx(np.ptp(drawing.get_ylim()) * unit, rel=1e-4)
     for page in pages:
         for axes in page.axes:
-            left, low, right, top = axes.get_position().extents * np.array([report.WIDE, report.HIGH] * 2)
-            assert left > report.MARGIN - 1
-            assert right < report.WIDE - report.MARGIN + 1
-            assert report.MARGIN - 1 < low < top < report.HIGH - report.MARGIN + 1
+            left, low, right, top = axes.get_position().extents * np.array([paper.WIDE, paper.HIGH] * 2)
+            assert left > paper.MARGIN - 1
+            assert right < paper.WIDE - paper.MARGIN + 1
+            assert paper.MARGIN - 1 < low < top < paper.HIGH - paper.MARGIN + 1
 
 
 def test_the_worst_position():

@@ -15,6 +15,7 @@ from livesheet.diagnostics import readable_name
 from livesheet.formats import read
 from livesheet.formula.nodes import Number
 from mechsheet import reference
+from mechsheet.homework.drawn_by_numbers import Picture, picture_of
 from mechsheet.homework.expected_values import Truth
 from mechsheet.homework.formula_strips import Work, upright
 from mechsheet.homework.inputs import Input
@@ -74,6 +75,7 @@ class Audit:
 
     of, plain, follow_through  marks: of how many, without and with those for what is right but for an earlier fault
     given   the dimensions that were found in its cells;  earned  the marks of each quantity, with follow-through
+    picture of the mechanism by its own numbers, where some are wrong
     """
 
     file: str
@@ -86,6 +88,7 @@ class Audit:
     language: str = "en"
     given: Mapping[str, Given] = field(default_factory=dict)
     earned: Mapping[str, float] = field(default_factory=dict)
+    picture: Picture | None = None
 
     @property
     def right(self) -> bool:
@@ -182,6 +185,7 @@ def audited(
         mechanism.language,
         _given(parts[0].found),
         earned,
+        next(filter(None, map(picture_of, parts)), None),
     )
 
 

@@ -6,12 +6,13 @@ Found in the mechanism and its groups, before any cell has a place; `findings` s
 from __future__ import annotations
 
 import math
+from collections.abc import Set
 from dataclasses import dataclass
 from itertools import combinations
 
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Group
-from mechsheet.model import Joint, Link, Mechanism, Segments, Synthesis
+from mechsheet.model import CONTACT, Joint, Link, Mechanism, Segments, Synthesis
 from mechsheet.sheet.columns.lowering import Assignments
 
 
@@ -60,6 +61,7 @@ class Classification:
     flywheel      True where the description asks for one
     newton        True where a group is solved by Newton's method
     task          from which dimensions are found
+    cam           columns of a cam whose largest or smallest values are said, and that change
     """
 
     four_bars: tuple[FourBar, ...]
@@ -73,13 +75,15 @@ class Classification:
     flywheel: bool = False
     newton: bool = False
     task: Synthesis | None = None
+    cam: tuple[str, ...] = ()
 
     @property
     def extremes(self) -> tuple[str, ...]:
         """Symbols whose smallest and largest values the lines need."""
         swings = [link.angle_symbol for link in self.swings]
         strokes = [joint.symbol for joint in self.strokes]
-        return tuple(dict.fromkeys([*swings, *strokes, *(group.transmission for group in self.transmission)]))
+        groups = [group.transmission for group in self.transmission]
+        return tuple(dict.fromkeys([*swings, *strokes, *groups, *self.cam]))
 
 
 def classification(mechanism: Mechanism, equations: Assignments) -> Classification:
@@ -108,7 +112,17 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         mechanism.flywheel is not None,
         any(group.system is not None for group in equations.groups),
         mechanism.synthesis,
+        _of_cam(mechanism, equations, names - still),
     )
+
+
+def _of_cam(mechanism: Mechanism, equations: Assignments, moving: Set[str]) -> tuple[str, ...]:
+    """How the follower is pressed, how sharp the profile is, what would hold the follower."""
+    if mechanism.cam is None:
+        return ()
+    sharp = "rho" if mechanism.cam.radius is None else "kappa"
+    wanted = ("alpha", sharp, CONTACT, *equations.equations.forces("hold"))
+    return tuple(name for name in wanted if name in moving)
 
 
 def _still(mechanism: Mechanism, equations: Assignments) -> frozenset[str]:

@@ -113,53 +113,34 @@ class Lowering:
     def _turning(self, wanted: Iterable[str]) -> frozenset[str]:
         """Symbols whose whole turns matter: those wanted, and what these are sums of; not what only sines read."""
         by_symbol = {equation.symbol: equation for equation in self.equations.columns}
-        sums: dict[str, set[str]] = {}
-        stack = list(wanted)
-        for symbol in self._needed(wanted):
-            equation = by_symbol[symbol]
-            sums[symbol] = set()
-            expression = self.cancelled.get(equation.symbol, equation.expression)
-            self._read(expression, "sum", sums[symbol], stack)
-            for condition in equation.exists:
-                stack += [*symbols(condition.margin), *symbols(condition.least)]
-        found: set[str] = set()
+        matter: dict[str, bool] = {}
+        stack = [*((symbol, True) for symbol in wanted), *((group.closes, False) for group in self.equations.groups)]
         while stack:
-            symbol = stack.pop()
-            if symbol in by_symbol and symbol not in found:
-                found.add(symbol)
-                stack += sums[symbol]
-        return frozenset(found)
+            symbol, turns = stack.pop()
+            if symbol not in by_symbol or matter.get(symbol) in (True, turns):
+                continue
+            matter[symbol] = turns
+            equation = by_symbol[symbol]
+            self._read(self.cancelled.get(symbol, equation.expression), turns, stack)
+            for condition in equation.exists:
+                stack += [(name, True) for name in (*symbols(condition.margin), *symbols(condition.least))]
+        return frozenset(symbol for symbol, turns in matter.items() if turns)
 
-    def _needed(self, wanted: Iterable[str]) -> list[str]:
-        """The columns that those wanted, and the closing of the groups, are computed from, and they themselves."""
-        live = {*wanted, *(group.closes for group in self.equations.groups)}
-        found = []
-        for equation in reversed(self.equations.columns):
-            if equation.symbol in live:
-                found.append(equation.symbol)
-                read = [each for test in equation.exists for each in (test.margin, test.least)]
-                for node in (self.cancelled.get(equation.symbol, equation.expression), *read):
-                    live.update(symbols(node))
-        return found
-
-    def _read(self, node: Node, state: str, summed: set[str], plain: list[str]) -> None:
+    def _read(self, node: Node, turns: bool, stack: list[tuple[str, bool]]) -> None:
+        """The symbols that an expression reads, and whether their whole turns matter if those of the expression do."""
         match node:
             case Symbol(name):
-                if state == "sum":
-                    summed.add(name)
-                elif state == "plain":
-                    plain.append(name)
-                return
-            case Binary("+" | "-") | Unary("-" | "+"):
-                below = state
-            case Binary("*", Symbol(name), _) if name in self.modes:
-                below = state
+                stack.append((name, turns))
             case Call("SIN" | "COS" | "TAN"):
-                below = "sine"
+                turns = False
+            case Binary("+" | "-") | Unary("-" | "+"):
+                pass
+            case Binary("*", Symbol(name), _) if name in self.modes:
+                pass
             case _:
-                below = "plain"
+                turns = True
         for child in children(node):
-            self._read(child, below, summed, plain)
+            self._read(child, turns, stack)
 
     def _cancelled(self, expression: Node) -> Node:
         """A sum of angles without what is added and taken away again: of theta14 - theta13 the angle between the links is

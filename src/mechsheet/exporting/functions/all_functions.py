@@ -58,17 +58,16 @@ def variable_key(symbol: str) -> str:
 @lru_cache(maxsize=1)
 def _library() -> tuple[tuple[Words, Routine], ...]:
     """Names and routines of the basic functions, calling each other."""
-    found: list[tuple[Words, Routine]] = []
-    for basic in basics():
-        others = [pattern for pattern in patterns() if pattern.key != basic.routine.key]
-        found.append((basic.name, with_calls(basic.routine, others)))
-    return tuple(found)
+    return tuple(
+        (name, with_calls(routine, [pattern for pattern in patterns() if pattern.key != routine.key]))
+        for name, routine in basics()
+    )
 
 
 @lru_cache(maxsize=1)
 def patterns() -> tuple[Routine, ...]:
     """The elementary functions, those that say most first."""
-    elementary = {basic.routine.key: basic.routine for basic in basics() if not basic.routine.steps}
+    elementary = {routine.key: routine for _, routine in basics() if not routine.steps}
     return tuple(elementary[key] for key in ("triangle area", "triangle angle", "leg", "length", "angle"))
 
 

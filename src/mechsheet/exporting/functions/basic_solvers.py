@@ -356,15 +356,14 @@ class _Writer:
     def _way(self, others: Sequence[str]) -> list[str]:
         """What a pass is given follows from these, at a share of the way from what was described."""
         solver = self.solver
-        described = {start.symbol: start.value for start in solver.described}
         given = solver.reading.given
         ends = dict(zip(given[: self.still], _places(f"{self.name}_there", self.still), strict=True))
         ends |= dict(zip(solver.earlier, others, strict=True))
         lines = []
         for symbol, end in ends.items():
             there: Node = Symbol(end)
-            if symbol in described:
-                start = described[symbol]
+            if symbol in solver.described:
+                start = solver.described[symbol]
                 there = al.add(start, al.mul(Symbol("share"), al.sub(there, start)))
             lines.append(f"here({given.index(symbol)}) = {_said(there)}")
         return lines

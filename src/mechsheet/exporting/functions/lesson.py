@@ -66,17 +66,6 @@ def chain_of(compiled: Compiled) -> tuple[Link, ...]:
     return tuple(reversed(kept))
 
 
-@dataclass(frozen=True, slots=True)
-class _Term:
-    """length e^(i angle)"""
-
-    length: Node
-    angle: Angle
-
-    def turned(self, by: Angle) -> _Term:
-        return _Term(self.length, self.angle + by)
-
-
 HALF = Angle(degrees=180.0)
 
 
@@ -119,7 +108,7 @@ class _Chain:
 
     # the three kinds
 
-    def _rrr(self, group: Group, terms: list[_Term]) -> dict[str, Node]:
+    def _rrr(self, group: Group, terms: list[Vector]) -> dict[str, Node]:
         first, second = group.unknowns
         (a, alpha), terms = self._arm(terms, first)
         (b, beta), known = self._arm(terms, second)
@@ -134,7 +123,7 @@ class _Chain:
             calls = [Angle(Call(name, given)) for name in ("DyadRRRFirst", "DyadRRR")]
         return {first: _said(calls[0] - alpha), second: _said(calls[1] - beta)}
 
-    def _rrp(self, group: Group, terms: list[_Term]) -> dict[str, Node]:
+    def _rrp(self, group: Group, terms: list[Vector]) -> dict[str, Node]:
         first, slide = group.unknowns
         along, terms = _slide(terms, slide)
         (a, alpha), known = self._arm(terms, first)
@@ -142,7 +131,7 @@ class _Chain:
         mode = Symbol(group.mode)
         turning, fixed = self._split(known)
         if turning is not None and self._fixed(delta):
-            x, y = _parts([term.turned(-delta) for term in fixed])
+            x, y = _parts([_turned(term, -delta) for term in fixed])
             given: tuple[Node, ...] = (turning.length, a, al.neg(y), mode, _said(turning.angle - delta))
             angle = Angle(Call("SliderCrankCoupler", given)) + delta
             way = al.add(Call("SliderCrank", given), x)
@@ -151,7 +140,7 @@ class _Chain:
             angle, way = Angle(Call("DyadRRPFirst", given)), Call("DyadRRP", given)
         return {first: _said(angle - alpha), slide: way}
 
-    def _rpr(self, group: Group, terms: list[_Term]) -> dict[str, Node]:
+    def _rpr(self, group: Group, terms: list[Vector]) -> dict[str, Node]:
         lever, slide = group.unknowns
         along = next((term.angle for term in terms if term.length == Symbol(slide)), None)
         if along is None:
@@ -159,8 +148,8 @@ class _Chain:
         offset = self._offset(along, lever)
         carried = [term for term in terms if lever in symbols(term.angle.node) and term.length != Symbol(slide)]
         known = [term for term in terms if lever not in symbols(term.angle.node)]
-        p, h = _parts([_Term(term.length, self._offset(term.angle, lever) - offset) for term in carried])
-        to_pin = [term.turned(HALF) for term in known]
+        p, h = _parts([Vector(term.length, self._offset(term.angle, lever) - offset) for term in carried])
+        to_pin = [_turned(term, HALF) for term in known]
         mode = Symbol(group.mode)
         if (pair := self._pair(to_pin)) is not None:
             crank, phi, ground, gamma = pair
@@ -175,7 +164,7 @@ class _Chain:
             delta, way = Angle(Call("DyadRPR", given)), Call("DyadRPRSlide", given)
         return {lever: _said(delta - offset), slide: al.sub(way, p)}
 
-    def _lines(self, group: Group, terms: list[_Term]) -> dict[str, Node]:
+    def _lines(self, group: Group, terms: list[Vector]) -> dict[str, Node]:
         one, other = group.unknowns
         delta, terms = _slide(terms, one)
         epsilon, known = _slide(terms, other)
@@ -184,11 +173,11 @@ class _Chain:
 
     # vectors
 
-    def _terms(self, side: Sequence[Vector], sign: int) -> Iterator[_Term]:
+    def _terms(self, side: Sequence[Vector], sign: int) -> Iterator[Vector]:
         """The vectors of a side of a loop, over what the chain has; those of the other side turned round."""
         for vector in side:
             angle = Angle(self._inlined(vector.angle.node), vector.angle.degrees)
-            yield _Term(self._inlined(vector.length), angle if sign > 0 else angle + HALF)
+            yield Vector(self._inlined(vector.length), angle if sign > 0 else angle + HALF)
 
     def _inlined(self, node: Node) -> Node:
         """An expression with everything put in place that is neither given nor an unknown of a group."""
@@ -209,10 +198,10 @@ class _Chain:
             raise _NoCallError
         return Angle(rest, angle.degrees)
 
-    def _arm(self, terms: list[_Term], unknown: str) -> tuple[tuple[Node, Angle], list[_Term]]:
+    def _arm(self, terms: list[Vector], unknown: str) -> tuple[tuple[Node, Angle], list[Vector]]:
         """The vector that turns with an unknown, as its length and by how much it is ahead of it; the other terms."""
         own = [
-            _Term(term.length, self._offset(term.angle, unknown))
+            Vector(term.length, self._offset(term.angle, unknown))
             for term in terms
             if unknown in symbols(term.angle.node)
         ]
@@ -220,7 +209,7 @@ class _Chain:
             raise _NoCallError
         return self._vector(own), [term for term in terms if unknown not in symbols(term.angle.node)]
 
-    def _vector(self, terms: list[_Term]) -> tuple[Node, Angle]:
+    def _vector(self, terms: list[Vector]) -> tuple[Node, Angle]:
         """The sum of fixed terms: its length and its direction, as dimensions where there are such."""
         if len(terms) == 1:
             return terms[0].length, terms[0].angle
@@ -230,19 +219,19 @@ class _Chain:
         turned = self._named(angle, "angle")
         return named or Call("length", (x, y)), Angle(turned or Call("angle", (x, y)))
 
-    def _split(self, terms: list[_Term]) -> tuple[_Term | None, list[_Term]]:
+    def _split(self, terms: list[Vector]) -> tuple[Vector | None, list[Vector]]:
         """The one turning vector of a fixed length, if there is just one, and the fixed ones."""
         turning = [term for term in terms if not self._fixed(term.angle) or not self._fixed(Angle(term.length))]
         fixed = [term for term in terms if term not in turning]
         only = turning[0] if len(turning) == 1 and self._fixed(Angle(turning[0].length)) else None
         return only, fixed
 
-    def _pair(self, terms: list[_Term]) -> tuple[Node, Angle, Node, Angle] | None:
+    def _pair(self, terms: list[Vector]) -> tuple[Node, Angle, Node, Angle] | None:
         """K as r e^(i phi) - g e^(i gamma): r, phi, g, gamma; None where it is something else."""
         turning, fixed = self._split(terms)
         if turning is None or not fixed:
             return None
-        ground, gamma = self._vector([term.turned(HALF) for term in fixed])
+        ground, gamma = self._vector([_turned(term, HALF) for term in fixed])
         return turning.length, turning.angle, ground, _within(gamma)
 
     # what is the same
@@ -306,7 +295,11 @@ def _tried(compiled: Compiled) -> Iterator[dict[str, float]]:
             yield values
 
 
-def _slide(terms: list[_Term], slide: str) -> tuple[Angle, list[_Term]]:
+def _turned(vector: Vector, by: Angle) -> Vector:
+    return replace(vector, angle=vector.angle + by)
+
+
+def _slide(terms: list[Vector], slide: str) -> tuple[Angle, list[Vector]]:
     """The direction of the displacement, and the other terms."""
     along = [term.angle for term in terms if term.length == Symbol(slide)]
     rest = [term for term in terms if term.length != Symbol(slide)]
@@ -315,9 +308,9 @@ def _slide(terms: list[_Term], slide: str) -> tuple[Angle, list[_Term]]:
     return along[0], rest
 
 
-def _parts(terms: Iterable[_Term]) -> tuple[Node, Node]:
+def _parts(terms: Iterable[Vector]) -> tuple[Node, Node]:
     """x and y of a sum."""
-    listed = [_Term(term.length, _within(term.angle)) for term in terms]
+    listed = [Vector(term.length, _within(term.angle)) for term in terms]
     return (
         al.total(al.mul(term.length, al.cos(term.angle)) for term in listed),
         al.total(al.mul(term.length, al.sin(term.angle)) for term in listed),

@@ -8,7 +8,8 @@ Source of the names and of the order of arguments: Soeylemez, Mechanisms, sectio
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from typing import TypeAlias
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Number, Symbol
@@ -23,14 +24,8 @@ from mechsheet.units import LENGTH, NUMBER, RAD, Unit
 from mechsheet.words.catalogue import Phrase
 from mechsheet.words.equations import NOTHING
 
-
-@dataclass(frozen=True, slots=True)
-class Basic:
-    """A basic function: what it is called, and its routine."""
-
-    name: Words
-    routine: Routine
-
+Basic: TypeAlias = tuple[Words, Routine]
+"""A basic function: what it is called, and its routine."""
 
 # --- the functions --------------------------------------------------------------------------------------------------
 
@@ -65,7 +60,7 @@ def _parameters(order: str) -> tuple[Parameter, ...]:
 
 def _basic(key: str, routine: Routine) -> Basic:
     """A basic function by the key of its words."""
-    return Basic(Phrase(f"function.{key}"), replace(routine, about=Phrase(f"function.{key}.about")))
+    return Phrase(f"function.{key}"), replace(routine, about=Phrase(f"function.{key}.about"))
 
 
 def _elementary() -> list[Basic]:

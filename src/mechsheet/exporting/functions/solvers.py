@@ -62,14 +62,6 @@ class Drive:
 
 
 @dataclass(frozen=True, slots=True)
-class Start:
-    """What changes on the way from the description: its symbol, and the value for which the start values were found."""
-
-    symbol: str
-    value: Node
-
-
-@dataclass(frozen=True, slots=True)
 class Solver:
     """One group.
 
@@ -79,7 +71,8 @@ class Solver:
     drives     the drivers, which stand beside each other among these
     starts     start values of each assembly;  mode: symbol of its number
     scales     in what each unknown is measured: 1 for an angle, else the largest length
-    described  what the dimensions were, by symbol (also unknowns of groups before)
+    described  what changes on the way from the description, by symbol (also unknowns of groups before): the value for which
+               the start values were found
     still      from `asked` to what stays while the drivers move: dimensions, tolerance, modes
     earlier    unknowns of groups before
     reading    from results of `still`, drivers and `earlier`, in this order, to what a pass is given
@@ -96,7 +89,7 @@ class Solver:
     mode: str
     scales: tuple[float, ...]
     passes: int
-    described: tuple[Start, ...]
+    described: Mapping[str, Node]
     still: Block
     earlier: tuple[str, ...]
     reading: Block
@@ -129,11 +122,12 @@ def _solver(source: Source, compiled: Compiled, group: Group, system: System) ->
     still = tuple(
         name for name in _ordered(source, asked) if name in needed & stops and name not in (*driven, *earlier)
     )
-    described = tuple(
-        Start(symbol, _described(source, symbol, value))
+    units = {dim.symbol: dim.unit for dim in mechanism.dimensions}
+    described = {
+        symbol: quantity(value, units.get(symbol, NUMBER))
         for symbol, value in system.described
         if symbol in still or symbol in earlier
-    )
+    }
     return Solver(
         group.number,
         f"{prefix_of(mechanism, mechanism.language)}_Newton{group.number}",
@@ -182,11 +176,6 @@ def _drive(compiled: Compiled, system: System, symbol: str) -> Drive:
         )
     home = system.home if symbol == driver.symbol else float(column[min(system.row, len(column) - 1)])
     return Drive(symbol, quantity(home, unit), quantity(stride, unit))
-
-
-def _described(source: Source, symbol: str, value: float) -> Node:
-    units = {dim.symbol: dim.unit for dim in source.mechanism.dimensions}
-    return quantity(value, units.get(symbol, NUMBER))
 
 
 def _angle_or_length(source: Source, name: str, value: float) -> Node:

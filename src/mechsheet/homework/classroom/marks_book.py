@@ -13,6 +13,7 @@ from livesheet.evaluation import computed
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef
 from livesheet.workbook import Cell, Column, Fill, PrintSetup, Properties, Sheet, Style, Workbook
 from mechsheet.homework.classroom.exercise import no_formula, safe
+from mechsheet.homework.classroom.feedback import pictures
 from mechsheet.homework.classroom.marks import Marked, Marks, lines_of, words_of
 from mechsheet.homework.words_of import fault_line, kind_words
 from mechsheet.sheet.styles import BAD_FILL, DERIVED_FILL, HEAD, HEAD_LEFT, INPUT, SUBTITLE, SYMBOL, TITLE, WARN_FILL
@@ -201,11 +202,13 @@ def page(marks: Marks, one: Marked) -> str:
     table = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in row) + "</tr>\n" for row in rows)
     head = "<tr>" + "".join(f"<th>{html.escape(text)}</th>" for text in heads) + "</tr>\n"
     listed = "".join(f"<li>{html.escape(text)}</li>\n" for text in (*lines, *remarks))
+    drawn = pictures(one.audit.picture, language) if one.audit is not None and one.audit.picture is not None else ""
     title = html.escape(f"{marks.title}: {one.id} {one.name}".strip())
     return (
         f'<!DOCTYPE html>\n<html lang="{language}">\n<head>\n<meta charset="utf-8">\n<title>{title}</title>\n'
         "<style>body{font:16px/1.4 sans-serif;max-width:50em;margin:2em auto;padding:0 1em}"
+        ".both{display:flex;flex-wrap:wrap;gap:1em}figure{margin:0;border:1px solid #bbb;text-align:center}"
         "td,th{border:1px solid #bbb;padding:.3em .6em;text-align:left}table{border-collapse:collapse}</style>\n"
         f"</head>\n<body>\n<h1>{title}</h1>\n<p><strong>{html.escape(mark)}</strong></p>\n"
-        f"<table>\n{head}{table}</table>\n<ul>\n{listed}</ul>\n</body>\n</html>\n"
+        f"<table>\n{head}{table}</table>\n<ul>\n{listed}</ul>\n{drawn}</body>\n</html>\n"
     )

@@ -211,7 +211,7 @@ class Statement:
         return self._distances(name, place) if isinstance(place, Distances) else self._point(link, name, place)
 
     def _defined(self, symbol: str, unit: str, formula: Node, label: str) -> Rich:
-        head = f"{symbol} [{unit}] = " if unit else f"{symbol} = "
+        head = f"{symbol} [{unit}] = " if unit not in ("", "1") else f"{symbol} = "
         return Rich(((head, ""), *self.math(formula), *([(f"  ({label})", "")] if label else [])))
 
     def direction(self, link: Link) -> Line:

@@ -8,8 +8,9 @@ The driver's axis is fixed, since its rows are: steps of 15, 30 or 45 degrees wh
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
@@ -210,27 +211,38 @@ def _at_position(plan: Plan, drawing: Drawing, symbol: str) -> SeriesRef | None:
     return None
 
 
-def _curve_chart(plan: Plan, drawing: Drawing, request: ChartRequest) -> Chart:
+def curve_chart(
+    plan: Plan,
+    request: ChartRequest,
+    at: Callable[[str], SeriesRef | None],
+    size: tuple[int, int],
+    axis: Axis,
+    legend: Literal["right", "bottom"],
+) -> Chart:
+    """Curves over a quantity, with a mark on each where the position stands.
+
+    at    the cell with a quantity at the position shown;  size: width and height [pixels];  axis: that of the quantity
+    legend  where it stands, where there is more than one curve
+    """
     curves, markers = [], []
-    x = _at_position(plan, drawing, request.x)
+    x = at(request.x)
     for index, symbol in enumerate(request.y):
         color = styles.SERIES[index % len(styles.SERIES)]
-        dash = dash_of(plan, request, index)
+        dash = _dash_of(plan, request, index)
         curves.append(Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=color, dash=dash))
         curves += _ends_of_band(plan, request.x, symbol, color)
-        y = _at_position(plan, drawing, symbol)
+        y = at(symbol)
         if x and y:
             markers.append(marker(plain(symbol), x, y, color))
-    title = chart_title(plan, request)
+    title = _chart_title(plan, request)
     return Chart(
-        title, Anchor(0, 0, SIZE, HEIGHT), (*curves, *markers), driver_axis(plan, request.x, request.x_ends),
-        value_axis(plan, request),
-        legend="right" if sum(curve.in_legend for curve in curves) > 1 else "", alt_text=title,
-        smooth=are_smooth(plan, request.y),
+        title, Anchor(0, 0, *size), (*curves, *markers), axis, value_axis(plan, request),
+        legend=legend if sum(curve.in_legend for curve in curves) > 1 else "", alt_text=title,
+        smooth=_are_smooth(plan, request.y),
     )  # fmt: skip
 
 
-def dash_of(plan: Plan, request: ChartRequest, index: int) -> Dash:
+def _dash_of(plan: Plan, request: ChartRequest, index: int) -> Dash:
     """How a curve is drawn: each otherwise than the one before, for whoever prints in black and white.
 
     The driver's effort by virtual work lies on that from the reactions, and bands are dashed: there dashes mean just that.
@@ -293,7 +305,7 @@ def _as_described(plan: Plan, symbol: str) -> Array:
     return np.degrees(there) if plan.at.spots[symbol].degrees else there
 
 
-def are_smooth(plan: Plan, symbols: Sequence[str]) -> bool:
+def _are_smooth(plan: Plan, symbols: Sequence[str]) -> bool:
     """Whether curves may be bent between their points: all but those that leap, or grow without bound, between two rows, and
     accelerations and jerks of what a cam moves, which leap where two segments meet."""
     if any(request.y == tuple(symbols) for request in _of_follower(plan)[2:]):
@@ -304,7 +316,7 @@ def are_smooth(plan: Plan, symbols: Sequence[str]) -> bool:
     )
 
 
-def chart_title(plan: Plan, request: ChartRequest) -> str:
+def _chart_title(plan: Plan, request: ChartRequest) -> str:
     """What stands over curves: as the description has it, else what they show."""
     if request.title:
         return request.title.of(plan.language)
@@ -343,7 +355,14 @@ def driver_axis(plan: Plan, symbol: str, ends: Ends = (None, None)) -> Axis:
 
 def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing) -> tuple[Chart, ...]:
     """The drawing under the scroll bar, the other charts beside and below it in two columns."""
-    curves = {request: _curve_chart(plan, drawing, request) for request in requests if request.y}
+    curves = {
+        request: curve_chart(
+            plan, request, lambda symbol: _at_position(plan, drawing, symbol), (SIZE, HEIGHT),
+            driver_axis(plan, request.x, request.x_ends), "right",
+        )
+        for request in requests
+        if request.y
+    }  # fmt: skip
     right = {curves[request] for request in _of_follower(plan) if request in curves}
     left = [drawing.paths[request] for request in requests if request.profile]
     paths = [drawing.paths[request] for request in requests if not (request.y or request.profile)]

@@ -1,27 +1,50 @@
-"""What is said of a cam: pressure angle, the sharpest place of its profile, leaps between segments.
-
-All is said of the rows as they stand. A column that has no number in some row is asked for its numbers only.
-"""
+"""What is said of a cam: how it presses, how sharp its profile is, how fast its follower becomes, leaps between segments."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Collection, Iterator
 from typing import Literal
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Node, Symbol, Text
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Text
 from livesheet.formula.scalar import evaluate
-from mechsheet.model import LAWS_THAT_LEAP, TAU, Segment, Segments
+from mechsheet.model import (
+    CONTACT,
+    LAWS_THAT_LEAP,
+    TAU,
+    FurtherDriver,
+    Mechanism,
+    Segment,
+    Segments,
+    Spring,
+    rate_symbols,
+)
 from mechsheet.sheet.findings.finding import Finding, Level, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import places, places_of
+
+SAME = 1e-12
+"""Two values that differ by so small a part of themselves are one."""
 
 LEAPT = 1e-9
 """A step of a derivative, in sizes a radian, that is more than rounding."""
 
-_NUMBERS = ">-1E+300"
-"""What every number is."""
+TRAPEZOID, SINE = 8 * math.pi / (2 + math.pi), 4 * math.pi / (4 + math.pi)
+FACTORS: dict[str, tuple[float, float, float]] = {
+    "dwell": (0.0, 0.0, 0.0),
+    "uniform": (1.0, 0.0, 0.0),
+    "parabolic": (2.0, 4.0, 0.0),
+    "harmonic": (math.pi / 2, math.pi**2 / 2, math.pi**3 / 2),
+    "cycloidal": (2.0, 2 * math.pi, 4 * math.pi**2),
+    "3-4-5": (1.875, 10 / math.sqrt(3), 60.0),
+    "4-5-6-7": (2.1875, 84 / 25 * math.sqrt(5), 52.5),
+    "modified trapezoid": (2.0, TRAPEZOID, 4 * math.pi * TRAPEZOID),
+    "modified sine": (SINE, math.pi * SINE, 4 * math.pi**2 * SINE),
+}
+"""The largest f', f'', f''' of each law, leaps at its ends aside."""
 
 
 class PressureAngle(Finding):
@@ -30,54 +53,179 @@ class PressureAngle(Finding):
     key, placed = "pressure_angle", True
 
     def line(self, on: Reading) -> Line:
-        value, column = on.value(self.key), Symbol(f"{ALL}alpha")
-        largest = formula('MAX(MAXIFS(all,all,">0"),-MINIFS(all,all,"<0"))', all=column)
+        value = on.value(self.key)
+        (high, at_high), (low, at_low) = on.extreme("max", "alpha"), on.extreme("min", "alpha")
         cam, unit = on.plan.mechanism.cam, on.plan.mechanism.angle_unit
+        shown = "DEGREES(x)" if unit.in_degrees else "x"
         usual = al.as_node(cam.pressure_angle if cam else 0.0)
-        known = (
-            Symbol(SHOWN + usual.name)
-            if isinstance(usual, Symbol)
-            else formula("DEGREES(x)" if unit.in_degrees else "x", x=usual)
-        )
+        known = Symbol(SHOWN + usual.name) if isinstance(usual, Symbol) else formula(shown, x=usual)
         limit = on.plan.at.bind(known, on.plan.main)
-        words = formula("IF(value>limit,much,fine)", value=value, limit=limit, much=on.text(f"{self.key}.much"),
-                        fine=on.text(f"{self.key}.fine"))  # fmt: skip
-        row = "IFERROR(MATCH(value,all,0),MATCH(-value,all,0))"
+        words = formula("IF(value>limit,much,fine)&doubt", value=value, limit=limit, much=on.text(f"{self.key}.much"),
+                        fine=on.text(f"{self.key}.fine"), doubt=on.doubt("alpha", "max", "min"))  # fmt: skip
         return Line(
-            rich("alpha"), largest, on.where_it_closes(words), unit.text, places(on.plan, "angle"),
-            place=on.driver_in_row(row, value=value, all=column),
+            rich("alpha"), formula(shown, x=formula("MAX(ABS(high),ABS(low))", high=high, low=low)),
+            on.where_it_closes(words), unit.text, places(on.plan, "angle"),
+            place=formula("IF(ABS(high)>=ABS(low),place,other)", high=high, low=low, place=at_high, other=at_low),
             levels=(look("value>limit", value=value, limit=limit), good("value<=limit", value=value, limit=limit)),
         )  # fmt: skip
 
 
 class LeastRadius(Finding):
-    """The least radius of curvature where the profile is convex; where there is none left the cutter cuts too much away."""
+    """The least radius of curvature where the profile is convex; where there is none left the cutter cuts too much away.
+
+    A roller's is 1/kappa - r where the pitch curve is bent most.
+    """
 
     key, placed = "least_rho", True
 
     def line(self, on: Reading) -> Line:
-        plan, value, column, curved = on.plan, on.value(self.key), Symbol(f"{ALL}rho"), Symbol(f"{ALL}kappa")
-        cam = plan.mechanism.cam
-        roller = cam is not None and cam.radius is not None
-        convex = ',curved,">0"' if roller else ""
-        least = formula(f'MINIFS(all,all,"{_NUMBERS}"{convex})', all=column, curved=curved)
+        plan, value, cam = on.plan, on.value(self.key), on.plan.mechanism.cam
         fine: Node = Text(on.text(f"{self.key}.fine"))
         undercut: Node = Text(on.text(f"{self.key}.undercut"))
-        if roller:
-            hollow = formula('COUNTIFS(curved,"<0")', curved=curved)
-            cutter = formula(f'-MAXIFS(all,all,"{_NUMBERS}",curved,"<0")', all=column, curved=curved)
-            concave = joined(on.text(f"{self.key}.concave"), " ", formula("ROUND(cutter,2)", cutter=cutter))
-            fine = joined(fine, formula('IF(hollow>0,concave,"")', hollow=hollow, concave=concave))
-        elif cam is not None and not plan.mechanism.drivers[0].link:  # rho grows as the base circle does
-            radius = plan.at.bind(al.as_node(cam.base_radius), plan.main)
-            needed = formula("ROUND(radius-value,3)", radius=radius, value=value)
-            undercut = joined(undercut, on.text(f"{self.key}.needed"), " ", needed)
-        words = formula("IF(value>0,fine,undercut)", value=value, fine=fine, undercut=undercut)
+        if cam is None or cam.radius is None:
+            doubt = on.doubt("rho", "min")
+            least, place = on.extreme("min", "rho")
+            if cam is not None and not plan.mechanism.drivers[0].link:  # rho grows as the base circle does
+                radius = plan.at.bind(al.as_node(cam.base_radius), plan.main)
+                needed = formula("ROUNDUP(radius-value,3)", radius=radius, value=value)
+                undercut = joined(undercut, on.text(f"{self.key}.needed"), " ", needed)
+        else:
+            doubt = on.doubt("kappa", "max")
+            bent, place = on.extreme("max", "kappa")
+            roller = plan.at.bind(al.as_node(cam.radius), plan.main)
+            least = formula("IF(bent>0,1/bent-roller,NA())", bent=bent, roller=roller)
+            hollow, _ = on.extreme("min", "kappa")
+            cutter = formula("ROUNDDOWN(roller-1/hollow,2)", roller=roller, hollow=hollow)
+            concave = joined(on.text(f"{self.key}.concave"), " ", cutter)
+            fine = joined(fine, formula('IF(hollow<0,concave,"")', hollow=hollow, concave=concave))
+        words = formula("IF(IFERROR(value<=0,FALSE),undercut,fine)&doubt", value=value, fine=fine, undercut=undercut,
+                        doubt=doubt)  # fmt: skip
         return Line(
-            rich("rho"), least, on.where_it_closes(words), plan.mechanism.length_unit, places(plan, "length"),
-            place=on.driver_in_row("MATCH(value,all,0)", value=value, all=column),
+            rich("rho"), least, on.where_it_closes(words), plan.mechanism.length_unit, places(plan, "length"), place=place,
             levels=(bad("value<=0", value=value), good("value>0", value=value)),
         )  # fmt: skip
+
+
+class ContactForce(Finding):
+    """The least force of the cam on its follower: where it would have to pull, the follower lifts off."""
+
+    key, placed = "contact_force", True
+
+    def line(self, on: Reading) -> Line:
+        value = on.value(self.key)
+        least, place = on.extreme("min", CONTACT)
+        unit = on.plan.equations.of(CONTACT).unit
+        before, between, after = on.text(f"{self.key}.lifts", place="#", force="#").split("#")
+        at = on.driver_text(on.beside(self.key, place))
+        lifts = joined(before, at, between, formula("ROUND(value,2)", value=value), f" {unit.text}{after}")
+        words = formula("IF(value<0,lifts,stays)&doubt", value=value, lifts=lifts, stays=on.text(f"{self.key}.stays"),
+                        doubt=on.doubt(CONTACT, "min"))  # fmt: skip
+        return Line(
+            rich(CONTACT), least, on.where_it_closes(words), unit.text, places_of(on.plan, unit), place=place,
+            levels=(bad("value<0", value=value), good("value>=0", value=value)),
+        )  # fmt: skip
+
+
+class HoldingSpring(Finding):
+    """The free length with which the spring between ground and follower just holds it: the two touch in the worst position.
+
+    N (hold - L0) has the same sign in all rows where more preload presses more everywhere; else no free length is said.
+    """
+
+    key = "holding_spring"
+
+    def __init__(self, spring: Spring, force_unit: str) -> None:
+        self.spring, self.force_unit = spring, force_unit
+
+    def line(self, on: Reading) -> Line:
+        plan, value = on.plan, on.value(self.key)
+        symbol = self.spring.hold
+        free, stiff = (plan.at.bind(node, plan.main) for node in (self.spring.free_length, self.spring.stiffness))
+        (most, _), (least, _) = on.extreme("max", symbol), on.extreme("min", symbol)
+
+        def agree(lifted: str, pressed: str) -> Node:
+            return formula(
+                f'COUNTIFS(all,"<0",hold,"{lifted}"&free)+COUNTIFS(all,">0",hold,"{pressed}"&free)=0',
+                all=Symbol(ALL + CONTACT), hold=Symbol(ALL + symbol), free=free,
+            )  # fmt: skip
+
+        needed = formula("IF(pushes,most,IF(pulls,least,NA()))", pushes=agree("<", ">"), pulls=agree(">", "<"),
+                         most=most, least=least)  # fmt: skip
+        more = joined(formula("ROUND(ABS(stiff*(value-free)),1)", stiff=stiff, value=value, free=free),
+                      f" {self.force_unit}")  # fmt: skip
+        lifts = formula("force<0", force=on.value(ContactForce.key))
+        words = formula(
+            'IFERROR(more&IF(lifts,lacks,spare)&IF(value=end,least,most)&doubt,"")', lifts=lifts, more=more, value=value,
+            lacks=f" {on.text(f'{self.key}.lacks', spring=self.spring.name)} ",
+            spare=f" {on.text(f'{self.key}.spare', spring=self.spring.name)} ",
+            end=most, least=on.text(f"{self.key}.least"), most=on.text(f"{self.key}.most"),
+            doubt=on.doubt(CONTACT, "min"),
+        )  # fmt: skip
+        return Line(rich(symbol), needed, on.where_it_closes(words), plan.mechanism.length_unit, places(plan, "length"))
+
+
+def contact_findings(mechanism: Mechanism, found: Collection[str]) -> Iterator[Finding]:
+    """Where there are forces; `found`: symbols of columns that change."""
+    yield ContactForce()
+    dynamics = mechanism.dynamics
+    for spring in dynamics.springs if dynamics is not None else ():
+        if spring.hold in found:
+            yield HoldingSpring(spring, dynamics.force_unit if dynamics else "")
+
+
+class LargestRate(Finding):
+    """The largest velocity, acceleration or jerk of what the cam moves, and of which segment it is: its factor times the way
+    over a power of the angle. Where the cam turns evenly it is that of the laws, else of the rows."""
+
+    placed = True
+
+    def __init__(self, follower: FurtherDriver, motion: Segments, symbol: str, order: int) -> None:
+        self.follower, self.motion, self.symbol, self.order = follower, motion, symbol, order
+        self.key = ("largest_velocity", "largest_acceleration", "largest_jerk")[order - 1]
+
+    def line(self, on: Reading) -> Line:
+        plan = on.plan
+        speed, acceleration = (Symbol(name) for name in plan.mechanism.driver_rates)
+        column = Symbol(ALL + self.symbol)
+        rows = formula("MAX(MAX(all),-MIN(all))", all=column)
+        parts = [plan.at.bind(self._largest(part), plan.main) for part in self.motion.parts]
+        most = al.nested("MAX", parts)
+        value: Node = most
+        power: Node = al.ONE
+        words: Node = Text("")  # of a list of uniform motions, whose acceleration is all leaps
+        if plan.mechanism.driver.speed is not None:
+            even = plan.at.bind(formula("acceleration=0", acceleration=acceleration), plan.main)
+            power = formula(f"ABS(speed)^{self.order}", speed=plan.at.bind(speed, plan.main))
+            value = formula("IF(even,most*power,rows)", even=even, most=most, power=power, rows=rows)
+        for number, (part, own) in reversed([*enumerate(zip(self.motion.parts, parts, strict=True), 1)]):
+            if al.is_zero(own):
+                continue
+            law, factor = plan.text(f"segment.{part.law}"), f"{FACTORS[part.law][self.order - 1]:.5g}"
+            said = on.text("largest_rate", number=number, law=law, factor=factor)
+            words = formula("IF(ABS(value-own*power)<=rounding*value,said,other)", value=on.value(self.key), own=own,
+                            power=power, rounding=SAME, said=said, other=words)  # fmt: skip
+        unit = plan.equations.of(self.symbol).unit
+        place = on.driver_in_row("IFERROR(MATCH(value,all,0),MATCH(-value,all,0))", value=rows, all=column)
+        return Line(rich(self.symbol), value, on.where_it_closes(words), unit.text, places_of(plan, unit), place=place)
+
+    def _largest(self, part: Segment) -> Node:
+        """The largest derivative by the cam's angle of a segment."""
+        factor = FACTORS[part.law][self.order - 1]
+        if factor == 0:
+            return al.ZERO
+        return al.div(al.mul(al.number(factor), Call("ABS", (part.by,))), Binary("^", part.over, Number(self.order)))
+
+
+def largest_rates(mechanism: Mechanism) -> Iterator[LargestRate]:
+    """Of what the cam moves: by time where it has a speed that is one number, else by the cam's angle."""
+    for follower in mechanism.drivers:
+        if follower.segments is None:
+            continue
+        own = follower.symbol
+        by_angle = tuple(f"{own}.{ending}" for ending in ("d", "dd", "ddd"))
+        by_time = (*rate_symbols(own, not follower.joint), f"{own}.j")
+        for order, symbol in enumerate(by_angle if mechanism.driver.speed is None else by_time, 1):
+            yield LargestRate(follower, follower.segments, symbol, order)
 
 
 class Leaping(Finding):
@@ -91,11 +239,12 @@ class Leaping(Finding):
         count: Node = al.ZERO
         where: list[Node | str] = []
         degrees = on.plan.mechanism.angle_unit.in_degrees
-        for angle, step in _steps(self.motion, self.order):
+        for angle, step, laws in _steps(self.motion, self.order):
             leaps = formula("ABS(step)>most", step=step, most=most)
             count = al.add(count, formula("IF(leaps,1,0)", leaps=leaps))
             shown = formula("ROUND(DEGREES(angle),2)" if degrees else "ROUND(angle,4)", angle=angle)
-            where.append(formula('IF(leaps,at,"")', leaps=leaps, at=joined(" ", shown, on.unit)))
+            named = " – ".join(on.plan.text(f"segment.{law}") for law in laws)
+            where.append(formula('IF(leaps,at,"")', leaps=leaps, at=joined(" ", shown, on.unit, f" ({named})")))
         some = joined(on.text(self.key), *where) if where else Text("")
         words = formula("IF(count=0,none,some)", count=cell, none=on.text(f"{self.key}.none"), some=some)
         return Line(
@@ -104,20 +253,21 @@ class Leaping(Finding):
         )  # fmt: skip
 
 
-def _steps(motion: Segments, order: int) -> list[tuple[Node, Node]]:
-    """Where a derivative may leap, and by how much."""
-    found: list[tuple[Node, Node]] = []
+def _steps(motion: Segments, order: int) -> list[tuple[Node, Node, tuple[str, ...]]]:
+    """Where a derivative may leap, by how much, and between which laws."""
+    found: list[tuple[Node, Node, tuple[str, ...]]] = []
     parts = motion.parts
     before: Node = al.ZERO
     if motion.closed:
         before = _at_end(parts, -1, order, 1.0)
     for place, part in enumerate(parts):
-        found.append((part.begins, al.sub(_at_end(parts, place, order, 0.0), before)))
+        laws = (parts[place - 1].law, part.law) if place or motion.closed else (part.law,)
+        found.append((part.begins, al.sub(_at_end(parts, place, order, 0.0), before), laws))
         if order == 2 and part.law == "parabolic":
             twice = al.mul(al.number(8.0), al.div(part.by, al.square(part.over)))
-            found.append((al.add(part.begins, al.div(part.over, al.TWO)), twice))
+            found.append((al.add(part.begins, al.div(part.over, al.TWO)), twice, (part.law,)))
         before = _at_end(parts, place, order, 1.0)
-    return [(angle, step) for angle, step in found if not al.is_zero(step)]
+    return [each for each in found if not al.is_zero(each[1])]
 
 
 def _at_end(parts: tuple[Segment, ...], place: int, order: int, tau: float) -> Node:

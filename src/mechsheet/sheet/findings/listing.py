@@ -57,6 +57,9 @@ def _effort(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
         yield from (forces.LargestEffort(), forces.LargestForce(), rates.Agrees("effort_fits", "torque", "effort"))
     if mechanism.cam is not None:
         yield from (cam.PressureAngle(), cam.LeastRadius())
+        if found.forces:
+            yield from cam.contact_findings(mechanism, found.cam)
+    yield from cam.largest_rates(mechanism)
     motion = segments_of(mechanism)
     if motion is not None:
         yield cam.Leaping("velocity_leaps", motion, 1, "bad")

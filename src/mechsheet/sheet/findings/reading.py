@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import replace
 
-from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.model import Way
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes, about
@@ -17,6 +17,9 @@ from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.positions import places
 from mechsheet.units import behind_number
+
+NUMBERS = ">-1E+300"
+"""What every number is: a column that has none in some row is asked for its numbers only."""
 
 
 class Reading(ABC):
@@ -57,6 +60,24 @@ class Reading(ABC):
     def driver_text(self, value: Node) -> Node:
         """A value of the driver in words: 48.3°."""
         return joined(formula("ROUND(value,2)", value=value), self.unit)
+
+    # --- extremes ---------------------------------------------------------------------------------------------
+
+    def extreme(self, way: Way, symbol: str) -> tuple[Node, Node]:
+        """The smallest or the largest value, in internal units, and where it occurs: between rows where it is searched."""
+        found = self.found.extremes.get((way, symbol))
+        if found is not None:
+            value: Node = found.value.cell
+            place: Node = found.occurs.cell
+        else:
+            column = Symbol(ALL + symbol)
+            value = formula(f'{way.upper()}IFS(all,all,"{NUMBERS}")', all=column)
+            place = self.driver_in_row("MATCH(value,all,0)", value=value, all=column)
+        return (formula("RADIANS(value)", value=value) if self.plan.at.spots[symbol].degrees else value), place
+
+    def doubt(self, symbol: str, *ways: Way) -> Node:
+        """What is added where an extreme is to be doubted."""
+        return about(self.plan, symbol, ways) if symbol in self.plan.found.extremes else Text("")
 
     # --- cells of findings ------------------------------------------------------------------------------------
 
@@ -117,7 +138,7 @@ class Reading(ABC):
         """Whether nobody has looked between the rows."""
 
     @abstractmethod
-    def extreme(self, way: Way, symbol: str) -> Node:
+    def column_extreme(self, way: Way, symbol: str) -> Node:
         """The smallest or the largest value of a quantity, as its column has it."""
 
     @abstractmethod
@@ -179,7 +200,7 @@ class SheetReading(Reading):
     def of_rows_only(self) -> Node | bool:
         return self.plan.between_unseen if self.plan.rows_only else self.found.rows_only.cell
 
-    def extreme(self, way: Way, symbol: str) -> Node:
+    def column_extreme(self, way: Way, symbol: str) -> Node:
         return self.found.extremes[way, symbol].value.cell
 
     def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:

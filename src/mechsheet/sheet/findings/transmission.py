@@ -37,7 +37,7 @@ class Transmission(Finding):
 
     def line(self, on: Reading) -> Line:
         plan, group, value = on.plan, self.group, on.value(self.key)
-        high, low = (on.extreme(way, group.transmission) for way in HIGH_LOW)
+        high, low = (on.column_extreme(way, group.transmission) for way in HIGH_LOW)
         unit, shown = plan.mechanism.angle_unit, plan.at.spots[group.transmission].degrees
         right, straight = (Number(90.0), Number(180.0)) if shown else (RIGHT, STRAIGHT)
         folded = acute(low, high, group.kind != "RRR", right, straight)

@@ -14,18 +14,15 @@ from livesheet.workbook import (
     Column,
     Control,
     PrintSetup,
-    Series,
     SeriesRef,
     Sheet,
     Workbook,
 )
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import ChartRequest, Ends, Mechanism
-from mechsheet.sheet import styles
 from mechsheet.sheet.asked.requested import table_sheets
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.drawing.charts import STEPS, are_smooth, chart_requests, chart_title, dash_of, value_axis
-from mechsheet.sheet.drawing.drawing import marker
+from mechsheet.sheet.drawing.charts import STEPS, chart_requests, curve_chart
 from mechsheet.sheet.first.mechanism import position_controls
 from mechsheet.sheet.layout import description_sheet, properties_of
 from mechsheet.sheet.page.drawing import PageDrawing
@@ -170,26 +167,12 @@ def _placed(
 
 
 def _curves(plan: PagePlan, request: ChartRequest, drawing: PageDrawing | None) -> Chart:
-    curves, markers = [], []
-    for index, symbol in enumerate(request.y):
-        color = styles.SERIES[index % len(styles.SERIES)]
-        dash = dash_of(plan, request, index)
-        curves.append(Series(plain(symbol), _column(plan, request.x), _column(plan, symbol), line=color, dash=dash))
-        if drawing:
-            cells = (drawing.shown[name] for name in (request.x, symbol))
-            at = [SeriesRef(plan.main, Area(cell.row, cell.col, cell.row, cell.col)) for cell in cells]
-            markers.append(marker(plain(symbol), at[0], at[1], color))
-    title = chart_title(plan, request)
-    return Chart(
-        title, Anchor(0, 0, CHART_WIDTH, CHART_HEIGHT), (*curves, *markers), _axis(plan, request.x, request.x_ends),
-        value_axis(plan, request),
-        legend="bottom" if len(curves) > 1 else "", alt_text=title, smooth=are_smooth(plan, request.y),
-    )  # fmt: skip
+    def at(symbol: str) -> SeriesRef | None:
+        cell = drawing.shown[symbol] if drawing else None
+        return SeriesRef(plan.main, Area(cell.row, cell.col, cell.row, cell.col)) if cell else None
 
-
-def _column(plan: PagePlan, symbol: str) -> SeriesRef:
-    spot = plan.at.spots[symbol]
-    return SeriesRef(plan.main, Area(plan.at.first, spot.col, plan.at.last, spot.col))
+    axis = _axis(plan, request.x, request.x_ends)
+    return curve_chart(plan, request, at, (CHART_WIDTH, CHART_HEIGHT), axis, "bottom")
 
 
 def _axis(plan: PagePlan, symbol: str, ends: Ends = (None, None)) -> Axis:

@@ -101,12 +101,12 @@ class PageReading(Reading):
     def of_rows_only(self) -> Node | bool:
         return True
 
-    def extreme(self, way: Way, symbol: str) -> Node:
+    def column_extreme(self, way: Way, symbol: str) -> Node:
         return self.over_rows(symbol, LEAST if way == "min" else MOST)
 
     def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
         cell = self.value(finding)
-        low, high = (self.extreme(way, symbol) for way in ("min", "max"))
+        low, high = (self.column_extreme(way, symbol) for way in ("min", "max"))
         if folded[0] == low:
             low = cell
         return formula("INDEX(drivers,MATCH(IF(cell=other,high,low),column,0))", drivers=self.drivers, cell=cell,
