@@ -18,6 +18,8 @@ from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step, columns_of, constants_of
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.equations import Equation, Equations, Group
+from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
+from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Dimension, Law, Mechanism, Quantity
 from mechsheet.units import NUMBER, Unit
@@ -96,6 +98,19 @@ def heading(program: Program, number: int) -> str:
         return "outputs" if number < 0 else "driver's side"
     group = program.equations.groups[number - 1]
     return f"group {number} ({group.kind}): {one_line(group.label.of(program.mechanism.language))}"
+
+
+_NUMBERS = {
+    "CLOSED": CLOSED, "FIRST": FIRST_PASSES, "LED": LED, "STEADY": STEADY, "SETTLED": SETTLED, "TREND": TREND, "LEAP": LEAP,
+}  # fmt: skip
+"""Of Newton's method, by their marks in what languages bring along."""
+
+
+def with_numbers(helpers: str) -> str:
+    """What a language brings along, with the numbers of Newton's method in it."""
+    for mark, number in _NUMBERS.items():
+        helpers = helpers.replace(f"@@{mark}@@", repr(number))
+    return helpers
 
 
 def commented(code: str, words: str, mark: str) -> list[str]:

@@ -15,10 +15,8 @@ from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.lowering import Loop, Step
-from mechsheet.exporting.program import WIDTH, Program, commented, heading, one_line, program_of
+from mechsheet.exporting.program import WIDTH, Program, commented, heading, one_line, program_of, with_numbers
 from mechsheet.kinematics.equations import Equation
-from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
-from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import TIME
 
 RESERVED = (
@@ -132,11 +130,6 @@ _FOLLOWED = '''def _followed(
 
 
 '''
-for _name, _number in (
-    ("CLOSED", CLOSED), ("FIRST", FIRST_PASSES), ("LED", LED), ("STEADY", STEADY), ("SETTLED", SETTLED),
-    ("TREND", TREND), ("LEAP", LEAP),
-):  # fmt: skip
-    _FOLLOWED = _FOLLOWED.replace(f"@@{_name}@@", repr(_number))
 
 
 def write(job: Job) -> list[bytes]:
@@ -147,7 +140,7 @@ def write(job: Job) -> list[bytes]:
     program = program_of(job.compiled, RESERVED)
     lines = [*_opening(program, job.name), *_tables(program), *_solve(program)]
     loops = any(column.loop for column in program.columns)
-    return [("\n".join(lines) + _HELPERS.replace("@@FOLLOWED@@", _FOLLOWED if loops else "")).encode()]
+    return [("\n".join(lines) + _HELPERS.replace("@@FOLLOWED@@", with_numbers(_FOLLOWED) if loops else "")).encode()]
 
 
 _CALLS = {"CONTINUOUS": "_continuous({0})", "TRIANGLE": "_triangle({0}, {1}, {2})"}
@@ -299,10 +292,7 @@ def _signature(program: Program) -> list[str]:
     whose = "driver's values" if program.law is None else "time in seconds"
     texts = ["", f"    {names[0]}: the {whose}, one per row; by default the description's sweep"]
     texts += [f"    {name}: one per row; by default as the description lists them" for name in names[1:]]
-    for line in program.given:
-        head.append(f"    {program.names[line.symbol]}: float = {_text(program, line.expression)},")
-        texts += _argument(program, line)
-    for line in program.modes:
+    for line in (*program.given, *program.modes):
         head.append(f"    {program.names[line.symbol]}: float = {_text(program, line.expression)},")
         texts += _argument(program, line)
     doc = ['    """Positions of all links in every row: {symbol: array}, units in `UNITS`.', *texts, '    """']

@@ -36,6 +36,15 @@ def worst_words(plan: Plan, worst: Node, place: Node, poor: Node, of_rows: Node 
     return formula("words&IF(poor,bad,fair)", words=words, poor=poor, bad=plan.text("verdict.poor"), fair=fair)
 
 
+def worst_of_rows(plan: Plan, worst: Node, poor: Node) -> Node:
+    """The worst angle of the rows, in words: where nobody looks between them."""
+    angle = plan.mechanism.angle_unit
+    before, after = plan.text("verdict.worst.rows", angle="#").split("#")
+    rounded = formula("ROUND(angle,digits)", angle=worst, digits=1 if angle.in_degrees else 2)
+    words = joined(before, rounded, behind_number(angle.text) + after)
+    return formula('words&IF(poor,bad,"")', words=words, poor=poor, bad=plan.text("verdict.poor"))
+
+
 RIGHT, STRAIGHT = formula("PI()/2"), formula("PI()")
 """A right angle and a straight one, in radians."""
 

@@ -35,12 +35,15 @@ class RowsClosed(Finding):
     def line(self, on: Reading) -> Line:
         count, rows = on.value(self.key), on.of_rows
         counted, of_rows = on.count_rows()
+        some, stretches = closes_in_some(on.plan, count, rows), on.stretches()
+        if stretches is not None:
+            some = on.while_there("extremes", stretches, some)
         words = formula(
             "IF(count=0,nowhere,IF(count=rows,everywhere,some))", count=count, rows=rows, nowhere=on.text("rows.none"),
-            everywhere=on.text("rows.all"), some=on.some_close(),
+            everywhere=on.text("rows.all"), some=some,
         )  # fmt: skip
         return Line(
-            on.text("rows"), counted, words, of_rows,
+            on.text("rows"), counted, words, of_rows, itself=("words",),
             levels=(
                 bad("count=0", count=count),
                 look("count<rows", count=count, rows=rows),
@@ -50,6 +53,9 @@ class RowsClosed(Finding):
 
     def in_title(self, on: Reading) -> InTitle:
         return InTitle(here=closes_in(on.plan, on.value(self.key), on.of_rows))
+
+    def left(self, on: Reading) -> Node | str:
+        return formula('words&"; "', words=on.words(self.key))
 
     def overrules(self, on: Reading, title: Node) -> Node:
         nowhere = why_nowhere(on.plan, on.meaning)
@@ -134,6 +140,12 @@ def misfit_of(motion: SearchedMotion) -> tuple[float, str]:
         if off > GAP * search.size:
             found = link_words(each.link).of(mechanism.language)
     return worst, found
+
+
+def closes_in_some(plan: Plan, count: Node, rows: Node) -> Node:
+    """In how many of how many positions, where these are not all."""
+    end = plan.text("verdict.line.positions")
+    return joined(plan.text("verdict.line.closes"), " ", count, " / ", rows, end)
 
 
 def closes_in(plan: Plan, count: Node, rows: Node) -> Node:

@@ -74,6 +74,7 @@ class Line:
     style   of the value, or only its decimals
     place   where it occurs, a value of the driver;  beside: what else stands there
     note    what explains it, where no sheet of notes does
+    itself  those of its cells that say themselves what is left where another sheet was deleted
     levels  the first that holds counts
     rules   colours of other cells that follow from it
     """
@@ -86,6 +87,7 @@ class Line:
     place: Node | None = None
     beside: Beside | None = None
     note: str = ""
+    itself: Sequence[Literal["value", "words"]] = ()
     levels: Sequence[Level] = ()
     rules: Sequence[Conditional] = ()
 
@@ -110,9 +112,11 @@ class Finding:
     key     the name of its cell, in every language
     placed  whether it says where in the motion it occurs: that cell is `key`_at
     by_rows whether it can be said of rows alone, so that a page has it, too
+    needs   keys of other sheets without which nothing can be said, beside those that its formulas read
     """
 
     key: str
+    needs: Sequence[str] = ()
     placed: bool = False
     by_rows: bool = False
 
@@ -127,6 +131,10 @@ class Finding:
     def in_title(self, on: Reading) -> InTitle:
         """What it adds to the line under the title where all is well."""
         return InTitle()
+
+    def left(self, on: Reading) -> Node | str:
+        """What it says in the line under the title, with "; " behind it, where another sheet was deleted."""
+        return ""
 
     def overrules(self, on: Reading, title: Node) -> Node:
         """The line under the title, if what it says comes before all else that `title` would say."""

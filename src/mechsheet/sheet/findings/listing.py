@@ -10,6 +10,7 @@ from mechsheet.sheet.findings import cam, closing, forces, limits, newton, rates
 from mechsheet.sheet.findings.finding import Finding
 from mechsheet.sheet.findings.four_bars import FourBarType
 from mechsheet.sheet.findings.inputs import Inputs
+from mechsheet.sheet.findings.other_sheets import OtherSheets
 from mechsheet.sheet.findings.task import LargestMiss, Task
 from mechsheet.sheet.findings.transmission import Transmission
 
@@ -19,7 +20,7 @@ def findings_of(mechanism: Mechanism, found: Classification, by_rows: bool = Fal
 
     by_rows  only those that rows alone tell, which a page has
     """
-    findings = [*_closing(found, by_rows), *_motion(found), *_effort(mechanism, found)]
+    findings = [OtherSheets(), *_closing(found, by_rows), *_motion(found), *_effort(mechanism, found)]
     return [finding for finding in findings if finding.by_rows] if by_rows else findings
 
 

@@ -11,6 +11,7 @@ from mechsheet.model import Way
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes, about
 from mechsheet.sheet.classification import FourBar
+from mechsheet.sheet.deleted import are_there, missing_words
 from mechsheet.sheet.grashof import Sides
 from mechsheet.sheet.places import Searched, there
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
@@ -46,6 +47,14 @@ class Reading(ABC):
     @abstractmethod
     def checks(self) -> Checks:
         """What is measured in every row."""
+
+    def while_there(self, sheet: str, words: Node, otherwise: Node | None = None) -> Node:
+        """Words where a sheet that can be deleted is there, with what it needs; else others, or which sheets are missing."""
+        present = are_there(self.plan, [sheet])
+        if present is None:
+            return words
+        left = missing_words(self.plan) if otherwise is None else otherwise
+        return formula("IF(present,words,otherwise)", present=present, words=words, otherwise=left)
 
     # --- words ------------------------------------------------------------------------------------------------
 
@@ -118,8 +127,8 @@ class Reading(ABC):
         """How many rows close, and how many there are, counted in the table."""
 
     @abstractmethod
-    def some_close(self) -> Node:
-        """What is said where some rows close, and others do not."""
+    def stretches(self) -> Node | None:
+        """In words the stretches in which it closes; None where nobody looks for them."""
 
     @abstractmethod
     def inputs_fit(self) -> tuple[Node, Node | None]:
@@ -183,7 +192,7 @@ class SheetReading(Reading):
         said = self.plan.places.status.whole()
         return formula("COUNTIF(said,ok)", said=said, ok=self.plan.text("status.ok")), formula("ROWS(said)", said=said)
 
-    def some_close(self) -> Node:
+    def stretches(self) -> Node | None:
         stretches = [stretch.words.cell for stretch in self.found.stretches]
         more = formula('IF(stretches>most," …","")', stretches=self.found.count.cell, most=len(stretches))
         return joined(self.text("rows.some"), " ", *stretches, self.unit, more)

@@ -7,24 +7,27 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef
+from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.numeric import Array
 from mechsheet.sheet.findings.finding import Finding, InTitle, Line, good, look
 from mechsheet.sheet.findings.ratios import HIGH_LOW
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
+from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.plan import SYMBOL, VALUE
-from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.positions import places
-from mechsheet.sheet.transmission import RIGHT, STRAIGHT, acute, poor_limit, worst_words
+from mechsheet.sheet.transmission import RIGHT, STRAIGHT, acute, poor_limit, worst_of_rows, worst_words
+from mechsheet.units import behind_number
 
 ROUNDED = 2e-6
 """Angles by arccos [rad], at a dead centre."""
 
 
 class Transmission(Finding):
-    """The angle of transmission that is farthest from 90 degrees, as an acute angle.
+    """The angle of transmission that is farthest from 90 degrees, as an acute angle; that of the rows where the sheet of
+    extremes was deleted.
 
     all  the groups that have one: the line under the title names the worst
     """
@@ -44,13 +47,15 @@ class Transmission(Finding):
         poor = formula("value<limit", value=value, limit=poor_limit(plan.mechanism))
         place = on.place_of_least(self.key, group.transmission, folded)
         said = worst_words(plan, value, on.beside(self.key, place), poor, on.of_rows_only)
-        least: Node = Call("MIN", folded)
+        column = Symbol(ALL + group.transmission)
+        in_rows = acute(over_rows(LEAST, column), over_rows(MOST, column), group.kind != "RRR")
+        least = on.while_there("extremes", Call("MIN", folded), Call("MIN", in_rows))
+        said = on.while_there("extremes", joined(said, on.about(group.transmission)), worst_of_rows(plan, value, poor))
         if unit.in_degrees and not shown:
             least = formula("DEGREES(least)", least=least)
         return Line(
-            f"μ{group.number}", on.where_known(least),
-            formula('IFERROR(said&about,"")', said=said, about=on.about(group.transmission)), unit.text,
-            places(plan, "angle"), place=formula("IFERROR(place,NA())", place=place),
+            f"μ{group.number}", on.where_known(least), formula('IFERROR(said,"")', said=said), unit.text,
+            places(plan, "angle"), place=formula("IFERROR(place,NA())", place=place), itself=("value", "words"),
             levels=(
                 look("AND(ISNUMBER(value),poor)", value=value, poor=poor),
                 good("ISNUMBER(FIND(fair,said))", said=on.words(self.key), fair=on.text("fair")),
@@ -69,6 +74,14 @@ class Transmission(Finding):
             'IFERROR(what&INDEX(symbols,worst)&" "&INDEX(said,worst),"")', what=what, symbols=symbols, said=said,
             worst=on.worst_group(values),
         ))  # fmt: skip
+
+    def left(self, on: Reading) -> Node | str:
+        if self.group != self.all[0]:
+            return ""
+        unit, angles = on.plan.mechanism.angle_unit, self._column(on, VALUE)
+        least = formula("ROUND(MIN(angles),digits)", angles=angles, digits=1 if unit.in_degrees else 2)
+        said = joined(f"{on.text('line.transmission')} ", least, f"{behind_number(unit.text)}; ")
+        return formula('IF(COUNT(angles)>0,said,"")', angles=angles, said=said)
 
     def _column(self, on: Reading, col: int) -> RangeRef:
         """The cells of a column in the lines of all groups."""

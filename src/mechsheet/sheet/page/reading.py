@@ -73,8 +73,8 @@ class PageReading(Reading):
         closed = formula('COUNTIFS(filled,numbers,said,"")', filled=filled, numbers=NUMBERS, said=said)
         return closed, Call("COUNT", (filled,))
 
-    def some_close(self) -> Node:
-        return Text(self.plan.text("page.rows"))
+    def stretches(self) -> Node | None:
+        return None
 
     def inputs_fit(self) -> tuple[Node, Node | None]:
         position, rows = self.plan.places.position, self.plan.places.rows.cell
@@ -105,12 +105,12 @@ class PageReading(Reading):
         return self.over_rows(symbol, LEAST if way == "min" else MOST)
 
     def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
-        cell = self.value(finding)
         low, high = (self.column_extreme(way, symbol) for way in ("min", "max"))
-        if folded[0] == low:
-            low = cell
-        return formula("INDEX(drivers,MATCH(IF(cell=other,high,low),column,0))", drivers=self.drivers, cell=cell,
-                       other=folded[1], high=high, low=low, column=self.column(symbol))  # fmt: skip
+        row = "MATCH(IF(cell=other,high,low),column,0)"
+        if folded[0] == low:  # the cell itself is in the column, or what is missing to a straight angle
+            row = "IFERROR(MATCH(cell,column,0),MATCH(high,column,0))"
+        return formula(f"INDEX(drivers,{row})", drivers=self.drivers, cell=self.value(finding), other=folded[1], high=high,
+                       low=low, column=self.column(symbol))  # fmt: skip
 
     def where_known(self, value: Node) -> Node:
         return formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.plan.places.closed.cell, value=value)
