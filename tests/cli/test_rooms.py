@@ -5,8 +5,8 @@ import sys
 
 import pytest
 
-LINE = {"arguments", "cli", "diagnostics", "on_demand", "replacing", "said", "time_limit"}
-"""What the command line itself is made of."""
+LINE = {"arguments", "cli", "diagnostics", "on_demand", "replacing", "said", "time_limit", "words"}
+"""What the command line itself is made of; of words the list of languages, no catalogue."""
 
 DESCRIPTIONS = LINE | {"description", "formula", "model", "portable", "synthesis", "units", "words"}
 WORKBOOKS = LINE | {"checking", "engine", "extras", "formats", "formula", "library", "portable"}

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.plan import Plan
@@ -45,7 +45,7 @@ def bound_of(sides: Sides, shortest: Node, excess: Node) -> Node:
     """
     ground, first, coupler, last = sides.lengths
     longest, total = Call("MAX", sides.all), Call("SUM", sides.all)
-    closes = joined(sides.longest(longest), AT_MOST, _at_most(al.sub(total, longest), sides.places))
+    closes = joined(sides.of(longest, sides.names), AT_MOST, _at_most(al.sub(total, longest), sides.places))
     others: tuple[Node, ...] = (ground, coupler, last)
     if isinstance(coupler, CellRef) and isinstance(last, CellRef) and len(sides.all) == 1:  # side by side
         others = (ground, RangeRef(coupler, replace(last, sheet=coupler.sheet)))
@@ -93,15 +93,23 @@ def _at_most(bound: Node, places: int) -> Node:
 class Sides:
     """Ground, first link, coupler and last link of a loop in cells.
 
-    lengths  each;  all: the arguments of a function of all four;  places: decimals of a length
-    names    what they are called: dimensions, or their pins;  longest: the name of the side that is so long
+    lengths  each;  all: the arguments of a function of all four, one range where they stand side by side
+    names    what they are called: dimensions, or their pins;  places: decimals of a length
     """
 
     lengths: Sequence[Node]
     all: tuple[Node, ...]
     names: Sequence[str]
-    longest: Callable[[Node], Node]
     places: int
+
+    def of(self, length: Node, words: Sequence[str]) -> Node:
+        """The words of the first side that is so long."""
+        if len(self.all) == 1:
+            return Call("CHOOSE", (Call("MATCH", (length, *self.all, Number(0.0))), *map(Text, words)))
+        found: Node = Text(words[-1])
+        for side, said in reversed([*zip(self.lengths[:-1], words[:-1], strict=True)]):
+            found = formula("IF(length=side,said,found)", length=length, side=side, said=said, found=found)
+        return found
 
 
 def names_of_sides(loop: FourBar, plan: Plan) -> list[str]:
@@ -146,15 +154,7 @@ def is_all(loop: FourBar, plan: Plan) -> bool:
     return len(plan.mechanism.links) == len(loop.sides(plan.mechanism.ground))
 
 
-def turning_types(loop: FourBar, language: Language, text: Callable[..., str]) -> dict[str, str]:
+def turning_types(loop: FourBar, language: Language, text: Callable[..., str]) -> list[str]:
     """What the loop is called when ground, first link, coupler or last link is the shortest, and some link turns fully."""
-
-    def one(link: str) -> str:
-        return text("one", link=link)
-
-    return {
-        "both": text("both"),
-        "crank": one(link_words(loop.first).of(language)),
-        "rockers": text("coupler"),
-        "follower": one(link_words(loop.last).of(language)),
-    }
+    crank, follower = (text("one", link=link_words(link).of(language)) for link in (loop.first, loop.last))
+    return [text("both"), crank, text("coupler"), follower]

@@ -24,13 +24,14 @@ from mechsheet.sheet.places import Checked
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import heading
-from mechsheet.sheet.table.rates import dead_words
-from mechsheet.sheet.table.status import status_words
 
 ROUNDING = 1e3
 """Lengths are equal up to so many times what counts as zero (1e-12 of the largest length): 1e-9 of it."""
 
-TITLE_ROW, ABOUT_ROW, TYPED_ROW, ROUNDING_ROW, REASONS_ROW = range(5)
+TITLE_ROW, ABOUT_ROW, TYPED_ROW, ROUNDING_ROW = range(4)
+GROUP_ROW = 5
+"""The row over the table's headings."""
+
 VALUE, WORDS = 2, 3
 """Columns of the values that hold for the whole table, and of what they say."""
 
@@ -74,11 +75,7 @@ class Checks:
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
         self.title = plan.at.titles["checks"]
-        self.reasons = [*status_words(plan), plan.text("status.ok")]
-        self.dead_row = REASONS_ROW + len(self.reasons)
-        self.dead = dead_words(plan)
-        self.group_row = self.dead_row + (len(self.dead) + 1 if self.dead else 0) + 1
-        self.head_row, self.most_row, self.at_row, self.first = range(self.group_row + 1, self.group_row + 5)
+        self.group_row, self.head_row, self.most_row, self.at_row, self.first = range(GROUP_ROW, GROUP_ROW + 5)
         self.last = self.first + plan.rows - 1
         first = plan.at.first
         self.checks = [Check("gap", number, node) for number, node in gap_columns(plan, self.title, first)]
@@ -100,8 +97,6 @@ class Checks:
         title, rows, checks = self.title, self.plan.rows, [*enumerate(self.checks, DATA)]
         return Checked(
             Spot(title, self.first, COUNT_COL, rows), Spot(title, TYPED_ROW, VALUE), Spot(title, ROUNDING_ROW, VALUE),
-            Spot(title, REASONS_ROW, VALUE, len(self.reasons)).whole(),
-            Spot(title, self.dead_row, VALUE, len(self.dead) + 1).whole(),
             {check.group: Spot(title, self.first, col, rows) for col, check in checks if check.kind == "margin"},
             {
                 check.group: (Spot(title, self.most_row, col), Spot(title, self.at_row, col))
@@ -188,9 +183,9 @@ class _Writer(Cells):
     # --- what holds for the whole table -----------------------------------------------------------------------
 
     def _whole(self) -> None:
-        """Cells typed over, what counts as rounding, and the words for rows without a position."""
+        """Cells typed over, and what counts as rounding."""
         plan = self.plan
-        for row, key in ((TYPED_ROW, "typed"), (ROUNDING_ROW, "rounding"), (REASONS_ROW, "reasons")):
+        for row, key in ((TYPED_ROW, "typed"), (ROUNDING_ROW, "rounding")):
             self.put(row, 0, plan.text(f"checks.{key}"), styles.LABEL)
             self.put(row, 1, None, styles.LABEL)
             self.merge(row, 0, 1)
@@ -203,14 +198,6 @@ class _Writer(Cells):
         self.colour(area, typed, styles.BAD)
         rounding = formula("times*tolerance", times=ROUNDING, tolerance=Symbol(plan.equations.tolerance))
         self.formula(ROUNDING_ROW, VALUE, rounding, styles.numbered(styles.RESULT, styles.ERROR.number_format))
-        for index, words_ in enumerate(self.at.reasons):
-            self.put(REASONS_ROW + index, VALUE, words_, styles.VERDICT)
-        if self.at.dead:
-            self.put(self.at.dead_row, 0, plan.text("checks.dead", rates=plan.at.titles["rates"]), styles.LABEL)
-            self.put(self.at.dead_row, 1, None, styles.LABEL)
-            self.merge(self.at.dead_row, 0, 1)
-            for index, words_ in enumerate([*self.at.dead, plan.text("status.ok")]):
-                self.put(self.at.dead_row + index, VALUE, words_, styles.VERDICT)
 
     # --- the table --------------------------------------------------------------------------------------------
 
@@ -316,7 +303,7 @@ def rows_apart(plan: Plan) -> list[Node]:
     own = Symbol(ALL + plan.mechanism.driver.symbol)
     return [
         formula(
-            "IF(ROWS(rows)=count,IFERROR(SUMPRODUCT((rows<>own)*1),0),1)", own=own, count=plan.searched.rows.cell,
+            "IFERROR(IF(ROWS(rows)=count,SUMPRODUCT((rows<>own)*1),1),0)", own=own, count=plan.searched.rows.cell,
             rows=RangeRef(top, replace(top, row=top.row + plan.rows - 1)),
         )
         for top in sheets_in_rows(plan).values()

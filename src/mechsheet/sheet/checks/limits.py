@@ -73,7 +73,7 @@ class Limits:
         ]
 
     def _named(self, number: int, spot: Spot) -> Spot:
-        """The driver's value at a limit has a name, the same in both languages."""
+        """The driver's value at a limit has a name, the same in all languages."""
         names = self.plan.names
         name = safe_name(f"limit_{number}", {folded(each.name) for each in names})
         names.append(Name(name, spot.sheet, spot.row, spot.col))
