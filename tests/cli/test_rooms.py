@@ -44,7 +44,7 @@ COMMANDS = {
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_command_loads_no_room_that_it_does_not_use(command, tmp_path):
     arguments = command.format(folder=tmp_path).split()
-    found = subprocess.run([sys.executable, "-c", RUN, *arguments], capture_output=True, text=True)
+    found = subprocess.run([sys.executable, "-c", RUN, *arguments], check=False, capture_output=True, text=True)
     assert found.returncode < 2  # 1: `check` has found something
     loaded = set(eval(found.stderr.splitlines()[-1]))
     assert loaded <= COMMANDS[command]
