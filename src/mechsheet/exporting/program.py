@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from importlib.resources import files
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node, Number, Symbol
@@ -106,11 +107,12 @@ _NUMBERS = {
 """Of Newton's method, by their marks in what languages bring along."""
 
 
-def with_numbers(helpers: str) -> str:
-    """What a language brings along, with the numbers of Newton's method in it."""
+def brought(name: str) -> str:
+    """What a language brings along, a file of that language, with the numbers of Newton's method in it."""
+    text = files("mechsheet.exporting").joinpath("brought", name).read_text(encoding="utf-8")
     for mark, number in _NUMBERS.items():
-        helpers = helpers.replace(f"@@{mark}@@", repr(number))
-    return helpers
+        text = text.replace(f"@@{mark}@@", repr(number))
+    return text
 
 
 def commented(code: str, words: str, mark: str) -> list[str]:

@@ -513,7 +513,7 @@ class Mechanism:
     summaries: tuple[Summary, ...] = ()
     charts: tuple[ChartRequest, ...] = ()
     tables: tuple[TableRequest, ...] = ()
-    language: Literal["en", "tr"] = "en"
+    language: str = "en"
     references: Literal["names", "anchors"] = "names"
     layout: Literal["sheets", "page"] = "sheets"
     drawn: bool = True

@@ -91,10 +91,9 @@ class _Judge(SearchedMotion):
 
     def result(self) -> Comparison:
         """All findings that this layout has."""
-        for finding in findings_of(self.plan.mechanism, self.plan.found):
-            if finding.key in self.plan.places.lines:
-                for key, expected in finding.expected(self).items():
-                    self._judge(key, expected)
+        for finding in findings_of(self.plan.mechanism, self.plan.found, by_rows=self.page):
+            for key, expected in finding.expected(self).items():
+                self._judge(key, expected)
         self._line()  # last: it repeats the others
         return self.tally.result()
 

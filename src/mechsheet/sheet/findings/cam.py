@@ -116,7 +116,7 @@ class ContactForce(Finding):
         least, place = on.extreme("min", CONTACT)
         unit = on.plan.equations.of(CONTACT).unit
         before, between, after = on.text(f"{self.key}.lifts", place="#", force="#").split("#")
-        at = on.driver_text(on.place(self.key))
+        at = on.driver_text(on.beside(self.key, place))
         lifts = joined(before, at, between, formula("ROUND(value,2)", value=value), f" {unit.text}{after}")
         words = formula("IF(value<0,lifts,stays)&doubt", value=value, lifts=lifts, stays=on.text(f"{self.key}.stays"),
                         doubt=on.doubt(CONTACT, "min"))  # fmt: skip

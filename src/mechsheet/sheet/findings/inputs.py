@@ -15,7 +15,6 @@ from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text
 from livesheet.workbook import Area, Conditional
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.deleted import missing_words
 from mechsheet.sheet.findings.finding import Finding, Line, bad, good
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
@@ -43,14 +42,17 @@ CHOICES = 29
 class Inputs(Finding):
     """Which yellow cell holds what cannot be; it is red, and so is the line."""
 
-    key = "inputs"
+    key, by_rows = "inputs", True
 
     def line(self, on: Reading) -> Line:
         plan, said = on.plan, on.words(self.key)
+        position, known = on.inputs_fit()
         fine = on.text("inputs.fine")
-        fits = formula("IF(known,fine,misfit)", known=on.found.fine.cell, fine=fine, misfit=on.text("inputs.misfit"))
-        nowhere = formula("said=words", said=said, words=no_position(plan))
-        others = on.while_there("extremes", where_it_is(plan, on.found.there.cell, fits), missing_words(plan))
+        fits: Node = Text(fine)
+        if known is not None:
+            fits = formula("IF(known,fine,misfit)", known=known, fine=fine, misfit=on.text("inputs.misfit"))
+        nowhere = formula("said=words", said=said, words=no_position(plan)) if plan.places.position else None
+        others = on.while_there("extremes", where_it_is(plan, position, fits))
         return Line(
             on.text(self.key), first_wrong(plan), words(plan, on.value(self.key), others), itself=("words",),
             levels=(bad("said<>fine", said=said, fine=fine), good("said=fine", said=said, fine=fine)),
@@ -61,7 +63,9 @@ class Inputs(Finding):
         return formula('IF(wrong>0,words&"; ","")', wrong=on.value(self.key), words=on.words(self.key))
 
     def overrules(self, on: Reading, title: Node) -> Node:
-        return formula("IF(fine,title,said)", fine=on.found.fine.cell, title=title, said=on.words(self.key))
+        said, (_, known) = on.words(self.key), on.inputs_fit()
+        fine = known or formula("said=fine", said=said, fine=on.text("inputs.fine"))
+        return formula("IF(fine,title,said)", fine=fine, title=title, said=said)
 
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
         return {self.key: Expected([0.0], told=False)}
