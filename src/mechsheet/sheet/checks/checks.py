@@ -24,7 +24,7 @@ from mechsheet.sheet.checks.search_rules import DIP
 from mechsheet.sheet.places import Checked
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
-from mechsheet.sheet.table.positions import heading
+from mechsheet.sheet.table.positions import SYMBOL_ROW, heading
 
 ROUNDING = 1e3
 """Lengths are equal up to so many times what counts as zero (1e-12 of the largest length): 1e-9 of it."""
@@ -312,8 +312,10 @@ def rows_apart(plan: Plan) -> list[Node]:
 
 
 def _without_formula(area: RangeRef) -> Node:
-    # 0 in programs that do not ask a whole range
-    return formula("IFERROR(SUMPRODUCT(1-ISFORMULA(area)),0)", area=area)
+    """The cells in columns with a heading: one without is a person's own, or still empty. 0 in programs that do not ask a
+    whole range."""
+    heads = (replace(corner, row=SYMBOL_ROW) for corner in (area.start, area.end))
+    return formula('IFERROR(SUMPRODUCT((1-ISFORMULA(area))*(heads<>"")),0)', area=area, heads=RangeRef(*heads))
 
 
 def _least_nearby(margin: str, plan: Plan) -> Node:
