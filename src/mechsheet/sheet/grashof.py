@@ -25,6 +25,10 @@ OPEN = 2 * (1 + SAME)
 others together."""
 
 
+WORTH = 0.1
+"""A first link that would have to be shorter than this part of what it is to turn fully is no advice."""
+
+
 def excess_of(plan: Plan, shortest: Node, longest: Node, total: Node) -> Node:
     """Shortest + longest - the other two: below 0 some link turns fully (Grashof), 0 at a change point. #N/A where an
     input cannot be.
@@ -37,7 +41,7 @@ def excess_of(plan: Plan, shortest: Node, longest: Node, total: Node) -> Node:
 
 def bound_of(sides: Sides, shortest: Node, excess: Node) -> Node:
     """What would mend it, in words: up to which length of its longest link a loop closes that cannot be closed, or of its
-    first link this one turns fully, where no link does. Below 0 where no length is short enough.
+    first link this one turns fully, where no link does. Nothing where it would have to be next to nothing.
     """
     ground, first, coupler, last = sides.lengths
     longest, total = Call("MAX", sides.all), Call("SUM", sides.all)
@@ -47,8 +51,9 @@ def bound_of(sides: Sides, shortest: Node, excess: Node) -> Node:
         others = (ground, RangeRef(coupler, replace(last, sheet=coupler.sheet)))
     turns = formula("total-first-2*most", total=total, first=first, most=Call("MAX", others))
     return formula(
-        'IF(excess>open_from*shortest,closes,IF(excess>0,turns,""))', excess=excess, shortest=shortest, open_from=OPEN,
-        closes=closes, turns=joined(sides.names[1] + AT_MOST, _at_most(turns, sides.places)),
+        'IF(excess>open_from*shortest,closes,IF(AND(excess>0,turns>worth*first),said,""))', excess=excess,
+        shortest=shortest, open_from=OPEN, closes=closes, turns=turns, worth=WORTH, first=first,
+        said=joined(sides.names[1] + AT_MOST, _at_most(turns, sides.places)),
     )  # fmt: skip
 
 
@@ -67,9 +72,11 @@ def type_of(
     text   the words of `open`, `change`, `none`
     bound  what would mend it, as `bound_of` says: a cell
     """
-    opened, none = (
-        Text(text(word)) if bound is None else joined(text(word) + text("unless"), bound) for word in ("open", "none")
-    )
+    opened: Node = Text(text("open"))
+    none: Node = Text(text("none"))
+    if bound is not None:
+        opened = joined(opened, text("unless"), bound)
+        none = joined(none, formula('IF(bound="","",unless&bound)', bound=bound, unless=text("unless")))
     return formula(
         "IF(excess>open_from*shortest,opened,IF(excess=0,change,IF(excess>0,none,which)))",
         excess=excess, shortest=shortest, open_from=OPEN, which=which, opened=opened,

@@ -112,7 +112,7 @@ def test_where_the_follower_lifts_off_and_the_spring_that_holds_it():
     least = book.number("contact_force")
     assert needed - 48 == pytest.approx(-least / 25)  # they touch where the force was least
     said = book.words("holding_spring")
-    assert said == f"{-least:.1f} N more preload of K would hold it: free length at least this"
+    assert said == f"{-least:.1f} N more preload of K needed: at least this"
     needed = math.ceil(100 * needed) / 100
     book.type(speed=4000, l0=needed)
     assert book.words("contact_force") == "the follower stays on the cam"
@@ -126,7 +126,7 @@ def test_a_spring_that_pulls_is_to_be_shorter():
     text = text.replace('S = [0, "rb + 15 + l1"]', 'S = [0, "rb + 15 - l1"]').replace("value = 48", "value = 32")
     mechanism = loads(text.replace("value = 3000", "value = 4000"))
     needed, words = line(mechanism, "holding_spring")
-    assert words.endswith("free length at most this")
+    assert words.endswith("needed: at most this")
     held = loads(text.replace("value = 3000", "value = 4000").replace("value = 32", f"value = {needed}"))
     assert line(held, "contact_force")[0] >= 0
 

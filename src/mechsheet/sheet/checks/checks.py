@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted, with_symbols
 from livesheet.workbook import Area, Column, PrintSetup, Sheet
 from mechsheet.kinematics.numeric import runs_of
 from mechsheet.sheet import styles
@@ -20,10 +20,11 @@ from mechsheet.sheet.checks.assemblies import assembly_columns
 from mechsheet.sheet.checks.efforts import AGREES, effort_columns
 from mechsheet.sheet.checks.fits import fit_columns
 from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
+from mechsheet.sheet.checks.search_rules import DIP
 from mechsheet.sheet.places import Checked
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
-from mechsheet.sheet.table.positions import heading
+from mechsheet.sheet.table.positions import SYMBOL_ROW, heading
 
 ROUNDING = 1e3
 """Lengths are equal up to so many times what counts as zero (1e-12 of the largest length): 1e-9 of it."""
@@ -311,22 +312,18 @@ def rows_apart(plan: Plan) -> list[Node]:
 
 
 def _without_formula(area: RangeRef) -> Node:
-    # 0 in programs that do not ask a whole range
-    return formula("IFERROR(SUMPRODUCT(1-ISFORMULA(area)),0)", area=area)
+    """The cells in columns with a heading: one without is a person's own, or still empty. 0 in programs that do not ask a
+    whole range."""
+    heads = (replace(corner, row=SYMBOL_ROW) for corner in (area.start, area.end))
+    return formula('IFERROR(SUMPRODUCT((1-ISFORMULA(area))*(heads<>"")),0)', area=area, heads=RangeRef(*heads))
 
 
 def _least_nearby(margin: str, plan: Plan) -> Node:
-    """The margin of a row that exists between two others: of the parabola through them where that dips between.
-
-    m - (c - a)^2 / (8 (a - 2 m + c)), for a > m < c
-    """
+    """The margin of a row that exists between two others: of the parabola through them where that dips between."""
     before, here, after = (plan.at.cell(margin, plan.at.titles["checks"], plan.at.first + step) for step in (-1, 0, 1))
     said = RangeRef(*(CellRef(plan.at.first + step, STATUS, sheet=plan.table) for step in (-1, 1)))
-    return formula(
-        'IFERROR(IF(COUNTIF(said,ok)<3,"",IF(AND(before>here,after>here),'
-        "here-(after-before)^2/(8*(before-2*here+after)),here)),\"\")",
-        before=before, here=here, after=after, said=said, ok=plan.text("status.ok"),
-    )  # fmt: skip
+    least = with_symbols(DIP, {"before": before, "here": here, "after": after})
+    return formula('IFERROR(IF(COUNTIF(said,ok)<3,"",least),"")', least=least, said=said, ok=plan.ok)
 
 
 def _leaps(plan: Plan, sheet: str) -> list[Node]:
