@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from mechsheet.model import Mechanism
-from mechsheet.sheet.classification import Classification, segments_of
+from mechsheet.sheet.classification import Classification
 from mechsheet.sheet.findings import cam, closing, forces, limits, newton, rates, ratios
 from mechsheet.sheet.findings.finding import Finding
 from mechsheet.sheet.findings.four_bars import FourBarType
@@ -62,10 +62,6 @@ def _effort(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
         yield from (cam.PressureAngle(), cam.LeastRadius())
         if found.forces:
             yield from cam.contact_findings(mechanism, found.cam)
-    yield from cam.largest_rates(mechanism)
-    motion = segments_of(mechanism)
-    if motion is not None:
-        yield cam.Leaping("velocity_leaps", motion, 1, "bad")
-        yield cam.Leaping("acceleration_leaps", motion, 2, "look")
+    yield from cam.motion_findings(mechanism)
     if found.flywheel:
         yield from (forces.MeanTorque(), forces.EnergyChange(), forces.FlywheelInertia())
