@@ -20,7 +20,7 @@ def findings_of(mechanism: Mechanism, found: Classification, by_rows: bool = Fal
 
     by_rows  only those that rows alone tell, which a page has
     """
-    findings = [OtherSheets(), *_closing(found, by_rows), *_motion(found), *_effort(mechanism, found)]
+    findings = [OtherSheets(), *_closing(found, by_rows), *_motion(mechanism, found), *_effort(mechanism, found)]
     return [finding for finding in findings if finding.by_rows] if by_rows else findings
 
 
@@ -39,12 +39,14 @@ def _closing(found: Classification, by_rows: bool) -> Iterator[Finding]:
         yield from (newton.SameAssembly(), newton.LargestResidual(), newton.PassesNeeded(), newton.LeastDeterminant())
 
 
-def _motion(found: Classification) -> Iterator[Finding]:
+def _motion(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
     """What links it has, how far they go, how well they transmit force."""
     yield from (FourBarType(loop, first=loop is found.four_bars[0]) for loop in found.four_bars)
     yield from (ratios.Swing(link.angle_symbol) for link in found.swings)
     yield from (ratios.Stroke(joint.symbol) for joint in found.strokes)
     yield from (ratios.TimeRatio(symbol) for symbol in found.returning)
+    if mechanism.driver.law is None and not mechanism.driver.uneven:
+        yield from (ratios.SlowWay(symbol) for symbol in found.returning)
     yield from (Transmission(group, found.transmission) for group in found.transmission)
 
 
