@@ -62,6 +62,35 @@ Sub Seek(document As Object, goal As Variant)
     changed.getCellByPosition(0, 0).setValue(found.Result)
 End Sub
 
+Function ColumnOf(sheet As Object, letters As String) As Long
+    ColumnOf = sheet.getCellRangeByName(letters & "1").CellAddress.Column
+End Function
+
+Sub Edit(document As Object, change As Variant)
+    Dim sheets As Object, sheet As Object, area As Object, moved As New com.sun.star.table.CellAddress
+    Dim field(1) As New com.sun.star.table.TableSortField
+    sheets = document.Sheets
+    If Not sheets.hasByName(change(1)) Then Exit Sub
+    sheet = sheets.getByName(change(1))
+    Select Case change(0)
+        Case "delete sheet": sheets.removeByName(change(1))
+        Case "rename": sheet.Name = change(2)
+        Case "insert rows": sheet.Rows.insertByIndex(CLng(change(2)) - 1, CLng(change(3)))
+        Case "delete rows": sheet.Rows.removeByIndex(CLng(change(2)) - 1, CLng(change(3)))
+        Case "insert columns": sheet.Columns.insertByIndex(ColumnOf(sheet, change(2)), CLng(change(3)))
+        Case "delete columns": sheet.Columns.removeByIndex(ColumnOf(sheet, change(2)), CLng(change(3)))
+        Case "fill down": sheet.getCellRangeByName(change(2)).fillAuto(com.sun.star.sheet.FillDirection.TO_BOTTOM, 1)
+        Case "type": sheet.getCellRangeByName(change(2)).setFormula(change(3))
+        Case "protect": sheet.protect("")
+        Case "move": sheets.moveByName(change(1), CLng(change(2)))
+        Case "sort"
+            area = sheet.getCellRangeByName(change(2))
+            field(0).Field = 1
+            field(0).IsAscending = False
+            area.sort(Array(Setting("SortFields", field()), Setting("ContainsHeader", False)))
+    End Select
+End Sub
+
 Sub Work(folder As String)
     Dim jobs As Variant, lines As Variant, number As Long, row As Long
     Dim document As Object, library As Object, url As String, stem As String, origin As Object
@@ -78,6 +107,12 @@ Sub Work(folder As String)
             document.Sheets.importSheet(origin, origin.Sheets.getByIndex(0).Name, 0)
             origin.close(True)
         End If
+        If FileExists(stem & ".edits") Then
+            lines = Split(WholeText(stem & ".edits"), Chr(10))
+            For row = 0 To UBound(lines)
+                Edit document, Split(lines(row), Chr(9))
+            Next row
+        End If
         If FileExists(stem & ".goal") Then Seek document, Split(WholeText(stem & ".goal"), Chr(10))
         If FileExists(stem & ".bas") Then
             If Not document.BasicLibraries.hasByName("Standard") Then document.BasicLibraries.createLibrary("Standard")
@@ -92,6 +127,9 @@ Sub Work(folder As String)
             document.calculateAll()  ' the second time in another order
         End If
         document.storeToURL(ConvertToURL(stem & ".xlsx"), Array(Setting("FilterName", "Calc MS Excel 2007 XML")))
+        If FileExists(stem & ".edits") And Right(jobs(number), 4) = ".ods" Then
+            document.storeToURL(ConvertToURL(stem & ".edited.ods"), Array(Setting("FilterName", "calc8")))
+        End If
         document.close(True)
     Next number
     StarDesktop.terminate()
@@ -109,6 +147,7 @@ class Job:
 
     copied  True: the document's first sheet is copied into a new document, which is what is computed
     sought  a cell with a formula, the cell that is changed for it, both by name, and what the first is to be: Goal Seek
+    edits   what a person does to the document, one after the other: ("delete sheet", "Checks"), see `Edit` above
     """
 
     document: Path | None = None
@@ -116,54 +155,69 @@ class Job:
     module: bytes = b""
     formulas: Sequence[str] = ()
     sought: tuple[str, str, float] | None = None
+    edits: Sequence[Sequence[object]] = ()
 
 
 def with_macros(jobs: Sequence[Job]) -> list[Answers]:
     """What LibreOffice computes in each job's document; one start for all."""
-    command = libreoffice_command()
-    assert command is not None
     with tempfile.TemporaryDirectory(prefix="mechsheet-macros-") as place:
         folder = Path(place)
-        profile = f"-env:UserInstallation={(folder / 'profile').as_uri()}"
-        # The first start fills the profile, and would write over what stands there.
-        _run([command, profile, "--headless", "--terminate_after_init"])
-        standard = folder / "profile" / "user" / "basic" / "Standard"
-        (standard / "script.xlb").write_text(LIBRARY, encoding="utf-8")
-        (standard / "Runner.xba").write_text(MODULE.format(escape(RUNNER)), encoding="utf-8")
-        for number, job in enumerate(jobs):
-            if job.document is not None:
-                shutil.copy(job.document, folder / f"{number}{job.document.suffix}")
-            if job.copied:
-                (folder / f"{number}.copied").touch()
-            if job.sought:
-                (folder / f"{number}.goal").write_text("\n".join(map(str, job.sought)), encoding="utf-8")
-            if job.module:
-                (folder / f"{number}.bas").write_bytes(job.module)
-                (folder / f"{number}.txt").write_text("\n".join(job.formulas), encoding="utf-8")
-        listed = [
-            str(folder / f"{number}{job.document.suffix}") if job.document else "new" for number, job in enumerate(jobs)
-        ]
-        (folder / "jobs.txt").write_text("\n".join(listed), encoding="utf-8")
-        macro = f"macro:///Standard.Runner.Work({folder})"
-        _run([command, profile, "--headless", macro])
+        _work(jobs, folder)
         return [stored_values(folder / f"{number}.xlsx") for number in range(len(jobs))]
 
 
-def _run(command: list[str]) -> None:
+def edited(jobs: Sequence[Job], folder: Path) -> list[Path]:
+    """The documents as LibreOffice saves them after a person's edits, each in its own format; one start for all."""
+    _work(jobs, folder)
+    suffixes = [".edited.ods" if job.document and job.document.suffix == ".ods" else ".xlsx" for job in jobs]
+    return [folder / f"{number}{suffix}" for number, suffix in enumerate(suffixes)]
+
+
+def _work(jobs: Sequence[Job], folder: Path) -> None:
+    command = libreoffice_command()
+    assert command is not None
+    profile = f"-env:UserInstallation={(folder / 'profile').as_uri()}"
+    # The first start fills the profile, and would write over what stands there.
+    _run([command, profile, "--headless", "--terminate_after_init"])
+    standard = folder / "profile" / "user" / "basic" / "Standard"
+    (standard / "script.xlb").write_text(LIBRARY, encoding="utf-8")
+    (standard / "Runner.xba").write_text(MODULE.format(escape(RUNNER)), encoding="utf-8")
+    listed = []
+    for number, job in enumerate(jobs):
+        stem = folder / f"{number}"
+        if job.document is not None:
+            own = stem.with_name(f"{number}.given{job.document.suffix}")
+            shutil.copy(job.document, own)
+        listed.append(str(own) if job.document else "new")
+        if job.copied:
+            stem.with_suffix(".copied").touch()
+        if job.sought:
+            stem.with_suffix(".goal").write_text("\n".join(map(str, job.sought)), encoding="utf-8")
+        if job.edits:
+            lines = ("\t".join(map(str, edit)) for edit in job.edits)
+            stem.with_suffix(".edits").write_text("\n".join(lines), encoding="utf-8")
+        if job.module:
+            stem.with_suffix(".bas").write_bytes(job.module)
+            stem.with_suffix(".txt").write_text("\n".join(job.formulas), encoding="utf-8")
+    (folder / "jobs.txt").write_text("\n".join(listed), encoding="utf-8")
+    _run([command, profile, "--headless", f"macro:///Standard.Runner.Work({folder})"], PATIENCE + len(jobs))
+
+
+def _run(command: list[str], patience: float = PATIENCE) -> None:
     """Run LibreOffice with all that it starts; a macro that does not compile shows a message and would wait for ever.
 
     Once in some hundred starts LibreOffice itself breaks down: then it is started once more.
     """
-    assert _ended(command) == 0 or _ended(command) == 0
+    assert _ended(command, patience) == 0 or _ended(command, patience) == 0
 
 
-def _ended(command: list[str]) -> int:
+def _ended(command: list[str], patience: float) -> int:
     """The exit code."""
     with subprocess.Popen(
         command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True
     ) as process:
         try:
-            return process.wait(timeout=PATIENCE)
+            return process.wait(timeout=patience)
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             raise

@@ -303,6 +303,7 @@ SHEET = (
         "plan",
         "driving",
         "over_rows",
+        "deleted",
         "shown",
         "cells",
         "transmission",

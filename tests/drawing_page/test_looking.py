@@ -12,6 +12,7 @@ from chosen import but, some
 from loaded_mechanisms import SUSPENSION
 from mechsheet import reference
 from mechsheet.drawing_page.answers import Studio
+from mechsheet.drawing_page.cells import typed_in_cell
 from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.reading import read
 from mechsheet.kinematics.sweep import rough_poses
@@ -193,3 +194,19 @@ def test_titles_and_reasons_come_in_both_languages():
 def test_an_answer_is_small(path):
     """It is sent with every step of a drag."""
     assert len(json.dumps(looked(path.read_text(encoding="utf-8")))) < 250_000
+
+
+@pytest.mark.parametrize("name", ["cam-slide", "cam-rocker", "cam-valve"])
+def test_a_cam_is_drawn_and_its_segments_can_be_typed(name):
+    """Profile, base circle and what touches are shapes of every position; angles and ways are cells of the list."""
+    text = (FOUR_BAR.parent / f"{name}.toml").read_text(encoding="utf-8")
+    found = looked(text)
+    assert [shape["kind"] for shape in found["shapes"]].count("cam") >= 3
+    cells = {cell["place"]: cell["value"] for cell in found["cells"]}
+    assert cells["driver.segments[1].over"] in (80, 90, 110)
+    changed = typed_in_cell(read(text, "mine.toml"), "driver.segments[1].over", "100")
+    assert read(changed, "mine.toml").compiled.mechanism.drivers[0].segments.parts[0].law in changed
+    assert {cell["place"]: cell["value"] for cell in looked(changed)["cells"]} == {
+        **cells,
+        "driver.segments[1].over": 100,
+    }

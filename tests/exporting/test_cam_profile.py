@@ -15,6 +15,28 @@ from mechsheet.exporting.job import Job
 TEMPLATES = Path(__file__).resolve().parents[2] / "templates"
 
 
+def measured(places):
+    """The perimeter and the area of a closed line."""
+    x, y = np.asarray(places).T
+    length = np.sum(np.hypot(x - np.roll(x, 1), y - np.roll(y, 1)))
+    return length, abs(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
+
+
+def test_dxf_of_a_flat_faced_cam_is_as_long_and_as_large_as_its_support_function_says():
+    """Cauchy: L is the integral of p over a turn, A half that of p^2 - p'^2, where p = rb + s and p' = s'."""
+    ezdxf = pytest.importorskip("ezdxf")
+    job = Job(load(TEMPLATES / "cam-flat.toml", Overrides(rows="721")), "cam")
+    document = ezdxf.read(io.StringIO(write(job)[0].decode("utf-8").replace("\r\n", "\n")))
+    assert not document.audit().errors
+    outline = next(line for line in document.modelspace().query("LWPOLYLINE") if line.dxf.layer == "cam")
+    assert outline.closed
+    length, area = measured([point[:2] for point in outline.get_points()])
+    support, slope = (job.compiled.values[name][:-1] for name in ("s", "s.d"))
+    inscribed = 2e-5  # a polygon of 720 corners is less than the curve by (pi/360)^2/6 of it
+    assert length == pytest.approx(2 * np.pi * np.mean(support), rel=inscribed)
+    assert area == pytest.approx(np.pi * np.mean(support**2 - slope**2), rel=inscribed)
+
+
 def test_dxf_of_the_profile():
     ezdxf = pytest.importorskip("ezdxf")
     mechanism = load(TEMPLATES / "cam-slide.toml", Overrides(rows="721"))
@@ -28,16 +50,11 @@ def test_dxf_of_the_profile():
     values = job.compiled.values
     own = np.column_stack([values["cam.x"], values["cam.y"]])[:-1]
     assert np.max(np.abs(found - own)) < 1e-9
-    x, y = found.T
-    area = abs(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
-    phi = values["phi"]
-    exact = abs(
-        np.trapezoid(
-            0.5 * (own[:, 0] * np.gradient(own[:, 1], phi[:-1]) - own[:, 1] * np.gradient(own[:, 0], phi[:-1])),
-            phi[:-1],
-        )
-    )
-    assert area == pytest.approx(exact, rel=1e-2)
+    # the profile is parallel to the pitch curve: L - 2 pi r, A - r L + pi r^2
+    pitch = np.array([point[:2] for point in lines["pitch curve"].get_points()])
+    (length, area), (long, large), radius = measured(found), measured(pitch), 10
+    assert length == pytest.approx(long - 2 * np.pi * radius, rel=1e-5)
+    assert area == pytest.approx(large - radius * long + np.pi * radius**2, rel=1e-5)
     assert any(point.dxf.layer == "POINTS O" for point in document.modelspace().query("POINT"))
 
 

@@ -129,3 +129,21 @@ def test_undercut_is_where_the_base_circle_is_too_small_by_a_millionth(seed):
     for more in (-1e-6, 1e-6):
         changed = text.replace(f"base_radius = {base}", f"base_radius = {base - least + more}")
         assert (np.min(solved(changed)[3]["rho"]) > 0) == (more > 0)
+
+
+@pytest.mark.parametrize("seed", part(range(50), 12))
+def test_undercut_is_where_the_roller_is_too_large_by_a_millionth(seed):
+    """Of one pitch curve: the roller may be as large as its sharpest place is round, and no larger."""
+    text = cam(seed, "slide")
+    base, wheel = (float(re.search(rf"{key} = ([0-9.]+)", text)[1]) for key in ("base_radius", ", radius"))
+    sharpest = 1 / float(np.max(solved(text)[3]["kappa"]))
+    for more in (-1e-6, 1e-6):
+        radius = sharpest + more
+        if radius >= base + wheel:  # as round as the base circle: any roller fits
+            return
+        changed = text.replace(f"base_radius = {base}", f"base_radius = {base + wheel - radius}")
+        changed = changed.replace(
+            f", radius = {wheel:g} " if wheel == 0 else f", radius = {wheel} ", f", radius = {radius} "
+        )
+        found = solved(changed)[3]
+        assert (np.min(found["rho"][found["kappa"] > 0]) <= 0) == (more > 0)

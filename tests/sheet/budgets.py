@@ -51,8 +51,9 @@ A_PASS = 10
 IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anchors"): 160}
 """Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""
 
-ELSEWHERE = {"names": 400, "anchors": 520}
-"""Characters of the longest formula beside the table of several sheets."""
+ELSEWHERE = {"names": 420, "anchors": 540}
+"""Characters of the longest formula beside the table of several sheets; 20 of them say what is left where a sheet was
+deleted."""
 LONGER = {"planar-3rpr": 430, "stephenson-iii-output": 418, "stephenson-ii-class-iv": 409}
 """Whether the accelerations of four links fit, which Newton's method has found at once."""
 

@@ -43,6 +43,18 @@ def test_both_layouts_say_the_same_type(language):
 
 
 @pytest.mark.parametrize("layout", ["sheets", "page"])
+def test_no_length_is_advised_that_no_link_can_have(layout):
+    """A first link of a sixtieth of its length, or of less than nothing, would turn fully."""
+    book = Book(FOUR_BAR, layout)
+    book.type(a1=70, a2=65, a3=63, a4=66)
+    assert "not Grashof unless a₂ ≤ " in book.line
+    for longest in (128, 180):
+        book.type(a1=longest, a2=65, a3=63, a4=66)
+        assert "not Grashof" in book.line
+        assert "unless" not in book.line
+
+
+@pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize(
     ("language", "alone"),
     [("en", "loop A0AKB0 alone: crank-rocker, "), ("tr", "yalnız A0AKB0 devresi: krank-sarkaç, ")],

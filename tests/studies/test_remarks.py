@@ -6,7 +6,6 @@ from collections import Counter
 
 import numpy as np
 import pytest
-from placed import places_of
 
 from chosen import IN_CI
 from mechsheet import open_book
@@ -63,7 +62,7 @@ def said_in_workbook(mechanism, values, modes):
         words = str(compiled.value(Spot(compiled.plan.main, row, MEANING)))
         remark = re.search(r" \((about|or beyond|grows without bound|rows only)\)$", words)
         found[name] = compiled.number(Spot(compiled.plan.main, row, VALUE)), remark[0] if remark else ""
-    return found, compiled.number(places_of(compiled.plan)["count"])
+    return found
 
 
 def said_in_study(remarks, name):
@@ -82,24 +81,19 @@ def test_a_study_marks_what_the_workbook_marks(case):
     designs = Designs(mechanism)
     found = designs.kept(0, count)
     seen: Counter[str] = Counter()
-    unknown_limits = 0
     for place in range(count):
         values = {one: float(found.columns[one][place]) for one in designs.varied}
         try:
-            book, stretches = said_in_workbook(mechanism, values, designs.modes)
+            book = said_in_workbook(mechanism, values, designs.modes)
         except MechsheetError:  # closes nowhere
             continue
         for name, (number, remark) in book.items():
             own, said = float(found.columns[name][place]), said_in_study(found.remarks[place], name)
-            if remark == " (rows only)" and said != remark and stretches == 1:
-                unknown_limits += 1  # its three probes have not found a limit, which a study finds by halving
-                continue
             seen[remark] += 1
             assert said == remark, (name, values)
             assert np.isnan(own) == np.isnan(number), (name, values)
             if remark == " (rows only)" or name == "whole":
                 assert own == pytest.approx(number, rel=1e-9, nan_ok=True), (name, values)
-    assert unknown_limits < 0.2 * seen.total()
     assert seen[""]
     if IN_CI:
         assert seen[" (rows only)"]

@@ -23,7 +23,7 @@ from .values.cells import NUMBER, TEXT, Cells, Texts
 MOST_TEXTS = 1 << 20
 """Texts that computed cells may leave behind before everything is computed anew without them."""
 
-_MOST_COMPARED = 4096
+_MOST_COMPARED = 1024
 """Cells of a step that are compared with what they were: of more, that takes about as long as computing what reads them."""
 
 _MOST_KNOWN = 4096

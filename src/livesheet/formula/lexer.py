@@ -28,7 +28,10 @@ _ERROR_NAMES = (
     r"(?:N/A|DIV/0!|NUM!|VALUE!|REF!|NAME\?|NULL!|SPILL!|CALC!|FIELD!|BLOCKED!|UNKNOWN!|CONNECT!"
     r"|BUSY!|EXTERNAL!|PYTHON!|GETTING_DATA)"
 )
-_ERRORS = rf"(?P<error>\#{_ERROR_NAMES})"
+_DELETED = r"\#REF!\$?[A-Za-z]{1,3}\$?[1-9][0-9]{0,6}(?::\$?[A-Za-z]{1,3}\$?[1-9][0-9]{0,6})?"
+"""As Excel writes a reference to cells of a sheet that was deleted."""
+
+_ERRORS = rf"(?P<error>{_DELETED}|\#{_ERROR_NAMES})"
 
 _DESCRIPTION = rf"""
     (?P<space>\s+) | {_NUMBER}

@@ -91,6 +91,11 @@ class SheetParser(Parser):
             else:
                 return node
 
+    def error(self) -> ErrorValue:
+        """An error; one in place of a deleted sheet's title has the cells behind it."""
+        text = self.take().text
+        return ErrorValue("#REF!" if text.startswith("#REF!") else text)
+
     def simple_operand(self) -> Node:
         """A constant, a reference, a name, a function's call, an array, or something in parentheses."""
         token = self.next
@@ -100,7 +105,7 @@ class SheetParser(Parser):
             case "text":
                 return Text(self.take().text[1:-1].replace('""', '"'))
             case "error":
-                return ErrorValue(self.take().text)
+                return self.error()
             case "open":
                 return self.parenthesised()
             case "array":
@@ -219,7 +224,7 @@ class SheetParser(Parser):
         if "[" in sheet and self.next.kind in ("cell", "columns", "rows", "name", "function", "error"):
             return Foreign(token.text + self.take().text)
         if self.next.kind == "error":
-            return ErrorValue(self.take().text)
+            return self.error()
         if self.next.kind not in ("cell", "columns", "rows", "name"):
             raise self.unexpected(say("a reference or a name"))
         if ":" in sheet:

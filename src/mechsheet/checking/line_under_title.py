@@ -2,20 +2,18 @@
 
 A red line is never agreement: it says that an input cannot be, that nothing closes, or that a joint is open. It is known
 by what it does not say: that it closes, in all positions or in some. So it is found without the description, too, which
-somebody may have deleted, and in both languages.
+somebody may have deleted, and in every language.
 """
 
 from __future__ import annotations
 
 import re
-from typing import Any, get_args
+from typing import Any
 
 from livesheet.formula.book import Book
 from livesheet.formula.nodes import Scalar
 from mechsheet.sheet.plan import LEGEND_ROW, SYMBOL, VALUE, VERDICT_ROW
-from mechsheet.words.catalogue import Language, words
-
-LANGUAGES: tuple[Language, ...] = get_args(Language)
+from mechsheet.words.catalogue import LANGUAGES, words
 
 _CLOSES = ("verdict.line.all", "verdict.line.one", "verdict.line.closes")
 """How a line begins that is not red."""

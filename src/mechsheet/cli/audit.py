@@ -13,6 +13,7 @@ from livesheet.diagnostics import Fault, readable_name
 from livesheet.said import say
 from livesheet.time_limit import limited
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.words.catalogue import LANGUAGES
 
 from .common import JSON, MOST_SECONDS, at_lines_of, described, progress, say_written, seconds_option
 from .helping import Explained
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
     "--describe", metavar="OUT.toml", type=click.Path(path_type=Path),
     help="Without --against: write a description to start from.",
 )  # fmt: skip
-@click.option("--language", type=click.Choice(["en", "tr"]), help="Of the words, in place of the description's.")
+@click.option("--language", type=click.Choice(LANGUAGES), help="Of the words, in place of the description's.")
 @seconds_option(MOST_SECONDS)
 @JSON
 def audit(

@@ -11,6 +11,7 @@ import click
 from livesheet.diagnostics import Fault, OutputError, readable_name
 from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.words.catalogue import LANGUAGES
 
 from .common import (
     FORMATS_COMPLETED,
@@ -44,7 +45,7 @@ if TYPE_CHECKING:
 @click.option(
     "--format", "formats", shell_complete=FORMATS_COMPLETED, help="xlsx, ods, or both with a comma.  [default: xlsx]"
 )
-@click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the workbook.")
+@click.option("--language", type=click.Choice(LANGUAGES), help="Language of the workbook.")
 @click.option("--layout", type=click.Choice(["sheets", "page"]), help="Several sheets, or all on one.")
 @click.option("--tolerance", is_flag=True, help="Bands of all outputs and summaries by the dimensions' tolerances.")
 @click.option(

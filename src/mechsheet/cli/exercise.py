@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -10,11 +11,14 @@ from livesheet.diagnostics import Fault, readable_name
 from livesheet.said import say
 from mechsheet.arguments.outputs import folder_ready
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.model import Mechanism
+from mechsheet.words.catalogue import LANGUAGES
 
 from .common import at_lines_of, described, output_file, progress, say_written
 from .helping import Explained
 from .speaking import note
+
+if TYPE_CHECKING:
+    from mechsheet.model import Mechanism
 
 
 @click.command(cls=Explained, short_help="Give each student in a list different dimensions.")
@@ -29,7 +33,7 @@ from .speaking import note
     help="Folder to write into, or a .pdf for paper.",
 )
 @click.option("--seed", default=0, show_default=True, help="Another seed: other dimensions.")
-@click.option("--language", type=click.Choice(["en", "tr"]), help="Of the sheets, in place of the description's.")
+@click.option("--language", type=click.Choice(LANGUAGES), help="Of the sheets, in place of the description's.")
 def exercise(description: Path, class_list: Path | None, output: Path, seed: int, language: str | None) -> None:
     """Give each student in a list different dimensions, as [exercise] of the description says.
 

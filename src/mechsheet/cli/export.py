@@ -11,6 +11,7 @@ from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.arguments.outputs import folder_ready
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.words.catalogue import LANGUAGES
 
 from .common import (
     STANDARD_OUTPUT,
@@ -53,7 +54,7 @@ def _kinds() -> tuple[str, ...]:
 @output_option("File to write, or - to print it; with --frames, a folder.")
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
 @click.option("--frames", type=int, metavar="N", help="Draw N positions of the sweep, one file each.")
-@click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the file.")
+@click.option("--language", type=click.Choice(LANGUAGES), help="Language of the file.")
 @change_options
 def export(
     description: Path,

@@ -8,6 +8,7 @@ from typing import Any
 import click
 
 from mechsheet.arguments.outputs import folder_ready
+from mechsheet.words.catalogue import LANGUAGES
 
 from .common import at_lines_of, change_options, described, output_file, output_option, progress, say_written
 from .helping import Explained
@@ -17,7 +18,7 @@ from .helping import Explained
 @click.argument("description", type=click.Path(path_type=Path))
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
 @output_option("File to write: .svg, .png, .gif, .html or .pdf.")
-@click.option("--language", type=click.Choice(["en", "tr"]), help="Language of the picture.")
+@click.option("--language", type=click.Choice(LANGUAGES), help="Language of the picture.")
 @click.option("--vectors", is_flag=True, help="Velocities, accelerations and joint forces as arrows.")
 @change_options
 def plot(

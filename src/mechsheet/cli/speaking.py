@@ -1,4 +1,4 @@
-"""Which language the command line speaks: Turkish about a Turkish description and on a Turkish machine, else English.
+"""Which language the command line speaks: that of the description, or else of the machine; English where it has neither.
 
 What other programs read (--json, --csv, --junit, the names of files) is the same everywhere.
 """
@@ -17,6 +17,7 @@ import click
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.words.catalogue import ENGLISH, LANGUAGES
 
 _KEY = "mechsheet.language"
 """Where click's contexts, which share one mapping, keep the language of what is worked on."""
@@ -24,12 +25,9 @@ _KEY = "mechsheet.language"
 _IN_DESCRIPTION = re.compile(r"""^[^#\n]*\blanguage\s*=\s*["'](\w+)["']""", re.MULTILINE)
 """`language = "tr"`, also in a description that has other faults."""
 
-_TURKISH_WINDOWS = 0x1F
-"""Primary part of Windows' number of a language (winnt.h: LANG_TURKISH)."""
-
 
 def machine_language(environment: Mapping[str, str] = os.environ) -> str:
-    """ "en" or "tr": what the machine is set to, as other programs read it (LANGUAGE, LC_ALL, LC_MESSAGES, LANG).
+    """What the machine is set to, as other programs read it (LANGUAGE, LC_ALL, LC_MESSAGES, LANG).
 
     On Windows, where these are seldom set, the language of its menus.
     """
@@ -38,17 +36,24 @@ def machine_language(environment: Mapping[str, str] = os.environ) -> str:
         return _menus()
     plain = locale.partition(".")[0] in ("C", "POSIX")
     wanted = locale if plain else environment.get("LANGUAGE") or locale
-    return "tr" if re.match(r"tr\b|tr_", wanted) else "en"
+    return _ours(wanted)
 
 
 def _menus() -> str:
-    """The language of Windows' menus; "en" elsewhere."""
+    """The language of Windows' menus; English elsewhere."""
     if sys.platform != "win32":
-        return "en"
+        return ENGLISH
     import ctypes
+    import locale
 
     number: int = ctypes.windll.kernel32.GetUserDefaultUILanguage()
-    return "tr" if number & 0x3FF == _TURKISH_WINDOWS else "en"
+    return _ours(locale.windows_locale.get(number, ""))
+
+
+def _ours(wanted: str) -> str:
+    """The language of a locale, tr of tr_TR.UTF-8, where there is a catalogue of it; else English."""
+    language = re.split(r"\W|_", wanted)[0]
+    return language if language in LANGUAGES else ENGLISH
 
 
 def language_of(text: str) -> str:
@@ -74,28 +79,28 @@ def speak_of(path: Path) -> None:
 
 
 def spoken() -> str:
-    """ "en" or "tr": the language of messages."""
+    """The language of messages."""
     context = click.get_current_context(silent=True)
     ours = None if context is None else context.meta.get(_KEY)
-    return "tr" if ours == "tr" else machine_language()
+    return ours if ours in LANGUAGES and ours != ENGLISH else machine_language()
 
 
 def told(text: str) -> str:
     """A text as it is printed: what was said, in the language that is spoken."""
-    if spoken() == "en":
+    if spoken() == ENGLISH:
         return text
     from mechsheet.words.messages import text_in
 
-    return text_in(text, "tr")
+    return text_in(text, spoken())
 
 
 def fault_told(fault: Fault) -> str:
     """A fault as it is printed."""
-    if spoken() == "en":
+    if spoken() == ENGLISH:
         return str(fault)
     from mechsheet.words.messages import in_language
 
-    return str(in_language(fault, "tr"))
+    return str(in_language(fault, spoken()))
 
 
 def note(text: str) -> None:

@@ -26,6 +26,7 @@ from mechsheet.description.grammar import (
     YesNo,
 )
 from mechsheet.description.schema import DESCRIPTION
+from mechsheet.words.catalogue import LANGUAGES
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 FILE = "mechsheet.schema.json"
@@ -66,7 +67,7 @@ def _of(shape: Shape) -> Json:
             return {"type": "string", "enum": list(choices)} if choices else {"type": "string", "maxLength": longest}
         case Words(longest):
             text = {"type": "string", "maxLength": longest}
-            both = {"type": "object", "properties": {"en": text, "tr": text}, "additionalProperties": False}
+            both = {"type": "object", "properties": dict.fromkeys(LANGUAGES, text), "additionalProperties": False}
             return {"anyOf": [text, both | {"minProperties": 1}]}
         case Items(item, least, most, note):
             found: Json = {"type": "array", "items": _of(item), "minItems": least, "maxItems": most}

@@ -19,8 +19,8 @@ from mechsheet.description.text.index import Path
 from mechsheet.description.text.rewrite import with_value
 from mechsheet.description.text.source import Source
 from mechsheet.description.typed_value import scope_for, typed_value
+from mechsheet.words.catalogue import LANGUAGES
 
-LANGUAGES = ("en", "tr")
 LAYOUTS = ("sheets", "page")
 
 Values: TypeAlias = Mapping[str, str] | Sequence[tuple[str, str]]
@@ -33,7 +33,7 @@ class Overrides:
 
     values            of dimensions, of the task of a synthesis, of assembly modes: {"a1": "65"}; see `with_values`
     rows, step        of the driver's sweep, as typed: see `with_sweep`
-    language, layout  of the workbook: "en" or "tr", "sheets" or "page"
+    language, layout  of the workbook: one of `LANGUAGES`, "sheets" or "page"
     tolerance         bands of all outputs and summaries, where the description asks for none
     """
 
@@ -55,7 +55,9 @@ class Overrides:
         found = []
         if self.language not in (None, *LANGUAGES):
             message = say("unknown language {language}", language=quoted(str(self.language)))
-            found.append(Fault(message, hint=say('languages: "en", "tr"')))
+            found.append(
+                Fault(message, hint=say("languages: {languages}", languages=", ".join(map(quoted, LANGUAGES))))
+            )
         if self.layout not in (None, *LAYOUTS):
             message = say("unknown layout {layout}", layout=quoted(str(self.layout)))
             found.append(Fault(message, hint=say('layouts: "sheets", "page"')))

@@ -26,6 +26,7 @@ from mechsheet.description.grammar import (
     YesNo,
 )
 from mechsheet.model import LAWS, SEGMENT_LAWS, TAKES
+from mechsheet.words.catalogue import LANGUAGES
 
 FORMAT = 1
 
@@ -407,7 +408,7 @@ TABLE = Table(
 
 WORKBOOK = Table(
     {
-        "language": Key(Text(("en", "tr")), "language of sheet names, headings and notes; default en"),
+        "language": Key(Text(LANGUAGES), "language of sheet names, headings and notes; default en"),
         "layout": Key(Text(("sheets", "page")), "several sheets, or all on one; default sheets"),
         "drawing": Key(YesNo(), "false leaves the drawing out of the layout page; default true"),
         "references": Key(

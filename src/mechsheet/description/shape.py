@@ -34,7 +34,7 @@ from mechsheet.description.schema import REASONS
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.measured import LARGEST, SMALLEST, measured
 from mechsheet.description.text.numbers import typed_number, with_points
-from mechsheet.words.catalogue import ENGLISH
+from mechsheet.words.catalogue import ENGLISH, LANGUAGES
 
 
 def fit(value: Any, shape: Shape, path: Path, report: Report) -> Any:
@@ -211,12 +211,12 @@ def _words(value: Any, text: Text, path: Path, report: Report) -> Any:
         one = _text(value, text, path, report)
         return BAD if one is BAD else {ENGLISH: one}
     for key in value:
-        if key not in ("en", "tr"):
-            report.at((*path, key), say("unknown language"), suggestion(key, ("en", "tr"), "languages"))
-    if absent := [key for key in ("en", "tr") if key not in value]:
-        report.at(path, say("{keys} is missing", keys=listed(absent)), say("one text in quotes serves both languages"))
+        if key not in LANGUAGES:
+            report.at((*path, key), say("unknown language"), suggestion(key, LANGUAGES, "languages"))
+    if ENGLISH not in value:
+        report.at(path, say("{keys} is missing", keys=quoted(ENGLISH)), say("one text in quotes serves all languages"))
         return BAD
-    return {key: fit(value[key], text, (*path, key), report) for key in ("en", "tr")}
+    return {key: fit(value[key], text, (*path, key), report) for key in LANGUAGES if key in value}
 
 
 def _items(value: list[Any], shape: Items, path: Path, report: Report) -> Any:

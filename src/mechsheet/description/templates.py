@@ -21,7 +21,7 @@ def template_names() -> tuple[str, ...]:
 
 
 def template_titles() -> dict[str, Words]:
-    """Name -> title in both languages, in alphabetical order of the names."""
+    """Name -> title, in alphabetical order of the names."""
     from mechsheet.description.reader import loads
 
     return {name: loads(template_text(name), name).title for name in template_names()}

@@ -19,7 +19,7 @@ from mechsheet.drawing_page.editing.orders import edited
 from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.questions import Impossible, Refusal, number_in, places_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
-from mechsheet.words.catalogue import Language
+from mechsheet.words.catalogue import ENGLISH, LANGUAGES, Language
 from mechsheet.words.messages import text_in as said_in
 
 UNTITLED = "mechanism.toml"
@@ -39,7 +39,7 @@ class Studio:
     """The description that is drawn, and the answers.
 
     path      its file; None where the drawing begins with nothing: then it is saved in `folder`
-    language  "en" or "tr", or None for the browser's
+    language  of the page, or None for the browser's
     """
 
     def __init__(self, path: Path | None = None, folder: Path | None = None, language: str | None = None) -> None:
@@ -80,7 +80,8 @@ class Studio:
             "mark": _mark(path) if path is not None else "",
             "language": self.language or "",
             "templates": {
-                name: {"en": title.of("en"), "tr": title.of("tr")} for name, title in template_titles().items()
+                name: {language: title.of(language) for language in LANGUAGES}
+                for name, title in template_titles().items()
             },
         }
 
@@ -181,7 +182,8 @@ class Studio:
 
 
 def _language(question: dict[str, Any]) -> Language:
-    return "tr" if question.get("spoken") == "tr" else "en"
+    spoken = str(question.get("spoken"))
+    return spoken if spoken in LANGUAGES else ENGLISH
 
 
 def _stem(path: Path | None) -> str:

@@ -17,6 +17,7 @@ from mechsheet.library.changed import loads
 from mechsheet.library.verdicts import verdict
 from mechsheet.model import Mechanism
 from mechsheet.plotting import drawn
+from mechsheet.words.catalogue import LANGUAGES
 
 WORKBOOKS = ("xlsx", "ods")
 PICTURES = ("svg", "png")
@@ -48,7 +49,7 @@ def file_of(text: str, file: str, kind: str, at: float | None, layout: str, lang
 
 
 def _mechanism(text: str, file: str, layout: str, language: str) -> Mechanism:
-    if language not in ("", "en", "tr") or layout not in ("", "sheets", "page"):
+    if language not in ("", *LANGUAGES) or layout not in ("", "sheets", "page"):
         raise Refusal("no such language or layout")
     found = loads(text, file, Overrides(language=language or None, layout=layout or None))
     return replace(found, file=Path(file).stem)

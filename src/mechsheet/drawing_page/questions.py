@@ -30,7 +30,7 @@ class Impossible(Exception):  # noqa: N818
         self.parts = parts
 
     def text(self, language: str) -> str:
-        """The sentence in "en" or "tr"."""
+        """The sentence in a language."""
         return words(language, f"draw.{self.key}", **self.parts)
 
 

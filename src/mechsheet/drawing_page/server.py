@@ -25,7 +25,7 @@ import bottle
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.drawing_page.answers import Studio
 from mechsheet.drawing_page.questions import Impossible, Refusal
-from mechsheet.words.catalogue import texts
+from mechsheet.words.catalogue import LANGUAGES, texts
 from mechsheet.words.messages import in_language
 
 ADDRESS = "127.0.0.1"
@@ -171,7 +171,7 @@ class DrawingServer:
 
     def _words(self) -> str:
         self._headers(KINDS["js"])
-        found = {language: texts(language, "draw.") for language in ("en", "tr")}
+        found = {language: texts(language, "draw.") for language in LANGUAGES}
         return f"export const WORDS = {json.dumps(found, ensure_ascii=False)};\n"
 
     def _open(self) -> Iterator[bytes]:

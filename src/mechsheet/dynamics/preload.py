@@ -40,6 +40,5 @@ def write_preload(acting: ActingForces, contact: Contact, drive: Drive, force: N
         moved = turned(minus(end, acting.poses.xy[drive.joint.point]))
     opens = al.div(dot(way, moved), acting.length(spring))
     longer = al.div(al.mul(force, lever), al.mul(spring.stiffness, opens))
-    name = f"{spring.name}.hold"
     label = phrase("spring_hold", name=spring.name)
-    acting.columns.written(name, al.add(spring.free_length, longer), LENGTH, label, "hold")
+    acting.columns.written(spring.hold, al.add(spring.free_length, longer), LENGTH, label, "hold")

@@ -14,7 +14,7 @@ from mechsheet.exporting.position import Position
 from mechsheet.kinematics.closures import Vector
 from mechsheet.sheet.table.positions import decimals_of, places
 from mechsheet.units import NUMBER, Unit
-from mechsheet.words.catalogue import Language
+from mechsheet.words.catalogue import Language, words
 from mechsheet.words.symbols import GREEK, parts
 
 RAW = "#"
@@ -81,7 +81,8 @@ def _plain(word: str) -> str:
 
 def decimal(text: str, language: Language) -> str:
     """A number's text with the language's decimal sign; braces keep a comma from being spaced like a list."""
-    return text.replace(".", "{,}") if language == "tr" else text
+    sign = words(language, "number.decimal")
+    return text if sign == "." else text.replace(".", f"{{{sign}}}")
 
 
 def seen(code: str) -> int:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
-from importlib.resources import files
 
 from livesheet.diagnostics import Fault
 from livesheet.formula.nodes import Node
@@ -18,10 +17,8 @@ from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.lowering import Loop, Step
-from mechsheet.exporting.program import Program, commented, heading, one_line, program_of
+from mechsheet.exporting.program import Program, brought, commented, heading, one_line, program_of
 from mechsheet.kinematics.equations import Equation, System
-from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
-from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import TIME, ChartRequest
 from mechsheet.shapes.forms import ARROWS, HALF, LEAST, Extreme, Mark, Shape
 from mechsheet.shapes.listing import shapes_of
@@ -39,16 +36,9 @@ _TAKEN = """
 """Keywords, and what the function itself calls."""
 
 
-_NUMBERS = {"CLOSED": CLOSED, "FIRST": FIRST_PASSES, "LED": LED, "STEADY": STEADY, "SETTLED": SETTLED,
-            "TREND": TREND, "LEAP": LEAP}  # fmt: skip
-"""Of Newton's method, in the helpers."""
-
-
 def write(job: Job) -> list[bytes]:
     """The file in UTF-8. Raises MechsheetError where its name is that of a function which the file itself calls."""
-    helpers = files("mechsheet.exporting").joinpath("octave_helpers.m").read_text(encoding="utf-8")
-    for mark, number in _NUMBERS.items():
-        helpers = helpers.replace(f"@@{mark}@@", repr(number))
+    helpers = brought("octave.m")
     if job.name in {*_called(helpers), *_TAKEN.split()}:
         fault = say(
             '"{name}" is called by the file itself: a function of that name would stand in its way', name=job.name

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from importlib.resources import files
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node, Number, Symbol
@@ -18,6 +19,8 @@ from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step, columns_of, constants_of
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.equations import Equation, Equations, Group
+from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
+from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Dimension, Law, Mechanism, Quantity
 from mechsheet.units import NUMBER, Unit
@@ -96,6 +99,20 @@ def heading(program: Program, number: int) -> str:
         return "outputs" if number < 0 else "driver's side"
     group = program.equations.groups[number - 1]
     return f"group {number} ({group.kind}): {one_line(group.label.of(program.mechanism.language))}"
+
+
+_NUMBERS = {
+    "CLOSED": CLOSED, "FIRST": FIRST_PASSES, "LED": LED, "STEADY": STEADY, "SETTLED": SETTLED, "TREND": TREND, "LEAP": LEAP,
+}  # fmt: skip
+"""Of Newton's method, by their marks in what languages bring along."""
+
+
+def brought(name: str) -> str:
+    """What a language brings along, a file of that language, with the numbers of Newton's method in it."""
+    text = files("mechsheet.exporting").joinpath("brought", name).read_text(encoding="utf-8")
+    for mark, number in _NUMBERS.items():
+        text = text.replace(f"@@{mark}@@", repr(number))
+    return text
 
 
 def commented(code: str, words: str, mark: str) -> list[str]:

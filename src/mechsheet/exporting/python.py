@@ -15,10 +15,8 @@ from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.lowering import Loop, Step
-from mechsheet.exporting.program import WIDTH, Program, commented, heading, one_line, program_of
+from mechsheet.exporting.program import WIDTH, Program, brought, commented, heading, one_line, program_of
 from mechsheet.kinematics.equations import Equation
-from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
-from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import TIME
 
 RESERVED = (
@@ -26,117 +24,6 @@ RESERVED = (
     "start", "stop", "step", "warnings", "home", "own_", "share_", "x_", "annotations", "ArrayLike", "NDArray",
     "Array", "UNITS",
 )  # fmt: skip
-
-_HELPERS = '''
-def _direction(x: ArrayLike, y: ArrayLike) -> Array:
-    """Angle of the vector (x, y), x first as in a spreadsheet; NaN where it has no length."""
-    x, y = np.asarray(x, float), np.asarray(y, float)
-    return np.where((x == 0) & (y == 0), np.nan, np.arctan2(y, x))
-
-
-def _rounded(x: ArrayLike, digits: float) -> Array:
-    """Half away from zero, as a spreadsheet rounds."""
-    x, scale = np.asarray(x, float), 10.0**digits
-    return np.asarray(np.sign(x) * np.floor(np.abs(x) * scale + 0.5) / scale)
-
-
-def _continuous(angles: ArrayLike) -> Array:
-    """The angles with whole turns added: none is more than half a turn from the one before; anew after NaN."""
-    angles = np.array(angles, float)
-    if angles.ndim == 0:  # the same in every row
-        return angles
-    edges = np.flatnonzero(np.diff(np.isfinite(angles), prepend=False, append=False))
-    for first, end in edges.reshape(-1, 2):
-        angles[first:end] = np.unwrap(angles[first:end])
-    return angles
-
-
-def _triangle(opposite: ArrayLike, beside: ArrayLike, other: ArrayLike) -> Array:
-    """The angle of a triangle opposite the first side: the law of cosines, by Heron's area, which keeps its digits."""
-    c, a, b = (np.asarray(side, float) for side in (opposite, beside, other))
-    product = (a + b + c) * (a + b - c) * (c + a - b) * (c - a + b)
-    return np.arctan2(np.sqrt(np.maximum(0, product)), a * a + b * b - c * c)
-
-
-@@FOLLOWED@@def _kept(x: ArrayLike, exists: NDArray[np.bool_]) -> Array:
-    """The finite values in rows that exist, NaN elsewhere."""
-    whole = np.broadcast_to(np.asarray(x, float), exists.shape)
-    return np.where(exists & np.isfinite(whole), whole, np.nan)
-
-
-def main() -> None:
-    """Print the variables over the sweep as CSV, angles in degrees."""
-    found = solve()
-    degrees = {symbol: unit == "rad" for symbol, unit in UNITS.items()}
-    writer = csv.writer(sys.stdout, lineterminator="\\n")
-    writer.writerow(f"{symbol} [{'deg' if degrees[symbol] else UNITS[symbol]}]" for symbol in found)
-    for row in zip(*(np.degrees(x) if degrees[s] else x for s, x in found.items()), strict=True):
-        writer.writerow("" if np.isnan(value) else repr(float(value)) for value in row)
-
-
-if __name__ == "__main__":
-    main()
-'''
-
-
-_FOLLOWED = '''def _followed(
-    step: Callable[..., tuple[Array, float, float]], way: Callable[..., tuple[ArrayLike, ...]], start: ArrayLike,
-    there: tuple[ArrayLike, ...], given: tuple[ArrayLike, ...], home: int, passes: int, rows: int, scales: ArrayLike,
-) -> Array:
-    """Newton's method row by row, each from the row before that has a position: the unknowns, NaN where none is found.
-
-    `step` gives J^-1 F, the residual and det J; the determinant's other sign is another assembly. `start` fits row `home` of
-    the described dimensions: from these it goes in equal steps, a pass each, to those that are there; `way` says what the
-    step is given then. A warning says where the assembly ends on that way (the determinant changes its sign, an unknown, as
-    a part of its scale, leaves its trend, the residual leaps), and which rows may be of another.
-    """
-    shares = np.minimum(np.arange(@@FIRST@@ + 1) / @@LED@@, 1.0)
-    ends = [np.broadcast_to(np.asarray(part, float), (rows,))[home] for part in there]
-    lead = [np.broadcast_to(np.asarray(part, float), shares.shape) for part in way(shares, *ends)]
-    x, path, residuals, determinants = np.array(start, float), [], [], []
-    for place in range(len(shares)):
-        correction, residual, determinant = step(x, *(column[place] for column in lead))
-        path.append(x)
-        residuals.append(residual)
-        determinants.append(determinant)
-        x = np.where(np.all(np.isfinite(correction)), x - correction, x)
-    found = np.full((np.size(start), rows), np.nan)
-    last, begun = path[-1], bool(residuals[-1] <= @@CLOSED@@)
-    leaps = np.abs(np.diff(path, 2, axis=0)) < @@TREND@@ * np.asarray(scales)
-    steady = np.array(residuals[2:]) < max(@@STEADY@@ * residuals[1], @@SETTLED@@)
-    if not (np.all(np.array(determinants) * determinants[0] > 0) and np.all(leaps) and np.all(steady)):
-        what = "perhaps these positions are of another" if begun else "no position was found"
-        text = f"on the way from the described values to these the assembly described ends: {what}"
-        warnings.warn(text, stacklevel=3)
-    if not begun:
-        return found
-    sign = determinants[-1]
-    columns = [np.broadcast_to(np.asarray(part, float), (rows,)) for part in given]
-    for row in range(rows):
-        here = [column[row] for column in columns]
-        x = last
-        for _ in range(passes):
-            x = x - step(x, *here)[0]
-        _, residual, determinant = step(x, *here)
-        if residual <= @@CLOSED@@ and determinant * sign > 0:
-            found[:, row] = last = x
-    here, before, earlier = found[:, 1:], found[:, :-1], np.hstack([found[:, :1] * np.nan, found[:, :-2]])
-    there, told = np.isfinite(here[0]), np.isfinite(before[0])
-    bent = np.abs(np.where(np.isfinite(earlier), here - 2 * before + earlier, here - before))
-    leapt = told & np.any(bent > np.radians(@@LEAP@@) * np.reshape(scales, (-1, 1)), axis=0)
-    behind = ~told & np.logical_or.accumulate(told)
-    count = int(np.sum(there & (leapt | behind)))
-    if count:
-        warnings.warn(f"{count} rows may be of another assembly: behind others without a position, or a leap", stacklevel=3)
-    return found
-
-
-'''
-for _name, _number in (
-    ("CLOSED", CLOSED), ("FIRST", FIRST_PASSES), ("LED", LED), ("STEADY", STEADY), ("SETTLED", SETTLED),
-    ("TREND", TREND), ("LEAP", LEAP),
-):  # fmt: skip
-    _FOLLOWED = _FOLLOWED.replace(f"@@{_name}@@", repr(_number))
 
 
 def write(job: Job) -> list[bytes]:
@@ -147,7 +34,8 @@ def write(job: Job) -> list[bytes]:
     program = program_of(job.compiled, RESERVED)
     lines = [*_opening(program, job.name), *_tables(program), *_solve(program)]
     loops = any(column.loop for column in program.columns)
-    return [("\n".join(lines) + _HELPERS.replace("@@FOLLOWED@@", _FOLLOWED if loops else "")).encode()]
+    helpers = brought("python.txt").replace("@@FOLLOWED@@", brought("python_newton.txt") if loops else "")
+    return [("\n".join(lines) + helpers).encode()]
 
 
 _CALLS = {"CONTINUOUS": "_continuous({0})", "TRIANGLE": "_triangle({0}, {1}, {2})"}
@@ -299,10 +187,7 @@ def _signature(program: Program) -> list[str]:
     whose = "driver's values" if program.law is None else "time in seconds"
     texts = ["", f"    {names[0]}: the {whose}, one per row; by default the description's sweep"]
     texts += [f"    {name}: one per row; by default as the description lists them" for name in names[1:]]
-    for line in program.given:
-        head.append(f"    {program.names[line.symbol]}: float = {_text(program, line.expression)},")
-        texts += _argument(program, line)
-    for line in program.modes:
+    for line in (*program.given, *program.modes):
         head.append(f"    {program.names[line.symbol]}: float = {_text(program, line.expression)},")
         texts += _argument(program, line)
     doc = ['    """Positions of all links in every row: {symbol: array}, units in `UNITS`.', *texts, '    """']

@@ -12,6 +12,7 @@ from functools import lru_cache
 from livesheet.formula.names import folded
 from mechsheet.homework.formula_strips import Place, Work
 from mechsheet.model import Mechanism
+from mechsheet.words.catalogue import LANGUAGES
 
 _GREEK = {
     "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta", "θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "ψ": "psi",
@@ -181,10 +182,10 @@ def labels(mechanism: Mechanism, symbol: str) -> Sequence[str]:
     found: list[str] = []
     for output in mechanism.outputs:
         if output.symbol == symbol and output.label is not None:
-            found += [output.label.of(language) for language in ("en", "tr")]
+            found += [output.label.of(language) for language in LANGUAGES]
     for summary in mechanism.summaries:
         if summary.symbol == symbol and summary.label is not None:
-            found += [summary.label.of(language) for language in ("en", "tr")]
+            found += [summary.label.of(language) for language in LANGUAGES]
     return list(dict.fromkeys(found))
 
 

@@ -12,6 +12,7 @@ from mechsheet.homework.formula_strips import Place
 from mechsheet.homework.headings import around, contains, names_over, plain, says
 from mechsheet.homework.series import Graph, Run, of_table
 from mechsheet.model import Dimension, Mechanism
+from mechsheet.words.catalogue import LANGUAGES
 
 SAME = 1e-6
 """Two numbers that differ by less than this part of them are one number typed twice."""
@@ -203,7 +204,7 @@ def _told(dim: Dimension, names: Sequence[str], words: Sequence[str]) -> int:
     called = {plain(name).replace("_", "") for name in (dim.symbol, dim.cell or "") if name}
     if any(plain(name).replace("_", "") in called for name in names):
         return 40
-    labels = [dim.label.of(language) for language in ("en", "tr")] if dim.label else []
+    labels = [dim.label.of(language) for language in LANGUAGES] if dim.label else []
     for rank, text in enumerate(words):
         if says(text, dim.symbol) or any(contains(text, label) for label in labels):
             return 30 - rank

@@ -332,6 +332,10 @@ class Equations:
                 wrong.append(Binary(">=", al.call("ABS", middle), most))
         return al.any_of(wrong) if wrong else None
 
+    def group_of(self, equation: Equation) -> Group | None:
+        """The group that an equation belongs to; None on the driver's side, of outputs and of a cam's profile."""
+        return self.groups[equation.group - 1] if equation.group > 0 else None
+
     def of(self, symbol: str) -> Equation:
         """The equation of a symbol."""
         return next(equation for equation in (*self.all, *self.listed) if equation.symbol == symbol)

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from livesheet import portable
-from livesheet.formula.nodes import Binary, Call, Direction, Node, Number, Symbol, TriangleAngle, Unary
+from livesheet.formula.nodes import Binary, Boolean, Call, Direction, Node, Number, Symbol, TriangleAngle, Unary
 from mechsheet.kinematics.equations import Equation
 
 Array = NDArray[np.float64]
@@ -37,7 +37,7 @@ def _chosen(number: Any, *values: Any) -> Any:
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     "ABS": np.abs,
     "ACOS": portable.arccos,
-    "AND": lambda *args: np.logical_and.reduce(np.broadcast_arrays(*args)),
+    "AND": lambda *args: _fold(np.logical_and, args),
     "ASIN": portable.arcsin,
     "ATAN": portable.arctan,
     "ATAN2": lambda x, y: portable.arctan2(y, x),  # the sheet's order is x first, numpy's y first
@@ -49,14 +49,18 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "IFERROR": lambda x, other: np.where(np.isfinite(x), x, other),
     "ISNUMBER": lambda x: ~np.isnan(x),
     "LN": portable.log,
+    "MEDIAN": lambda *args: np.median(np.broadcast_arrays(*args), axis=0),
     "MAX": lambda *args: _fold(np.maximum, args),
     "MIN": lambda *args: _fold(np.minimum, args),
+    "MOD": np.mod,
     "NA": lambda: np.nan,
     "NOT": np.logical_not,
-    "OR": lambda *args: np.logical_or.reduce(np.broadcast_arrays(*args)),
+    "OR": lambda *args: _fold(np.logical_or, args),
     "PI": lambda: np.pi,
     "RADIANS": np.radians,
     "ROUND": _round,
+    "ROUNDDOWN": lambda x, digits: np.trunc(x * 10.0**digits) / 10.0**digits,
+    "ROUNDUP": lambda x, digits: np.copysign(np.ceil(np.abs(x) * 10.0**digits), x) / 10.0**digits,
     "SIGN": np.sign,
     "SIN": portable.sin,
     "SQRT": np.sqrt,
@@ -96,7 +100,7 @@ def value(node: Node, known: Mapping[str, Any], rooted: bool = False, seen: dict
         return value(part, known, rooted, seen)
 
     match node:
-        case Number(number):
+        case Number(number) | Boolean(number):
             return number
         case Symbol(name):
             return known[name]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 from decimal import Decimal
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -110,7 +110,7 @@ class Linkage(Mechanism):
         self,
         path: str | Path,
         at: float | None = None,
-        language: Literal["en", "tr"] | None = None,
+        language: str | None = None,
         vectors: bool = False,
     ) -> Path:
         """Draw into a file: .svg, .png, .gif, .html or .pdf; see `mechsheet.plot`."""
@@ -146,7 +146,7 @@ def load(
     overrides  dimension -> value in its own unit, in place of the file's: {"a1": 65}; a number of any type (of numpy,
                Fraction, Decimal), or a text: "65", "a2*1.1" (names: the dimensions after the changes before it; with names,
                functions or pi angles are in radians). Or assembly mode -> 1 or -1: {"mode_1": -1}
-    language   "en" or "tr", in place of the file's
+    language   that of a catalogue ("en", "tr"), in place of the file's
     step       of the driver, in its unit; start and stop stay
     rows       how many positions: the step follows from start and stop, with `step` the stop from start
 

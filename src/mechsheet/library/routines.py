@@ -12,8 +12,7 @@ import math
 import unicodedata
 from collections.abc import Collection, Iterator
 from copy import copy
-from functools import lru_cache
-from typing import Literal, TypeAlias
+from functools import cache
 
 from livesheet.diagnostics import Fault
 from livesheet.engine import evaluate
@@ -22,14 +21,13 @@ from livesheet.formula.functions import FUNCTIONS
 from livesheet.formula.names import folded
 from livesheet.formula.nodes import Call, Node, Number, calls
 from livesheet.said import say
+from mechsheet.words.catalogue import ENGLISH, LANGUAGES, Language
 
 PUMP = "adjustable-pump"
 """The mechanism that the text has a routine of its own for."""
 SAME = 1e-5
 """The routine of the text has a pi of 3.1415926: what is stored may differ so far from what is computed."""
 MOST_COMPARED = 50
-
-Language: TypeAlias = Literal["en", "tr"]
 
 
 def with_routines(book: Book) -> Book:
@@ -61,7 +59,8 @@ def _language(name: str) -> Language | None:
     return next((language for language in _LANGUAGES if _plain(name) in _routines(language)), None)
 
 
-_LANGUAGES: tuple[Language, ...] = ("tr", "en")
+_LANGUAGES = (*LANGUAGES[1:], ENGLISH)
+"""English last: what its routines are called may be a word of another program."""
 
 
 def _plain(name: str) -> str:
@@ -70,7 +69,7 @@ def _plain(name: str) -> str:
     return "".join(letter for letter in letters if not unicodedata.combining(letter)).casefold()
 
 
-@lru_cache(maxsize=2)
+@cache
 def _routines(language: Language) -> dict[str, tuple[str, Node]]:
     """Plain name -> (name, LAMBDA) of all routines of a language; configurations of the pump are those of its sketch."""
     from mechsheet.compiled import Compiled

@@ -30,7 +30,7 @@ from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.shown import unit_of_column
 from mechsheet.synthesis.writing import says
 from mechsheet.units import NUMBER, behind_number, unit_of
-from mechsheet.words.catalogue import words
+from mechsheet.words.catalogue import LANGUAGES, words
 
 
 def overview_text(mechanism: Mechanism) -> str:
@@ -187,7 +187,7 @@ def equations_json(mechanism: Mechanism) -> str:
             "unit": (mechanism.given_unit(symbol) or NUMBER).kind,
             "group": 0,
             "label": {
-                language: words(language, "given.t" if symbol == TIME else "notes.driver") for language in ("en", "tr")
+                language: words(language, "given.t" if symbol == TIME else "notes.driver") for language in LANGUAGES
             },
         }
         for symbol, node in given_by_law(mechanism).items()
@@ -199,7 +199,7 @@ def equations_json(mechanism: Mechanism) -> str:
             "kind": equation.role,
             "unit": equation.unit.symbol if equation.unit.kind == "label" else equation.unit.kind,
             "group": equation.group,
-            "label": {language: equation.label.of(language) for language in ("en", "tr")},
+            "label": {language: equation.label.of(language) for language in LANGUAGES},
         }
         for equation in lowered(mechanism, compiled_of(mechanism).equations).all
     ]

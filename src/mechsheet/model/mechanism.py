@@ -250,6 +250,11 @@ class Spring:
     free_length: Node
     damping: Node
 
+    @property
+    def hold(self) -> str:
+        """What the free length is called with which it just holds the follower of a cam."""
+        return f"{self.name}.hold"
+
 
 def torque_unit(force_unit: str, metre: float | None, length_unit: str) -> str:
     """The unit of a torque: N m, or that of a force times the description's own lengths."""
@@ -514,7 +519,7 @@ class Mechanism:
     summaries: tuple[Summary, ...] = ()
     charts: tuple[ChartRequest, ...] = ()
     tables: tuple[TableRequest, ...] = ()
-    language: Literal["en", "tr"] = "en"
+    language: str = "en"
     references: Literal["names", "anchors"] = "names"
     layout: Literal["sheets", "page"] = "sheets"
     drawn: bool = True

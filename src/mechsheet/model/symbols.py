@@ -1,4 +1,4 @@
-"""What a model is written in: quantities, symbols by rule, words in both languages."""
+"""What a model is written in: quantities, symbols by rule, labels in several languages."""
 
 from __future__ import annotations
 

@@ -7,7 +7,6 @@ round.
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Literal
 
 from livesheet.diagnostics import Fault, near_miss, readable_name
 from livesheet.said import say
@@ -24,7 +23,7 @@ def plot(
     mechanism: Mechanism,
     path: str | Path,
     at: float | None = None,
-    language: Literal["en", "tr"] | None = None,
+    language: str | None = None,
     vectors: bool = False,
 ) -> Path:
     """Draw a mechanism into the file `path`, whose ending says how, and return it; a folder gets a .svg.
@@ -36,7 +35,7 @@ def plot(
                  dimensions, what can be said of it, curves, the largest forces
 
     at        in the driver's unit (degrees, radians or the length unit); without it, the first position that exists
-    language  "en" or "tr"; without it, the description's
+    language  "en", "tr" or that of another catalogue; without it, the description's
     vectors   draw velocities, accelerations and joint forces as arrows, each kind with a scale bar
 
     Raises MechsheetError for another ending and for a position that an animation does not have, MechanismError when
@@ -62,7 +61,7 @@ def drawn(
     mechanism: Mechanism,
     kind: str,
     at: float | None = None,
-    language: Literal["en", "tr"] | None = None,
+    language: str | None = None,
     vectors: bool = False,
 ) -> bytes:
     """The bytes of the file that `plot` writes; `kind` is one of KINDS. Raises as `plot` does."""

@@ -6,7 +6,7 @@ One to three pages of A4, drawn by matplotlib; the words and numbers are those o
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -41,7 +41,7 @@ GIVEN = ("dimensions", "motion", "gears", "drivers", "masses", "loads")
 """Blocks of the first sheet that describe the mechanism."""
 
 
-def report(mechanism: Mechanism, at: float | None, language: Literal["en", "tr"] | None) -> bytes:
+def report(mechanism: Mechanism, at: float | None, language: str | None) -> bytes:
     """The PDF. `at`: the position drawn, instead of the worst one. Raises as `plot` does."""
     mechanism = replace(mechanism, layout="sheets", language=language or mechanism.language)
     first = _FirstSheet(compiled_of(mechanism))

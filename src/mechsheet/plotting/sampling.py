@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -26,6 +26,7 @@ from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
 from mechsheet.shapes.points import moving_points
 from mechsheet.sheet.plan import STATUS
 from mechsheet.units import behind_number
+from mechsheet.words.catalogue import LANGUAGES
 from mechsheet.words.symbols import plain
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ class Sample(Compiled):
 def sample(
     mechanism: Mechanism,
     at: float | None,
-    language: Literal["en", "tr"] | None,
+    language: str | None,
     least: int = LEAST,
     vectors: bool = False,
 ) -> Sample:
@@ -86,12 +87,12 @@ def sample(
     vectors to draw.
     """
     at = None if at is None else number_given(at, "at")
-    if language not in (None, "en", "tr"):
+    if language not in (None, *LANGUAGES):
         raise MechsheetError(
             Fault(
                 say('unknown language "{language}"', language=language),
                 key="language",
-                hint=say('languages: "en", "tr"'),
+                hint=say("languages: {languages}", languages=", ".join(f'"{each}"' for each in LANGUAGES)),
             )
         )
     compiled = compiled_of(mechanism)

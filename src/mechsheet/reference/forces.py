@@ -45,7 +45,7 @@ def forces(solution: Solution) -> dict[str, Array]:
             if {name for name, _ in spring.ends} == {solution.mechanism.ground.name, touched}
         ]  # fmt: skip
         for spring in springs if len(springs) == 1 else ():
-            found[f"{spring.name}.hold"] = _holding(solution, dynamics, spring, found[CONTACT])
+            found[spring.hold] = _holding(solution, dynamics, spring, found[CONTACT])
     return found
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.plan import Plan
@@ -25,6 +25,10 @@ OPEN = 2 * (1 + SAME)
 others together."""
 
 
+WORTH = 0.1
+"""A first link that would have to be shorter than this part of what it is to turn fully is no advice."""
+
+
 def excess_of(plan: Plan, shortest: Node, longest: Node, total: Node) -> Node:
     """Shortest + longest - the other two: below 0 some link turns fully (Grashof), 0 at a change point. #N/A where an
     input cannot be.
@@ -37,18 +41,19 @@ def excess_of(plan: Plan, shortest: Node, longest: Node, total: Node) -> Node:
 
 def bound_of(sides: Sides, shortest: Node, excess: Node) -> Node:
     """What would mend it, in words: up to which length of its longest link a loop closes that cannot be closed, or of its
-    first link this one turns fully, where no link does. Below 0 where no length is short enough.
+    first link this one turns fully, where no link does. Nothing where it would have to be next to nothing.
     """
     ground, first, coupler, last = sides.lengths
     longest, total = Call("MAX", sides.all), Call("SUM", sides.all)
-    closes = joined(sides.longest(longest), AT_MOST, _at_most(al.sub(total, longest), sides.places))
+    closes = joined(sides.of(longest, sides.names), AT_MOST, _at_most(al.sub(total, longest), sides.places))
     others: tuple[Node, ...] = (ground, coupler, last)
     if isinstance(coupler, CellRef) and isinstance(last, CellRef) and len(sides.all) == 1:  # side by side
         others = (ground, RangeRef(coupler, replace(last, sheet=coupler.sheet)))
     turns = formula("total-first-2*most", total=total, first=first, most=Call("MAX", others))
     return formula(
-        'IF(excess>open_from*shortest,closes,IF(excess>0,turns,""))', excess=excess, shortest=shortest, open_from=OPEN,
-        closes=closes, turns=joined(sides.names[1] + AT_MOST, _at_most(turns, sides.places)),
+        'IF(excess>open_from*shortest,closes,IF(AND(excess>0,turns>worth*first),said,""))', excess=excess,
+        shortest=shortest, open_from=OPEN, closes=closes, turns=turns, worth=WORTH, first=first,
+        said=joined(sides.names[1] + AT_MOST, _at_most(turns, sides.places)),
     )  # fmt: skip
 
 
@@ -67,9 +72,11 @@ def type_of(
     text   the words of `open`, `change`, `none`
     bound  what would mend it, as `bound_of` says: a cell
     """
-    opened, none = (
-        Text(text(word)) if bound is None else joined(text(word) + text("unless"), bound) for word in ("open", "none")
-    )
+    opened: Node = Text(text("open"))
+    none: Node = Text(text("none"))
+    if bound is not None:
+        opened = joined(opened, text("unless"), bound)
+        none = joined(none, formula('IF(bound="","",unless&bound)', bound=bound, unless=text("unless")))
     return formula(
         "IF(excess>open_from*shortest,opened,IF(excess=0,change,IF(excess>0,none,which)))",
         excess=excess, shortest=shortest, open_from=OPEN, which=which, opened=opened,
@@ -86,15 +93,23 @@ def _at_most(bound: Node, places: int) -> Node:
 class Sides:
     """Ground, first link, coupler and last link of a loop in cells.
 
-    lengths  each;  all: the arguments of a function of all four;  places: decimals of a length
-    names    what they are called: dimensions, or their pins;  longest: the name of the side that is so long
+    lengths  each;  all: the arguments of a function of all four, one range where they stand side by side
+    names    what they are called: dimensions, or their pins;  places: decimals of a length
     """
 
     lengths: Sequence[Node]
     all: tuple[Node, ...]
     names: Sequence[str]
-    longest: Callable[[Node], Node]
     places: int
+
+    def of(self, length: Node, words: Sequence[str]) -> Node:
+        """The words of the first side that is so long."""
+        if len(self.all) == 1:
+            return Call("CHOOSE", (Call("MATCH", (length, *self.all, Number(0.0))), *map(Text, words)))
+        found: Node = Text(words[-1])
+        for side, said in reversed([*zip(self.lengths[:-1], words[:-1], strict=True)]):
+            found = formula("IF(length=side,said,found)", length=length, side=side, said=said, found=found)
+        return found
 
 
 def names_of_sides(loop: FourBar, plan: Plan) -> list[str]:
@@ -139,15 +154,7 @@ def is_all(loop: FourBar, plan: Plan) -> bool:
     return len(plan.mechanism.links) == len(loop.sides(plan.mechanism.ground))
 
 
-def turning_types(loop: FourBar, language: Language, text: Callable[..., str]) -> dict[str, str]:
+def turning_types(loop: FourBar, language: Language, text: Callable[..., str]) -> list[str]:
     """What the loop is called when ground, first link, coupler or last link is the shortest, and some link turns fully."""
-
-    def one(link: str) -> str:
-        return text("one", link=link)
-
-    return {
-        "both": text("both"),
-        "crank": one(link_words(loop.first).of(language)),
-        "rockers": text("coupler"),
-        "follower": one(link_words(loop.last).of(language)),
-    }
+    crank, follower = (text("one", link=link_words(link).of(language)) for link in (loop.first, loop.last))
+    return [text("both"), crank, text("coupler"), follower]

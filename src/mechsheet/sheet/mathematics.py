@@ -5,6 +5,8 @@ SQRT((A.x - a1)^2 + A.y^2)   is written   √((x_A − a_1)² + y_A²), with rea
 
 from __future__ import annotations
 
+from string import Formatter
+
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import (
     Binary,
@@ -96,8 +98,7 @@ class _Pen:
     def number(self, value: float) -> list[Part]:
         """A number with the language's decimal sign; 1e-12 as a power of ten."""
         mantissa, _, exponent = number_text(value, "e").replace("-", "−").partition("e")
-        if self.language == "tr":
-            mantissa = mantissa.replace(".", ",")
+        mantissa = mantissa.replace(".", words(self.language, "number.decimal"))
         if not exponent:
             return [(mantissa, "")]
         return [("10" if mantissa == "1" else f"{mantissa}·10", ""), (exponent, "super")]
@@ -160,10 +161,12 @@ class _Pen:
 
     def provided(self, test: Node, then: list[Part]) -> list[Part]:
         """`value if test`, `test ise value`."""
-        condition = self.inside(test, 2)
-        if self.language == "tr":
-            return [*condition, (" ise ", ""), *then]
-        return [*then, (" if ", ""), *condition]
+        pieces = {"value": then, "test": self.inside(test, 2)}
+        found: list[Part] = []
+        for between, name, _, _ in Formatter().parse(words(self.language, "notes.if")):
+            found += [(between, "")] if between else []
+            found += pieces[name] if name else []
+        return found
 
 
 def symbol_parts(symbol: str) -> list[Part]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text
-from mechsheet.kinematics.period import SAME_AGAIN
+from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, with_symbols
+from mechsheet.kinematics.period import SAME_AGAIN, Change
 from mechsheet.model import Driver
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
@@ -88,21 +88,50 @@ def may_leave_out(plan: Plan) -> bool:
     return bool(driver.link) and not driver.values and driver.law is None and not tied
 
 
-def ends_meet(plan: Plan, symbol: str, unit: Unit, column: Node, ends: tuple[Node, Node]) -> Node:
+def meeting(change: Change, unit: Unit) -> Node:
     """Whether the rows at the ends of whole turns are neighbours for a quantity: it comes back with the mechanism.
 
     An angle may have gone on by a turn. What reads an angle otherwise than through sines comes back or not, as its rows say;
     where the last is left out they cannot, and the quantity ends with them.
+
+    A tree over the quantity at the `start` and at the `end`, `half` a turn, the `span` of its rows, and what the rows cover,
+    `whole`.
     """
-    start, end = ends
-    change = plan.periods.change(symbol)
     if change == "nothing":
         return formula("TRUE")
     if change == "turns" and unit.kind == "angle" and not unit.per:
-        half = turn(plan.at.spots[symbol].degrees) / 2.0
-        return formula("ABS(start-end)<half", start=start, end=end, half=half)
-    return formula("AND(whole=1,ABS(start-end)<=same*(MAX(column)-MIN(column)))", whole=plan.searched.whole.cell,
-                   start=start, end=end, column=column, same=SAME_AGAIN)  # fmt: skip
+        return formula("ABS(start-end)<half")
+    return formula("AND(whole=1,ABS(start-end)<=same*span)", same=SAME_AGAIN)
+
+
+def ends_meet(plan: Plan, symbol: str, unit: Unit, column: Node, ends: tuple[Node, Node]) -> Node:
+    """The same over cells: a column, and its values at the ends."""
+    half, span = turn(plan.at.spots[symbol].degrees) / 2.0, formula("MAX(column)-MIN(column)", column=column)
+    known = {"start": ends[0], "end": ends[1], "half": Number(half), "span": span, "whole": plan.searched.whole.cell}
+    return with_symbols(meeting(plan.periods.change(symbol), unit), known)
+
+
+def whole_turns(by_law: bool, tied: bool) -> Node:
+    """What the rows cover: 1 for whole turns whose last row is the first again, 2 where that row is left out, else 0.
+
+    A tree over how many turns the rows cover (`covered`), and would with one row more (`more`); by_law: in time. Where gears
+    or further drivers are on the way (tied), `back` says whether what they decide is in the last row what it was before.
+    """
+    is_whole = {name: formula("ABS(ROUND(turns,0)-turns)<1E-9", turns=Symbol(name)) for name in ("covered", "more")}
+    if tied:
+        return formula("IF(AND(covers,ROUND(covered,0)>0),IFERROR(IF(back,1,0),0),0)", covers=is_whole["covered"])
+    if by_law:
+        return formula("IF(AND(covered>0.5,covers),1,0)", covers=is_whole["covered"])
+    return formula("IF(covers,IF(ROUND(covered,0)>0,1,0),IF(misses,2,0))", covers=is_whole["covered"],
+                   misses=is_whole["more"])  # fmt: skip
+
+
+def is_back(angle: bool) -> Node:
+    """Whether a quantity is in the `last` row what it was in the `first`: an angle but for whole turns, else in parts of the
+    mechanism's `size`."""
+    if angle:
+        return formula("ABS(ROUND(way,0)-way)<1E-9", way=formula("(last-first)/turn"))
+    return formula("ABS(last-first)<1E-9*size")
 
 
 def _but_last(column: RangeRef) -> RangeRef:

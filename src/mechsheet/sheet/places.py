@@ -46,6 +46,8 @@ class Places:
                whether all is done
     lengths    by their names sides of four-bar loops that are no dimensions
     starts     by number of the group
+    reasons, dead  what is said of a row that does not close, or is a dead centre, in order of solution
+    sheets     by key whether a sheet that a person may delete is there;  left: what can be said without
     """
 
     status: Spot
@@ -65,6 +67,10 @@ class Places:
     bands: Mapping[str, Spot] = field(default_factory=dict)
     lengths: Mapping[str, Spot] = field(default_factory=dict)
     starts: Mapping[int, Starts] = field(default_factory=dict)
+    reasons: RangeRef | None = None
+    dead: RangeRef | None = None
+    sheets: Mapping[str, Spot] = field(default_factory=dict)
+    left: Spot | None = None
 
     @property
     def inputs(self) -> Spot:
@@ -153,7 +159,6 @@ class Checked:
     """Of the sheet of checks.
 
     begun     the column that counts stretches;  typed: how many cells were typed over;  rounding: which gaps are none
-    reasons, dead  what is said of a row that does not close, or is a dead centre, in order of solution
     least     by group the column of its least margin near each row
     crossed   by group the least of the products of sines before and after, and the driver's value there
     """
@@ -161,8 +166,6 @@ class Checked:
     begun: Spot
     typed: Spot
     rounding: Spot
-    reasons: RangeRef
-    dead: RangeRef
     least: Mapping[int, Spot]
     crossed: Mapping[int, tuple[Spot, Spot]]
 

@@ -51,6 +51,9 @@ them."""
 HIDDEN = ("drawing", "checks", "extremes", "iterations")
 """Those that are hidden when the workbook opens: the proof, and what is drawn. They are not printed."""
 
+MAY_GO = ("synthesis", "iterations", "rates", "forces", "tolerance", "checks", "extremes")
+"""Those that the first sheet reads beside the positions, and that a person may delete all the same."""
+
 HEADING_ROWS = 3
 """Rows over the table: group, symbol with unit, formula as text."""
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from typing import Literal
 
+from livesheet.formula.nodes import RangeRef
 from livesheet.workbook import Name
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_values
@@ -27,6 +29,8 @@ from mechsheet.sheet.plan import (
     FIRST_BLOCK,
     HEADING_ROWS,
     INPUT_BLOCKS,
+    MAY_GO,
+    MEANING,
     NUMBER,
     RATES_STATUS,
     SHEETS,
@@ -42,6 +46,8 @@ from mechsheet.sheet.plan import (
     TableColumn,
     block_of,
 )
+from mechsheet.sheet.table.rates import dead_words
+from mechsheet.sheet.table.status import words_looked_up
 from mechsheet.sheet.task_rows import plan_rows
 from mechsheet.synthesis.kinds import kind_of
 from mechsheet.words.catalogue import words
@@ -152,6 +158,23 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
         status, count, verdict, lines, summaries, number, rates, position, start, step, unsolved, line, arrows, occurs,
         bands, starts=starts,
     )  # fmt: skip
+    _plan_below(plan)
+
+
+def _plan_below(plan: Plan) -> None:
+    """The last blocks of the first sheet: the words that tables look up, and which other sheets there are."""
+
+    def looked_up(key: str, said: list[str]) -> RangeRef | None:
+        if not said:
+            return None
+        block = _block(plan, key, [f"{key}_{number}" for number in range(len(said))])
+        return Spot(plan.main, block.row + 1, MEANING, len(said)).whole()
+
+    reasons, dead = looked_up("reasons", words_looked_up(plan)), looked_up("dead", dead_words(plan))
+    block = _block(plan, "sheets", ["left", *(key for key in MAY_GO if key in plan.at.titles)])
+    spots = {key: Spot(plan.main, row, VALUE) for key, row in block.rows.items()}
+    left = replace(spots.pop("left"), col=MEANING)
+    plan.places = replace(plan.places, left=left, reasons=reasons, dead=dead, sheets=spots)
 
 
 def _place_synthesis(plan: Plan, named: Named) -> tuple[Spot | None, Spot | None]:

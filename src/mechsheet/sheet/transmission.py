@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from livesheet.formula.nodes import Node, RangeRef, Text
+from livesheet.formula.nodes import Node, Text
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
@@ -17,11 +17,6 @@ POOR = 40.0
 def poor_limit(mechanism: Mechanism) -> float:
     """`POOR` in the unit that the mechanism's angles are shown in."""
     return POOR if mechanism.angle_unit.in_degrees else round(math.radians(POOR), 3)
-
-
-def some_poor(mechanism: Mechanism, angles: RangeRef) -> Node:
-    """Whether one of the angles is poor; those that there are none of do not count."""
-    return formula('COUNTIF(angles,"<"&limit)>0', angles=angles, limit=poor_limit(mechanism))
 
 
 def worst_words(plan: Plan, worst: Node, place: Node, poor: Node, of_rows: Node | bool) -> Node:
@@ -41,14 +36,27 @@ def worst_words(plan: Plan, worst: Node, place: Node, poor: Node, of_rows: Node 
     return formula("words&IF(poor,bad,fair)", words=words, poor=poor, bad=plan.text("verdict.poor"), fair=fair)
 
 
-def acute(low: Node, high: Node, from_right: bool) -> tuple[Node, Node]:
-    """An angle of transmission in radians, folded to 0 to 90 degrees, of an angle that goes from `low` to `high`.
+def worst_of_rows(plan: Plan, worst: Node, poor: Node) -> Node:
+    """The worst angle of the rows, in words: where nobody looks between them."""
+    angle = plan.mechanism.angle_unit
+    before, after = plan.text("verdict.worst.rows", angle="#").split("#")
+    rounded = formula("ROUND(angle,digits)", angle=worst, digits=1 if angle.in_degrees else 2)
+    words = joined(before, rounded, behind_number(angle.text) + after)
+    return formula('words&IF(poor,bad,"")', words=words, poor=poor, bad=plan.text("verdict.poor"))
+
+
+RIGHT, STRAIGHT = formula("PI()/2"), formula("PI()")
+"""A right angle and a straight one, in radians."""
+
+
+def acute(low: Node, high: Node, from_right: bool, right: Node = RIGHT, straight: Node = STRAIGHT) -> tuple[Node, Node]:
+    """An angle of transmission folded to 0 to 90 degrees, of an angle that goes from `low` to `high`.
 
     from_right  the angle is what is missing to a right one (a rod against its guide); else it is the angle between two
-                links, up to 180 degrees
+                links, up to a straight one
 
     What it is at `low` and at `high`, of which the smaller is the worst of all.
     """
     if from_right:
-        return formula("PI()/2+low", low=low), formula("PI()/2-high", high=high)
-    return low, formula("PI()-high", high=high)
+        return formula("right+low", right=right, low=low), formula("right-high", right=right, high=high)
+    return low, formula("straight-high", straight=straight, high=high)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from livesheet.diagnostics import Fault
-from livesheet.formula.nodes import Node, symbols
+from livesheet.formula.nodes import Node, symbols, with_symbols
 from livesheet.said import say
 from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import MechanismError
@@ -23,13 +23,17 @@ from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_between, given_values, step_of
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.kinematics.lengths import largest_length
-from mechsheet.kinematics.numeric import Array
+from mechsheet.kinematics.means import LEAST_OF_TURN
+from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.period import Periods
-from mechsheet.model import Condition, Mechanism, Study
+from mechsheet.model import Condition, Mechanism, Study, Way
 from mechsheet.sheet.checks.boundless import bounded, divisor_of, seen_by_rates
+from mechsheet.sheet.checks.search_rules import WRAPS
 from mechsheet.sheet.classification import classification
 from mechsheet.sheet.columns.lowering import lowered
+from mechsheet.sheet.over_rows import is_back, meeting, whole_turns
 from mechsheet.sheet.plan import LEAST_PROBED
+from mechsheet.studies.extremes import Asked
 from mechsheet.studies.lowering import Lowered, Lowering
 from mechsheet.studies.motion import DIVISOR, Motion
 from mechsheet.studies.questions import Questions, holds, number_of, questions_of, turns_fully
@@ -175,6 +179,7 @@ class Designs:
         self.at_places = {of: Called(lowering.columns([of], rows=False)) for of in wanted}
         rates = {equation.symbol for equation in self.equations.columns if equation.role in RATES}
         self.seen_by_rates = {of for of in wanted if seen_by_rates(mechanism, rates, of)}
+        self._asked: dict[tuple[str, Way], Asked] = {}
         self.decisive = [quantity.name for quantity in questions.quantities if quantity.name in self._read]
 
     def _doubts(self, wanted: Iterable[str]) -> None:
@@ -232,31 +237,36 @@ class Designs:
         """What the rows cover, for each design: 1 for whole turns whose last row is the first again, 2 where that row is
         left out, else 0."""
         driver = self.mechanism.driver
-        if not driver.link or driver.values or self.rows < LEAST_PROBED:
+        if not driver.link or driver.values or self.rows < LEAST_OF_TURN:
             return np.zeros(designs)
-        values = self.given[driver.symbol]
+        values, tied = self.given[driver.symbol], self.equations.tied
         covered = abs(float(values[-1] - values[0])) / math.tau
-        more = covered * self.rows / (self.rows - 1)
-        left_out = driver.law is None and not self.equations.tied and _is_whole(more)
-        fine = np.ones(designs, bool)
-        for symbol in self.equations.tied:  # what gears turn is not back with every turn of the driver
-            way = columns[symbol][:, -1] - columns[symbol][:, 0]
-            turns = way / math.tau
-            back = np.abs(np.rint(turns) - turns) < 1e-9 if self.is_angle(symbol) else np.abs(way) < 1e-9 * self.size
-            fine &= back
-        return np.where(fine, 1.0 if _is_whole(covered) else 2.0 if left_out else 0.0, 0.0)
+        back = np.ones(designs, bool)
+        for symbol in tied:  # what gears turn is not back with every turn of the driver
+            known = {
+                "first": columns[symbol][:, 0],
+                "last": columns[symbol][:, -1],
+                "turn": math.tau,
+                "size": self.size,
+            }
+            back &= value(is_back(self.is_angle(symbol)), known)
+        turns = {"covered": covered, "more": covered * self.rows / (self.rows - 1), "back": back}
+        return np.broadcast_to(value(whole_turns(driver.law is not None, bool(tied)), turns), (designs,)).astype(float)
 
     def is_angle(self, symbol: str) -> bool:
         """Whether a quantity is an angle, which may go on by whole turns."""
         unit = self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit
         return unit.kind == "angle" and not unit.per
 
-    def half_turn(self, symbol: str) -> float:
-        """How far the ends of a whole turn may be apart for a quantity, so that they are neighbours: as of `anchors_of`."""
-        change = self._periods.change(symbol)
-        if change == "nothing":
-            return math.inf
-        return math.pi if change == "turns" and self.is_angle(symbol) else 0.0
+    def asked(self, symbol: str, way: Way) -> Asked:
+        """An extreme, and what decides where its search begins."""
+        if (symbol, way) not in self._asked:
+            unit = self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit
+            wraps = with_symbols(WRAPS, {"meet": meeting(self._periods.change(symbol), unit)})
+            pole = symbol in self.may_grow and symbol not in self.seen_by_rates
+            moves = self.mechanism.driver.law is None
+            self._asked[symbol, way] = Asked(way, wraps, moves, self.limits, pole)
+        return self._asked[symbol, way]
 
     @cached_property
     def _periods(self) -> Periods:
@@ -298,10 +308,6 @@ class Called:
         self.run = lowered.run
         with np.errstate(all="ignore"):
             self.of_rows = {} if row_given is None else self.run.places(row_given)
-
-
-def _is_whole(turns: float) -> bool:
-    return round(turns) > 0 and abs(round(turns) - turns) < 1e-9
 
 
 def _following(mechanism: Mechanism, varied: tuple[str, ...]) -> dict[str, set[str]]:

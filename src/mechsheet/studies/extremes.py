@@ -1,41 +1,39 @@
 """The smallest and the largest value of quantities over a motion, of many designs at once: as the workbook finds them.
 
-From the best row (or the best away from an end of the motion), or from where the stretch begins or ends, the search goes on
-by the workbook's own rule (`sheet/checks/bracket.py`), evaluated over arrays. What is given has been attained. Of several
-stretches, and of one of one row, the rows are all. Places count rows from 1.
+All rules are the workbook's own trees (`sheet/checks/search_rules.py`, `rivals.py`, `boundless.py`), evaluated over arrays:
+where a search begins, where it probes, what is said of what it finds, and where a stretch of rows begins and ends between
+them. Places count rows from 1.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
-from typing import Literal, TypeVar
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, Node, transform, with_symbols
 from mechsheet.kinematics.numeric import value as value_of
-from mechsheet.kinematics.period import SAME_AGAIN
-from mechsheet.sheet.checks.bracket import FIRST_PROBE, NARROWED, PLACE, PROBE, PROBES, ROOTED, VERTEX
-from mechsheet.studies.remarks import ABOUT, BEYOND, Codes, at_pole, unsettled
-from mechsheet.studies.rivals import beyond as beyond_found
-from mechsheet.studies.rivals import promised
+from mechsheet.sheet.checks import boundless, rivals
+from mechsheet.sheet.checks import search_rules as rules
+from mechsheet.studies.remarks import OF_DOUBTS, Codes
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-
-STRETCHES = 3
-"""Stretches of rows that are looked at: of more there are no extremes."""
-
-LEAST_INNER = 7
-"""Rows, at least, where an extreme is also looked for between those that are no neighbours of the best."""
-
-INWARDS = 1e-9
-"""How far inside the limit its value is given, in rows: there the mechanism still closes."""
-
-HALVINGS = 45
+Rows = NDArray[np.intp]
+State = dict[str, Any]
+"""Values of names that rules read: numbers, or arrays of one for each design."""
 
 Way = Literal["min", "max"]
+
+SENSES: Mapping[Way, float] = {"min": 1.0, "max": -1.0}
+
+HERE, FIRST, LAST = range(3)
+"""The rows in which angles are known: that from which a search begins, the first and the last one of the stretch."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,16 +60,16 @@ def stretches_of(there: Mask, closes: Mask) -> tuple[Stretches, Mask]:
     begins = np.diff(there, axis=1, prepend=False) & there
     begun = np.cumsum(begins, axis=1)
     number = np.asarray(begun[:, -1], np.int64)
-    looked_at = there & (begun <= STRETCHES)
+    looked_at = there & (begun <= rules.STRETCHES)
     in_first = there & (begun == 1)
     first = np.argmax(in_first, axis=1) + 1
     last = first + in_first.sum(axis=1) - 1
     last_row = rows - np.argmax(looked_at[:, ::-1], axis=1)
-    shown = there & (number <= STRETCHES)[:, None]
+    shown = there & (number <= rules.STRETCHES)[:, None]
     return Stretches(there.sum(axis=1), number, first, last, last_row), shown
 
 
-def best_rows(way: Way, column: Array, shown: Mask | None) -> tuple[NDArray[np.intp], Array]:
+def best_rows(way: Way, column: Array, shown: Mask | None) -> tuple[Rows, Array]:
     """The best row of each design, from 0, and the value there; no finite one where no row is shown.
 
     shown  the rows of which it is taken; None where all designs that somebody asks of close in all rows
@@ -82,102 +80,167 @@ def best_rows(way: Way, column: Array, shown: Mask | None) -> tuple[NDArray[np.i
     return place, column[np.arange(len(column)), place]
 
 
+# --- what the rows say ----------------------------------------------------------------------------------------------------
+
+
 @dataclass(slots=True)
 class Anchors:
     """What is known of one extreme from the rows, for each design: columns (n,).
 
-    most, worst          the best value of all rows, and the other extreme of them
-    here, best           the row (from 1) from which the probes go on, and its value
-    edges                values in the first and the last row of the stretch;  beside: in the rows before and after `here`
-    wraps                1, 2 where the ends of the motion are neighbours (their row twice, or not), else 0
-    turns                values, in the best row, of the angles without jumps that probes need
-    rival                the most that another row promises beside it (`rivals`)
-    pole                 whether that row and its neighbours are those beside a place where the quantity has no bound
+    of_rows, other   the best value of all rows, and the other extreme of them;  best: the row (from 1) of the best
+    here, value      the row from which the probes go on, and its value;  before, after: those of the rows beside it
+    of_first, of_last  values in the first and in the last row of the stretch
+    wraps            1, 2 where the ends of the motion are neighbours for probes (their row twice, or not), else 0
+    angles           (n, angles, 3) of the angles without jumps that probes need, in the rows `HERE`, `FIRST`, `LAST`
+    offer            the most that another row promises beside it (`rivals`)
+    pole             whether three rows are those around a place where the quantity has no bound
     """
 
-    most: Array
-    worst: Array
-    here: Array
+    of_rows: Array
+    other: Array
     best: Array
-    edges: Array
-    beside: Array
+    here: Array
+    value: Array
+    before: Array
+    after: Array
+    of_first: Array
+    of_last: Array
     wraps: Array
-    turns: Array
-    rival: Array
+    angles: Array
+    offer: Array
     pole: Mask
 
 
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """An extreme, and what decides where its search begins.
+
+    wraps   whether the rows at the ends of whole turns are neighbours for its quantity: the tree
+    moves   whether probes go on beyond the ends there: never by a motion law, whose rows end in time
+    limits  whether the sheet looks for limits, and has a probe at both ends of the motion
+    pole    whether it is asked for a place without bound
+    """
+
+    way: Way
+    wraps: Node
+    moves: bool
+    limits: bool
+    pole: bool
+
+
 def anchors_of(
-    way: Way,
-    column: Array,
-    best: tuple[NDArray[np.intp], Array],
-    worst: Array,
-    stretches: Stretches,
-    whole: Array,
-    half_turn: float,
-    ends: bool,
-    limits: bool,
-    angles: list[Array],
-    divisor: Array | None,
-) -> Anchors:
+    asked: Asked, column: Array, best: tuple[Rows, Array], other: Array, stretches: Stretches, whole: Array,
+    angles: list[Array], divisor: Array | None,
+) -> Anchors:  # fmt: skip
     """What the rows say of an extreme.
 
-    column     the quantity, designs by rows;  best: its best rows and values;  worst: its other extreme in the rows
-    whole      1, 2 or 0 for each design: whether rows cover whole turns
-    half_turn  pi where the quantity is an angle whose whole turns count, 0 where it need not come back with the mechanism:
-               its rows say whether it does; else infinite
-    ends       whether the ends of a whole turn are neighbours for probes: never by a motion law
-    limits     whether the sheet looks for limits, and has a probe at both ends of the motion
-    angles     angles without jumps, designs by rows
-    divisor    what the quantity is divided by only as an absolute value, designs by rows
+    column   the quantity, designs by rows;  best: its best rows and values;  other: its other extreme in the rows
+    whole    1, 2 or 0 for each design: what the rows cover
+    angles   angles without jumps, designs by rows
+    divisor  what the quantity is divided by only as an absolute value, designs by rows
     """
     designs, rows = column.shape
     each = np.arange(designs)
-    place, most = best
-    first, last = stretches.first, stretches.last
-    apart = np.abs(column[:, 0] - column[:, -1])
-    meet = apart < half_turn if half_turn else (whole == 1) & (apart <= SAME_AGAIN * np.abs(most - worst))
-    around = (whole > 0) & (first == 1) & (last == rows) & meet
-    wraps = np.where(around, whole, 0.0)
-    beyond = wraps if ends else np.zeros(designs)
-    if limits and rows >= LEAST_INNER:
-        place = _begun_from(way, column, place, (beyond == 0) & (first == 1) & (last == rows))
-    value = column[each, place]
-    middle = np.where(beyond > 0, place, np.maximum(first, np.minimum(last - 2, place)))
-    turned = np.where(beyond > 0, np.where(beyond == 1, rows - 1, rows), 2 * rows).astype(np.int64)
-    beside = [np.minimum(index, rows - 1) for index in ((middle - 1) % turned, middle, (middle + 1) % turned)]
-    before, here, after = (column[each, index] for index in beside)
-    signs = [1.0, 1.0, 1.0] if divisor is None else [np.sign(divisor[each, index]) for index in beside]
-    pole = at_pole(before * signs[0] * signs[1], here, after * signs[2] * signs[1], signed=divisor is not None)
-    turns = np.empty((designs, len(angles)))
-    for at, angle in enumerate(angles):
-        turns[:, at] = angle[each, place]
-    before_and_after = [
-        np.where(beyond > 0, (place + step) % turned, np.clip(place + step, first - 1, last - 1)) for step in (-1, 1)
-    ]
-    neighbours = np.stack([column[each, np.minimum(index, rows - 1)] for index in before_and_after], axis=1)
-    edges = np.stack([column[each, first - 1], column[each, last - 1]], axis=1)
-    rival = promised(way == "max", column, place, (first, last), beyond, most, worst)
-    return Anchors(most, worst, np.asarray(place + 1.0, float), value, edges, neighbours, wraps, turns, rival, pole)
+
+    def at(place: Any, column: Array = column) -> Array:
+        """Of each design the value in a row of its own; of a row that there is not, that of the nearest."""
+        return np.asarray(column[each, np.clip(place, 1, rows).astype(np.intp) - 1])
+
+    known: State = {"sense": SENSES[asked.way], "rows": rows, "whole": whole, "of_rows": best[1], "other": other}
+    known |= {"first": stretches.first, "last": stretches.last, "best": best[0] + 1.0}
+    known |= {"start": column[:, 0], "end": column[:, -1], "half": math.pi, "span": np.abs(best[1] - other)}
+    known["wraps"] = value_of(asked.wraps, known) if asked.moves else np.zeros(designs)
+    known["here"] = _begun_from(asked, column, known)
+    known |= {"start": known["here"], "low": known["first"], "high": known["last"]}
+    beside_it = [value_of(tree, known) for tree in (rules.LOWER, rules.UPPER)]
+    known["before"], known["after"] = (at(value_of(rules.ROW_AT, known | {"place": place})) for place in beside_it)
+    known |= {"value": at(known["here"]), "of_first": at(known["first"]), "of_last": at(known["last"])}
+    known["angles"] = np.empty((designs, len(angles), 3))
+    for number, angle in enumerate(angles):
+        for row, name in enumerate(("here", "first", "last")):
+            known["angles"][:, number, row] = at(known[name], angle)
+    known["offer"] = _offer(column, known, at)
+    known["pole"] = _pole(known, at, divisor) if asked.pole else np.zeros(designs, bool)
+    return Anchors(*(known[field.name] for field in fields(Anchors)))
 
 
-def _begun_from(way: Way, column: Array, place: NDArray[np.intp], looked_at: Mask) -> NDArray[np.intp]:
-    """The rows (from 0) from which probes go on: where the best is the first or the last and no vertex lies inside, the best
-    of all but the two there, if it is better than the neighbour of that end."""
-    sign, last = (1.0 if way == "max" else -1.0), column.shape[1] - 1
-    best = place  # the other one may be at the other end
-    for end, inward in ((0, 1), (last, -1)):
-        designs = np.flatnonzero(looked_at & (best == end))
-        if not len(designs):
-            continue
-        y = sign * column[designs]
-        other = np.argmax(y[:, 2:], axis=1) + 2 if end == 0 else np.argmax(y[:, :-2], axis=1)
-        near = y[:, end + inward]
-        outside = 3.4 * near <= 2.7 * y[:, end] + 0.7 * y[:, end + 2 * inward]
-        taken = outside & (y[np.arange(len(y)), other] > near)
-        place = place.copy()
-        place[designs[taken]] = other[taken]
-    return place
+def _begun_from(asked: Asked, column: Array, known: State) -> Array:
+    """The rows from which probes go on: the best ones, or, where that is the motion's first or last, others."""
+    here, rows = known["best"].copy(), column.shape[1]
+    if not asked.limits or rows < rules.LEAST_INNER:
+        return np.asarray(here)
+    every = (known["wraps"] == 0) & (known["first"] == 1) & (known["last"] == rows)
+    for end, inward, inner in ((0, 1, slice(2, None)), (rows - 1, -1, slice(None, -2))):
+        designs = np.flatnonzero(every & (known["best"] == end + 1))
+        if len(designs):
+            y = column[designs]
+            place, other = best_rows(asked.way, y[:, inner], None)
+            values = (y[:, end + step * inward] for step in range(3))
+            ends = dict(zip(("end", "next", "third"), values, strict=True))
+            moved = value_of(rules.INNER, {"sense": known["sense"], "other": other, **ends})
+            here[designs[moved]] = place[moved] + 1.0 + (inner.start or 0)
+    return np.asarray(here)
+
+
+At = Callable[..., Array]
+"""Of each design the value in a row of its own."""
+
+
+def _turned(tree: Node) -> Node:
+    """A rule over values that are turned so that the least is sought."""
+    return transform(with_symbols(tree, {"sense": al.ONE}), al.tidied)
+
+
+_PEAK, _NO_TWIN = [_turned(tree) for tree in rivals.PEAK], _turned(rivals.NO_TWIN)
+_AT_END = _turned(Call("AND", rivals.AT_END))
+
+
+def _offer(column: Array, known: State, at: At) -> Array:
+    """The most that a row promises beside it that is neither near the one the probes begin from nor a twin of the best one;
+    infinite the other way where there is none."""
+    sense, first, last, rows = known["sense"], known["first"], known["last"], column.shape[1]
+    y = column if sense > 0 else -column
+    known = known | {"allowed": value_of(rivals.ALLOWED, known)}
+    known |= {"twin": sense * value_of(rivals.TWIN_BELOW, known), "again": value_of(rivals.AGAIN, known)}
+    inner = {"own": y[:, 1:-1], "before": y[:, :-2], "after": y[:, 2:]}
+    found = value_of(_PEAK[0], inner) & value_of(_PEAK[1], inner)
+    part, every = np.flatnonzero(last - first + 1 < rows), np.arange(1, rows + 1)[None, :]
+    missing = np.isnan(y)
+    if len(part):  # of a part of the table no peak is asked for
+        within = (every >= first[part, None]) & (every <= last[part, None])
+        found[part] = within[:, :-2] & within[:, 2:]
+        missing[part] &= within
+    found &= value_of(_NO_TWIN, {"own": inner["own"], "twin": known["twin"][:, None]})
+    design, row = np.nonzero(found)
+    most = np.full(len(y), np.inf)
+    if len(design):
+        there: State = {name: each[design, row] for name, each in inner.items()}
+        there |= {"number": row + 1, "here": known["here"][design], "again": known["again"][design]}
+        far = value_of(rivals.FAR[0], there) & value_of(rivals.FAR[1], there)
+        np.minimum.at(most, design[far], value_of(rivals.OFFER, there)[far])
+    for end, other, inward in ((first, last, 1), (last, first, -1)):
+        after, third, near = end + inward, end + 2 * inward, other - inward
+        places: State = {"own": end, "after": after, "third": third, "far": other, "near": near}
+        known |= {name: at(place, y) for name, place in places.items()} | {"end": end, "other_end": other}
+        known["before"] = known["outside"] = value_of(rivals.OUTSIDE, known)
+        rival = value_of(_AT_END, known)
+        most = np.where(rival, np.fmin(most, value_of(rivals.OFFER, known)), most)
+    # where the quantity has no value in some row of the stretch, the sheet says nothing
+    return np.asarray(sense * np.where(missing.any(axis=1) | (last - first < 2), np.inf, most))
+
+
+def _pole(known: State, at: At, divisor: Array | None) -> Mask:
+    """Whether three rows are those around a place where the quantity has no bound."""
+    known = known | {"middle": value_of(boundless.MIDDLE, known)}
+    before, after = (value_of(tree, known) for tree in boundless.NEIGHBOURS)
+    places = {"before": before, "here": known["middle"], "after": after}
+    values = {name: at(place) for name, place in places.items()}
+    if divisor is not None:
+        signs = {name: at(place, divisor) for name, place in places.items()}
+        for name in ("before", "after"):
+            beside = {"value": values[name], "there": signs[name], "here": signs["here"]}
+            values[name] = value_of(boundless.SIGNED, beside)
+    return np.asarray(value_of(boundless.at_pole(divisor is not None), values), bool)
 
 
 OfDesigns = TypeVar("OfDesigns", Stretches, Anchors)
@@ -191,142 +254,96 @@ def joined(parts: list[OfDesigns]) -> OfDesigns:
     return kind(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(kind)))
 
 
+# --- between the rows -----------------------------------------------------------------------------------------------------
+
 Probe = Callable[[Array], Array]
-"""The quantity at places (n, k)."""
+"""A quantity at a place of each design, (n,)."""
+
+
+def _probed(state: State, probe: Probe) -> State:
+    """What the last row of a search knows, what the last probe has found, and the best before it."""
+    for number in range(rules.PROBES):
+        state["vertex"] = value_of(rules.VERTEX, state)
+        state["probe"] = value_of(rules.PROBE if number else rules.FIRST_PROBE, state)
+        state["before"] = state["f_middle"]
+        values = probe(value_of(rules.PLACE, state))
+        state["value"] = state["last_probe"] = np.where(np.isfinite(values), values, state["f_middle"])
+        above = {f"{name}_above": state[name] for name in ("probe", "middle")}
+        state |= {name: value_of(tree, state) for name, tree in rules.NARROWED.items()} | above
+    return state
 
 
 def refined(
-    way: Way, anchors: Anchors, stretches: Stretches, edges: tuple[Array, Array], ends: bool, probe: Probe
-) -> tuple[Array, Codes]:
-    """The extremes of designs of one stretch, and what is to be said of them.
+    way: Way, anchors: Anchors, stretches: Stretches, edges: tuple[Array, Array], rows_only: Mask,
+    probe: Callable[[Array, Rows], Array],
+) -> tuple[Array, Codes]:  # fmt: skip
+    """The extremes of designs, and what is to be said of them.
 
-    edges   where their stretches begin and end, between rows;  ends: as in `anchors_of`
+    edges  where their stretches begin and end, between rows;  rows_only: of which nothing is known there
+    probe  the quantity at a place of each design, angles near what they are in a row (`HERE`, `FIRST`, `LAST`)
     """
-    first, last = stretches.first, stretches.last
-    low, high = edges
-    here, best = anchors.here, anchors.best
-    beyond = anchors.wraps > 0 if ends else np.zeros(len(here), bool)
-
-    def found(places: Array, known: Array) -> Array:
-        values = probe(places[:, None])[:, 0]
-        return np.where(np.isfinite(values), values, known)
-
+    state: State = {field.name: getattr(anchors, field.name) for field in fields(Anchors)}
+    state |= {"sense": SENSES[way], "first": stretches.first, "last": stretches.last, "rows_only": rows_only}
+    state["low"], state["high"] = edges
+    ends = (("at_low", state["low"] < state["first"], FIRST), ("at_high", state["high"] > state["last"], LAST))
     with np.errstate(all="ignore"):
-        limited = ((low < first) & ~beyond, (high > last) & ~beyond)
-        at_low, at_high = (
-            found(np.where(there, end, here), best) if there.any() else best
-            for there, end in zip(limited, (low, high), strict=True)
-        )
-        state = _begun(1.0 if way == "min" else -1.0, anchors, (low, high), limited, (at_low, at_high), beyond)
-        before = last_value = best
-        for number in range(PROBES):
-            state["vertex"] = value_of(VERTEX, state)
-            state["probe"] = value_of(PROBE if number else FIRST_PROBE, state)
-            before = state["f_middle"]
-            state["value"] = last_value = found(np.asarray(value_of(PLACE, state)), before)
-            above = {f"{name}_above": state[name] for name in ("probe", "middle")}
-            state |= {name: value_of(tree, state) for name, tree in NARROWED.items()} | above
-        probed = state["f_middle"]
-        extreme = np.where(state["sense"] * (anchors.most - probed) < 0, anchors.most, probed)
-        place = np.where(extreme == probed, value_of(PLACE, state | {"probe": state["middle"]}), low)
-        at_end = ~beyond & ((place == low) | (place == high))
-        about = unsettled(extreme, last_value, before, anchors.worst, at_end)
-    of_rows = (stretches.number > 1) | (first == last) | ~np.isfinite(best)
-    elsewhere = beyond_found(way == "max", anchors.rival, extreme, anchors.most, anchors.worst)
-    codes = np.where(of_rows, 0, np.where(elsewhere, BEYOND, np.where(about, ABOUT, 0))).astype(np.int8)
-    return np.where(of_rows, anchors.most, extreme), codes
+        for (name, limited, row), end in zip(ends, ("low", "high"), strict=True):
+            state[name] = state["of_first" if row == FIRST else "of_last"]
+            if limited.any():
+                values = probe(state[end], np.full(len(limited), row))
+                values = np.where(np.isfinite(values), values, state["value"])
+                state[name] = np.where(limited, values, state[name])
+        state["start"] = start = value_of(rules.START, state)
+        state |= {"lower": value_of(rules.LOWER, state), "upper": value_of(rules.UPPER, state)}
+        state["of_lower"] = np.where(start == state["here"], anchors.before, anchors.of_last)
+        state["of_upper"] = np.where(start == state["here"], anchors.after, anchors.of_first)
+        for name, tree in rules.BEGUN.items():  # the limit depends on the side
+            state[name] = value_of(tree, state)
+        near = np.where(start == state["here"], HERE, np.where(start == state["low"], FIRST, LAST))
+        state = _probed(state, lambda places: probe(places, near))
+        state["found"] = state["f_middle"]
+        state["extreme"] = extreme = value_of(rules.EXTREME, state)
+        state["place"] = value_of(rules.PLACE, state | {"probe": state["middle"]})
+        state["place"] = value_of(rules.PLACED, state)
+        given = state | {"allowed": value_of(rivals.ALLOWED, state), "found": extreme}
+        given["promise"] = value_of(rivals.PROMISE_BEYOND, given)
+        state["elsewhere"] = value_of(rivals.MORE, given)
+        doubts = value_of(rules.DOUBT, state)
+    return np.asarray(extreme, float), OF_DOUBTS[np.asarray(doubts, np.intp)]
 
 
-def _begun(
-    sense: float,
-    anchors: Anchors,
-    ends: tuple[Array, Array],
-    limited: tuple[Mask, Mask],
-    at_ends: tuple[Array, Array],
-    beyond: Mask,
-) -> dict[str, Array]:
-    """What the first row of each search knows.
+def edges_of(first: Array, last: Array, rows: int, margin: Probe) -> tuple[Array, Array, Mask]:
+    """Where the first stretches of designs begin and end between rows, and which of them are known to a row only.
 
-    ends     where the stretches begin and end;  limited: whether at limits;  at_ends: values there
-    beyond   whether the ends of the motion are neighbours, so that places go on beyond them
+    margin  the least margin of all groups at places (n, 2)
     """
-    here, best = anchors.here, anchors.best
-    (low, high), (at_low, at_high) = ends, at_ends
-    from_high = limited[1] & (sense * (at_high - best) < 0)
-    from_low = limited[0] & (sense * (at_low - best) < 0)
-    from_high = np.where(from_low, sense * (at_high - at_low) < 0, from_high)
-    from_low &= ~from_high
-    start = np.where(from_low, low, np.where(from_high, high, here))
-    left = np.where(beyond, start - 1, np.maximum(low, np.ceil(start) - 1))
-    right = np.where(beyond, start + 1, np.minimum(high, np.floor(start) + 1))
-    at_left, at_right = limited[0] & (left == low), limited[1] & (right == high)
-    side = np.where(at_left, 1.0, np.where(at_right, -1.0, 0.0))
-    counted = {"side": side, "limit": np.where(side < 0, high, low), "sense": np.full(len(here), sense)}
-    places = {"left": left, "middle": start, "right": right}
-    before, after = anchors.beside.T
-    return counted | {
-        "f_left": np.where(at_left, at_low, np.where(from_high, anchors.edges[:, 1], before)),
-        "f_middle": np.where(from_low, at_low, np.where(from_high, at_high, best)),
-        "f_right": np.where(at_right, at_high, np.where(from_low, anchors.edges[:, 0], after)),
-        **{name: np.asarray(value_of(ROOTED, counted | {"place": place})) for name, place in places.items()},
-    }
+    inside, outside = np.stack((first, last), axis=1), np.stack((first - 1.0, last + 1.0), axis=1)
+    outside[(outside < 1) | (outside > rows)] = np.nan
+    state: State = {"inside": inside, "outside": outside, "newest": outside, "other": inside, "oldest": outside}
+    state["f_other"] = state["margin"] = margin(inside)
+    state["f_newest"] = state["f_oldest"] = margin(outside)
+    for number in range(rules.LIMIT_PROBES):
+        state["share"] = value_of(rules.SHARE if number else rules.FIRST_SHARE, state)
+        state["place"] = value_of(rules.SHARED, state)
+        state["value"] = margin(state["place"])
+        state |= {name: value_of(tree, state) for name, tree in rules.CROSSED.items()}
+    found = np.where(np.isnan(outside), inside, value_of(rules.FOUND, state))
+    unsettled = np.asarray(value_of(rules.REST, state) > rules.SETTLED_LIMIT).any(axis=1)
+    return found[:, 0], found[:, 1], np.asarray(unsettled, bool)
 
 
-Point = tuple[Array, Array]
+def least_gap(margins: Array, margin: Probe) -> Array:
+    """The least margin of designs that close in every row, also between rows.
 
-
-def vertex_of(one: Point, two: Point, three: Point) -> Array:
-    """Where the parabolas through three points (u, y) have their vertices."""
-    (u_one, y_one), (u_two, y_two), (u_three, y_three) = one, two, three
-    a, b = u_two - u_one, u_two - u_three
-    return np.asarray(
-        u_two
-        - (a**2 * (y_two - y_three) - b**2 * (y_two - y_one)) / (2 * (a * (y_two - y_three) - b * (y_two - y_one)))
-    )
-
-
-def edges_of(first: Array, last: Array, rows: int, inside: Callable[[Array], Mask]) -> tuple[Array, Array]:
-    """Where the first stretches of designs begin and end between rows: where the last margin becomes 0, by halving.
-
-    inside  whether the margins of all groups are above 0, at places (n, 2)
+    margins  designs by rows;  margin: at a place of each design
     """
-    closed = np.stack((first, last), axis=1)
-    open_ = np.stack((np.maximum(first - 1.0, 1.0), np.minimum(last + 1.0, rows)), axis=1)
-    there, beyond = closed.copy(), open_.copy()
-    for _ in range(HALVINGS):
-        middle = (there + beyond) / 2.0
-        meets = inside(middle)
-        there, beyond = np.where(meets, middle, there), np.where(meets, beyond, middle)
-    way = np.sign(closed - open_)
-    edges = np.where(
-        way == 0, closed, np.where(way > 0, np.minimum(there + INWARDS, closed), np.maximum(there - INWARDS, closed))
-    )
-    return edges[:, 0], edges[:, 1]
-
-
-def least_between(margins: Array, margin: Callable[[Array], Array]) -> Array:
-    """The least margin of designs that close in every row, also between rows: beside the two lowest rows.
-
-    margins  designs by rows;  margin  at places (n, k)
-    """
-    designs, rows = margins.shape
-    least = margins.min(axis=1)
-    if rows < 3:
-        return np.asarray(least)
-    padded = np.pad(margins, ((0, 0), (1, 1)), constant_values=np.inf)
-    lowest = np.where((margins <= padded[:, :-2]) & (margins <= padded[:, 2:]), margins, np.inf)
-    order = np.argsort(lowest, axis=1, kind="stable")[:, :2]
-    each = np.arange(designs)[:, None]
-    middle = np.minimum(np.maximum(order, 1), rows - 2)
-    before, value, after = (margins[each, middle + step] for step in (-1, 0, 1))
+    if margins.shape[1] < 3:
+        return np.asarray(margins.min(axis=1))
+    rows = {"before": margins[:, :-2], "here": margins[:, 1:-1], "after": margins[:, 2:]}
     with np.errstate(all="ignore"):
-        step = np.clip((before - after) / (2.0 * (before - 2.0 * value + after)), -1.0, 1.0)
-        one = middle + 1.0 + np.where(np.isfinite(step), step, 0.0)
-        y_one = margin(one)
-        outer = np.where(one > middle + 1.0, middle + 2.0, middle)
-        y_outer = np.where(one > middle + 1.0, after, before)
-        two = vertex_of((middle + 1.0, value), (one, y_one), (outer, y_outer))
-        two = np.clip(np.where(np.isfinite(two), two, one), middle, middle + 2.0)
-        places = [y_one, margin(two)]
-    between = np.concatenate(places, axis=1)
-    return np.asarray(np.minimum(least, np.nanmin(np.where(np.isnan(between), np.inf, between), axis=1)))
+        place = np.argmin(value_of(rules.DIP, rows), axis=1)
+        state: State = {"sense": 1.0, "side": 0.0, "limit": 0.0}
+        for name, step in (("left", 0), ("middle", 1), ("right", 2)):
+            state[name] = place + step + 1.0
+            state[f"f_{name}"] = margins[np.arange(len(margins)), place + step]
+        return np.asarray(_probed(state, margin)["f_middle"])

@@ -21,7 +21,7 @@ from mechsheet.studies.program import DESIGN, ONE, PLACE, WHOLE, Program, Runnin
 ANCHOR = "{symbol} of a row"
 """What is given, at other places than rows, for an angle without jumps: its value in a row near by."""
 
-THERE, MARGIN, INSIDE = "there", "margin {group}", "inside"
+THERE, MARGIN = "there", "margin {group}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +29,6 @@ class Lowered:
     """A program for some symbols.
 
     there    the key of the mask: every group closes;  margins: keys of what each group that can come apart has left
-    inside   the key of the mask: no margin is below 0
     anchors  symbols of the angles without jumps whose turns are read
     """
 
@@ -90,7 +89,7 @@ class Lowering:
     ) -> Lowered:
         """A program for columns: in the rows, which all designs share, or at places of each design's own.
 
-        closing  also margins, and where none is below 0
+        closing  also margins
         anchors  in the rows: also what a program at other places is given of them
         nodes    also expressions over what those wanted read, by names of their own
         """
@@ -100,11 +99,8 @@ class Lowering:
         found[THERE] = writer.there()
         margins = {}
         if closing:
-            inside = [found[THERE]]
             for group, condition in sorted(self.margins.items()):
-                margins[MARGIN.format(group=group)] = margin = writer.value(condition.margin)
-                inside.append(writer.program.step(np.greater_equal, margin, Value(ONE, number=0.0)))
-            found[INSIDE] = writer.program.fold(np.logical_and, inside)
+                margins[MARGIN.format(group=group)] = writer.value(condition.margin)
         found |= margins
         if anchors:
             found |= {ANCHOR.format(symbol=symbol): writer.known[symbol] for symbol in writer.anchored}

@@ -13,8 +13,7 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from mechsheet.sheet.checks.boundless import GROWN, LEAST_ROWS, STRAIGHT, STRAIGHT_SIGNED
-from mechsheet.sheet.checks.one_extreme import SETTLED
+from mechsheet.sheet.checks import search_rules as rules
 from mechsheet.words.catalogue import Language, words
 
 Array = NDArray[np.float64]
@@ -25,41 +24,16 @@ Texts = NDArray[np.object_]
 ABOUT, BEYOND, BOUNDLESS, ROWS_ONLY = 1, 2, 3, 4
 """Codes of remarks, 0 for none: of two the larger is said, as on the first sheet."""
 
+OF_DOUBTS: Codes = np.zeros(5, np.int8)
+OF_DOUBTS[[rules.ABOUT, rules.BEYOND, rules.ROWS]] = ABOUT, BEYOND, ROWS_ONLY
+"""The code of what the sheet of extremes says beside a value, by its number."""
+
 WORDS = {
     ABOUT: "verdict.about",
     BEYOND: "verdict.beyond",
     BOUNDLESS: "verdict.boundless",
     ROWS_ONLY: "verdict.rows.only",
 }
-
-
-def unsettled(value: Array, last: Array, before: Array, worst: Array, at_end: Mask) -> Mask:
-    """Whether an extreme is about right only: the last probe is worse than it, or it alone is that good.
-
-    last    what the last probe has found;  before: the best of what was known before it
-    worst   the other extreme of the rows
-    at_end  where the extreme is at an end of the motion, where it is as it should be
-    """
-    span = np.abs(value - worst)
-    return np.asarray(~at_end & ((np.abs(value - last) > SETTLED * span) | (np.abs(value - before) > SETTLED * span)))
-
-
-def beyond_rows(value: Array, of_rows: Array, others: Array, rows: NDArray[np.int64]) -> Mask:
-    """Whether extremes are far beyond the rows.
-
-    of_rows, others  the best and the worst of the rows;  rows: how many the stretch has
-    """
-    return np.asarray((rows >= LEAST_ROWS) & (np.abs(value - of_rows) > GROWN * np.abs(of_rows - others)))
-
-
-def at_pole(before: Array, here: Array, after: Array, signed: bool) -> Mask:
-    """Whether quantities have a pole beside the middle one of three rows.
-
-    signed  whether their signs are those of what stands in an absolute value
-    """
-    straight = STRAIGHT_SIGNED if signed else STRAIGHT
-    turns = np.minimum(before * here, after * here) < 0
-    return np.asarray(turns & (np.abs(1 / before - 2 / here + 1 / after) < straight * np.abs(1 / before - 1 / after)))
 
 
 def said(codes: Mapping[str, Codes], language: Language, count: int) -> Texts:

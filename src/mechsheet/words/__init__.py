@@ -1,1 +1,1 @@
-"""Every text in both languages, keyed by what it says."""
+"""Every text that people read, in every language."""

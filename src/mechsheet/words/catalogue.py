@@ -11,7 +11,7 @@ from functools import cache
 from gettext import GNUTranslations, NullTranslations
 from io import BytesIO
 from pathlib import Path
-from typing import Literal
+from typing import TypeAlias
 
 from livesheet.said import Words
 
@@ -19,7 +19,11 @@ FOLDER = Path(__file__).with_name("catalogues")
 
 ENGLISH = "en"
 
-Language = Literal["en", "tr"]
+LANGUAGES = (ENGLISH, *sorted({path.stem for path in FOLDER.glob("*.[mp]o")} - {ENGLISH}))
+"""The languages that there are, by the names of their catalogues (ISO 639)."""
+
+Language: TypeAlias = str
+"""One of `LANGUAGES`."""
 
 
 class _InEnglish(NullTranslations):

@@ -125,7 +125,7 @@ def taken(book):
     (step,) = steps_of(plan, RowByRow)
     plan.evaluate()
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(RowByRow, "row", lambda *_: pytest.fail("a row was not computed as floats"))
+        patch.setattr(row_by_row_module._Part, "_row", lambda *_: pytest.fail("a row was not computed as floats"))
         values = plan.evaluate()
     same(values, cell_by_cell(book))
     return step, values
@@ -134,6 +134,10 @@ def taken(book):
 def test_a_filter_is_one_loop():
     step, _ = taken(lines_book(40, "A1+B1/8", "B1-(C2-1)/4", "SIN(A2)+D1/2", "ROUND(C2,3)"))
     assert [len(part.lines) for part in step.parts] == [4]
+
+
+def test_a_text_that_a_formula_asks_for_stops_no_loop():
+    taken(lines_book(40, 'IF(B1="","",B1-5)', 'IF(A2="","",A2*0.9)', start=1e4))
 
 
 def test_sheets_that_read_each_other_row_by_row_and_start_in_different_rows():

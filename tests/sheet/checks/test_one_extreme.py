@@ -5,7 +5,7 @@ import math
 import pytest
 from laid import Laid, template_text
 
-from mechsheet.sheet.checks.bracket import PROBES
+from mechsheet.sheet.checks.search_rules import PROBES
 from mechsheet.sheet.checks.search_table import KNOWN, PLACE_COL
 
 R, ROD = 50, 250

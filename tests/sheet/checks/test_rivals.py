@@ -16,7 +16,7 @@ from mechsheet.description import Overrides
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.library.changed import loads
 from mechsheet.sheet.asked.requested import tables_of
-from mechsheet.sheet.checks.one_extreme import BEYOND
+from mechsheet.sheet.checks.search_rules import BEYOND
 from mechsheet.sheet.plan import MEANING
 from mechsheet.studies.designs import Designs
 

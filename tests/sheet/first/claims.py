@@ -20,7 +20,7 @@ from livesheet.formula.nodes import ErrorValue
 from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.rates.sensitivity import toleranced
 from mechsheet.kinematics.search import TURN
-from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.checks.search_rules import STRETCHES
 from mechsheet.sheet.findings.closing import closes_in_all
 from mechsheet.sheet.geometry import distance
 from mechsheet.sheet.grashof import is_all, named

@@ -292,7 +292,7 @@ def test_an_input_that_is_none_shows_no_position(typed, named):
 def test_verdict_says_rows_only():
     page = Page(text_of("four-bar"))
     (note,) = [comment for comment in page.sheet.comments if comment.text.startswith("Grashof: shortest + longest")]
-    assert next(cell for cell in page.sheet.cells if (cell.row, cell.col) == (note.row, note.col)).content == "A0ABB0"
+    assert next(cell for cell in page.sheet.cells if (cell.row, cell.col) == (note.row, note.col)).content == "Grashof"
     said = page.cell("verdict")
     assert said.startswith("closes in all 25 positions; A0ABB0: crank-rocker, crank can turn fully; ")
     assert said.endswith("; transmission angle: worst 33.9° at 0° (below 40°: poor) (rows only)")

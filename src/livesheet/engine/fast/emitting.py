@@ -69,8 +69,7 @@ class _Emitter(Singles):
         self.pools = {key: _Pool(letter) for key, letter in zip("tbwv", "tbwv", strict=True)}
         self.owned: dict[int, tuple[_Pool, str]] = {}
         self.namespace.update(
-            array=np.array, empty=np.empty, copyto=np.copyto, zero=np.zeros(()), near=np.array(NEAR), arange=np.arange,
-            take=np.take,
+            array=np.array, copyto=np.copyto, zero=np.zeros(()), near=np.array(NEAR),
         )  # fmt: skip
         self.needed, self.uses, self.outputs = self.usage.needed, self.usage.uses, self.usage.outputs
 
@@ -275,16 +274,8 @@ class _Emitter(Singles):
         above = f'buffers["above"][{value.data}] if i == 0 else item({value.data} + i)'
         self.line(f"copyto({target}, unwrapped({target}, {args[1]}, {above}))")
 
-    def _held(self, number: int, value: Value, args: list[str]) -> None:
-        self.names[number] = target = self._target(number)
-        self.namespace["latest"] = np.maximum.accumulate
-        where = self.function("where")
-        self.line(f"kept = empty(n + 1); kept[0] = item({value.data} + i); kept[1:] = {args[1]}")
-        self.line(f'take(kept, latest({where}({args[0]}, arange(1, n + 1), 0)), 0, {target}, "clip")')
-
     _SPECIAL: ClassVar[dict[str, Callable[[_Emitter, int, Value, list[str]], None]]] = {
-        "where": _where, "snap": _snap, "running": _running, "held": _held, "rounded": _helped,
-        "unwrapped": _unwrapped,
+        "where": _where, "snap": _snap, "running": _running, "rounded": _helped, "unwrapped": _unwrapped,
         "pick": _helped,
     }  # fmt: skip
 

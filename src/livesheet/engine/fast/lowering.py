@@ -387,14 +387,4 @@ class Lowering:
             if kind.op == "-":
                 step = self.value("negative", (step,))
             return self.value("running", (step,), (place, kind.step_first), ROWS)
-        value = self.number(kind.value)
-        if isinstance(kind, Unwrapped):
-            return self.value("unwrapped", (value, self.number(kind.turn)), place, ROWS)
-        mask = self.mask(kind.condition)
-        if self.values[mask].kind != "mask":
-            if (self.values[mask].kind == "true") == kind.taken:
-                return value
-            raise UnsuitableError
-        if not kind.taken:
-            mask = self.value("logical_not", (mask,), kind="mask")
-        return self.value("held", (mask, value), place, ROWS)
+        return self.value("unwrapped", (self.number(kind.value), self.number(kind.turn)), place, ROWS)

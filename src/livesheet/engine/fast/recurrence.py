@@ -1,13 +1,12 @@
-"""Columns that read their own previous row. Three kinds are computed as arrays: running sums, held values, phases unwrapped.
+"""Columns that read their own previous row. Two kinds are computed as arrays: running sums, phases unwrapped.
 
     prev + f(row), f(row) + prev, prev - f(row)      -> a running sum
-    IF(condition(row), value(row), prev)             -> the last value that was taken, held (also with the branches swapped)
     x(row) + turn * IFERROR(ROUND((prev - x(row)) / turn, 0), 0)
                                                      -> x and whole turns, within half a turn of the cell above
 
-A sum and a phase may be of N(prev), too, which is 0 of a heading.
-
-where `prev` is the cell above, and f, condition, value, x and turn read nothing of the column itself.
+where `prev` is the cell above, or N of it, which is 0 of a heading, and f, x and turn read nothing of the column itself.
+Both are what numpy has an operation for (`cumsum`, `unwrap`), and twenty times as fast as the loop over the rows that all
+other columns get which read themselves (`row_loop`): a table of 36,001 rows with one of them takes a fifth of the time.
 """
 
 from __future__ import annotations
@@ -24,8 +23,8 @@ from ..graph import area_read, reads_anywhere, references
 from ..interpreter.evaluator import Evaluator
 from ..kernels.math import rounded
 from ..layout import Layout
-from ..values.cells import BLANK, NEAR, NUM, Cells, choose, codes_of, finished
-from ..values.coerce import numbers_of, truths_of
+from ..values.cells import NEAR, NUM, Cells, finished
+from ..values.coerce import numbers_of
 from ..values.frames import Frame, NotReadyError
 
 HALF, MANY = 1e-9, 1e6
@@ -43,16 +42,6 @@ class RunningSum:
 
 
 @dataclass(frozen=True, slots=True)
-class Held:
-    """`value` where `condition` is `taken`, else `prev`."""
-
-    condition: Node
-    value: Node
-    prev: CellRef
-    taken: bool
-
-
-@dataclass(frozen=True, slots=True)
 class Unwrapped:
     """`value` and as many times `turn` (one number for the column) as bring it next to `prev`; anew after an error."""
 
@@ -61,7 +50,7 @@ class Unwrapped:
     prev: Node
 
 
-Recurrence: TypeAlias = RunningSum | Held | Unwrapped
+Recurrence: TypeAlias = RunningSum | Unwrapped
 
 
 def recognise(layout: Layout, number: int, formula: Node) -> Recurrence | None:
@@ -74,8 +63,7 @@ def recognise(layout: Layout, number: int, formula: Node) -> Recurrence | None:
     title = layout.titles[layout.block_sheets[number]]
 
     def apart(node: Node) -> bool:
-        sheets = {name: index for index, name in enumerate(layout.titles)}
-        areas = (area_read(ref, block, sheets) for ref in references(node))
+        areas = (area_read(ref, block, layout.sheets) for ref in references(node))
         return all(area is None or number not in layout.producers(area) for area in areas)
 
     match formula:
@@ -83,12 +71,6 @@ def recognise(layout: Layout, number: int, formula: Node) -> Recurrence | None:
             return RunningSum("+" if op == "+" else "-", prev, step, False)
         case Binary("+", step, prev) if _is_above(prev, block, title) and apart(step):
             return RunningSum("+", prev, step, True)
-        case Call("IF", (condition, value, CellRef() as prev)) if _is_above(prev, block, title):
-            if apart(condition) and apart(value):
-                return Held(condition, value, prev, True)
-        case Call("IF", (condition, CellRef() as prev, value)) if _is_above(prev, block, title):
-            if apart(condition) and apart(value):
-                return Held(condition, value, prev, False)
         case Binary(
             "+",
             value,
@@ -124,9 +106,7 @@ def compute(kind: Recurrence, ev: Evaluator, frame: Frame) -> Cells:
     with np.errstate(all="ignore"):
         if isinstance(kind, RunningSum):
             return _running_sum(kind, above, ev, frame)
-        if isinstance(kind, Unwrapped):
-            return _unwrapped(kind, above, ev, frame)
-        return _held(kind, above, ev, frame)
+        return _unwrapped(kind, above, ev, frame)
 
 
 def _value(ev: Evaluator, node: Node, frame: Frame) -> Cells:
@@ -137,25 +117,6 @@ def _value(ev: Evaluator, node: Node, frame: Frame) -> Cells:
         raise
     except Exception:  # said of each cell that cannot be computed
         return ev.cell_by_cell(lambda cell: ev.result(node, cell, part=True), frame)
-
-
-def _held(kind: Held, above: Cells, ev: Evaluator, frame: Frame) -> Cells:
-    mask, errors = truths_of(_value(ev, kind.condition, frame), ev.texts)
-    value = _value(ev, kind.value, frame)
-    if not kind.taken:
-        mask = ~mask
-    if errors is not None:
-        # An error is a value like any other here: the rows below hold it until the condition takes a new one.
-        mask = mask | (errors != 0)
-        value = choose(errors != 0, Cells(np.nan, errors), value)
-    rows = (frame.rows,)
-    numbers = np.concatenate(([float(above.numbers)], np.broadcast_to(value.numbers, rows)))
-    code = 0 if above.codes is None else int(above.codes)
-    codes = np.concatenate((np.array([code], np.uint8), np.broadcast_to(codes_of(value), rows)))
-    codes = np.where(codes == BLANK, np.uint8(0), codes)
-    last = np.maximum.accumulate(np.where(np.broadcast_to(mask, rows), np.arange(1, frame.rows + 1), 0))
-    found = codes[last]
-    return Cells(numbers[last], found if found.any() else None)
 
 
 def _running_sum(kind: RunningSum, above: Cells, ev: Evaluator, frame: Frame) -> Cells:

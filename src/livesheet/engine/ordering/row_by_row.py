@@ -13,7 +13,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from ...formula.book import Block
-from ...formula.nodes import Node, shifted
+from ...formula.nodes import Node, Text, shifted, walk
+from ..fast.any_kind import CellCode
 from ..fast.cell_codes import CellCodes
 from ..fast.lowered_functions import FUNCTIONS
 from ..fast.lowering import UnsuitableError
@@ -48,7 +49,11 @@ class RowByRow:
         self.sheets = layout.sheets
         self.lines = lines
         self.parts = [_Part(self, stretch) for stretch in stretches(lines)]
-        self._codes = CellCodes(layout, _FEW_SLOW)
+        self.codes = CellCodes(layout, _FEW_SLOW)
+        # The loop is made when it pays; by then no more texts are taken.
+        texts = {part.value for each in group for part in walk(formulas[each]) if isinstance(part, Text)}
+        for text in sorted(filter(layout.texts.takes, texts)):
+            layout.texts.number(text)
 
     def run(self, ev: Evaluator, marks: Marks) -> None:
         """Compute all cells."""
@@ -58,13 +63,6 @@ class RowByRow:
         for number in self.producers:
             block, start = self.layout.blocks[number], self.layout.block_offsets[number]
             marks.note(number, ev.codes[start : start + block.rows * block.cols])
-
-    def row(self, memory: Memory, lines: Sequence[Line], time: int) -> None:
-        """Compute the cells of lines at one time, of any kind of values."""
-        by_code = self._codes.due()
-        for line in lines:
-            formula, down = self.formulas[line.producer], time - line.first
-            self._codes.compute(memory, line.producer, formula, down, line.right, by_code)
 
 
 class _Part:
@@ -79,6 +77,7 @@ class _Part:
         self._runs = 0
         self._tried = False
         self._loop: _Loop | None = None
+        self._codes: dict[bool, list[CellCode]] = {}
 
     @cached_property
     def blocks(self) -> list[RowBlock]:
@@ -109,7 +108,7 @@ class _Part:
         loop = self.loop(memory.ev.around.arithmetic) if many or self._runs > _FEW_SLOW else None
         if loop is None or not self._as_expected(loop[0], memory.ev, marks):
             for row in range(self.rows):
-                self.step.row(memory, self.lines, self.first + row)
+                self._row(memory, row)
             return
         self._by_loop(memory, *loop)
 
@@ -145,8 +144,19 @@ class _Part:
             size = _FIRST_ROWS
             burst = 1 if done >= _FIRST_ROWS else min(2 * burst, _MOST_BURST)
             for _ in range(min(burst, self.rows - row)):
-                self.step.row(memory, self.lines, self.first + row)
+                self._row(memory, row)
                 row += 1
+
+    def _row(self, memory: Memory, row: int) -> None:
+        """Compute the cells of a row, of any kind of values."""
+        step, by_code = self.step, self.step.codes.due()
+        if by_code not in self._codes:
+            parts = [(line.producer, step.formulas[line.producer], line.right) for line in self.lines]
+            self._codes[by_code] = [step.codes.code(memory.ev, *part, by_code) for part in parts]
+        for line, code in zip(self.lines, self._codes[by_code], strict=True):
+            down = self.first + row - line.first
+            if not memory.fill(code, down, line.offset + down):
+                step.codes.interpret(memory.ev, line.producer, step.formulas[line.producer], down, line.right)
 
     def _write(self, ev: Evaluator, out: Any, row: int, done: int) -> None:
         if not done:

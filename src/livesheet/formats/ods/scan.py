@@ -144,6 +144,8 @@ class ContentScan:
             raise self.fault(say('a cell outside the sheet "{title}"', title=table.sheet.title))
         value = self.value(table, row, col, about, text)
         formula = self.formula(table, row, col, about)
+        if formula is not None and text == "" and self.words.value_type not in about:
+            value = ""  # LibreOffice's way to write that a formula gives an empty text
         store = table.sheet.constants if formula is None else table.sheet.cached
         if rows == cols == 1:
             if value is not None:

@@ -9,13 +9,27 @@ from dataclasses import dataclass, replace
 from livesheet.formula.book import Book, BookSheet
 from livesheet.formula.functions import FUNCTIONS
 from livesheet.formula.names import folded
-from livesheet.formula.nodes import Call, Local, NameRef, Node, Number, Scalar, Unary, shifted, transform
+from livesheet.formula.nodes import (
+    Call,
+    CellRef,
+    ErrorValue,
+    Local,
+    NameRef,
+    Node,
+    Number,
+    RangeRef,
+    Scalar,
+    Unary,
+    shifted,
+    transform,
+)
 from livesheet.formula.printer import print_formula
 from livesheet.said import say
 from mechsheet.checking.edited.expected import Expected, Inputs
 from mechsheet.checking.edited.formula_diff import Formulas, alike, formula_of, neutral, stretches
 from mechsheet.checking.edited.inserted_rows import Moves, moves_between, undone
 from mechsheet.checking.report import Edit, text_of
+from mechsheet.sheet.deleted import FIRST_OF_ALL
 
 SAME = 1e-13
 """Numbers this near (relatively) are one: programs write 15 to 17 digits."""
@@ -43,7 +57,8 @@ def edits_of(book: Book, expected: Expected) -> Edits:
     """Compare a book with the one that its description would build."""
     moves = moves_between(expected.book, book)
     book = undone(book, moves)
-    edits = [*moves.edits(expected.book), *_sheets(book, expected), *_names(book, expected)]
+    gone = _missing(book, expected)
+    edits = [*moves.edits(expected.book), *_sheets(gone, expected), *_names(book, expected, gone)]
     remarks = list(moves.remarks())
     inputs = expected.inputs()
     formulas = differing = 0
@@ -51,7 +66,7 @@ def edits_of(book: Book, expected: Expected) -> Edits:
         other = book.sheet(sheet.title)
         if other is None or sheet.title == expected.description_sheet:
             continue
-        found = list(_merged(_changes(sheet, other)))
+        found = list(_merged(_changes(sheet, other, gone)))
         edits += [_edit(change, sheet, other, moves) for change in found]
         edits += _numbers(sheet, other, inputs, moves)
         remarks += _constants(sheet, other, inputs, expected, moves)
@@ -61,7 +76,7 @@ def edits_of(book: Book, expected: Expected) -> Edits:
     remarks += [
         say('the sheet "{title}" is missing', title=sheet.title)
         for sheet in expected.book.sheets
-        if not sheet.blocks and sheet.title != expected.description_sheet and book.sheet(sheet.title) is None
+        if sheet.title in gone and sheet.title not in _kept(expected)
     ]
     known = {sheet.title.casefold() for sheet in expected.book.sheets}
     remarks += [
@@ -83,19 +98,47 @@ def edits_of(book: Book, expected: Expected) -> Edits:
 # --- sheets and names ----------------------------------------------------------------------------------------------
 
 
-def _sheets(book: Book, expected: Expected) -> Iterator[Edit]:
+def _missing(book: Book, expected: Expected) -> frozenset[str]:
+    """Sheets that somebody has deleted, but for the description, of which others tell."""
+    titles = {sheet.title for sheet in expected.book.sheets if book.sheet(sheet.title) is None}
+    return frozenset(titles - {expected.description_sheet})
+
+
+def _kept(expected: Expected) -> set[str]:
+    """Sheets without which there are no positions: a person who deletes one has damaged the workbook."""
+    plan = expected.plan
+    return {plan.main, plan.table, *(plan.at.titles[key] for key in FIRST_OF_ALL if key in plan.at.titles)}
+
+
+def _sheets(gone: frozenset[str], expected: Expected) -> Iterator[Edit]:
     for sheet in expected.book.sheets:
-        if sheet.blocks and book.sheet(sheet.title) is None:
+        if sheet.title in gone & _kept(expected):
             yield Edit("sheet", sheet.title, "a sheet of formulas", "missing")
 
 
-def _names(book: Book, expected: Expected) -> Iterator[Edit]:
+def _without(node: Node, gone: frozenset[str]) -> Node:
+    """A formula as it is after such sheets were deleted."""
+
+    def change(part: Node) -> Node:
+        match part:
+            case CellRef(sheet=str(title)) if title in gone:
+                return ErrorValue("#REF!")
+            case RangeRef(ErrorValue(), _):
+                return ErrorValue("#REF!")
+        return part
+
+    return transform(node, change) if gone else node
+
+
+def _names(book: Book, expected: Expected, gone: frozenset[str]) -> Iterator[Edit]:
     theirs = {folded(name.name): name for name in book.names if name.sheet is None}
     for name in expected.book.names:
         other = theirs.get(folded(name.name))
+        if other is None and _without(name.formula, gone) == ErrorValue("#REF!"):
+            continue  # some programs delete the name with the sheet
         if other is None:
             yield Edit("name", name.name, _printed(name.formula), "missing")
-        elif not alike(comparable(name.formula, ""), comparable(other.formula, "")):
+        elif not alike(comparable(_without(name.formula, gone), ""), comparable(other.formula, "")):
             yield Edit("name", name.name, _printed(name.formula), _printed(other.formula))
 
 
@@ -133,8 +176,8 @@ class _Change:
     value: Scalar = None
 
 
-def _changes(sheet: BookSheet, other: BookSheet) -> Iterator[_Change]:
-    """Column by column."""
+def _changes(sheet: BookSheet, other: BookSheet, gone: frozenset[str]) -> Iterator[_Change]:
+    """Column by column; `gone` are sheets that were deleted, which changes what reads them."""
     ours, theirs = Formulas(sheet), Formulas(other)
     for col, start, stop in stretches(ours, theirs):
         one, two = ours.block(start, col), theirs.block(start, col)
@@ -142,7 +185,7 @@ def _changes(sheet: BookSheet, other: BookSheet) -> Iterator[_Change]:
             continue
         if two is not None and (one.row, one.col) == (two.row, two.col) and one.formula == two.formula:
             continue  # nearly always: the rest is the slow way
-        was, now = formula_of(one, start, col), None if two is None else formula_of(two, start, col)
+        was, now = _without(formula_of(one, start, col), gone), None if two is None else formula_of(two, start, col)
         if now is None:
             for row in range(start, stop):
                 moved = shifted(was, row - start)

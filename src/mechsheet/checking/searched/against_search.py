@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from livesheet.diagnostics import MissingSheetError
 from livesheet.formula.book import Book
 from livesheet.formula.nodes import Scalar
 from livesheet.formula.references import cell_address
@@ -37,8 +38,12 @@ _SEARCHES: OfTheLast[dict[tuple[tuple[str, float], ...], Search | None]] = OfThe
 def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Comparison | None:
     """Hold every verdict cell against what is found with the inputs in the cells; arguments as of `against_plan`.
 
-    None where a derived dimension does not exist: then there is no motion to search.
+    None where a derived dimension does not exist: then there is no motion to search. Raises MissingSheetError where a sheet
+    that the first one reads was deleted: most of its lines are empty then.
     """
+    for key in plan.places.sheets:
+        if book.sheet(plan.at.titles[key]) is None:
+            raise MissingSheetError(plan.at.titles[key], shown)
     mechanism = plan.mechanism
     inputs = inputs_in(book, values, plan, shown)
     equations = plan.equations.equations
@@ -86,10 +91,9 @@ class _Judge(SearchedMotion):
 
     def result(self) -> Comparison:
         """All findings that this layout has."""
-        for finding in findings_of(self.plan.mechanism, self.plan.found):
-            if finding.key in self.plan.places.lines:
-                for key, expected in finding.expected(self).items():
-                    self._judge(key, expected)
+        for finding in findings_of(self.plan.mechanism, self.plan.found, by_rows=self.page):
+            for key, expected in finding.expected(self).items():
+                self._judge(key, expected)
         self._line()  # last: it repeats the others
         return self.tally.result()
 

@@ -16,7 +16,7 @@ from mechsheet.drawing_page.editing.shaping import Drawn, digits_for, size_of, w
 from mechsheet.drawing_page.positions import Point, Pose
 from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
 from mechsheet.model import Link
-from mechsheet.words.catalogue import Language
+from mechsheet.words.catalogue import Language, words
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +43,7 @@ class Sheet:
     @property
     def link_stem(self) -> str:
         """New links are called by it, with a number."""
-        return "uzuv" if self.language == "tr" else "link"
+        return words(self.language, "name.link")
 
     @property
     def ground(self) -> Link:

@@ -1,8 +1,16 @@
-// The words of the page, English and Turkish; `words.js` is the program's own list.
+// The words of the page in every language; `words.js` is the program's own list.
 
 import { WORDS } from "./words.js";
 import { icon } from "./icons.js";
 import { state, on } from "./state.js";
+
+export const LANGUAGES = Object.keys(WORDS);
+
+/** The language that a click on the button leads to. */
+export const next = () => LANGUAGES[(LANGUAGES.indexOf(state.language) + 1) % LANGUAGES.length];
+
+/** What a language is called by those who speak it. */
+export const called = (language) => WORDS[language]["language.own"];
 
 /** A text in the page's language, its {parts} filled in. */
 export function word(key, parts = {}) {
@@ -21,7 +29,7 @@ export function label() {
   }
   document.getElementById("canvas").setAttribute("aria-label", word("drawing"));
   document.getElementById("position").setAttribute("aria-label", word("position"));
-  document.getElementById("language").textContent = state.language === "en" ? "TR" : "EN";
+  document.getElementById("language").textContent = next().toUpperCase();
 }
 
 for (const element of document.querySelectorAll("[data-icon]")) element.append(icon(element.dataset.icon));

@@ -1,7 +1,7 @@
 // The page begins: what was kept in this tab, or the file that the command named.
 
 import { ask } from "./asking.js";
-import { label, note, word } from "./language.js";
+import { LANGUAGES, label, next, note, word } from "./language.js";
 import "./scene.js";
 import "./motion.js";
 import "./textpane.js";
@@ -13,7 +13,7 @@ import { fit, zoom } from "./view.js";
 import { confirmed, lookAgain, redo, save, setText, undo } from "./work.js";
 
 const get = (id) => document.getElementById(id);
-let templates = {}; // name -> title in both languages
+let templates = {}; // name -> title in every language
 
 async function begin() {
   const given = await ask("begin");
@@ -22,7 +22,7 @@ async function begin() {
   else {
     Object.assign(state, { text: given.text || given.empty, file: given.file, mark: given.mark });
     state.saved = given.text;
-    state.language = given.language || (navigator.language.startsWith("tr") ? "tr" : "en");
+    state.language = given.language || (LANGUAGES.find((each) => navigator.language.startsWith(each)) ?? "en");
     state.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
   }
   templates = given.templates;
@@ -63,7 +63,7 @@ for (const name of ["grid", "paths", "velocities"]) {
   on(name, () => get(name).setAttribute("aria-pressed", String(state[name])));
 }
 get("language").addEventListener("click", () => {
-  state.language = state.language === "en" ? "tr" : "en";
+  state.language = next();
   changed("language");
   lookAgain();
 });

@@ -1,13 +1,13 @@
 // What is taken away: the workbook, pictures, the description; and the check of it.
 
 import { ask, askFile } from "./asking.js";
-import { word } from "./language.js";
+import { LANGUAGES, called, word } from "./language.js";
 import { on, state } from "./state.js";
 import { say } from "./work.js";
 
 const workbook = document.getElementById("workbook");
 const wanted = { layout: "", language: "" };
-const WISHES = { layout: ["", "sheets", "page"], language: ["", "en", "tr"] };
+const WISHES = { layout: ["", "sheets", "page"], language: ["", ...LANGUAGES] };
 const FILES = ["xlsx", "ods", "svg", "png", "gif", "toml"];
 const results = document.createElement("output");
 
@@ -31,7 +31,7 @@ function drawWorkbook() {
   for (const [key, values] of Object.entries(WISHES)) {
     const list = document.createElement("select");
     list.setAttribute("aria-label", word(`workbook.${key}`));
-    list.append(...values.map((value) => new Option(word(`workbook.${key}.${value || "own"}`), value)));
+    list.append(...values.map((value) => new Option(LANGUAGES.includes(value) ? called(value) : word(`workbook.${key}.${value || "own"}`), value)));
     list.value = wanted[key];
     list.addEventListener("change", () => (wanted[key] = list.value));
     wishes.append(list);

@@ -16,6 +16,7 @@ from mechsheet.exporting.functions.routines import Routine, Source
 from mechsheet.exporting.lowering import Step
 from mechsheet.model import Label, Mechanism, TableRequest
 from mechsheet.units import DEG, NUMBER
+from mechsheet.words.catalogue import words
 
 LONGEST_PREFIX = 24
 """A title that makes a longer word is replaced by the mechanism's name in the names of its functions."""
@@ -151,7 +152,7 @@ def prefix_of(mechanism: Mechanism, language: str) -> str:
 
 
 def _capital(word: str, language: str) -> str:
-    first = "İ" if language == "tr" and word[0] == "i" else word[0].upper()
+    first = words(language, "letter.i") if word[0] == "i" else word[0].upper()
     return first + word[1:]
 
 

@@ -16,47 +16,9 @@ from mechsheet.exporting.functions.routines import Parameter
 from mechsheet.exporting.functions.solvers import Solver
 from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step
+from mechsheet.exporting.program import brought
 from mechsheet.units import Unit
 from mechsheet.words.catalogue import words
-
-HELPERS = """\
-Private Function PiValue() As Double
-    PiValue = 4 * Atn(1)
-End Function
-
-Private Function MaxOf(ByVal x As Double, ByVal y As Double) As Double
-    If x > y Then MaxOf = x Else MaxOf = y
-End Function
-
-Private Function MinOf(ByVal x As Double, ByVal y As Double) As Double
-    If x < y Then MinOf = x Else MinOf = y
-End Function
-
-Private Function Modulo(ByVal x As Double, ByVal y As Double) As Double
-    Modulo = x - y * Int(x / y)
-End Function
-
-Private Function ArcSin(ByVal x As Double) As Variant
-    If Abs(x) > 1 Then
-        ArcSin = CVErr(xlErrNA)
-    ElseIf Abs(x) = 1 Then
-        ArcSin = x * 2 * Atn(1)
-    Else
-        ArcSin = Atn(x / Sqr((1 - x) * (1 + x)))
-    End If
-End Function
-
-Private Function ArcCos(ByVal x As Double) As Variant
-    If Abs(x) > 1 Then
-        ArcCos = CVErr(xlErrNA)
-    ElseIf x = -1 Then
-        ArcCos = 4 * Atn(1)
-    Else
-        ArcCos = 2 * Atn(Sqr((1 - x) / (1 + x)))
-    End If
-End Function
-"""
-"""What Basic does not have."""
 
 ANGLE = """\
     If {x} > 0 Then
@@ -100,7 +62,7 @@ def module(
     if solvers:
         parts += [rule(words(language, "basic.solvers")), ""]
         parts += [procedures(solver, own, calls, names.values(), language) for solver in solvers]
-    parts += [rule(words(language, "basic.helpers")), "", HELPERS]
+    parts += [rule(words(language, "basic.helpers")), "", brought("basic.bas")]
     return "\n".join(parts)
 
 

@@ -18,6 +18,7 @@ from mechsheet.exporting.functions.routines import unknown_key
 from mechsheet.exporting.functions.solvers import Block, Solver
 from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step
+from mechsheet.exporting.program import brought
 from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.words.catalogue import words
@@ -75,150 +76,6 @@ def procedures(
     return "\n".join(_Writer(solver, names, calls, taken).lines(language))
 
 
-SOLVER = """\
-Private Function {name}(ByVal index As Long, ByVal arguments As Variant) As Variant
-    Dim asked({arguments}) As Double, i As Long, same As Boolean, again As Boolean
-    {name} = CVErr(xlErrNA)
-    On Error GoTo NoPosition
-    For i = 0 To {arguments}
-        asked(i) = arguments(i)
-    Next i
-    same = {name}_kept
-    again = {name}_kept
-    For i = 0 To {arguments}
-        If asked(i) <> {name}_asked(i) Then
-            again = False
-            If i < {first} Or i > {last} Then same = False
-        End If
-        {name}_asked(i) = asked(i)
-    Next i
-    {name}_kept = False
-    If Not again Then
-        {name}_found = False
-        If Not same Then {name}_begun = {name}_Begin(asked)
-        If {name}_begun Then {name}_found = {name}_Go(asked)
-    End If
-    {name}_kept = True
-    If {name}_found Then {name} = {name}_x(index)
-NoPosition:
-End Function
-
-Private Function {name}_Begin(asked() As Double) As Boolean
-    Dim x({unknowns}) As Double, before({unknowns}) As Double, earlier({unknowns}) As Double
-    Dim here({here}) As Double, given({given}) As Double, correction({unknowns}) As Double
-    Dim residual As Double, determinant As Double, first As Double, steady As Double
-    Dim share As Double, pass As Long, i As Long
-@declared
-    On Error GoTo NoPosition
-    Select Case Int(asked({mode}) + 0.5)
-@starts
-    Case Else
-        Exit Function
-    End Select
-    If Not {name}_Still(asked) Then Exit Function
-@at_home
-    For pass = 0 To {first_passes}
-        share = MinOf(pass / {led}, 1)
-@way
-        If Not {name}_Given(here, given) Then Exit Function
-        If Not {name}_Pass(x, given, correction, residual, determinant) Then Exit Function
-        If pass = 0 Then first = determinant
-        If pass = 1 Then steady = MaxOf({steady} * residual, {settled})
-        If Not (determinant * first > 0) Then Exit Function
-        If pass > 1 Then
-            If Not (residual < steady) Then Exit Function
-@trends
-        End If
-        If pass < {first_passes} Then
-            For i = 0 To {unknowns}
-                earlier(i) = before(i)
-                before(i) = x(i)
-                x(i) = x(i) - correction(i)
-            Next i
-        End If
-    Next pass
-    If Not (residual <= {closed}) Then Exit Function
-    For i = 0 To {unknowns}
-        {name}_home(i) = x(i)
-    Next i
-    {name}_sign = Sgn(determinant)
-    {name}_Return
-    {name}_Begin = True
-NoPosition:
-End Function
-
-Private Sub {name}_Return()
-    Dim i As Long
-    {name}_made = 0
-    For i = 0 To {unknowns}
-        {name}_last(i) = {name}_home(i)
-        {name}_before(i) = {name}_home(i)
-    Next i
-End Sub
-
-Private Function {name}_Go(asked() As Double) As Boolean
-    Dim place({drives}) As Double, stride({drives}) As Double, far As Double, steps As Long
-    Dim i As Long, same As Boolean
-    On Error GoTo NoPosition
-@far
-    If Not (far < {farthest}) Then Exit Function
-    steps = MaxOf(1, -Int(0.000000001 - far))
-@strides
-    same = {name}_made < steps
-    For i = 0 To {drives}
-        If stride(i) <> {name}_stride(i) Then same = False
-        {name}_stride(i) = stride(i)
-    Next i
-    If Not same Then {name}_Return
-    Do While {name}_made < steps - 1
-@next
-        If Not {name}_Step(asked, place, 1) Then Exit Function
-        For i = 0 To {unknowns}
-            {name}_before(i) = {name}_last(i)
-            {name}_last(i) = {name}_x(i)
-        Next i
-        {name}_made = {name}_made + 1
-    Loop
-    For i = 0 To {drives}
-        place(i) = asked({first} + i)
-    Next i
-    {name}_Go = {name}_Step(asked, place, {share})
-NoPosition:
-End Function
-
-Private Function {name}_Step(asked() As Double, place() As Double, ByVal share As Double) As Boolean
-    Dim x({unknowns}) As Double, here({here}) As Double, given({given}) As Double, pass As Long, i As Long
-    Dim correction({unknowns}) As Double, residual As Double, determinant As Double
-@declared
-    For i = 0 To {stays}
-        here(i) = {name}_there(i)
-    Next i
-    For i = 0 To {drives}
-        here({still} + i) = place(i)
-    Next i
-@on_the_way
-    If Not {name}_Given(here, given) Then Exit Function
-    For i = 0 To {unknowns}
-        x(i) = {name}_last(i)
-    Next i
-    For pass = 1 To {passes}
-        If Not {name}_Pass(x, given, correction, residual, determinant) Then Exit Function
-        For i = 0 To {unknowns}
-            x(i) = x(i) - correction(i)
-        Next i
-    Next pass
-    If Not {name}_Pass(x, given, correction, residual, determinant) Then Exit Function
-    If Not (residual <= {closed} And determinant * {name}_sign > 0) Then Exit Function
-@leaps
-    For i = 0 To {unknowns}
-        {name}_x(i) = x(i)
-    Next i
-    {name}_Step = True
-End Function
-"""
-"""The way to what is asked for. A line of a word with @ stands for what differs from group to group."""
-
-
 class _Writer:
     """The procedures of one group."""
 
@@ -241,7 +98,7 @@ class _Writer:
         about = words(language, "basic.solver", links=solver.label, unknowns=unknowns, led=LED)
         found = [comment(line) for line in about.split("\n")]
         differing = self._differing()
-        for line in SOLVER.format(**self._counts()).splitlines():
+        for line in brought("basic_newton.bas").format(**self._counts()).splitlines():
             for each in differing[line] if line.startswith("@") else [line]:
                 found += wrapped(each, "        ")
         count = len(solver.keys)
@@ -266,7 +123,7 @@ class _Writer:
         ]  # fmt: skip
 
     def _counts(self) -> dict[str, object]:
-        """Numbers of the template: the last index of each array, and what the method itself knows."""
+        """Numbers of `brought/basic_newton.bas`: the last index of each array, and what the method itself knows."""
         solver = self.solver
         return {
             "name": self.name,
@@ -291,7 +148,7 @@ class _Writer:
         }
 
     def _differing(self) -> dict[str, list[str]]:
-        """The lines of the template that stand for others."""
+        """The lines there that stand for others, from group to group: a word with @."""
         solver, name = self.solver, self.name
         ways = [
             al.sub(Symbol(f"asked({solver.first_drive + at})"), drive.home) for at, drive in enumerate(solver.drives)

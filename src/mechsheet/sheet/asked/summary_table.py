@@ -7,19 +7,19 @@ parabolas. Places count rows from the middle of three neighbours. What is given 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, transform
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, transform, with_symbols
 from livesheet.workbook import Area, Axis, Cell, Column, Conditional, Fill, Style
 from mechsheet.model import WAYS, Dimension, Quantity, Summary, TableRequest, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.asked.cell_formula import Blocks, CellFormula, helper_blocks
 from mechsheet.sheet.asked.two_way import CORNER_ROW, FIRST, HEAD_ROW, NAME_ROW, Body, Table, bracketed
 from mechsheet.sheet.checks import rivals
-from mechsheet.sheet.checks.one_extreme import SETTLED
+from mechsheet.sheet.checks.search_rules import PARABOLA, SETTLED
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.over_rows import ENDS, NUMBERS, ends_meet, may_leave_out, mean_of_motion
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
@@ -263,9 +263,9 @@ class Helpers:
         self.settled.append(
             self._line(
                 "settled",
-                "AND(rivals=0,OR(AND(here<>middle,result=best),ABS(result-last)<=settled*(most-least)))",
+                "AND(rivals=0,OR(AND(here<>middle,result=best),ABS(result-last)<=allowed))",
                 rivals=self._rivals(way, wraps, here, best, result), here=here, middle=middle, result=result, best=best,
-                last=known[-1], settled=SETTLED, most=self._over_rows("max"), least=self._over_rows("min"),
+                last=known[-1], allowed=self._allowed(),
             )
         )  # fmt: skip
         return result
@@ -278,31 +278,29 @@ class Helpers:
             )
             for at in (1, 0, 2)
         )
-        allowed = formula(
-            "settled*(most-least)", settled=SETTLED, most=self._over_rows("max"), least=self._over_rows("min")
-        )
-        sense = 1.0 if way == "min" else -1.0
-        limits = {
-            "twin": formula("best+sense*allowed", best=best, sense=sense, allowed=allowed),
-            "promise": formula("result-sense*allowed", result=result, sense=sense, allowed=allowed),
-            "sense": al.number(sense),
-        }
-        count = formula(
-            f"SUMPRODUCT({rivals.FAR}*{rivals.PEAK}*{rivals.PROMISES})", own=own, before=before,
-            after=after, number=formula("ROW(own)-offset", own=own, offset=FIRST + 1), here=here,
-            again=formula(rivals.AGAIN, wraps=wraps, here=here, rows=self.of_rows), **limits,
-        )  # fmt: skip
-        ends = [self._rival_at_end(at, wraps, here, limits) for at in (0, 1)]
+        sense = al.number(1.0 if way == "min" else -1.0)
+        known: dict[str, Node] = {"sense": sense, "wraps": wraps, "here": here, "rows": self.of_rows, "of_rows": best}
+        known |= {"found": result, "allowed": self._allowed()}
+        known |= {"twin": with_symbols(rivals.TWIN_BELOW, known), "promise": with_symbols(rivals.PROMISE_BEYOND, known)}
+        rows = {"own": own, "before": before, "after": after, "again": with_symbols(rivals.AGAIN, known)}
+        rows["number"] = formula("ROW(own)-offset", own=own, offset=FIRST + 1)
+        count = Call("SUMPRODUCT", (with_symbols(rivals.RIVALS, known | rows),))
+        ends = [self._rival_at_end(at, known) for at in (0, 1)]
         return self._line("rivals", "IFERROR(count+one+other,0)", count=count, one=ends[0], other=ends[1])
 
-    def _rival_at_end(self, at: int, wraps: CellRef, here: CellRef, limits: dict[str, Node]) -> Node:
+    def _rival_at_end(self, at: int, known: Mapping[str, Node]) -> Node:
         """The same of the first row (at 0) or the last one."""
         rows = [replace(self.column.start, row=row) for row in range(FIRST, self.table.rows_end + 1)]
         own, after, third, *_, near, far = rows if at == 0 else rows[::-1]
-        outside = formula(rivals.OUTSIDE, wraps=wraps, own=own, after=after, third=third, near=near, far=far)
         end, other = (al.ONE, self.of_rows) if at == 0 else (self.of_rows, al.ONE)
+        known = {**known, "own": own, "after": after, "third": third, "near": near, "far": far}
+        known |= {"end": end, "other_end": other, "outside": with_symbols(rivals.OUTSIDE, known)}
+        return with_symbols(rivals.RIVAL_AT_END, known)
+
+    def _allowed(self) -> Node:
+        """By so much more is nothing."""
         return formula(
-            rivals.AT_END, here=here, end=end, other=other, wraps=wraps, outside=outside, own=own, after=after, **limits
+            "settled*(most-least)", settled=SETTLED, most=self._over_rows("max"), least=self._over_rows("min")
         )
 
     def _over_rows(self, way: Way) -> Node:
@@ -353,9 +351,8 @@ class Helpers:
 
 def vertex_of(points: Sequence[tuple[Node, Node]]) -> Node:
     """Where the parabola through three points (u, y) has its vertex."""
-    (one, y_one), (two, y_two), (three, y_three) = points
-    return formula(
-        "two-((two-one)^2*(y_two-y_three)-(two-three)^2*(y_two-y_one))"
-        "/(2*((two-one)*(y_two-y_three)-(two-three)*(y_two-y_one)))",
-        one=one, two=two, three=three, y_one=y_one, y_two=y_two, y_three=y_three,
-    )  # fmt: skip
+    names = (("left", "f_left"), ("middle", "f_middle"), ("right", "f_right"))
+    known = {
+        name: node for pair, point in zip(names, points, strict=True) for name, node in zip(pair, point, strict=True)
+    }
+    return with_symbols(PARABOLA, known)

@@ -33,6 +33,35 @@ seems to be divided by 0, as a/|b| is where a is 0 too, it is nearly 1."""
 LEAST_ROWS = 6
 """Fewer rows say too little of the range."""
 
+BEYOND_ROWS = formula(
+    "AND(last-first>=least,ABS(extreme-of_rows)>grown*ABS(of_rows-other))", least=LEAST_ROWS - 1, grown=GROWN
+)
+"""Whether an extreme is far beyond the rows: `of_rows` and `other` are the best and the worst of those from the `first` to
+the `last` one of the stretch."""
+
+MIDDLE = formula("IF(wraps>0,here,MAX(first+1,MIN(last-1,here)))")
+"""The middle one of three rows: that from which the search begins, or its neighbour at an end of the stretch."""
+
+NEIGHBOURS = tuple(
+    formula(f"1+MOD(middle{sign}1-1,IF(wraps>0,turned,2*rows))", turned=formula("IF(wraps=1,rows-1,rows)"))
+    for sign in "-+"
+)
+"""The rows beside it: the first row's neighbour is the last, where the motion goes around."""
+
+SIGNED = formula("value*SIGN(there*here)")
+"""A value beside the middle row with the sign of what stands in an absolute value, `there` and `here`."""
+
+
+def at_pole(signed: bool) -> Node:
+    """Whether a quantity has a pole beside the middle one of three rows, over its values there: `before`, `here`, `after`.
+
+    signed  whether their signs are those of what stands in an absolute value
+    """
+    return formula(
+        "IFERROR(AND(MIN(before*here,after*here)<0,ABS(1/before-2/here+1/after)<straight*ABS(1/before-1/after)),FALSE)",
+        straight=STRAIGHT_SIGNED if signed else STRAIGHT,
+    )
+
 
 def may_grow(plan: Plan, symbol: str) -> bool:
     """Whether a quantity can be without bound, and the sheet would know."""
@@ -87,28 +116,6 @@ def _keeps_bounds(node: Node, columns: Collection[str], known: Collection[str]) 
         case _:
             return False
     return all(_keeps_bounds(part, columns, known) for part in parts)
-
-
-def beyond_rows(value: Node, of_rows: Node, others: Node, rows: tuple[Node, Node]) -> Node:
-    """Whether an extreme is far beyond the rows.
-
-    of_rows, others  the best and the worst of the rows;  rows: the first and the last row of the stretch
-    """
-    return formula(
-        "AND(last-first>=least,ABS(value-of_rows)>grown*ABS(of_rows-others))", first=rows[0], last=rows[1],
-        least=LEAST_ROWS - 1, value=value, of_rows=of_rows, others=others, grown=GROWN,
-    )  # fmt: skip
-
-
-def at_pole(before: Node, here: Node, after: Node, straight: float) -> Node:
-    """Whether a quantity has a pole beside the middle one of three rows.
-
-    straight  how much its reciprocal may bend: `STRAIGHT` or `STRAIGHT_SIGNED`
-    """
-    return formula(
-        "IFERROR(AND(MIN(before*here,after*here)<0,ABS(1/before-2/here+1/after)<straight*ABS(1/before-1/after)),FALSE)",
-        before=before, here=here, after=after, straight=straight,
-    )  # fmt: skip
 
 
 def unsigned_divisor(plan: Plan, symbol: str) -> Node | None:

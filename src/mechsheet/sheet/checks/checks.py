@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted, with_symbols
 from livesheet.workbook import Area, Column, PrintSetup, Sheet
 from mechsheet.kinematics.numeric import runs_of
 from mechsheet.sheet import styles
@@ -20,17 +20,19 @@ from mechsheet.sheet.checks.assemblies import assembly_columns
 from mechsheet.sheet.checks.efforts import AGREES, effort_columns
 from mechsheet.sheet.checks.fits import fit_columns
 from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
+from mechsheet.sheet.checks.search_rules import DIP
 from mechsheet.sheet.places import Checked
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
-from mechsheet.sheet.table.positions import heading
-from mechsheet.sheet.table.rates import dead_words
-from mechsheet.sheet.table.status import status_words
+from mechsheet.sheet.table.positions import SYMBOL_ROW, heading
 
 ROUNDING = 1e3
 """Lengths are equal up to so many times what counts as zero (1e-12 of the largest length): 1e-9 of it."""
 
-TITLE_ROW, ABOUT_ROW, TYPED_ROW, ROUNDING_ROW, REASONS_ROW = range(5)
+TITLE_ROW, ABOUT_ROW, TYPED_ROW, ROUNDING_ROW = range(4)
+GROUP_ROW = 5
+"""The row over the table's headings."""
+
 VALUE, WORDS = 2, 3
 """Columns of the values that hold for the whole table, and of what they say."""
 
@@ -74,11 +76,7 @@ class Checks:
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
         self.title = plan.at.titles["checks"]
-        self.reasons = [*status_words(plan), plan.text("status.ok")]
-        self.dead_row = REASONS_ROW + len(self.reasons)
-        self.dead = dead_words(plan)
-        self.group_row = self.dead_row + (len(self.dead) + 1 if self.dead else 0) + 1
-        self.head_row, self.most_row, self.at_row, self.first = range(self.group_row + 1, self.group_row + 5)
+        self.group_row, self.head_row, self.most_row, self.at_row, self.first = range(GROUP_ROW, GROUP_ROW + 5)
         self.last = self.first + plan.rows - 1
         first = plan.at.first
         self.checks = [Check("gap", number, node) for number, node in gap_columns(plan, self.title, first)]
@@ -100,8 +98,6 @@ class Checks:
         title, rows, checks = self.title, self.plan.rows, [*enumerate(self.checks, DATA)]
         return Checked(
             Spot(title, self.first, COUNT_COL, rows), Spot(title, TYPED_ROW, VALUE), Spot(title, ROUNDING_ROW, VALUE),
-            Spot(title, REASONS_ROW, VALUE, len(self.reasons)).whole(),
-            Spot(title, self.dead_row, VALUE, len(self.dead) + 1).whole(),
             {check.group: Spot(title, self.first, col, rows) for col, check in checks if check.kind == "margin"},
             {
                 check.group: (Spot(title, self.most_row, col), Spot(title, self.at_row, col))
@@ -188,9 +184,9 @@ class _Writer(Cells):
     # --- what holds for the whole table -----------------------------------------------------------------------
 
     def _whole(self) -> None:
-        """Cells typed over, what counts as rounding, and the words for rows without a position."""
+        """Cells typed over, and what counts as rounding."""
         plan = self.plan
-        for row, key in ((TYPED_ROW, "typed"), (ROUNDING_ROW, "rounding"), (REASONS_ROW, "reasons")):
+        for row, key in ((TYPED_ROW, "typed"), (ROUNDING_ROW, "rounding")):
             self.put(row, 0, plan.text(f"checks.{key}"), styles.LABEL)
             self.put(row, 1, None, styles.LABEL)
             self.merge(row, 0, 1)
@@ -203,14 +199,6 @@ class _Writer(Cells):
         self.colour(area, typed, styles.BAD)
         rounding = formula("times*tolerance", times=ROUNDING, tolerance=Symbol(plan.equations.tolerance))
         self.formula(ROUNDING_ROW, VALUE, rounding, styles.numbered(styles.RESULT, styles.ERROR.number_format))
-        for index, words_ in enumerate(self.at.reasons):
-            self.put(REASONS_ROW + index, VALUE, words_, styles.VERDICT)
-        if self.at.dead:
-            self.put(self.at.dead_row, 0, plan.text("checks.dead", rates=plan.at.titles["rates"]), styles.LABEL)
-            self.put(self.at.dead_row, 1, None, styles.LABEL)
-            self.merge(self.at.dead_row, 0, 1)
-            for index, words_ in enumerate([*self.at.dead, plan.text("status.ok")]):
-                self.put(self.at.dead_row + index, VALUE, words_, styles.VERDICT)
 
     # --- the table --------------------------------------------------------------------------------------------
 
@@ -316,7 +304,7 @@ def rows_apart(plan: Plan) -> list[Node]:
     own = Symbol(ALL + plan.mechanism.driver.symbol)
     return [
         formula(
-            "IF(ROWS(rows)=count,IFERROR(SUMPRODUCT((rows<>own)*1),0),1)", own=own, count=plan.searched.rows.cell,
+            "IFERROR(IF(ROWS(rows)=count,SUMPRODUCT((rows<>own)*1),1),0)", own=own, count=plan.searched.rows.cell,
             rows=RangeRef(top, replace(top, row=top.row + plan.rows - 1)),
         )
         for top in sheets_in_rows(plan).values()
@@ -324,22 +312,18 @@ def rows_apart(plan: Plan) -> list[Node]:
 
 
 def _without_formula(area: RangeRef) -> Node:
-    # 0 in programs that do not ask a whole range
-    return formula("IFERROR(SUMPRODUCT(1-ISFORMULA(area)),0)", area=area)
+    """The cells in columns with a heading: one without is a person's own, or still empty. 0 in programs that do not ask a
+    whole range."""
+    heads = (replace(corner, row=SYMBOL_ROW) for corner in (area.start, area.end))
+    return formula('IFERROR(SUMPRODUCT((1-ISFORMULA(area))*(heads<>"")),0)', area=area, heads=RangeRef(*heads))
 
 
 def _least_nearby(margin: str, plan: Plan) -> Node:
-    """The margin of a row that exists between two others: of the parabola through them where that dips between.
-
-    m - (c - a)^2 / (8 (a - 2 m + c)), for a > m < c
-    """
+    """The margin of a row that exists between two others: of the parabola through them where that dips between."""
     before, here, after = (plan.at.cell(margin, plan.at.titles["checks"], plan.at.first + step) for step in (-1, 0, 1))
     said = RangeRef(*(CellRef(plan.at.first + step, STATUS, sheet=plan.table) for step in (-1, 1)))
-    return formula(
-        'IFERROR(IF(COUNTIF(said,ok)<3,"",IF(AND(before>here,after>here),'
-        "here-(after-before)^2/(8*(before-2*here+after)),here)),\"\")",
-        before=before, here=here, after=after, said=said, ok=plan.text("status.ok"),
-    )  # fmt: skip
+    least = with_symbols(DIP, {"before": before, "here": here, "after": after})
+    return formula('IFERROR(IF(COUNTIF(said,ok)<3,"",least),"")', least=least, said=said, ok=plan.ok)
 
 
 def _leaps(plan: Plan, sheet: str) -> list[Node]:

@@ -1,8 +1,8 @@
 """The sheet of extremes: the smallest and the largest value of a quantity over the motion, not only over the rows.
 
-A search (`search_table`, `bracket`) begins from the best row and its neighbours, or from where the stretch begins or ends
-between two rows. What is given has been attained. Over a whole turn the rows at its ends are neighbours, which is decided by
-formulas: start and step may change.
+A search (`search_table`, `search_rules`) begins from the best row and its neighbours, or from where the stretch begins or
+ends between two rows. What is given has been attained. Over a whole turn the rows at its ends are neighbours, which is
+decided by formulas: start and step may change.
 """
 
 from __future__ import annotations
@@ -11,14 +11,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, with_symbols
 from livesheet.workbook import Column, PrintSetup, Sheet
 from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.model import WAYS, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.boundless import may_grow
-from mechsheet.sheet.checks.bracket import BRACKET, PROBES
 from mechsheet.sheet.checks.checks import rows_apart
 from mechsheet.sheet.checks.limits import COUNT, FIRST_ROW, FROM, LAST_ROW, ROWS_ONLY, TO, UNSETTLED, Limits
 from mechsheet.sheet.checks.one_extreme import (
@@ -36,6 +35,7 @@ from mechsheet.sheet.checks.one_extreme import (
     Sought,
 )
 from mechsheet.sheet.checks.same_angle import same_angle
+from mechsheet.sheet.checks.search_rules import BRACKET, PROBES
 from mechsheet.sheet.checks.search_table import (
     DRIVER_COL,
     KNOWN,
@@ -50,6 +50,7 @@ from mechsheet.sheet.checks.search_table import (
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.columns.bands import band_of_constant
 from mechsheet.sheet.geometry import length_in_cells
+from mechsheet.sheet.over_rows import is_back, whole_turns
 from mechsheet.sheet.places import Extreme, Searched, there
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
@@ -236,32 +237,18 @@ class Extremes:
         if not driver.link or driver.values or plan.rows < LEAST_OF_TURN:
             table.work(self.whole_row, WHOLE, "0")
             return
-        turn = whole_turn(driver.unit.in_degrees)
+        known: dict[str, Node] = {"turn": Number(whole_turn(driver.unit.in_degrees))}
         if driver.law is not None:
-            covered = formula("ABS(last-first)/turn", first=Symbol(SHOWN + driver.law.start),
-                              last=Symbol(SHOWN + driver.law.stop), turn=turn)  # fmt: skip
+            ends = {"first": Symbol(SHOWN + driver.law.start), "last": Symbol(SHOWN + driver.law.stop)}
+            known["covered"] = with_symbols(formula("ABS(last-first)/turn"), known | ends)
         else:
-            step = {"step": there(plan.places.step).cell, "rows": table.rows, "turn": turn}
-            covered = formula("ABS(step)*(rows-1)/turn", **step)
-        if tied := plan.equations.equations.tied:
-            back = Call("AND", tuple(self._is_back(symbol) for symbol in tied))
-            table.work(
-                self.whole_row, WHOLE,
-                "IF(AND(ABS(ROUND(covered,0)-covered)<1E-9,ROUND(covered,0)>0),IFERROR(IF(back,1,0),0),0)",
-                covered=covered, back=back,
-            )  # fmt: skip
-            return
-        if driver.law is not None:
-            table.work(
-                self.whole_row, WHOLE, "IF(AND(covered>0.5,ABS(ROUND(covered,0)-covered)<1E-9),1,0)", covered=covered
-            )
-            return
-        table.work(
-            self.whole_row, WHOLE,
-            "IF(ABS(ROUND(covered,0)-covered)<1E-9,IF(ROUND(covered,0)>0,1,0),"
-            "IF(ABS(ROUND(more,0)-more)<1E-9,2,0))",
-            covered=covered, more=formula("ABS(step)*rows/turn", **step),
-        )  # fmt: skip
+            known |= {"step": there(plan.places.step).cell, "rows": table.rows}
+            known["covered"] = with_symbols(formula("ABS(step)*(rows-1)/turn"), known)
+            known["more"] = with_symbols(formula("ABS(step)*rows/turn"), known)
+        tied = plan.equations.equations.tied
+        known["back"] = Call("AND", tuple(self._is_back(symbol) for symbol in tied))
+        turns = with_symbols(whole_turns(driver.law is not None, bool(tied)), known)
+        table.work(self.whole_row, WHOLE, "turns", turns=turns)
 
     def _is_back(self, symbol: str) -> Node:
         """Whether what a gear or a further driver decides is in the last row what it was in the first."""
@@ -269,10 +256,10 @@ class Extremes:
         last, first = (
             CellRef(row, spot.col, True, True, spot.sheet) for row in (self.plan.at.last, self.plan.at.first)
         )
-        if self.plan.equations.of(symbol).unit.kind != "angle":
-            return formula("ABS(last-first)<1E-9*size", last=last, first=first, size=self.plan.size)
-        way = formula("(last-first)/turn", last=last, first=first, turn=whole_turn(spot.degrees))
-        return formula("ABS(ROUND(way,0)-way)<1E-9", way=way)
+        angle, turn = self.plan.equations.of(symbol).unit.kind == "angle", Number(whole_turn(spot.degrees))
+        return with_symbols(
+            is_back(angle), {"last": last, "first": first, "turn": turn, "size": Number(self.plan.size)}
+        )
 
     def _inputs_are_fine(self) -> Node:
         """Whether the yellow cells hold what can be, there is such a position, and all that is derived is a number."""

@@ -1,7 +1,7 @@
 """Stretches of the sweep in which the mechanism closes, and their ends: the limit positions, between two rows.
 
 A row closes where the margins of all groups are above 0; the least of them is smooth in the driver beside a limit, or has a
-kink there. Probes look for where it is 0 (`bracket`). Values of the driver are counted in rows (`search_table`).
+kink there. Probes look for where it is 0 (`search_rules`). Values of the driver are counted in rows (`search_table`).
 """
 
 from __future__ import annotations
@@ -13,28 +13,15 @@ from livesheet.formula.nodes import Call, CellRef, Node, Symbol, with_symbols
 from livesheet.workbook import Name
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks.bracket import CHORD, CROSSED, CROSSING, LIMIT_PROBES, SHARE
+from mechsheet.sheet.checks import search_rules as rules
 from mechsheet.sheet.checks.search_table import KNOWN, LABEL, PLACE_COL, VERTEX_COL, SearchTable, whole
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.places import Stretch
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 
-STRETCHES = 3
-"""Stretches that are looked at; further ones are counted."""
-
 LIMITS = 4
 """Limits that are found; further ones are counted."""
-
-INWARDS = 1e-9
-"""How far inside the limit its value is given, in parts of a row: there the mechanism still closes."""
-
-DOUBTED = 1e-4
-"""By so much of what the last step would change it is given further inside."""
-
-SETTLED = 1e-5
-"""What the best probe lacks to the limit, in parts of the margin in the row beside it; more, and it is said to be
-known to a step."""
 
 PLACE, INSIDE, OUTSIDE, FOUND, DRIVER, REST = range(6)
 """Working cells of a limit: its number in order, the rows beside it, and what is found."""
@@ -57,15 +44,15 @@ class Limits:
         self.table = table
         self.plan: Plan = table.plan
         self.row = row
-        self.stretch_rows = [row + 2 + number for number in range(STRETCHES)]
+        self.stretch_rows = [row + 2 + number for number in range(rules.STRETCHES)]
         stepped = not self.plan.mechanism.driver.values and self.plan.rows > 1
         self.count = LIMITS if self.plan.equations.margins and stepped else 0
         # no margin says where a slot's pin comes to lie on its pivot, or where lines turn parallel
         loose = self.plan.equations.crossings or any(group.only_undetermined for group in self.plan.equations.groups)
         self.unprobed = bool(stepped and not self.count and not self.plan.newton and loose)
-        start = row + 2 + STRETCHES + 1
-        self.rows = [start + number * (LIMIT_PROBES + 2) for number in range(self.count)]
-        self.end = start + self.count * (LIMIT_PROBES + 2)
+        start = row + 2 + rules.STRETCHES + 1
+        self.rows = [start + number * (rules.LIMIT_PROBES + 2) for number in range(self.count)]
+        self.end = start + self.count * (rules.LIMIT_PROBES + 2)
         self.found = [self._named(number, table.spot(first, DRIVER)) for number, first in enumerate(self.rows, 1)]
         self.stretches = [
             Stretch(*(table.spot(first, work) for work in (FIRST_ROW, LAST_ROW, FROM, TO, WORDS)))
@@ -73,7 +60,7 @@ class Limits:
         ]
 
     def _named(self, number: int, spot: Spot) -> Spot:
-        """The driver's value at a limit has a name, the same in both languages."""
+        """The driver's value at a limit has a name, the same in all languages."""
         names = self.plan.names
         name = safe_name(f"limit_{number}", {folded(each.name) for each in names})
         names.append(Name(name, spot.sheet, spot.row, spot.col))
@@ -100,17 +87,19 @@ class Limits:
         unsettled = table.work(
             self.row, UNSETTLED,
             "rests>settled" if rests else "IF(stretches=0,FALSE,last-first+1<rows)" if self.unprobed else "FALSE",
-            rests=Call("MAX", tuple(rests)), settled=SETTLED, first=first, last=last, rows=table.rows, stretches=stretches,
+            rests=Call("MAX", tuple(rests)), settled=rules.SETTLED_LIMIT, first=first, last=last, rows=table.rows,
+            stretches=stretches,
         )  # fmt: skip
         table.work(
-            self.row, ROWS_ONLY, "OR(stretches>1,unsettled,AND(stretches=1,first=last))",
-            stretches=stretches, first=first, last=last, unsettled=unsettled,
+            self.row, ROWS_ONLY, "only", only=with_symbols(
+                rules.ONLY_ROWS, {"stretches": stretches, "first": first, "last": last, "unsettled": unsettled}
+            ),
         )  # fmt: skip
-        for number in range(1, STRETCHES + 1):
+        for number in range(1, rules.STRETCHES + 1):
             self._stretch(number, stretches)
         for number, row in enumerate(self.rows, 1):
             if number == 1:
-                table.heads(row - 1, KNOWN, (*CROSSING, "share"))
+                table.heads(row - 1, KNOWN, (*rules.CROSSING, "share"))
             self._limit(number, row, stretches)
 
     def _stretch(self, number: int, stretches: CellRef) -> None:
@@ -152,58 +141,44 @@ class Limits:
         # in order: beginning and end of each stretch; the first is none when the sweep begins inside
         place = table.work(row, PLACE, "number+IF(first=1,1,0)", number=number,
                            first=table.fixed(self.stretch_rows[0], FIRST_ROW))  # fmt: skip
-        first, last = (table.down(self.stretch_rows[0], work, STRETCHES) for work in (FIRST_ROW, LAST_ROW))
+        first, last = (table.down(self.stretch_rows[0], work, rules.STRETCHES) for work in (FIRST_ROW, LAST_ROW))
         inside = table.work(
             row, INSIDE, "IF(nth>MIN(stretches,most),NA(),IF(ISODD(place),INDEX(first,nth),INDEX(last,nth)))", place=place,
-            nth=formula("ROUNDUP(place/2,0)", place=place), stretches=stretches, most=STRETCHES, first=first, last=last,
+            nth=formula("ROUNDUP(place/2,0)", place=place), stretches=stretches, most=rules.STRETCHES, first=first,
+            last=last,
         )  # fmt: skip
         outside = table.work(
             row, OUTSIDE, "IF(ISODD(place),inside-1,IF(inside<rows,inside+1,NA()))",
             place=place, inside=inside, rows=table.rows,
         )  # fmt: skip
+        margins = [*plan.equations.margins.values()]
         begin = {
             "near": inside,
             "newest": outside,
-            "f_newest": self._least([self._in_row(symbol, outside) for symbol in plan.equations.margins.values()]),
+            "f_newest": rules.least_margin([self._in_row(symbol, outside) for symbol in margins]),
             "other": inside,
-            "f_other": self._least([self._in_row(symbol, inside) for symbol in plan.equations.margins.values()]),
+            "f_other": rules.least_margin([self._in_row(symbol, inside) for symbol in margins]),
             "oldest": Symbol("newest"),
             "f_oldest": Symbol("f_newest"),
-            "share": formula("IF(f_newest<0,chord,NA())", chord=CHORD),
+            "share": rules.FIRST_SHARE,
         }
-        places = formula("newest+share*(other-newest)")
-        probing = {VERTEX_COL: ("share", SHARE), PLACE_COL: ("place", places)}
-        known = table.search(row, LIMIT_PROBES + 1, begin, CROSSING, CROSSED, probing)
-        margins = [*plan.equations.margins.values()]
-        table.lay(row, LIMIT_PROBES, margins)
-        table.fill(row, table.value_col, self._least([table.quantity(row, symbol) for symbol in margins]), LIMIT_PROBES)
-        self._result(row, {name: replace(known[name], row=row + LIMIT_PROBES) for name in CROSSING}, known["f_other"])
+        probing = {VERTEX_COL: ("share", rules.SHARE), PLACE_COL: ("place", rules.SHARED)}
+        known = table.search(row, rules.LIMIT_PROBES + 1, begin, rules.CROSSING, rules.CROSSED, probing)
+        table.lay(row, rules.LIMIT_PROBES, margins)
+        least = rules.least_margin([table.quantity(row, symbol) for symbol in margins])
+        table.fill(row, table.value_col, least, rules.LIMIT_PROBES)
+        self._result(
+            row, {name: replace(known[name], row=row + rules.LIMIT_PROBES) for name in rules.CROSSING}, known["f_other"]
+        )
 
     def _result(self, row: int, last: dict[str, CellRef], margin: CellRef) -> None:
-        """Where the limit is by the last row, a little inside: by a part of what one more probe would change. Where there is
-        no margin outside, it is the row inside: a group is not apart there but undetermined."""
+        """Where the limit is by the last row, the driver's value there, and what is left."""
         table = self.table
-        inside, outside = table.near(row, INSIDE), table.near(row, OUTSIDE)
-        limit = formula("newest+chord*(other-newest)", chord=CHORD)
-        least = formula("MIN(ABS(limit-newest),ABS(other-limit))", limit=limit)
-        found = formula(
-            "IF(ISNUMBER(outside),IFERROR(MEDIAN(inside,outside,limit+(inside-outside)*(least*part+inwards)),inside),NA())",
-            inside=inside, outside=outside, limit=limit, least=least, part=DOUBTED, inwards=INWARDS,
-        )  # fmt: skip
-        found = table.work(row, FOUND, "found", found=with_symbols(found, last))
+        known = last | {"inside": table.near(row, INSIDE), "outside": table.near(row, OUTSIDE), "margin": margin}
+        found = table.work(row, FOUND, "found", found=with_symbols(rules.FOUND, known))
         table.work(row, DRIVER, "driver", styles.RESULT, driver=driver_at(self.plan, found))
-        rest = formula("IF(ISNUMBER(outside),IFERROR(MIN(ABS(f_newest),ABS(f_other))/margin,1),0)", outside=outside,
-                       margin=margin)  # fmt: skip
-        table.work(row, REST, "rest", rest=with_symbols(rest, last))
+        table.work(row, REST, "rest", rest=with_symbols(rules.REST, known))
 
     def _in_row(self, symbol: str, row: Node) -> Node:
         """A margin in a row of the table."""
         return formula("INDEX(column,row_there)", column=whole(symbol), row_there=row)
-
-    def _least(self, margins: list[Node]) -> Node:
-        """The least margin: of groups after one that is open nothing is known."""
-        least = Call("MIN", tuple(margins)) if len(margins) > 1 else margins[0]
-        for count in range(len(margins) - 1, 0, -1):
-            fewer = Call("MIN", tuple(margins[:count])) if count > 1 else margins[0]
-            least = formula("IFERROR(least,fewer)", least=least, fewer=fewer)
-        return least

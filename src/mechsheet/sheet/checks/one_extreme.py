@@ -11,19 +11,10 @@ from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, with_sy
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.model import WAYS, Way
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks import rivals
-from mechsheet.sheet.checks.boundless import (
-    STRAIGHT,
-    STRAIGHT_SIGNED,
-    at_pole,
-    beyond_rows,
-    in_row,
-    may_grow,
-    seen_by_rates,
-    unsigned_divisor,
-)
-from mechsheet.sheet.checks.bracket import BRACKET, FIRST_PROBE, NARROWED, PLACE, PROBE, PROBES, ROOTED, VERTEX
-from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, STRETCHES, TO, Limits
+from mechsheet.sheet.checks import boundless, rivals
+from mechsheet.sheet.checks import search_rules as rules
+from mechsheet.sheet.checks.boundless import in_row, may_grow, seen_by_rates, unsigned_divisor
+from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, TO, Limits
 from mechsheet.sheet.checks.search_table import (
     KNOWN,
     LABEL,
@@ -80,25 +71,9 @@ RIVALS = BOUNDLESS + 9
 COLUMNS = RIVALS + rivals.TWIN
 """How many working cells there are beside a search."""
 
-SETTLED = 1e-4
-"""The last probe may be worse than the best, or better than all others, by this part of the range; more, and the value is
-said to be about right."""
-
-SURE, ABOUT, BEYOND, ROWS = 1, 2, 3, 4
-"""What the cell beside an extreme says: that it is right, about right, that it may be elsewhere, beyond what is
-given, or that it is of rows only."""
-
-NEARER = 0.5
-"""An angle of transmission that is less than this part of the rows' least one between them makes such a spike: velocities
-and forces go with one over its sine, so they are twice as large there."""
-
 MOVED = 0.02
 """A place that is moved farther [rows] beyond the probes is about right only: of 500 time ratios those of places that were
 moved less far were off by 1.3e-4 at most."""
-
-
-LEAST_INNER = 7
-"""Rows, at least, where an extreme is also looked for between those that are no neighbours of the best."""
 
 ARRIVED = 1e-6
 """Two probes that are no farther from each other [rows] have found the place; their difference is rounding."""
@@ -137,32 +112,50 @@ class Searches:
 
     def search(self, row: int, begin: dict[str, Node]) -> None:
         """The rows of a bracket; places count by roots beside a limit, where the sheet looks for these."""
-        probing = {VERTEX_COL: ("vertex", VERTEX), PLACE_COL: ("probe", PROBE)}
+        probing = {VERTEX_COL: ("vertex", rules.VERTEX), PLACE_COL: ("probe", rules.PROBE)}
         if "side" in begin:
-            probing = {VERTEX_COL: ("vertex", VERTEX), PROBE_COL: ("probe", PROBE), PLACE_COL: ("place", PLACE)}
-        self.table.search(row, PROBES + 1, begin | {"probe": FIRST_PROBE}, BRACKET, NARROWED, probing)
+            probing = {
+                VERTEX_COL: ("vertex", rules.VERTEX),
+                PROBE_COL: ("probe", rules.PROBE),
+                PLACE_COL: ("place", rules.PLACE),
+            }
+        self.table.search(
+            row, rules.PROBES + 1, begin | {"probe": rules.FIRST_PROBE}, rules.BRACKET, rules.NARROWED, probing
+        )
 
     def value(self, row: int, symbol: str) -> None:
         """What the probes have found: where there is no position, nothing better than what is known."""
         table = self.table
-        known = CellRef(row, KNOWN + BRACKET.index("f_middle"), False, True)
+        known = CellRef(row, KNOWN + rules.BRACKET.index("f_middle"), False, True)
         value = formula("IFERROR(cell,known)", cell=table.quantity(row, symbol), known=known)
-        table.fill(row, table.value_col, value, PROBES)
+        table.fill(row, table.value_col, value, rules.PROBES)
 
     def known(self, row: int, name: str) -> CellRef:
         """A cell of what a row of a search knows."""
-        return CellRef(row, KNOWN + BRACKET.index(name), False, True)
+        return CellRef(row, KNOWN + rules.BRACKET.index(name), False, True)
 
-    @staticmethod
-    def _sense(row: int) -> CellRef:
-        return CellRef(row, SENSE, False, True)
+    def _read(self, sought: Sought) -> dict[str, Node]:
+        """What the rules of a search read, by name."""
+        table, plan, row = self.table, self.plan, sought.row
+        near = {"best": BEST, "here": HERE, "of_rows": OF_ROWS, "extreme": VALUE}
+        stretch = {"first": FIRST_ROW, "last": LAST_ROW, "low": FROM, "high": TO}
+        return {
+            **{name: table.near(row, work) for name, work in near.items()},
+            **{name: self.limits.of_stretch(1, work) for name, work in stretch.items()},
+            "sense": CellRef(row, SENSE, False, True),
+            "wraps": self._around(sought),
+            "other": table.near(self.opposite(sought).row, OF_ROWS),
+            "rows": table.rows,
+            "rows_only": plan.searched.rows_only.cell,
+            "whole": plan.searched.whole.cell,
+        }
 
     def _place_of(self, row: int, counted: Node) -> Node:
         """A place of a search in rows; `counted`: as the bracket counts it."""
         if not self.ends:
             return counted
         return with_symbols(
-            PLACE,
+            rules.PLACE,
             {"probe": counted, "side": CellRef(row, SIDE, False, True), "limit": CellRef(row, LIMIT, False, True)},
         )
 
@@ -181,8 +174,8 @@ class Searches:
         self._wraps(sought)
         here = table.work(row, HERE, "here", here=self._begun_from(sought))
         value = formula("INDEX(column,here)", column=whole(symbol), here=here)
-        self.search(row, self._begin(sought, here, value))
-        table.lay(row, PROBES, [symbol])
+        self.search(row, self._begin(sought, value))
+        table.lay(row, rules.PROBES, [symbol])
         self.value(row, symbol)
         self._result(sought)
         if symbol in plan.found.returning:
@@ -196,98 +189,65 @@ class Searches:
         said, stretches = self.plan.places.status.whole(), self.plan.searched.count.cell
         bests = Call(f"{sought.way.upper()}IFS", (column, said, Text(self.plan.ok)))
         best = table.work(
-            row, OF_ROWS, "IF(OR(stretches=0,stretches>most),NA(),bests)", stretches=stretches, most=STRETCHES, bests=bests,
+            row, OF_ROWS, "IF(OR(stretches=0,stretches>most),NA(),bests)", stretches=stretches, most=rules.STRETCHES,
+            bests=bests,
         )  # fmt: skip
         table.work(
-            row, BEST, "begin-1+MATCH(best,INDEX(column,begin):INDEX(column,rows),0)", begin=self._rows_of_stretch()[0],
+            row, BEST, "begin-1+MATCH(best,INDEX(column,begin):INDEX(column,rows),0)", begin=self._read(sought)["first"],
             rows=table.rows, best=best, column=column,
         )  # fmt: skip
 
-    def _begin(self, sought: Sought, here: Node, value: Node) -> dict[str, Node]:
+    def _begin(self, sought: Sought, value: Node) -> dict[str, Node]:
         """What the first row knows: the best row (or the end of the stretch, where that is better) and its neighbours."""
         table, row, column = self.table, sought.row, whole(sought.symbol)
-        first, last = self._rows_of_stretch()
-        low, high = self._ends_of_stretch()
-        wraps = self._around(sought)
         begin: dict[str, Node] = {"sense": al.number(1.0 if sought.way == "min" else -1.0)}
-        start: Node = here
-        if self.ends:
-            at_low, at_high = (
-                table.work(row, work, "IFERROR(cell,value)", cell=replace(table.quantity(at, sought.symbol), row_abs=True),
-                           value=value)
-                for work, at in zip((AT_LOW, AT_HIGH), self.ends.values(), strict=True)
-            )  # fmt: skip
-            start = table.work(
-                row, START, "IF(wraps>0,here,IF(AND(low<first,sense*(at_low-value)<0),IF(sense*(at_high-at_low)<0,high,low),"
-                "IF(AND(high>last,sense*(at_high-value)<0),high,here)))", sense=self._sense(row),
-                wraps=wraps, here=here, low=low, high=high, first=first, last=last, at_low=at_low, at_high=at_high,
-                value=value,
-            )  # fmt: skip
-        left = formula("IF(wraps>0,start-1,MAX(low,ROUNDUP(start,0)-1))", wraps=wraps, start=start, low=low)
-        right = formula("IF(wraps>0,start+1,MIN(high,ROUNDDOWN(start,0)+1))", wraps=wraps, start=start, high=high)
-        turned = formula("IF(wraps=1,rows-1,rows)", wraps=wraps, rows=table.rows)
-        before, after = (
-            formula("INDEX(column,IF(wraps>0,1+MOD(place-1,turned),place))", column=column, wraps=wraps, turned=turned,
-                    place=place)
-            for place in (left, right)
-        )  # fmt: skip
+        known = self._read(sought) | {"value": value}
         if not self.ends:
-            begin |= {"near": here, "left": left, "middle": here, "right": right, "f_left": before, "f_middle": value,
-                      "f_right": after}  # fmt: skip
-            return begin
-        lefts, rights = (table.work(row, work, "place", place=place) for work, place in ((LEFT, left), (RIGHT, right)))
-        before, after = (
-            formula("IF(AND(wraps=0,place=end),at_end,INDEX(column,IF(wraps>0,1+MOD(place-1,turned),place)))", column=column,
-                    wraps=wraps, turned=turned, place=place, end=end, at_end=at_end)
-            for place, end, at_end in ((lefts, low, at_low), (rights, high, at_high))
-        )  # fmt: skip
-        side = formula(
-            "IF(wraps>0,0,IF(AND(left=low,low<first),1,IF(AND(right=high,high>last),-1,0)))", wraps=wraps, left=lefts,
-            right=rights, low=low, high=high, first=first, last=last,
-        )  # fmt: skip
-        counted = {
-            name: with_symbols(ROOTED, {"place": place})
-            for name, place in (("left", lefts), ("middle", start), ("right", rights))
-        }
-        return begin | counted | {
-            "near": formula("MAX(first,MIN(last,ROUND(start,0)))", first=first, last=last, start=start),
-            "side": side,
-            "limit": formula("IF(side<0,high,low)", low=low, high=high),
-            "f_left": before,
-            "f_middle": formula("IF(start=here,value,IF(start=low,at_low,at_high))", start=start, here=here, value=value,
-                                low=low, at_low=at_low, at_high=at_high),
-            "f_right": after,
-        }  # fmt: skip
+            for name, tree in (("left", rules.LOWER), ("right", rules.UPPER)):
+                begin[name] = with_symbols(tree, known | {"start": known["here"]})
+                begin[f"f_{name}"] = self._at_place(column, known | {"place": begin[name]})
+            return begin | {"near": known["here"], "middle": known["here"], "f_middle": value}
+        for name, work, at in zip(("at_low", "at_high"), (AT_LOW, AT_HIGH), self.ends.values(), strict=True):
+            cell = replace(table.quantity(at, sought.symbol), row_abs=True)
+            known[name] = table.work(row, work, "IFERROR(cell,value)", cell=cell, value=value)
+        for name, work, tree in (
+            ("start", START, rules.START),
+            ("lower", LEFT, rules.LOWER),
+            ("upper", RIGHT, rules.UPPER),
+        ):
+            known[name] = table.work(row, work, "place", place=with_symbols(tree, known))
+        for name in ("lower", "upper"):
+            known[f"of_{name}"] = self._at_place(column, known | {"place": known[name]})
+        return begin | {name: with_symbols(tree, known) for name, tree in rules.BEGUN.items()}
+
+    @staticmethod
+    def _at_place(column: Node, known: Mapping[str, Node]) -> Node:
+        """The value of a column in a row beside the one from which a search begins."""
+        return formula("INDEX(column,row_there)", column=column, row_there=with_symbols(rules.ROW_AT, known))
 
     def _begun_from(self, sought: Sought) -> Node:
-        """The row from which the search begins: the best one.
-
-        Where that is the motion's first or last row, and the parabola through the three rows there has its vertex outside or
-        no farther inside than 0.15 rows, an extreme between other rows may be better: of all but the two rows there the
-        best one, if it is better than the end's neighbour. The row at the end has a probe of its own.
-        """
+        """The row from which the search begins: the best one, or, where that is the motion's first or last, another one
+        (`rules.INNER`)."""
         plan, table, rows, way = self.plan, self.table, self.plan.rows, sought.way
-        best = table.near(sought.row, BEST)
-        if not self.ends or rows < LEAST_INNER:
-            return best
-        first, col = plan.at.first, plan.at.spots[sought.symbol].col
+        known = self._read(sought)
+        if not self.ends or rows < rules.LEAST_INNER:
+            return known["best"]
+        spot = plan.at.spots[sought.symbol]
         y = {
-            index: CellRef(first + index - 1, col, True, True, plan.at.spots[sought.symbol].sheet)
-            for index in range(1, rows + 1)
+            index: CellRef(plan.at.first + index - 1, spot.col, True, True, spot.sheet) for index in range(1, rows + 1)
         }
         later, earlier = RangeRef(y[3], y[rows]), RangeRef(y[1], y[rows - 2])
-        other = table.work(
+        known["other"] = other = table.work(
             sought.row, OTHER, f"IF(best=1,{way.upper()}(later),IF(best=rows,{way.upper()}(earlier),NA()))",
-            best=best, rows=table.rows, later=later, earlier=earlier,
+            best=known["best"], rows=table.rows, later=later, earlier=earlier,
         )  # fmt: skip
         at_first, at_last = (
-            formula("AND(sense*(2.7*end+0.7*third-3.4*next)<=0,sense*(other-next)<0)", sense=self._sense(sought.row),
-                    end=end, next=next_, third=third, other=other)
+            with_symbols(rules.INNER, known | {"end": end, "next": next_, "third": third})
             for end, next_, third in ((y[1], y[2], y[3]), (y[rows], y[rows - 1], y[rows - 2]))
-        )  # fmt: skip
+        )
         return formula(
             "IFERROR(IF(AND(wraps=0,IF(best=1,at_first,at_last)),MATCH(other,column,0),best),best)",
-            wraps=self._around(sought), best=best, at_first=at_first, at_last=at_last, other=other,
+            wraps=known["wraps"], best=known["best"], at_first=at_first, at_last=at_last, other=other,
             column=whole(sought.symbol),
         )  # fmt: skip
 
@@ -298,23 +258,11 @@ class Searches:
         if sought.way == "min":
             self.table.work(row, WRAPS, "wraps", wraps=self.table.near(self.opposite(sought).row, WRAPS))
             return
-        first, last = self._rows_of_stretch()
         spot = plan.at.spots[symbol]
         ends = [CellRef(at, spot.col, True, True, spot.sheet) for at in (plan.at.first, plan.at.last)]
         unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
         meet = ends_meet(plan, symbol, unit, whole(symbol), (ends[0], ends[1]))
-        self.table.work(
-            row, WRAPS, "IFERROR(IF(AND(whole>0,first=1,last=rows,meet),whole,0),0)", whole=plan.searched.whole.cell,
-            first=first, last=last, rows=self.table.rows, meet=meet,
-        )  # fmt: skip
-
-    def _rows_of_stretch(self) -> tuple[CellRef, CellRef]:
-        """The first and the last row of the first stretch."""
-        return self.limits.of_stretch(1, FIRST_ROW), self.limits.of_stretch(1, LAST_ROW)
-
-    def _ends_of_stretch(self) -> tuple[CellRef, CellRef]:
-        """Where the first stretch begins and ends, between rows."""
-        return self.limits.of_stretch(1, FROM), self.limits.of_stretch(1, TO)
+        self.table.work(row, WRAPS, "wraps", wraps=with_symbols(rules.WRAPS, self._read(sought) | {"meet": meet}))
 
     def _around(self, sought: Sought) -> Node:
         """Whether probes go on beyond the last row, into the first: never by a motion law, whose rows end in time."""
@@ -326,41 +274,24 @@ class Searches:
         table.work(row, VALUE, "best", styles.RESULT, best=table.near(row, OF_ROWS))
         table.work(row, WHERE, "INDEX(drivers,place)", styles.RESULT, place=table.near(row, BEST),
                    drivers=whole(self.plan.mechanism.driver.symbol))  # fmt: skip
-        table.work(row, ABOUT_VALUE, "sure", sure=SURE)
+        table.work(row, ABOUT_VALUE, "sure", sure=rules.SURE)
 
     def _result(self, sought: Sought) -> None:
         """The best of the rows and the probes, where it is, and whether the search has settled."""
-        table, row, last = self.table, sought.row, sought.row + PROBES
-        of_rows, wraps = table.near(row, OF_ROWS), self._around(sought)
-        found, rows_only = self.known(last, "f_middle"), self.plan.searched.rows_only.cell
-        # each stretch would need a search of its own, and where it ends must be known
-        value = table.work(
-            row, VALUE, "IF(rows_only,of_rows,IFERROR(best,of_rows))", styles.RESULT, rows_only=rows_only, of_rows=of_rows,
-            best=formula("IF(sense*(of_rows-found)<0,of_rows,found)", sense=self._sense(row), of_rows=of_rows, found=found),
-        )  # fmt: skip
-        place = table.work(
-            row, PLACED, "IF(rows_only,best,IF(value=found,place,best))", rows_only=rows_only, value=value, found=found,
-            best=table.near(row, BEST), place=self._place_of(last, self.known(last, "middle")),
-        )  # fmt: skip
-        within = formula(
-            "IF(wraps>0,1+MOD(place-1,IF(wraps=1,rows-1,rows)),place)", wraps=wraps, place=place, rows=table.rows
-        )
+        table, row, last = self.table, sought.row, sought.row + rules.PROBES
+        known = self._read(sought) | {
+            "found": self.known(last, "f_middle"),
+            "before": self.known(last - 1, "f_middle"),
+            "last_probe": CellRef(last - 1, table.value_col, False, True),
+        }
+        table.work(row, VALUE, "value", styles.RESULT, value=with_symbols(rules.EXTREME, known))
+        known["place"] = self._place_of(last, self.known(last, "middle"))
+        known["place"] = table.work(row, PLACED, "place", place=with_symbols(rules.PLACED, known))
+        within = with_symbols(rules.ROW_AT, known)
         table.work(row, WHERE, "driver", styles.RESULT, driver=driver_at(self.plan, within))
-        other = table.near(self.opposite(sought).row, OF_ROWS)
-        low, high = self._ends_of_stretch()
-        # where the last probe is worse than the best, the quantity is no parabola there; at an end that is as it should be
-        table.work(
-            row, ABOUT_VALUE,
-            f"IF(rows_only,{ROWS},IFERROR(IF(elsewhere,{BEYOND},IF(AND(wraps=0,OR(place=low,place=high)),{SURE},"
-            f"IF(MAX(ABS(value-last),ABS(value-before))>settled*ABS(value-other),{ABOUT},{SURE}))),{SURE}))",
-            rows_only=rows_only, elsewhere=self._elsewhere(sought), value=value,
-            last=CellRef(last - 1, table.value_col, False, True), settled=SETTLED, other=other,
-            before=self.known(last - 1, "f_middle"), wraps=wraps,
-            place=place, low=low, high=high,
-        )  # fmt: skip
-        allowed = formula("settled*ABS(most-other)", settled=SETTLED, most=of_rows, other=other)
-        rivals.write(table, row, RIVALS, self._sense(row), sought.symbol, self._rows_of_stretch(), wraps, value, allowed,
-                     table.near(row, HERE), of_rows)  # fmt: skip
+        known["elsewhere"] = self._elsewhere(sought)
+        table.work(row, ABOUT_VALUE, "doubt", doubt=with_symbols(rules.DOUBT, known))
+        rivals.write(table, row, RIVALS, sought.symbol, known | {"found": known["extreme"]})
 
     def opposite(self, sought: Sought) -> Sought:
         """The search of the quantity's other extreme."""
@@ -377,7 +308,7 @@ class Searches:
                 Call("MIN", acute(self.table.near(low, work), self.table.near(high, work), group.kind != "RRR"))
                 for work in (VALUE, OF_ROWS)
             )  # fmt: skip
-            tests.append(formula("found<part*rows", found=found, rows=rows, part=NEARER))
+            tests.append(with_symbols(rules.SPIKES, {"found": found, "of_rows": rows}))
         return Call("OR", tuple(tests)) if tests else None
 
     def _elsewhere(self, sought: Sought) -> Node:
@@ -404,7 +335,7 @@ class Searches:
         table.work(
             row,
             TURN_ABOUT,
-            f"IF(IFERROR(ABS(there-best)>most,TRUE),{ABOUT},{SURE})",
+            f"IF(IFERROR(ABS(there-best)>most,TRUE),{rules.ABOUT},{rules.SURE})",
             there=there,
             best=best,
             most=MOVED,
@@ -437,36 +368,22 @@ class Searches:
     def _boundless(self, sought: Sought) -> None:
         """Whether the quantity has no largest or smallest value."""
         plan, table, row, symbol = self.plan, self.table, sought.row, sought.symbol
-        first, last = self._rows_of_stretch()
-        worst = table.near(self.opposite(sought).row, OF_ROWS)
-        found = beyond_rows(table.near(row, VALUE), table.near(row, OF_ROWS), worst, (first, last))
+        known = self._read(sought)
+        found = with_symbols(boundless.BEYOND_ROWS, known)
         if not seen_by_rates(plan.mechanism, {column.symbol for column in plan.rates}, symbol):
-            wraps = self._around(sought)
-            middle = table.work(row, MIDDLE, "IF(wraps>0,here,MAX(first+1,MIN(last-1,here)))", wraps=wraps,
-                                here=table.near(row, HERE), first=first, last=last)  # fmt: skip
-            places = neighbours(middle, wraps, table.rows)
-            straight, divisor = STRAIGHT, unsigned_divisor(plan, symbol)
+            known["middle"] = table.work(row, MIDDLE, "row", row=with_symbols(boundless.MIDDLE, known))
+            before, after = (with_symbols(tree, known) for tree in boundless.NEIGHBOURS)
+            places, divisor = (before, known["middle"], after), unsigned_divisor(plan, symbol)
             of_rows = [formula("INDEX(column,number)", column=whole(symbol), number=place) for place in places]
             if divisor is not None:
-                straight = STRAIGHT_SIGNED
-                before, here, after = (in_row(plan, divisor, place) for place in places)
-                for at, there in ((0, before), (2, after)):
-                    of_rows[at] = formula("value*SIGN(there*here)", value=of_rows[at], there=there, here=here)
-            cells = [
-                table.work(row, work, "value", value=value)
-                for work, value in zip((BEFORE, CENTRE, AFTER), of_rows, strict=True)
-            ]
-            found = formula("OR(found,pole)", found=found, pole=at_pole(cells[0], cells[1], cells[2], straight))
+                signs = [in_row(plan, divisor, place) for place in places]
+                for at in (0, 2):
+                    beside = {"value": of_rows[at], "there": signs[at], "here": signs[1]}
+                    of_rows[at] = with_symbols(boundless.SIGNED, beside)
+            cells = {
+                name: table.work(row, work, "value", value=value)
+                for name, work, value in zip(("before", "here", "after"), (BEFORE, CENTRE, AFTER), of_rows, strict=True)
+            }
+            pole = with_symbols(boundless.at_pole(divisor is not None), cells)
+            found = formula("OR(found,pole)", found=found, pole=pole)
         table.work(row, BOUNDLESS, "IFERROR(found,FALSE)", found=found)
-
-
-def neighbours(middle: Node, around: Node, rows: Node) -> tuple[Node, Node, Node]:
-    """The numbers of a row and those beside it: the first row's neighbour is the last, where the motion goes around."""
-    turned = formula("IF(wraps=1,rows-1,rows)", wraps=around, rows=rows)
-    before, after = (
-        formula(
-            f"1+MOD(middle{sign}1-1,IF(wraps>0,turned,2*rows))", middle=middle, wraps=around, turned=turned, rows=rows
-        )
-        for sign in "-+"
-    )
-    return before, middle, after

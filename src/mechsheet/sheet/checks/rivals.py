@@ -9,9 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import reduce
 
-from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, with_symbols
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.checks.search_rules import SETTLED
 from mechsheet.sheet.checks.search_table import SearchTable
 from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import ALL, formula
@@ -25,55 +28,68 @@ FROM, TO, PROMISE, TWIN = range(COUNT + 1, COUNT + 5)
 the first and behind the last row; up to which value a row is no twin of the best one."""
 
 
-FAR = "(ABS(number+1-here)>1)*(ABS(number+1-again)>1)"
-"""Whether rows, numbered from 0, are no neighbours of the one `here`, nor of `AGAIN`."""
+AGAIN = formula("IF(AND(wraps=1,here=1),rows,IF(AND(wraps=1,here=rows),1,here))")
+"""The row at the other end of a closed turn that is the same one as `here`, from which a search begins."""
 
-AGAIN = "IF(AND(wraps=1,here=1),rows,IF(AND(wraps=1,here=rows),1,here))"
-"""The row at the other end of a closed turn that is the same one."""
+FAR = (formula("ABS(number+1-here)>1"), formula("ABS(number+1-again)>1"))
+"""Whether rows, numbered from 0, are no neighbours of either."""
 
-
-PEAK = "(sense*own<=sense*before)*(sense*own<=sense*after)"
+PEAK = (formula("sense*own<=sense*before"), formula("sense*own<=sense*after"))
 """Whether rows are better than both their neighbours; `sense` is 1 where the least is sought, -1 where the largest."""
 
-PROMISES = "(sense*own>sense*twin)*(sense*(1.5*own-(before+after)/4)<sense*promise)"
-"""Whether they promise more than what was found, and are no twins."""
+NO_TWIN = formula("sense*own>sense*twin")
+TWIN_BELOW = formula("of_rows+sense*allowed")
+"""Whether they are no twins of the best row."""
 
+OFFER = formula("1.5*own-(before+after)/4")
+"""What a row promises: its value and a quarter of the second difference."""
 
-OUTSIDE = "IF(wraps=0,3*(own-after)+third,IF(wraps=1,near,far))"
+MORE = formula("sense*offer<sense*promise")
+PROMISE_BEYOND = formula("found-sense*allowed")
+"""Whether that is more than what was found."""
+
+ALLOWED = formula("settled*ABS(of_rows-other)", settled=SETTLED)
+"""By so much more is nothing: `of_rows` and `other` are the best and the worst of the rows."""
+
+OUTSIDE = formula("IF(wraps=0,3*(own-after)+third,IF(wraps=1,near,far))")
 """What is before the first row, or behind the last: beyond the other end (its own row, and the one beside it), or on the
 parabola through the three rows there."""
 
-
 AT_END = (
-    "IF(AND(ABS(here-end)>1,OR(wraps=0,ABS(here-other)>1),sense*own<=sense*outside,sense*own<=sense*after,"
-    "sense*own>sense*twin,sense*(1.5*own-(outside+after)/4)<sense*promise),1,0)"
+    *(formula(text) for text in ("ABS(here-end)>1", "OR(wraps=0,ABS(here-other_end)>1)")),
+    *(formula(text) for text in ("sense*own<=sense*outside", "sense*own<=sense*after")),
+    NO_TWIN,
 )
-"""1 where the row at an end is a rival, which `here` is not beside, from this end or the other (rows `end`, `other`)."""
+"""Whether the row at an end is a peak which `here` is not beside, from this end or the other, and no twin."""
+
+_PROMISES = (NO_TWIN, with_symbols(MORE, {"offer": OFFER}))
+RIVALS, OF_PART = reduce(al.mul, (*FAR, *PEAK, *_PROMISES)), reduce(al.mul, _PROMISES)
+RIVAL_AT_END = formula(
+    "IF(all,1,0)", all=Call("AND", (*AT_END, with_symbols(_PROMISES[1], {"before": Symbol("outside")})))
+)
+"""Of rows, of those of a part of the table, and of one at an end: 1 where they are rivals."""
 
 
-def write(
-    table: SearchTable, row: int, at: int, sense: Node, symbol: str, span: tuple[Node, Node], wraps: Node, found: Node,
-    allowed: Node, here: Node, most: Node,
-) -> None:  # fmt: skip
+def write(table: SearchTable, row: int, at: int, symbol: str, known: Mapping[str, Node]) -> None:
     """The cells beside a search, from its first row on.
 
     at     the first of their working columns
-    span   the first and the last row;  wraps: 1, 2 where these are neighbours (one row twice, or not), else 0
-    found  what is given;  allowed: by so much more is nothing
-    here   the row that the search has begun from;  most: the best of the rows
+    known  what the search's rules read, and what is given (`found`)
     """
-    promise = table.work(row, at + PROMISE, "found-sense*allowed", found=found, sense=sense, allowed=allowed)
-    twin = table.work(row, at + TWIN, "most+sense*allowed", most=most, sense=sense, allowed=allowed)
-    ends = {"here": here, "first": span[0], "last": span[1], "wraps": wraps}
-    limits = {"promise": promise, "twin": twin, "sense": sense}
+    known = {**known, "allowed": with_symbols(ALLOWED, known)}
+    promise, twin = (
+        table.work(row, at + work, "value", value=with_symbols(tree, known))
+        for work, tree in ((PROMISE, PROMISE_BEYOND), (TWIN, TWIN_BELOW))
+    )
+    ends = {name: known[name] for name in ("here", "first", "last", "wraps")}
+    limits = {"promise": promise, "twin": twin, "sense": known["sense"]}
     column = Symbol(ALL + symbol)
     before, own, after = (_part(table, table.plan.at.spots[symbol], offset) for offset in (0, 1, 2))
     number = _part(table, there(table.plan.places.number), 1)
-    again = table.work(row, at + FROM, AGAIN, rows=table.rows, **ends)
-    table.work(
-        row, at + COUNT, f"IFERROR(SUMPRODUCT({FAR}*{PEAK}*{PROMISES}),0)", own=own, before=before, after=after,
-        number=number, again=again, here=here, **limits,
-    )  # fmt: skip
+    again = table.work(row, at + FROM, "again", again=with_symbols(AGAIN, ends | {"rows": table.rows}))
+    columns: dict[str, Node] = {"own": own, "before": before, "after": after, "number": number, "again": again}
+    rivals = with_symbols(RIVALS, ends | limits | columns)
+    table.work(row, at + COUNT, "IFERROR(SUMPRODUCT(rivals),0)", rivals=rivals)
     # rows that are inserted beside the first or last two are not in all three
     table.work(row + 3, at + TO, "IF(ROWS(before)=ROWS(after),0,1)", before=before, after=after)
     for index, (begin, further, until) in enumerate((("first", "+1", "here-2"), ("here", "+2", "last-1")), 1):
@@ -85,9 +101,8 @@ def write(
             name: formula(f"INDEX(column,start{away}):INDEX(column,end{away})", column=column, start=start, end=end)
             for name, away in (("own", ""), ("before", "-1"), ("after", "+1"))
         }
-        table.work(
-            row + index, at + COUNT, f"IF(start>end,0,SUMPRODUCT({PROMISES}))", start=start, end=end, **part, **limits
-        )
+        rivals = with_symbols(OF_PART, limits | part)
+        table.work(row + index, at + COUNT, "IF(start>end,0,SUMPRODUCT(rivals))", start=start, end=end, rivals=rivals)
     for work, count in ((PROMISE, COUNT), (TWIN, FROM)):
         rival = _end(table, (row + 1, at + work), work, column, ends, limits)
         table.work(row + 3, at + count, "rival", rival=rival)
@@ -125,6 +140,6 @@ def _end(
         "near": f"{other}{back}1",
     }
     y = {name: formula(f"INDEX(column,{place})", column=column, **ends) for name, place in places.items()}
-    outside = table.work(*cell, OUTSIDE, wraps=ends["wraps"], **y)
-    return formula(AT_END, here=ends["here"], end=ends[end], other=ends[other], wraps=ends["wraps"], outside=outside,
-                   own=y["own"], after=y["after"], **limits)  # fmt: skip
+    known = {**ends, **limits, **y, "end": ends[end], "other_end": ends[other]}
+    outside = table.work(*cell, "outside", outside=with_symbols(OUTSIDE, known))
+    return with_symbols(RIVAL_AT_END, known | {"outside": outside})

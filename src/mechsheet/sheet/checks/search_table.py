@@ -1,7 +1,7 @@
 """The sheet of searches: the formulas of the table of positions, filled down at other values of the driver.
 
-Each row is a probe. Columns before those of the positions say what is known and where the probe is (`bracket`); behind them
-stands what it has found. All rows of a search have the same formulas, but for its first one, which begins from rows of
+Each row is a probe. Columns before those of the positions say what is known and where the probe is (`search_rules`); behind
+them stands what it has found. All rows of a search have the same formulas, but for its first one, which begins from rows of
 *Positions*. Places are counted in rows: 1 is the first row of the table, 2.5 lies halfway between the second and the third.
 An angle without jumps is taken within half a turn of what it is in the row from which the search begins.
 """

@@ -97,7 +97,7 @@ class Assignments:
     @property
     def listed(self) -> tuple[Assignment, ...]:
         """What is given row by row: nothing computes it."""
-        return tuple(_given(equation) for equation in self.equations.listed)
+        return tuple(assignment_of(equation) for equation in self.equations.listed)
 
     @property
     def all(self) -> tuple[Assignment, ...]:
@@ -122,6 +122,16 @@ class Assignments:
     def of(self, symbol: str) -> Assignment:
         """The assignment of a symbol."""
         return next(each for each in (*self.all, *self.listed) if each.symbol == symbol)
+
+
+def assignment_of(
+    equation: Equation, expression: Node | None = None, says: Node | None = None, first: Node | None = None
+) -> Assignment:
+    """The cells of an equation; where nothing else is given they hold and say what it does."""
+    own, unit, label = equation.expression, equation.unit, equation.label
+    return Assignment(
+        equation.symbol, expression or own, says or own, equation.role, unit, label, equation.group, first
+    )
 
 
 def lowered(mechanism: Mechanism, equations: Equations) -> Assignments:
@@ -185,12 +195,7 @@ class _Lowering:
 
     def _add(self, equation: Equation, expression: Node, first: Node | None = None, says: Node | None = None) -> Symbol:
         target = self.constants if equation.role == "constant" else self.columns
-        target.append(
-            Assignment(
-                equation.symbol, expression, says or equation.expression, equation.role, equation.unit, equation.label,
-                equation.group, first,
-            )
-        )  # fmt: skip
+        target.append(assignment_of(equation, expression, says, first))
         return Symbol(equation.symbol)
 
     def _passes(self, equation: Equation, system: System) -> None:
@@ -216,9 +221,10 @@ class _Lowering:
 
     def _reads_passes_alone(self, equation: Equation) -> bool:
         """Whether a coefficient follows from the last pass and what is the same in every row: of the Jacobian alone."""
-        system = next((group.system for group in self.equations.groups if group.number == equation.group), None)
-        if equation.role != "coefficient" or system is None:
+        group = self.equations.group_of(equation)
+        if equation.role != "coefficient" or group is None or group.system is None:
             return False
+        system = group.system
         body, read = {each.symbol for each in system.body}, set(equation.reads)
         return bool(read & body) and not (read - body) & {each.symbol for each in self.equations.columns}
 
@@ -239,13 +245,12 @@ class _Lowering:
     def _triangle_angle(self, equation: Equation, opposite: Node, beside: Node, other: Node) -> None:
         """By ATAN2. All angles of a group have the same sine side, so that they fit together to the last digit; a link's
         own triangle has its area written out."""
-        if equation.role == "constant" or not any(each.reach for each in equation.exists):
-            area = al.triangle_area(beside, other, opposite)
-            self._add(equation, guarded(equation.exists, al.triangle_angle(opposite, beside, other, area)))
-            return
-        sides = next(group.sides for group in self.equations.groups if group.number == equation.group)
-        angle = angle_by_sides(opposite, beside, other, sine_side(*sides))
-        self._add(equation, formula("IF(fails, NA(), value)", fails=self._fails(equation), value=angle))
+        group = self.equations.group_of(equation) if equation.role != "constant" else None
+        if group is not None and any(each.reach for each in equation.exists):
+            angle = angle_by_sides(opposite, beside, other, sine_side(*group.sides))
+        else:
+            angle = al.triangle_angle(opposite, beside, other, al.triangle_area(beside, other, opposite))
+        self._add(equation, self._where_it_exists(equation, angle))
 
     def _where_it_exists(self, equation: Equation, expression: Node) -> Node:
         """The expression, or #N/A where one of its conditions fails."""
@@ -311,15 +316,9 @@ def _next(system: System, unknown: str, number: int) -> Node:
     return in_this_pass(system, _step(system, unknown), number)
 
 
-def _given(equation: Equation) -> Assignment:
-    return Assignment(
-        equation.symbol, equation.expression, equation.expression, equation.role, equation.unit, equation.label
-    )
-
-
 def pins_apart(equations: Equations, direction: Equation) -> tuple[Condition, ...]:
     """What must hold for the direction by which a slot through its own pivot is found: the pin is not on the pivot."""
-    group = next((group for group in equations.groups if group.number == direction.group), None)
+    group = equations.group_of(direction)
     return equations.of(group.closes).exists if group is not None and group.only_undetermined else ()
 
 

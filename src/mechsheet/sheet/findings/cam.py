@@ -3,18 +3,31 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from typing import Literal
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Text
 from livesheet.formula.scalar import evaluate
-from mechsheet.model import CONTACT, LAWS_THAT_LEAP, TAU, FurtherDriver, Mechanism, Segment, Segments, Way, rate_symbols
+from mechsheet.model import (
+    CONTACT,
+    LAWS_THAT_LEAP,
+    TAU,
+    FurtherDriver,
+    Mechanism,
+    Segment,
+    Segments,
+    Spring,
+    rate_symbols,
+)
 from mechsheet.sheet.findings.finding import Finding, Level, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places, places_of
+
+SAME = 1e-12
+"""Two values that differ by so small a part of themselves are one."""
 
 LEAPT = 1e-9
 """A step of a derivative, in sizes a radian, that is more than rounding."""
@@ -85,7 +98,7 @@ class LeastRadius(Finding):
             cutter = formula("ROUNDDOWN(roller-1/hollow,2)", roller=roller, hollow=hollow)
             concave = joined(on.text(f"{self.key}.concave"), " ", cutter)
             fine = joined(fine, formula('IF(hollow<0,concave,"")', hollow=hollow, concave=concave))
-        words = formula("IFERROR(IF(value>0,fine,undercut)&doubt,fine)", value=value, fine=fine, undercut=undercut,
+        words = formula("IF(IFERROR(value<=0,FALSE),undercut,fine)&doubt", value=value, fine=fine, undercut=undercut,
                         doubt=doubt)  # fmt: skip
         return Line(
             rich("rho"), least, on.where_it_closes(words), plan.mechanism.length_unit, places(plan, "length"), place=place,
@@ -94,60 +107,70 @@ class LeastRadius(Finding):
 
 
 class ContactForce(Finding):
-    """The least force of the cam on its follower: where it would have to pull, the follower lifts off.
-
-    A spring between the ground and the follower would hold it with another free length: that with which the two just touch
-    in the worst position. N (hold - L0) has one sign in all of them where more preload presses more everywhere.
-    """
+    """The least force of the cam on its follower: where it would have to pull, the follower lifts off."""
 
     key, placed = "contact_force", True
 
     def line(self, on: Reading) -> Line:
-        plan, value = on.plan, on.value(self.key)
+        value = on.value(self.key)
         least, place = on.extreme("min", CONTACT)
-        unit = plan.equations.of(CONTACT).unit.text
-        before, between = on.text(f"{self.key}.lifts", place="#", force="#").split("#")[:2]
-        at = on.driver_text(on.place(self.key))
-        force = joined(formula("ROUND(value,2)", value=value), f" {unit}" if unit else "")
-        lifts = joined(before, at, between, force, self._held(on))
+        unit = on.plan.equations.of(CONTACT).unit
+        before, between, after = on.text(f"{self.key}.lifts", place="#", force="#").split("#")
+        at = on.driver_text(on.beside(self.key, place))
+        lifts = joined(before, at, between, formula("ROUND(value,2)", value=value), f" {unit.text}{after}")
         words = formula("IF(value<0,lifts,stays)&doubt", value=value, lifts=lifts, stays=on.text(f"{self.key}.stays"),
                         doubt=on.doubt(CONTACT, "min"))  # fmt: skip
         return Line(
-            rich(CONTACT), least, on.where_it_closes(words), unit, places_of(plan, plan.equations.of(CONTACT).unit),
-            place=place, levels=(bad("value<0", value=value), good("value>=0", value=value)),
+            rich(CONTACT), least, on.where_it_closes(words), unit.text, places_of(on.plan, unit), place=place,
+            levels=(bad("value<0", value=value), good("value>=0", value=value)),
         )  # fmt: skip
 
-    def _held(self, on: Reading) -> Node:
-        """Which free length of the spring would hold it."""
-        plan = on.plan
-        symbols = plan.equations.equations.forces("hold")
-        if not symbols or plan.mechanism.dynamics is None:
-            return Text("")
-        (symbol,), dynamics = symbols, plan.mechanism.dynamics
-        spring = next(each for each in dynamics.springs if symbol == f"{each.name}.hold")
-        free, stiff = (plan.at.bind(node, plan.main) for node in (spring.free_length, spring.stiffness))
-        pressed, hold = Symbol(ALL + CONTACT), Symbol(ALL + symbol)
-        found: list[Node] = []
-        for key, take, round_to, pulls, pushes in (
-            ("longer", "max", "ROUNDUP", "<", ">"), ("shorter", "min", "ROUNDDOWN", ">", "<"),
-        ):  # fmt: skip
-            way: Way = "max" if take == "max" else "min"
-            needed, _ = on.extreme(way, symbol)
-            agree = formula(
-                f'COUNTIFS(pressed,"<0",hold,"{pulls}"&free)+COUNTIFS(pressed,">0",hold,"{pushes}"&free)=0',
-                pressed=pressed, hold=hold, free=free,
+
+class HoldingSpring(Finding):
+    """The free length with which the spring between ground and follower just holds it: the two touch in the worst position.
+
+    N (hold - L0) has the same sign in all rows where more preload presses more everywhere; else no free length is said.
+    """
+
+    key = "holding_spring"
+
+    def __init__(self, spring: Spring, force_unit: str) -> None:
+        self.spring, self.force_unit = spring, force_unit
+
+    def line(self, on: Reading) -> Line:
+        plan, value = on.plan, on.value(self.key)
+        symbol = self.spring.hold
+        free, stiff = (plan.at.bind(node, plan.main) for node in (self.spring.free_length, self.spring.stiffness))
+        (most, _), (least, _) = on.extreme("max", symbol), on.extreme("min", symbol)
+
+        def agree(lifted: str, pressed: str) -> Node:
+            return formula(
+                f'COUNTIFS(all,"<0",hold,"{lifted}"&free)+COUNTIFS(all,">0",hold,"{pressed}"&free)=0',
+                all=Symbol(ALL + CONTACT), hold=Symbol(ALL + symbol), free=free,
             )  # fmt: skip
-            length = formula(f"{round_to}(needed,2)", needed=needed)
-            force_unit = f" {dynamics.force_unit}" if dynamics.force_unit else ""
-            more = joined(
-                formula("ROUND(ABS(stiff*(needed-free)),1)", stiff=stiff, needed=needed, free=free), force_unit
-            )
-            start, middle, end = on.text(
-                f"{self.key}.{key}", spring=spring.name, force="#", length="#", unit=plan.mechanism.length_unit
-            ).split("#")
-            words = joined(start, more, middle, length, end)
-            found.append(formula('IF(agree,words,"")', agree=agree, words=words))
-        return joined(*found)
+
+        needed = formula("IF(pushes,most,IF(pulls,least,NA()))", pushes=agree("<", ">"), pulls=agree(">", "<"),
+                         most=most, least=least)  # fmt: skip
+        more = joined(formula("ROUND(ABS(stiff*(value-free)),1)", stiff=stiff, value=value, free=free),
+                      f" {self.force_unit}")  # fmt: skip
+        lifts = formula("force<0", force=on.value(ContactForce.key))
+        words = formula(
+            'IFERROR(more&IF(lifts,lacks,spare)&IF(value=end,least,most)&doubt,"")', lifts=lifts, more=more, value=value,
+            lacks=f" {on.text(f'{self.key}.lacks', spring=self.spring.name)} ",
+            spare=f" {on.text(f'{self.key}.spare', spring=self.spring.name)} ",
+            end=most, least=on.text(f"{self.key}.least"), most=on.text(f"{self.key}.most"),
+            doubt=on.doubt(CONTACT, "min"),
+        )  # fmt: skip
+        return Line(rich(symbol), needed, on.where_it_closes(words), plan.mechanism.length_unit, places(plan, "length"))
+
+
+def contact_findings(mechanism: Mechanism, found: Collection[str]) -> Iterator[Finding]:
+    """Where there are forces; `found`: symbols of columns that change."""
+    yield ContactForce()
+    dynamics = mechanism.dynamics
+    for spring in dynamics.springs if dynamics is not None else ():
+        if spring.hold in found:
+            yield HoldingSpring(spring, dynamics.force_unit if dynamics else "")
 
 
 class LargestRate(Finding):
@@ -167,18 +190,20 @@ class LargestRate(Finding):
         rows = formula("MAX(MAX(all),-MIN(all))", all=column)
         parts = [plan.at.bind(self._largest(part), plan.main) for part in self.motion.parts]
         most = al.nested("MAX", parts)
-        words: Node = Text("")  # of none that moves, or whose jerk is all leaps
-        for number, (part, own) in reversed([*enumerate(zip(self.motion.parts, parts, strict=True), 1)]):
-            law = plan.text(f"segment.{part.law}")
-            said = on.text("largest_rate", number=number, law=law, factor=f"{FACTORS[part.law][self.order - 1]:.5g}")
-            if not al.is_zero(own):
-                words = formula("IF(own=most,said,other)", own=own, most=most, said=said, other=words)
-        value = most
+        value: Node = most
+        power: Node = al.ONE
+        words: Node = Text("")  # of a list of uniform motions, whose acceleration is all leaps
         if plan.mechanism.driver.speed is not None:
             even = plan.at.bind(formula("acceleration=0", acceleration=acceleration), plan.main)
-            whole = formula(f"most*ABS(speed)^{self.order}", most=most, speed=plan.at.bind(speed, plan.main))
-            value = formula("IF(even,whole,rows)", even=even, whole=whole, rows=rows)
-            words = formula('IF(even,words,"")', even=even, words=words)
+            power = formula(f"ABS(speed)^{self.order}", speed=plan.at.bind(speed, plan.main))
+            value = formula("IF(even,most*power,rows)", even=even, most=most, power=power, rows=rows)
+        for number, (part, own) in reversed([*enumerate(zip(self.motion.parts, parts, strict=True), 1)]):
+            if al.is_zero(own):
+                continue
+            law, factor = plan.text(f"segment.{part.law}"), f"{FACTORS[part.law][self.order - 1]:.5g}"
+            said = on.text("largest_rate", number=number, law=law, factor=factor)
+            words = formula("IF(ABS(value-own*power)<=rounding*value,said,other)", value=on.value(self.key), own=own,
+                            power=power, rounding=SAME, said=said, other=words)  # fmt: skip
         unit = plan.equations.of(self.symbol).unit
         place = on.driver_in_row("IFERROR(MATCH(value,all,0),MATCH(-value,all,0))", value=rows, all=column)
         return Line(rich(self.symbol), value, on.where_it_closes(words), unit.text, places_of(plan, unit), place=place)

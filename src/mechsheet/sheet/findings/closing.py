@@ -15,7 +15,7 @@ from mechsheet.sheet.findings.finding import Finding, InTitle, Line, bad, good, 
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.grashof import why_nowhere
-from mechsheet.sheet.plan import MEANING, Plan
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.table.start_table import assemblies_lost
 from mechsheet.words.equations import link_words
@@ -30,19 +30,20 @@ GAP = 1e-9
 class RowsClosed(Finding):
     """In how many rows it closes, and in which stretches."""
 
-    key = "rows_closed"
+    key, by_rows = "rows_closed", True
 
     def line(self, on: Reading) -> Line:
-        said, ok = on.plan.places.status.whole(), on.plan.text("status.ok")
-        stretches = [stretch.words.cell for stretch in on.found.stretches]
-        more = formula('IF(stretches>most," …","")', stretches=on.found.count.cell, most=len(stretches))
         count, rows = on.value(self.key), on.of_rows
+        counted, of_rows = on.count_rows()
+        some, stretches = closes_in_some(on.plan, count, rows), on.stretches()
+        if stretches is not None:
+            some = on.while_there("extremes", stretches, some)
         words = formula(
             "IF(count=0,nowhere,IF(count=rows,everywhere,some))", count=count, rows=rows, nowhere=on.text("rows.none"),
-            everywhere=on.text("rows.all"), some=joined(on.text("rows.some"), " ", *stretches, on.unit, more),
+            everywhere=on.text("rows.all"), some=some,
         )  # fmt: skip
         return Line(
-            on.text("rows"), formula("COUNTIF(said,ok)", said=said, ok=ok), words, formula("ROWS(said)", said=said),
+            on.text("rows"), counted, words, of_rows, itself=("words",),
             levels=(
                 bad("count=0", count=count),
                 look("count<rows", count=count, rows=rows),
@@ -53,8 +54,11 @@ class RowsClosed(Finding):
     def in_title(self, on: Reading) -> InTitle:
         return InTitle(here=closes_in(on.plan, on.value(self.key), on.of_rows))
 
+    def left(self, on: Reading) -> Node | str:
+        return formula('words&"; "', words=on.words(self.key))
+
     def overrules(self, on: Reading, title: Node) -> Node:
-        nowhere = why_nowhere(on.plan, MEANING)
+        nowhere = why_nowhere(on.plan, on.meaning)
         if on.plan.found.newton:
             nowhere = formula("IF(ends>0,ended,nowhere)", ends=assemblies_lost(on.plan), ended=on.text("line.ended"),
                               nowhere=nowhere)  # fmt: skip
@@ -136,6 +140,12 @@ def misfit_of(motion: SearchedMotion) -> tuple[float, str]:
         if off > GAP * search.size:
             found = link_words(each.link).of(mechanism.language)
     return worst, found
+
+
+def closes_in_some(plan: Plan, count: Node, rows: Node) -> Node:
+    """In how many of how many positions, where these are not all."""
+    end = plan.text("verdict.line.positions")
+    return joined(plan.text("verdict.line.closes"), " ", count, " / ", rows, end)
 
 
 def closes_in(plan: Plan, count: Node, rows: Node) -> Node:

@@ -15,6 +15,7 @@ from livesheet.workbook import Conditional, Content, Style
 from mechsheet.sheet import styles
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 
 LEVELS = {"bad": styles.BAD, "look": styles.WARN, "good": styles.GOOD}
@@ -57,12 +58,23 @@ def good(test: str, **holes: Node | float | str) -> Level:
 
 
 @dataclass(frozen=True, slots=True)
+class Beside:
+    """What stands beside a number, and its symbol and words where it has a line of its own."""
+
+    value: Node
+    symbol: str
+    words: str
+
+
+@dataclass(frozen=True, slots=True)
 class Line:
     """What a finding says, as formulas.
 
     unit    of the value; a formula is the number of rows that the value is of
     style   of the value, or only its decimals
-    place   where it occurs, a value of the driver;  beside: what else stands in its place, in a style of its own
+    place   where it occurs, a value of the driver;  beside: what else stands there
+    note    what explains it, where no sheet of notes does
+    itself  those of its cells that say themselves what is left where another sheet was deleted
     levels  the first that holds counts
     rules   colours of other cells that follow from it
     """
@@ -73,7 +85,9 @@ class Line:
     unit: str | Node = ""
     style: int | Style = 0
     place: Node | None = None
-    place_style: Style | None = None
+    beside: Beside | None = None
+    note: str = ""
+    itself: Sequence[Literal["value", "words"]] = ()
     levels: Sequence[Level] = ()
     rules: Sequence[Conditional] = ()
 
@@ -97,10 +111,18 @@ class Finding:
 
     key     the name of its cell, in every language
     placed  whether it says where in the motion it occurs: that cell is `key`_at
+    by_rows whether it can be said of rows alone, so that a page has it, too
+    needs   keys of other sheets without which nothing can be said, beside those that its formulas read
     """
 
     key: str
+    needs: Sequence[str] = ()
     placed: bool = False
+    by_rows: bool = False
+
+    def key_beside(self, plan: Plan) -> str:
+        """The key of the line that a page has for what stands beside the number; "" where nothing does."""
+        return ""
 
     def line(self, on: Reading) -> Line:
         """What it says where it is written."""
@@ -109,6 +131,10 @@ class Finding:
     def in_title(self, on: Reading) -> InTitle:
         """What it adds to the line under the title where all is well."""
         return InTitle()
+
+    def left(self, on: Reading) -> Node | str:
+        """What it says in the line under the title, with "; " behind it, where another sheet was deleted."""
+        return ""
 
     def overrules(self, on: Reading, title: Node) -> Node:
         """The line under the title, if what it says comes before all else that `title` would say."""

@@ -22,7 +22,7 @@ EVEN = 1e-9
 class LargestEffort(Finding):
     """The largest effort of the driver, over rows."""
 
-    key, placed = "largest_effort", True
+    key, placed, needs = "largest_effort", True, ("forces",)
 
     def line(self, on: Reading) -> Line:
         effort = on.plan.efforts[0]
@@ -114,6 +114,7 @@ class EnergyChange(Finding):
     """By how much the energy changes over the turn, and where the shaft is slowest and fastest."""
 
     key = "energy_change"
+    needs = ("extremes",)  # it is the change from the mean torque of a whole turn
 
     def line(self, on: Reading) -> Line:
         plan, drivers = on.plan, on.drivers
@@ -132,6 +133,7 @@ class FlywheelInertia(Finding):
     """The moment of inertia that keeps the speed within its bounds."""
 
     key = "flywheel"
+    needs = ("extremes",)
 
     def line(self, on: Reading) -> Line:
         mechanism = on.plan.mechanism

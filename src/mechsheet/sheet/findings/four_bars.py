@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
-from livesheet.formula.nodes import Call, Node, Number, RangeRef, Text
+from livesheet.formula.nodes import Call, Node
 from mechsheet.kinematics.numeric import value
-from mechsheet.sheet import styles
 from mechsheet.sheet.classification import FourBar
-from mechsheet.sheet.findings.finding import Finding, InTitle, Level, Line, bad, look, note
+from mechsheet.sheet.findings.finding import Beside, Finding, InTitle, Level, Line, bad, look, note
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.grashof import (
+    AT_MOST,
     BEGINS,
-    Sides,
     bound_of,
     excess_of,
     in_summary,
@@ -25,6 +23,7 @@ from mechsheet.sheet.grashof import (
     turning_types,
     type_of,
 )
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.table.positions import places
 
@@ -35,24 +34,29 @@ class FourBarType(Finding):
     first  whether the line under the title says it, too
     """
 
+    by_rows = True
+
     def __init__(self, loop: FourBar, first: bool) -> None:
         self.loop, self.first = loop, first
         self.key = f"grashof_{loop.group}"
 
+    def key_beside(self, plan: Plan) -> str:
+        return f"bound_{self.loop.group}" if is_all(self.loop, plan) else ""
+
     def line(self, on: Reading) -> Line:
-        plan, loop, said = on.plan, self.loop, on.words(self.key)
-        lengths = on.extremes.lengths_of(loop)
-        shortest, most, total = (Call(name, (lengths,)) for name in ("MIN", "MAX", "SUM"))
+        plan, loop, said, excess = on.plan, self.loop, on.words(self.key), on.value(self.key)
+        sides = on.sides(loop, names_of_sides(loop, plan))
+        shortest, most, total = (Call(name, sides.all) for name in ("MIN", "MAX", "SUM"))
 
         def text(word: str, **parts: object) -> str:
             return on.text(f"grashof.{word}", **parts)
 
-        which = formula(
-            "CHOOSE(MATCH(shortest,lengths,0),both,crank,rockers,follower)", lengths=lengths, shortest=shortest,
-            **turning_types(loop, plan.language, text),
-        )  # fmt: skip
-        alone = is_all(loop, plan)
-        kind = type_of(shortest, on.value(self.key), which, text, on.place(self.key) if alone else None)
+        bound = mended = None
+        if is_all(loop, plan):
+            mend = formula('IFERROR(mend,"")', mend=bound_of(sides, shortest, excess))
+            bound = Beside(mend, AT_MOST.strip(), plan.text("page.bound"))
+            mended = on.beside(self.key, mend)
+        kind = type_of(shortest, excess, sides.of(shortest, turning_types(loop, plan.language, text)), text, mended)
         begin = f"{named(loop, plan)}: "
         levels: tuple[Level, ...] = (
             bad(BEGINS, said=said, begin=begin + text("open")),
@@ -63,23 +67,10 @@ class FourBarType(Finding):
             reach = on.found.reach[loop.group].cell
             levels += (look("ISNUMBER(FIND(reach,said))", said=said, reach=text("reach")),)
         words = formula('IFERROR(said,"")', said=joined(begin, kind, reach))
-        excess = formula("excess", excess=excess_of(plan, shortest, most, total))
         return Line(
-            on.text("grashof"), excess, words, plan.mechanism.length_unit, places(plan, "length"),
-            place=self._bound(on, lengths, shortest) if alone else None,
-            place_style=replace(styles.UNIT, name="", align="right"), levels=levels,
+            on.text("grashof"), excess_of(plan, shortest, most, total), words, plan.mechanism.length_unit,
+            places(plan, "length"), beside=bound, note=plan.text("notes.use.grashof"), levels=levels,
         )  # fmt: skip
-
-    def _bound(self, on: Reading, lengths: RangeRef, shortest: Node) -> Node:
-        """Up to which length the longest link closes, or the first turns fully: beside the type of a four-bar."""
-        names = names_of_sides(self.loop, on.plan)
-        cells = [replace(lengths.start, col=lengths.start.col + at) for at in range(4)]
-
-        def longest(length: Node) -> Node:
-            return Call("CHOOSE", (Call("MATCH", (length, lengths, Number(0.0))), *map(Text, names)))
-
-        sides = Sides(cells, (lengths,), names, longest, places(on.plan, "length"))
-        return formula('IFERROR(mend,"")', mend=bound_of(sides, shortest, on.value(self.key)))
 
     def in_title(self, on: Reading) -> InTitle:
         if not self.first:

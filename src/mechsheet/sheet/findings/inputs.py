@@ -42,21 +42,30 @@ CHOICES = 29
 class Inputs(Finding):
     """Which yellow cell holds what cannot be; it is red, and so is the line."""
 
-    key = "inputs"
+    key, by_rows = "inputs", True
 
     def line(self, on: Reading) -> Line:
         plan, said = on.plan, on.words(self.key)
+        position, known = on.inputs_fit()
         fine = on.text("inputs.fine")
-        fits = formula("IF(known,fine,misfit)", known=on.found.fine.cell, fine=fine, misfit=on.text("inputs.misfit"))
-        nowhere = formula("said=words", said=said, words=no_position(plan))
+        fits: Node = Text(fine)
+        if known is not None:
+            fits = formula("IF(known,fine,misfit)", known=known, fine=fine, misfit=on.text("inputs.misfit"))
+        nowhere = formula("said=words", said=said, words=no_position(plan)) if plan.places.position else None
+        others = on.while_there("extremes", where_it_is(plan, position, fits))
         return Line(
-            on.text(self.key), first_wrong(plan), words(plan, on.value(self.key), on.found.there.cell, fits),
+            on.text(self.key), first_wrong(plan), words(plan, on.value(self.key), others), itself=("words",),
             levels=(bad("said<>fine", said=said, fine=fine), good("said=fine", said=said, fine=fine)),
             rules=red_where_wrong(plan, nowhere),
         )  # fmt: skip
 
+    def left(self, on: Reading) -> Node | str:
+        return formula('IF(wrong>0,words&"; ","")', wrong=on.value(self.key), words=on.words(self.key))
+
     def overrules(self, on: Reading, title: Node) -> Node:
-        return formula("IF(fine,title,said)", fine=on.found.fine.cell, title=title, said=on.words(self.key))
+        said, (_, known) = on.words(self.key), on.inputs_fit()
+        fine = known or formula("said=fine", said=said, fine=on.text("inputs.fine"))
+        return formula("IF(fine,title,said)", fine=fine, title=title, said=said)
 
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
         return {self.key: Expected([0.0], told=False)}
@@ -122,15 +131,16 @@ def first_wrong(plan: Plan) -> Node:
     return formula('MOD(FIND("0",digits),beyond)', digits=digits, beyond=len(found) + 1)
 
 
-def words(plan: Plan, wrong: Node, position: Node, otherwise: Node) -> Node:
-    """What is said of the inputs: which one cannot be, that there is no such position, or something else.
-
-    wrong  the cell with the number of the first;  position  whether there is the position
-    """
+def words(plan: Plan, wrong: Node, others: Node) -> Node:
+    """What is said of the inputs: which one cannot be (`wrong` is the cell with its number), or something else."""
     before, after = plan.text("verdict.inputs.wrong", symbol="#").split("#")
     which = joined(before, _named(plan, wrong), after) if inputs_of(plan) else Text("")
-    return formula("IF(wrong>0,which,IF(position,otherwise,no_position))", wrong=wrong, which=which, position=position,
-                   otherwise=otherwise, no_position=no_position(plan))  # fmt: skip
+    return formula("IF(wrong>0,which,others)", wrong=wrong, which=which, others=others)
+
+
+def where_it_is(plan: Plan, position: Node, otherwise: Node) -> Node:
+    """What is said where the position that is drawn is one, or that it is none."""
+    return formula("IF(position,otherwise,nowhere)", position=position, otherwise=otherwise, nowhere=no_position(plan))
 
 
 def _named(plan: Plan, wrong: Node) -> Node:

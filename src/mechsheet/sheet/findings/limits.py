@@ -119,7 +119,7 @@ class Passes(Finding):
             where = formula("IF(turned,place,other)", turned=turned, place=occurs.cell, other=where)
         count = on.value(self.key)
         before, after = on.text("passes.not", place="#").split("#")
-        between = joined(before, formula("ROUND(place,1)", place=on.place(self.key)), on.unit, after)
+        between = joined(before, formula("ROUND(place,1)", place=on.beside(self.key, where)), on.unit, after)
         words = formula('IF(closed=0,"",IF(count=0,through,between))', closed=on.value("rows_closed"), count=count,
                         through=on.text("passes.all"), between=between)  # fmt: skip
         return Line(on.text("passes"), found, words, place=where, levels=(look("count>0", count=count),))

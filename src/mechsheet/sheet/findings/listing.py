@@ -10,20 +10,27 @@ from mechsheet.sheet.findings import cam, closing, forces, limits, newton, rates
 from mechsheet.sheet.findings.finding import Finding
 from mechsheet.sheet.findings.four_bars import FourBarType
 from mechsheet.sheet.findings.inputs import Inputs
-from mechsheet.sheet.findings.task import Task
+from mechsheet.sheet.findings.other_sheets import OtherSheets
+from mechsheet.sheet.findings.task import LargestMiss, Task
 from mechsheet.sheet.findings.transmission import Transmission
 
 
-def findings_of(mechanism: Mechanism, found: Classification) -> list[Finding]:
-    """The findings of a workbook of several sheets; `found`: what can be said of the mechanism."""
-    return [*_closing(found), *_motion(found), *_effort(mechanism, found)]
+def findings_of(mechanism: Mechanism, found: Classification, by_rows: bool = False) -> list[Finding]:
+    """The findings of a workbook; `found`: what can be said of the mechanism.
+
+    by_rows  only those that rows alone tell, which a page has
+    """
+    findings = [OtherSheets(), *_closing(found, by_rows), *_motion(found), *_effort(mechanism, found)]
+    return [finding for finding in findings if finding.by_rows] if by_rows else findings
 
 
-def _closing(found: Classification) -> Iterator[Finding]:
+def _closing(found: Classification, by_rows: bool) -> Iterator[Finding]:
     """Whether and how well it closes."""
     yield Inputs()
     if found.task is not None:
         yield Task(found.task)
+        if by_rows:
+            yield LargestMiss(found.task)
     yield closing.RowsClosed()
     if found.limits:
         yield from (limits.Limits(), limits.InputEnd("from"), limits.InputEnd("to"), limits.Passes())
@@ -54,7 +61,7 @@ def _effort(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
     if mechanism.cam is not None:
         yield from (cam.PressureAngle(), cam.LeastRadius())
         if found.forces:
-            yield cam.ContactForce()
+            yield from cam.contact_findings(mechanism, found.cam)
     yield from cam.largest_rates(mechanism)
     motion = segments_of(mechanism)
     if motion is not None:

@@ -37,6 +37,7 @@ class Agrees(Finding):
 
     def __init__(self, key: str, of: Literal["velocity", "acceleration", "torque"], words: str) -> None:
         self.key, self.of, self.said = key, of, words
+        self.needs = ("forces",) if of == "torque" else ("rates",)
 
     def line(self, on: Reading) -> Line:
         effort, said = self.of == "torque", on.words(self.key)

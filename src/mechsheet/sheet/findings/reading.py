@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import replace
+
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.model import Way
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes, about
+from mechsheet.sheet.classification import FourBar
+from mechsheet.sheet.deleted import are_there, missing_words
+from mechsheet.sheet.grashof import Sides
+from mechsheet.sheet.places import Searched, there
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.positions import places
@@ -15,18 +23,38 @@ NUMBERS = ">-1E+300"
 """What every number is: a column that has none in some row is asked for its numbers only."""
 
 
-class Reading:
-    """The first sheet, with a search and checks beside the rows.
+class Reading(ABC):
+    """What every layout has. A page has neither a search nor checks: who is said `by_rows` asks for none.
 
-    rows  of the lines, by key
+    rows     of the lines, by key;  meaning: the column of their words
+    of_rows_only  whether nobody looks between the rows
     """
 
-    def __init__(self, plan: Plan, checks: Checks, extremes: Extremes) -> None:
-        self.plan, self.found = plan, plan.searched
-        self.checks, self.extremes = checks, extremes
+    meaning: int
+
+    def __init__(self, plan: Plan) -> None:
+        self.plan = plan
         self.rows = plan.blocks["verdicts"].rows
         self.driver = plan.mechanism.driver
         self.unit = behind_number(self.driver.unit.text)
+
+    @property
+    def found(self) -> Searched:
+        """What the search beside the rows finds."""
+        return self.plan.searched
+
+    @property
+    @abstractmethod
+    def checks(self) -> Checks:
+        """What is measured in every row."""
+
+    def while_there(self, sheet: str, words: Node, otherwise: Node | None = None) -> Node:
+        """Words where a sheet that can be deleted is there, with what it needs; else others, or which sheets are missing."""
+        present = are_there(self.plan, [sheet])
+        if present is None:
+            return words
+        left = missing_words(self.plan) if otherwise is None else otherwise
+        return formula("IF(present,words,otherwise)", present=present, words=words, otherwise=left)
 
     # --- words ------------------------------------------------------------------------------------------------
 
@@ -41,15 +69,6 @@ class Reading:
     def driver_text(self, value: Node) -> Node:
         """A value of the driver in words: 48.3°."""
         return joined(formula("ROUND(value,2)", value=value), self.unit)
-
-    def about(self, symbol: str) -> Node:
-        """What is added where the probes of an extreme have not settled, or the rows are too far apart."""
-        return formula(
-            "IF(leaps>0,about,more)",
-            leaps=self.plan.places.leaps.cell,
-            about=self.text("about"),
-            more=about(self.plan, symbol),
-        )
 
     # --- extremes ---------------------------------------------------------------------------------------------
 
@@ -77,11 +96,11 @@ class Reading:
 
     def words(self, key: str) -> CellRef:
         """The cell of a line's words."""
-        return CellRef(self.rows[key], MEANING, True, True)
+        return CellRef(self.rows[key], self.meaning, True, True)
 
-    def place(self, key: str) -> CellRef:
-        """The cell that says where it occurs."""
-        return CellRef(self.rows[key], TOLERANCE, True, True)
+    @abstractmethod
+    def beside(self, finding: str, found: Node) -> Node:
+        """What stands beside a finding's number: its cell, or what is found, where no cell is beside it."""
 
     # --- the table --------------------------------------------------------------------------------------------
 
@@ -91,9 +110,9 @@ class Reading:
         return self.plan.places.rows.cell
 
     @property
+    @abstractmethod
     def drivers(self) -> RangeRef:
         """The driver's values."""
-        return self.plan.at.column(self.driver.symbol, self.plan.main)
 
     def driver_in_row(self, row: str, **holes: Node) -> Node:
         """The driver's value in the row that a formula finds."""
@@ -102,3 +121,107 @@ class Reading:
     def driver_places(self) -> int:
         """Decimals of a value of the driver."""
         return places(self.plan, "angle" if self.driver.unit.kind == "angle" else "length")
+
+    @abstractmethod
+    def count_rows(self) -> tuple[Node, Node]:
+        """How many rows close, and how many there are, counted in the table."""
+
+    @abstractmethod
+    def stretches(self) -> Node | None:
+        """In words the stretches in which it closes; None where nobody looks for them."""
+
+    @abstractmethod
+    def inputs_fit(self) -> tuple[Node, Node | None]:
+        """Whether the position that is drawn is one, and whether what follows from the inputs are numbers; None where
+        nobody asks."""
+
+    @abstractmethod
+    def sides(self, loop: FourBar, names: Sequence[str]) -> Sides:
+        """The lengths of a loop."""
+
+    # --- quantities -------------------------------------------------------------------------------------------
+
+    @property
+    @abstractmethod
+    def of_rows_only(self) -> Node | bool:
+        """Whether nobody has looked between the rows."""
+
+    @abstractmethod
+    def column_extreme(self, way: Way, symbol: str) -> Node:
+        """The smallest or the largest value of a quantity, as its column has it."""
+
+    @abstractmethod
+    def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
+        """The driver's value where what follows from a quantity is least, which the finding's cell shows. It is the smaller
+        of two, `folded`: where the quantity is smallest, and where it is largest."""
+
+    @abstractmethod
+    def where_known(self, value: Node) -> Node:
+        """A value that follows from extremes; #N/A where there are none."""
+
+    @abstractmethod
+    def about(self, symbol: str) -> Node:
+        """What is added to words of extremes that are not sure."""
+
+    @abstractmethod
+    def worst_group(self, values: RangeRef) -> Node:
+        """Which of several angles of transmission is the least."""
+
+
+class SheetReading(Reading):
+    """The first sheet, with a search and checks beside the rows."""
+
+    meaning = MEANING
+
+    def __init__(self, plan: Plan, checks: Checks, extremes: Extremes) -> None:
+        super().__init__(plan)
+        self._checks, self._extremes = checks, extremes
+
+    @property
+    def checks(self) -> Checks:
+        return self._checks
+
+    def beside(self, finding: str, found: Node) -> Node:
+        return CellRef(self.rows[finding], TOLERANCE, True, True)
+
+    @property
+    def drivers(self) -> RangeRef:
+        return self.plan.at.column(self.driver.symbol, self.plan.main)
+
+    def count_rows(self) -> tuple[Node, Node]:
+        said = self.plan.places.status.whole()
+        return formula("COUNTIF(said,ok)", said=said, ok=self.plan.text("status.ok")), formula("ROWS(said)", said=said)
+
+    def stretches(self) -> Node | None:
+        stretches = [stretch.words.cell for stretch in self.found.stretches]
+        more = formula('IF(stretches>most," …","")', stretches=self.found.count.cell, most=len(stretches))
+        return joined(self.text("rows.some"), " ", *stretches, self.unit, more)
+
+    def inputs_fit(self) -> tuple[Node, Node | None]:
+        return self.found.there.cell, self.found.fine.cell
+
+    def sides(self, loop: FourBar, names: Sequence[str]) -> Sides:
+        lengths = self._extremes.lengths_of(loop)
+        cells = [replace(lengths.start, col=lengths.start.col + at) for at in range(4)]
+        return Sides(cells, (lengths,), names, places(self.plan, "length"))
+
+    @property
+    def of_rows_only(self) -> Node | bool:
+        return self.plan.between_unseen if self.plan.rows_only else self.found.rows_only.cell
+
+    def column_extreme(self, way: Way, symbol: str) -> Node:
+        return self.found.extremes[way, symbol].value.cell
+
+    def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
+        low, high = (self.found.extremes[way, symbol].occurs.cell for way in ("min", "max"))
+        return formula("IF(one<=other+1E-6,place,elsewhere)", one=folded[0], other=folded[1], place=low, elsewhere=high)
+
+    def where_known(self, value: Node) -> Node:
+        return formula("IFERROR(value,NA())", value=value)
+
+    def about(self, symbol: str) -> Node:
+        return formula("IF(leaps>0,about,more)", leaps=self.plan.places.leaps.cell, about=self.text("about"),
+                       more=about(self.plan, symbol))  # fmt: skip
+
+    def worst_group(self, values: RangeRef) -> Node:
+        return there(self.found.worst_group).cell

@@ -16,7 +16,7 @@ import numpy as np
 
 from livesheet.formula.nodes import Scalar
 from mechsheet.kinematics.search import Search
-from mechsheet.sheet.checks.limits import STRETCHES
+from mechsheet.sheet.checks.search_rules import STRETCHES
 from mechsheet.sheet.plan import Plan
 
 EXACT = 1e-4

@@ -8,11 +8,11 @@ those of the first red verdict, else how well what is asked is met. The line und
 from __future__ import annotations
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import CellRef, Node, RangeRef
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
 from mechsheet.model import Synthesis
+from mechsheet.sheet import styles
 from mechsheet.sheet.findings.finding import Finding, InTitle, Level, Line, bad, good
 from mechsheet.sheet.findings.reading import Reading
-from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.naming import Naming
@@ -25,15 +25,19 @@ from mechsheet.synthesis.kinds import kind_of
 class Task(Finding):
     """Whether the dimensions that are found from a task do what it asks."""
 
-    key = "task"
+    key, by_rows = "task", True
 
     def __init__(self, asked: Synthesis) -> None:
         self.asked = asked
 
     def line(self, on: Reading) -> Line:
         plan, count, words = on.plan, on.value(self.key), on.words(self.key)
+        if plan.synthesis is None:
+            met = said_of_miss(plan, count, on.value(LargestMiss.key))
+        else:
+            met = said(plan, plan.synthesis, count)
         return Line(
-            on.text(self.key), wrong(plan, self.asked), said(plan, there(plan.synthesis), count),
+            on.text(self.key), wrong(plan, self.asked), met,
             levels=(
                 bad("wrong>0", wrong=count), Level("look", doubtful(plan, words)),
                 good("said=exactly", said=words, exactly=exactly(plan)),
@@ -46,6 +50,20 @@ class Task(Finding):
             for text in ('IF(count>0,words&"; ","")', 'IF(count>0,"","; "&words)')
         )
         return InTitle(first=first, last=last)
+
+
+class LargestMiss(Finding):
+    """By how much what is asked is missed: on a page, which has no sheet of synthesis."""
+
+    key, by_rows = "task_miss", True
+
+    def __init__(self, asked: Synthesis) -> None:
+        self.asked = asked
+
+    def line(self, on: Reading) -> Line:
+        miss = formula("IFERROR(most,NA())", most=most_missed(on.plan, self.asked))
+        words = Text(on.text("task.miss"))
+        return Line(on.text("task"), miss, words, style=styles.numbered(styles.RESULT, "0.0E+00"))
 
 
 def exactly(plan: Plan) -> str:
@@ -90,14 +108,6 @@ def said_of_miss(plan: Plan, count: CellRef, most: CellRef) -> Node:
         exactly=exactly(plan), count=count, lost=plan.text("synthesis.meets.not"),
         rounded=plan.text("synthesis.meets.rounded"),
     )  # fmt: skip
-
-
-def with_task(good: Node, count: Node, words: Node) -> Node:
-    """The line under the title, which would be `good`: the words come first where something is wrong, else last."""
-    first, last = (
-        formula(text, count=count, words=words) for text in ('IF(count>0,words&"; ","")', 'IF(count>0,"","; "&words)')
-    )
-    return joined(first, good, last)
 
 
 def _misses(plan: Plan, task: Synthesis, exact: bool) -> list[Node]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from livesheet.formula.nodes import Call, Node
+from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there
 from mechsheet.sheet.findings.finding import Finding, Level, Line, good
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.quoted import formula, joined
@@ -19,6 +20,14 @@ def title_words(on: Reading, findings: Sequence[Finding]) -> Node:
     for finding in reversed(findings):
         title = finding.overrules(on, title)
     return title
+
+
+def left_words(on: Reading, findings: Iterable[Finding]) -> Node:
+    """What can be said where other sheets were deleted, and which these are."""
+    said, present = joined(*(finding.left(on) for finding in findings)), are_there(on.plan, FIRST_OF_ALL)
+    if present is not None:
+        said = formula('IF(present,said,"")', present=present, said=said)
+    return formula('IF(count=0,"",said&words)', count=on.value("sheets"), said=said, words=on.words("sheets"))
 
 
 def title_levels(on: Reading, lines: Iterable[Line]) -> list[Level]:

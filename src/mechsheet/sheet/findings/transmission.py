@@ -7,30 +7,32 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef
+from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol
 from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.numeric import Array
 from mechsheet.sheet.findings.finding import Finding, InTitle, Line, good, look
 from mechsheet.sheet.findings.ratios import HIGH_LOW
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
-from mechsheet.sheet.places import there
-from mechsheet.sheet.plan import MEANING, SYMBOL
-from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
+from mechsheet.sheet.plan import SYMBOL, VALUE
+from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.positions import places
-from mechsheet.sheet.transmission import acute, poor_limit, worst_words
+from mechsheet.sheet.transmission import RIGHT, STRAIGHT, acute, poor_limit, worst_of_rows, worst_words
+from mechsheet.units import behind_number
 
 ROUNDED = 2e-6
 """Angles by arccos [rad], at a dead centre."""
 
 
 class Transmission(Finding):
-    """The angle of transmission that is farthest from 90 degrees, as an acute angle.
+    """The angle of transmission that is farthest from 90 degrees, as an acute angle; that of the rows where the sheet of
+    extremes was deleted.
 
     all  the groups that have one: the line under the title names the worst
     """
 
-    placed = True
+    placed = by_rows = True
 
     def __init__(self, group: Group, all: tuple[Group, ...]) -> None:
         self.group, self.all = group, all
@@ -38,23 +40,22 @@ class Transmission(Finding):
 
     def line(self, on: Reading) -> Line:
         plan, group, value = on.plan, self.group, on.value(self.key)
-        high, low = (on.found.extremes[way, group.transmission] for way in HIGH_LOW)
-        folded = acute(low.value.cell, high.value.cell, from_right=group.kind != "RRR")
-        unit = plan.mechanism.angle_unit
+        high, low = (on.column_extreme(way, group.transmission) for way in HIGH_LOW)
+        unit, shown = plan.mechanism.angle_unit, plan.at.spots[group.transmission].degrees
+        right, straight = (Number(90.0), Number(180.0)) if shown else (RIGHT, STRAIGHT)
+        folded = acute(low, high, group.kind != "RRR", right, straight)
         poor = formula("value<limit", value=value, limit=poor_limit(plan.mechanism))
-        of_rows = plan.between_unseen if plan.rows_only else on.found.rows_only.cell
-        said = worst_words(plan, value, on.place(self.key), poor, of_rows)
-        least: Node = Call("MIN", folded)
-        if unit.in_degrees:
+        place = on.place_of_least(self.key, group.transmission, folded)
+        said = worst_words(plan, value, on.beside(self.key, place), poor, on.of_rows_only)
+        column = Symbol(ALL + group.transmission)
+        in_rows = acute(over_rows(LEAST, column), over_rows(MOST, column), group.kind != "RRR")
+        least = on.while_there("extremes", Call("MIN", folded), Call("MIN", in_rows))
+        said = on.while_there("extremes", joined(said, on.about(group.transmission)), worst_of_rows(plan, value, poor))
+        if unit.in_degrees and not shown:
             least = formula("DEGREES(least)", least=least)
-        at_low = formula(
-            "IF(one<=other+1E-6,place,elsewhere)", one=folded[0], other=folded[1], place=low.occurs.cell,
-            elsewhere=high.occurs.cell,
-        )  # fmt: skip
         return Line(
-            f"μ{group.number}", formula("IFERROR(value,NA())", value=least),
-            formula('IFERROR(said&about,"")', said=said, about=on.about(group.transmission)), unit.text,
-            places(plan, "angle"), place=formula("IFERROR(place,NA())", place=at_low),
+            f"μ{group.number}", on.where_known(least), formula('IFERROR(said,"")', said=said), unit.text,
+            places(plan, "angle"), place=formula("IFERROR(place,NA())", place=place), itself=("value", "words"),
             levels=(
                 look("AND(ISNUMBER(value),poor)", value=value, poor=poor),
                 good("ISNUMBER(FIND(fair,said))", said=on.words(self.key), fair=on.text("fair")),
@@ -68,11 +69,24 @@ class Transmission(Finding):
         if len(self.all) == 1:
             return InTitle(here=formula('IF(ISNUMBER(value),what&words,"")', value=on.value(self.key), what=what,
                                         words=on.words(self.key)))  # fmt: skip
-        symbols, said = (column(on, self.all, col) for col in (SYMBOL, MEANING))
+        symbols, values, said = (self._column(on, col) for col in (SYMBOL, VALUE, on.meaning))
         return InTitle(here=formula(
             'IFERROR(what&INDEX(symbols,worst)&" "&INDEX(said,worst),"")', what=what, symbols=symbols, said=said,
-            worst=there(on.found.worst_group).cell,
+            worst=on.worst_group(values),
         ))  # fmt: skip
+
+    def left(self, on: Reading) -> Node | str:
+        if self.group != self.all[0]:
+            return ""
+        unit, angles = on.plan.mechanism.angle_unit, self._column(on, VALUE)
+        least = formula("ROUND(MIN(angles),digits)", angles=angles, digits=1 if unit.in_degrees else 2)
+        said = joined(f"{on.text('line.transmission')} ", least, f"{behind_number(unit.text)}; ")
+        return formula('IF(COUNT(angles)>0,said,"")', angles=angles, said=said)
+
+    def _column(self, on: Reading, col: int) -> RangeRef:
+        """The cells of a column in the lines of all groups."""
+        first, last = (on.rows[key_of(group)] for group in (self.all[0], self.all[-1]))
+        return RangeRef(CellRef(first, col, True, True), CellRef(last, col, True, True))
 
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
         if not motion.search.count or motion.too_many:
@@ -101,9 +115,3 @@ class Transmission(Finding):
 def key_of(group: Group) -> str:
     """The key of a group's line."""
     return f"transmission_{group.number}"
-
-
-def column(on: Reading, groups: tuple[Group, ...], col: int) -> RangeRef:
-    """The cells of a column in the lines of all angles of transmission."""
-    rows = [on.rows[key_of(group)] for group in groups]
-    return RangeRef(CellRef(rows[0], col, True, True), CellRef(rows[-1], col, True, True))

@@ -18,7 +18,16 @@ COLUMN = 7
 
 
 class Writer(Cells):
-    """Collects the cells of the sheet; `heights` of rows with a label of several lines."""
+    """Collects the cells of the sheet; `heights` of rows with a label of several lines.
+
+    needs        by row the keys of other sheets that its cells need, though no formula there reads them
+    says_itself  cells that say themselves what is left without another sheet
+    """
+
+    def __init__(self, plan: Plan, title: str) -> None:
+        super().__init__(plan, title)
+        self.needs: dict[int, set[str]] = {}
+        self.says_itself: set[tuple[int, int]] = set()
 
     def line(self, row: int, symbol: Content, unit: str | None, meaning: str | None) -> None:
         """The fixed parts of an entry: everything but its value (and its unit or meaning, when that is a formula: None)."""

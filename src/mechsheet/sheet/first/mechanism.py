@@ -22,7 +22,9 @@ from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.columns.bands import tolerance_symbol
 from mechsheet.sheet.columns.lowering import in_pass
+from mechsheet.sheet.deleted import sheets_of
 from mechsheet.sheet.first.bands import band_here, write_bands
+from mechsheet.sheet.first.below import while_sheets_are_there, write_below
 from mechsheet.sheet.first.blocks import MEANING_WIDTH, Writer, value_style
 from mechsheet.sheet.first.given import words_of
 from mechsheet.sheet.first.summaries import write_summaries
@@ -85,10 +87,11 @@ def mechanism_sheet(
     write_bands(writer, tolerance)
     merges = write_verdicts(writer, checks, extremes)
     _derived(writer)
+    write_below(writer)
     return Sheet(
         plan.main,
         tuple(writer.cells),
-        tuple(writer.fills),
+        tuple(while_sheets_are_there(writer)),
         columns=(
             Column(SYMBOL, SYMBOL, 12),
             Column(VALUE, VALUE, 14),
@@ -345,6 +348,7 @@ def _variables(writer: Writer) -> None:
         unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
         writer.line(row, rich(symbol), shown_unit(plan, symbol), words_of(plan, symbol))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
+        writer.needs[row] = sheets_of(plan, symbol)
         rate = styles.decimals(styles.RESULT, places_of(plan, unit))
         as_is = unit.per or symbol in plan.shown_forces
         style = rate if as_is else value_style(plan, unit)

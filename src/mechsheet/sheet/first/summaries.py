@@ -9,6 +9,7 @@ from mechsheet.model import WAYS, Output, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
 from mechsheet.sheet.checks.same_angle import same_angle
+from mechsheet.sheet.deleted import sheets_of
 from mechsheet.sheet.first.blocks import Writer, value_style
 from mechsheet.sheet.over_rows import first_row, last_row, mean_of_rows
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
@@ -50,6 +51,7 @@ def _write(writer: Writer, summary: Summary) -> None:
     if plan.mechanism.bands and summary.symbol in plan.mechanism.bands.summaries and summary.of in plan.band_places:
         style = styles.decimals(styles.RESULT, plan.band_places[summary.of])
     value, where = _of(plan, summary)
+    writer.needs[row] = sheets_of(plan, summary.of)
     if searched and not same_angle(plan, summary.of):
         value = where_bounded(plan, summary.of, value, summary.take.ways)
         no_number = formula("AND(closed>0,ISNA(value))", closed=plan.places.closed.cell,

@@ -6,6 +6,8 @@ as they stand there, rows that exist only; whether these make a whole turn is as
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
 from livesheet.workbook import Area, Conditional, Merge
 from mechsheet.sheet import styles
@@ -13,21 +15,27 @@ from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.findings.finding import LEVELS, MARKS, Line
 from mechsheet.sheet.findings.listing import findings_of
-from mechsheet.sheet.findings.reading import Reading
-from mechsheet.sheet.findings.title import title_levels, title_words
+from mechsheet.sheet.findings.reading import Reading, SheetReading
+from mechsheet.sheet.findings.title import left_words, title_levels, title_words
 from mechsheet.sheet.first.blocks import Writer
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import LEGEND_ROW, MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
+
+BESIDE = replace(styles.UNIT, name="", align="right")
+"""What stands beside a number, and is no place in the motion."""
 
 
 def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[Merge]:
     """Fill the block and the line under the title in; the merged cells of the line."""
     plan = writer.plan
-    on, findings = Reading(plan, checks, extremes), findings_of(plan.mechanism, plan.found)
+    on, findings = SheetReading(plan, checks, extremes), findings_of(plan.mechanism, plan.found)
     writer.heading("verdicts", plan.text("head.at"))
     lines = {on.rows[finding.key]: finding.line(on) for finding in findings}
     for row, line in lines.items():
         _write(writer, on, row, line)
+    writer.needs |= {on.rows[finding.key]: {*finding.needs} for finding in findings}
+    writer.formula(there(plan.places.left).row, MEANING, left_words(on, findings), styles.LABEL_SAID)
     _write_marks(writer, on, lines)
     writer.formula(VERDICT_ROW, SYMBOL, title_words(on, findings), styles.LINE)
     area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING)
@@ -43,8 +51,10 @@ def _write(writer: Writer, on: Reading, row: int, line: Line) -> None:
     writer.formula(row, VALUE, line.value, line.value_style)
     writer.formula(row, MEANING, line.words, styles.LABEL_SAID)
     if line.place is not None:
-        style = line.place_style or styles.decimals(styles.RESULT, on.driver_places())
-        writer.formula(row, TOLERANCE, line.place, style)
+        writer.formula(row, TOLERANCE, line.place, styles.decimals(styles.RESULT, on.driver_places()))
+    if line.beside is not None:
+        writer.formula(row, TOLERANCE, line.beside.value, BESIDE)
+    writer.says_itself |= {(row, {"value": VALUE, "words": MEANING}[cell]) for cell in line.itself}
     for level in line.levels:
         writer.colour(Area(row, MEANING, row, MEANING), level.test, LEVELS[level.kind])
     writer.conditionals.extend(line.rules)

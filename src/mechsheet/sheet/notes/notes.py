@@ -214,8 +214,7 @@ class _Page(Cells):
         if not isinstance(quantity, float):
             return list(written(quantity, self.plan.language).parts)
         number = f"{(DEG if angle else NUMBER).written(quantity):.10g}".replace("-", "−")
-        if self.plan.language == "tr":
-            number = number.replace(".", ",")
+        number = number.replace(".", self.plan.text("number.decimal"))
         return [(number + ("°" if angle else ""), "")]
 
     def _point(self, name: str, place: Place) -> list[Part]:

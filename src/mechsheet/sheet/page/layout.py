@@ -28,8 +28,9 @@ from mechsheet.sheet.layout import description_sheet, properties_of
 from mechsheet.sheet.page.drawing import PageDrawing
 from mechsheet.sheet.page.paper import GAP, NARROW, Paper, on_paper, pixels
 from mechsheet.sheet.page.plan import CHART_HEIGHT, FIRST_ROW, PagePlan, plan_page
+from mechsheet.sheet.page.reading import MEANING
 from mechsheet.sheet.page.table import Table, note_last
-from mechsheet.sheet.page.top import LAST, MEANING, UNIT, VALUE, Top
+from mechsheet.sheet.page.top import LAST, UNIT, VALUE, Top
 from mechsheet.sheet.plan import VERDICT_ROW
 from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.wrapping import ROW_HEIGHT

@@ -28,7 +28,7 @@ from mechsheet.kinematics.naming import FreshNames, given_names
 from mechsheet.kinematics.numeric import value as numeric
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
-from mechsheet.sheet.columns.lowering import Assignment, Assignments, guarded, pins_apart
+from mechsheet.sheet.columns.lowering import Assignment, Assignments, assignment_of, guarded, pins_apart
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.status import NEAR
 from mechsheet.units import LENGTH
@@ -97,7 +97,7 @@ class _Lowering:
     # --- one equation -----------------------------------------------------------------------------------------
 
     def _lower(self, equation: Equation) -> None:
-        group = self._group(equation)
+        group = self.equations.group_of(equation)
         expression = self._seen(equation.expression)
         reaches = any(each.reach for each in equation.exists)
         if group is not None and equation.symbol == group.closes and reaches and len(group.sides) == 2:
@@ -136,12 +136,7 @@ class _Lowering:
         if still:
             self.still.add(equation.symbol)
         target = self.constants if equation.role == "constant" or still else self.columns
-        target.append(
-            Assignment(
-                equation.symbol, expression, says, equation.role, equation.unit, equation.label, equation.group,
-                expression if continuous else None,
-            )
-        )  # fmt: skip
+        target.append(assignment_of(equation, expression, says, expression if continuous else None))
         self.known.add(equation.symbol)
         self.done.add(equation.symbol)
 
@@ -184,7 +179,7 @@ class _Lowering:
         if equation.role == "coefficient":  # a dead centre is asked for in every row
             return [Condition(self._seen(each.margin), self._seen(each.least)) for each in equation.exists]
         found = []
-        group = self._group(equation)
+        group = self.equations.group_of(equation)
         if group is not None and group.only_undetermined:
             return [Condition(self._seen(each.margin), each.least) for each in equation.exists]
         for condition in equation.exists:
@@ -208,7 +203,7 @@ class _Lowering:
 
     def _hoist_legs(self, equation: Equation) -> None:
         """The two parts of a distance as columns of their own, before the first equation of their group that reads them."""
-        group = self._group(equation)
+        group = self.equations.group_of(equation)
         if group is None or equation.symbol.endswith((".x", ".y")):
             return
         for other in self.equations.columns:
@@ -228,9 +223,6 @@ class _Lowering:
                     label = phrase("part_of", what=other.label, axis=axis)
                     self._add(Equation(name, tree, "intermediate", LENGTH, label, group.number), tree, tree)
                     self.legs[tree] = Symbol(name)
-
-    def _group(self, equation: Equation) -> Group | None:
-        return next((group for group in self.equations.groups if group.number == equation.group), None)
 
     def _closes(self, group: Group) -> str:
         """Its own measure where that is a column, else an angle or displacement that the group decides."""

@@ -20,8 +20,8 @@ from mechsheet.shapes.points import remarkable_points
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.classification import FourBar, classification
 from mechsheet.sheet.columns.averaged import with_averaged
+from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.geometry import length_in_cells
-from mechsheet.sheet.grashof import is_all
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.places import Places
@@ -186,14 +186,8 @@ def _plan_top(plan: PagePlan) -> None:
     for loop in found.four_bars:
         plan.lengths |= {key: tree for key, tree in sides_of(plan, loop) if len(set(symbols(tree))) > 1}
     _block(plan, "derived", [*(dim.symbol for dim in derived), *(f"length {key}" for key in plan.lengths), *constants])
-    grashof = [f"grashof_{loop.group}" for loop in found.four_bars]
-    bounds = [f"bound_{loop.group}" for loop in found.four_bars if is_all(loop, plan)]
-    transmission = [f"transmission_{group.number}" for group in found.transmission]
-    _block(
-        plan,
-        "verdicts",
-        ["inputs", *(["task", "task_miss"] if found.task else []), "rows_closed", *grashof, *bounds, *transmission],
-    )
+    findings = findings_of(mechanism, found, by_rows=True)
+    _block(plan, "verdicts", [key for each in findings for key in (each.key, each.key_beside(plan)) if key])
     _block(plan, "summary", (each.symbol for each in mechanism.motion_numbers))
     _block(plan, "variables", ())
 

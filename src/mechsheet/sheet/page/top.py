@@ -4,46 +4,32 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Boolean, Call, CellRef, Node, Number, RangeRef, Symbol, symbols, transform
+from livesheet.formula.nodes import CellRef, Node, Number, Text, transform
 from livesheet.workbook import Area, Comment, Content, Fill, Merge, Style
-from mechsheet.kinematics.equations import Group
 from mechsheet.kinematics.means import LEAST_OF_TURN
-from mechsheet.model import WAYS, Summary, Synthesis
+from mechsheet.model import WAYS, Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.cells import Cells
-from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.findings import inputs, task
-from mechsheet.sheet.findings.closing import closes_in
+from mechsheet.sheet.findings.finding import LEVELS
+from mechsheet.sheet.findings.listing import findings_of
+from mechsheet.sheet.findings.title import title_levels, title_words
 from mechsheet.sheet.first.blocks import value_style
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.grashof import (
-    Sides,
-    bound_of,
-    excess_of,
-    in_summary,
-    is_all,
-    named,
-    names_of_sides,
-    turning_types,
-    type_of,
-    why_nowhere,
-)
-from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, over_rows
-from mechsheet.sheet.page.plan import PagePlan, sides_of
+from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion
+from mechsheet.sheet.page.plan import PagePlan
+from mechsheet.sheet.page.reading import MEANING, PageReading
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
-from mechsheet.sheet.quoted import formula, joined
+from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.shown import input_validation, unit_of_column
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places_of
-from mechsheet.sheet.transmission import poor_limit, some_poor, worst_words
 from mechsheet.sheet.wrapping import height_of, label_lines
-from mechsheet.units import ANGLE, LENGTH, Unit, turn
+from mechsheet.units import LENGTH, Unit, turn
 from mechsheet.words.given import given_words
 from mechsheet.words.symbols import plain
 
-SYMBOL, VALUE, UNIT, MEANING, LAST = 0, 1, 2, 3, 5
+SYMBOL, VALUE, UNIT, LAST = 0, 1, 2, 5
 """Columns of the top; the meaning has three of the table's columns."""
 
 SOURCE = replace(styles.SUBTITLE, name="", valign="center", indent=1)
@@ -60,13 +46,14 @@ class Top(Cells):
         super().__init__(plan, plan.main)
         self.plan: PagePlan = plan
         self.room = room
+        self.on = PageReading(plan)
         self._title()
         self._dimensions()
         self._sweep()
         self._modes()
         self._position()
         self._derived()
-        self._verdicts()
+        self._findings()
         self._summaries()
 
     # --- small things -----------------------------------------------------------------------------------------
@@ -86,28 +73,6 @@ class Top(Cells):
         for col in range(MEANING + 1, LAST + 1):
             self.put(row, col, None, styles.LABEL)
         self.merge(row, MEANING, LAST)
-
-    def column(self, symbol: str) -> RangeRef:
-        """The cells of a column, and those below that a person may fill."""
-        return self.plan.filled(self.plan.at.spots[symbol])
-
-    def over_rows(self, symbol: str, function: str) -> Node:
-        """Over a column, as people read it, in rows in which every group closes."""
-        return over_rows(function, self.column(symbol), *self._closing(symbol))
-
-    def _closing(self, symbol: str) -> list[RangeRef]:
-        """Columns that have a number where groups close of which this column says nothing: what it reads does close."""
-        page = self.plan.page
-        by_symbol = {each.symbol: each for each in page.columns}
-        read, waiting = {symbol}, [symbol]
-        while waiting:
-            name = waiting.pop()
-            reads = by_symbol[name].reads if name in by_symbol else ()
-            reads = symbols(page.plain[name]) if name in page.plain else reads
-            waiting += [each for each in reads if each not in read]
-            read.update(reads)
-        others = dict.fromkeys(name for name in page.closes.values() if name and name not in read)
-        return [self.column(name) for name in others]
 
     def cell(self, key: str) -> Node:
         """A cell on top by its key."""
@@ -207,175 +172,32 @@ class Top(Cells):
             style = styles.numbered(styles.RESULT, "0.0E+00") if small else value_style(plan, equation.unit)
             self._result(row, equation.expression, plan.at.spots[equation.symbol].degrees, style)
 
-    def _verdicts(self) -> None:
-        plan = self.plan
-        rows = plan.blocks["verdicts"].rows
-        filled, said = self.column(plan.mechanism.driver.symbol), plan.filled(plan.places.status)
-        row = rows["rows_closed"]
-        self.line(row, "n", None, plan.text("page.rows"))
-        self._inputs(rows["inputs"], self._there())
-        count = formula('COUNTIFS(filled,numbers,said,"")', filled=filled, numbers=NUMBERS, said=said)
-        self.formula(row, VALUE, count, styles.decimals(styles.RESULT, 0))
-        of_rows = f'"{plan.text("page.of")}"0'
-        self.formula(row, UNIT, Call("COUNT", (filled,)), styles.numbered(styles.UNIT, of_rows))
-        if plan.found.task is not None:
-            self._task(rows["task"], rows["task_miss"], plan.found.task)
-        for loop in plan.found.four_bars:
-            self._grashof(rows[f"grashof_{loop.group}"], loop)
-        for group in plan.found.transmission:
-            self._transmission(rows[f"transmission_{group.number}"], group)
-        self._line_under_the_title()
-
-    def _inputs(self, row: int, there: Node) -> None:
-        """The number of the first yellow cell that cannot be; it is red."""
-        plan = self.plan
-        self.line(row, plan.text("verdict.inputs"), "", plan.text("page.inputs"))
-        self.formula(row, VALUE, inputs.first_wrong(plan), styles.decimals(styles.RESULT, 0))
-        no_position = plan.at.bind(Call("NOT", (there,)), plan.main)
-        self.conditionals += inputs.red_where_wrong(plan, no_position if plan.drawn else None)
-
-    def _task(self, row: int, row_of_miss: int, asked: Synthesis) -> None:
-        """Whether the dimensions that are found from a task do what it asks, and by how much they miss it."""
-        plan, count = self.plan, CellRef(row, VALUE, True, True)
-        self.line(
-            row, plan.text("verdict.task"), "", task.said_of_miss(plan, count, CellRef(row_of_miss, VALUE, True, True))
-        )
-        self.line(row_of_miss, plan.text("verdict.task"), "", plan.text("verdict.task.miss"))
-        miss = formula("IFERROR(most,NA())", most=task.most_missed(plan, asked))
-        self.formula(row_of_miss, VALUE, miss, styles.numbered(styles.RESULT, "0.0E+00"))
-        self.formula(row, VALUE, task.wrong(plan, asked), styles.decimals(styles.RESULT, 0))
-        area, words = Area(row, MEANING, row, LAST), CellRef(row, MEANING, True, True)
-        doubt = task.doubtful(plan, words)
-        self.colour(area, formula("count>0", count=count), styles.BAD)
-        self.colour(area, doubt, styles.WARN)
-
-    def _there(self) -> Node:
-        """Whether the position that is drawn is a row of the table."""
-        position, rows = self.plan.places.position, self.plan.places.rows.cell
-        if position is None:
-            return formula("TRUE")
-        return formula("AND(ISNUMBER(shown),INT(N(shown))=shown,shown>=0,shown<rows)", shown=position.cell, rows=rows)
-
-    def _grashof(self, row: int, loop: FourBar) -> None:
-        """The type of a four-bar by its shortest and longest link; words, and the excess that decides."""
-        plan = self.plan
-        lengths = tuple(self._length(key, tree) for key, tree in sides_of(plan, loop))
-        ground, first, coupler, _ = lengths
-        shortest, longest, total = (Call(name, lengths) for name in ("MIN", "MAX", "SUM"))
-        excess = CellRef(row, VALUE, True, True)
-
-        def text(word: str, **parts: object) -> str:
-            return plan.text(f"verdict.grashof.{word}", **parts)
-
-        others = [Call("MIN", (*lengths[:index], *lengths[index + 1 :])) for index in range(3)]
-        which = formula(
-            "IF(ground<=a,both,IF(first<=b,crank,IF(coupler<=c,rockers,follower)))",
-            ground=ground, first=first, coupler=coupler, a=others[0], b=others[1], c=others[2],
-            **turning_types(loop, plan.language, text),
-        )  # fmt: skip
-        mend: CellRef | None = None
-        if is_all(loop, plan):
-            mend = CellRef(plan.blocks["verdicts"].rows[f"bound_{loop.group}"], VALUE, True, True)
-            self._bound(mend.row, loop, lengths, excess)
-        said = type_of(shortest, excess, which, text, mend)
-        words = formula('IFERROR(said,"")', said=joined(f"{named(loop, plan)}: ", said))
-        self.line(row, loop.name, plan.mechanism.length_unit, words)
-        self.comments.append(Comment(row, SYMBOL, plan.text("notes.use.grashof")))
-        value = excess_of(plan, shortest, longest, total)
-        self.formula(row, VALUE, value, value_style(plan, LENGTH))
-
-    def _bound(self, row: int, loop: FourBar, lengths: tuple[Node, ...], excess: Node) -> None:
-        """Up to which length the longest link closes, or the first turns fully."""
-        plan, (ground, first, coupler, _), names = self.plan, lengths, names_of_sides(loop, self.plan)
-
-        def longest(length: Node) -> Node:
-            return formula(
-                "IF(length=ground,a,IF(length=first,b,IF(length=coupler,c,d)))", length=length, ground=ground, first=first,
-                coupler=coupler, **dict(zip("abcd", names, strict=True)),
-            )  # fmt: skip
-
-        sides = Sides(lengths, lengths, names, longest, places_of(plan, LENGTH))
-        self.line(row, "≤", plan.mechanism.length_unit, plan.text("page.bound"))
-        mend = formula('IFERROR(mend,"")', mend=bound_of(sides, Call("MIN", lengths), excess))
-        self.formula(row, VALUE, mend, replace(styles.RESULT, name=""))
-
-    def _length(self, key: str, length: Node) -> Node:
-        """A length without the bars that its sign does not need; one that is no dimension has a cell."""
-        match length:
-            case Call("ABS", (Symbol(name),)) if name in self.plan.equations.positive:
-                return length.args[0]
-        lengths = self.plan.places.lengths
-        return lengths[key].cell if key in lengths else length
-
-    def _transmission(self, row: int, group: Group) -> None:
-        """The least acute angle of transmission over the rows of the table, and no others."""
-        plan = self.plan
-        low, high = (self.over_rows(group.transmission, function) for function in (LEAST, MOST))
-        half = 180.0 if plan.at.spots[group.transmission].degrees else al.PI
-        if group.kind == "RRR":
-            least = formula("MIN(low,half-high)", low=low, high=high, half=half)
-        else:  # the rod against the guide: the angle of transmission is what is missing to a right one
-            least = formula("half/2-MAX(high,-low)", low=low, high=high, half=half)
-        cell, limit = CellRef(row, VALUE, True, True), poor_limit(plan.mechanism)
-        unit = plan.mechanism.angle_unit
-        poor = formula("AND(ISNUMBER(value),value<limit)", value=cell, limit=limit)
-        drivers, angles = (self.column(symbol) for symbol in (plan.mechanism.driver.symbol, group.transmission))
-        if group.kind == "RRR":  # the angle itself, or what is missing to 180 degrees
-            place = formula("IFERROR(INDEX(drivers,MATCH(cell,angles,0)),INDEX(drivers,MATCH(high,angles,0)))",
-                            drivers=drivers, angles=angles, cell=cell, high=high)  # fmt: skip
-        else:
-            place = formula("INDEX(drivers,MATCH(IF(cell=half/2-high,high,low),angles,0))", drivers=drivers,
-                            angles=angles, cell=cell, half=half, high=high, low=low)  # fmt: skip
-        which = f"μ{group.number} " if len(plan.found.transmission) > 1 else ""  # the line under the title says it
-        words = joined(which, worst_words(plan, cell, place, poor, True), plan.text("verdict.rows.only"))
-        self.line(row, f"μ{group.number}", unit.text, formula('IFERROR(words,"")', words=words))
-        self.colour(Area(row, MEANING, row, LAST), poor, styles.WARN)
-        value = formula("IF(n=0,NA(),IFERROR(least,NA()))", n=plan.places.closed.cell, least=least)
-        self.formula(row, VALUE, value, value_style(plan, ANGLE))
-
-    def _line_under_the_title(self) -> None:
-        """Whether it closes in the rows of the table, its type, its transmission; or that an input is none."""
-        plan, text = self.plan, self.plan.text
-        count, rows = plan.places.closed.cell, plan.places.rows.cell
-        parts: list[Node | str] = [closes_in(plan, count, rows)]
-        for loop in plan.found.four_bars[:1]:
-            kind = CellRef(plan.blocks["verdicts"].rows[f"grashof_{loop.group}"], MEANING, True, True)
-            parts.append(in_summary(loop, plan, kind, formula("n=rows", n=count, rows=rows)))
-        any_poor: Node = Boolean(False)
-        if plan.found.transmission:
-            lines = [plan.blocks["verdicts"].rows[f"transmission_{each.number}"] for each in plan.found.transmission]
-            said, angles = (
-                RangeRef(CellRef(lines[0], col, True, True), CellRef(lines[-1], col, True, True))
-                for col in (MEANING, VALUE)
-            )
-            any_poor = some_poor(plan.mechanism, angles)
-            worst = formula("INDEX(said,MATCH(MIN(angles),angles,0))", said=said, angles=angles)
-            what = f"; {text('verdict.line.transmission')} "
-            parts += [what, worst if len(lines) > 1 else said.start]
-        wrong, there = plan.places.inputs.cell, self._there()
-        closes: Node = joined(*parts)
-        missed: Node = Boolean(False)
-        doubts: Node = Boolean(False)
-        if plan.found.task is not None:
-            row = plan.blocks["verdicts"].rows["task"]
-            number, met = (CellRef(row, col, True, True) for col in (VALUE, MEANING))
-            closes = task.with_task(closes, number, met)
-            missed = formula("number>0", number=number)
-            doubts = task.doubtful(plan, met)
-        good = formula("IF(n=0,nowhere,good)", n=count, good=closes, nowhere=why_nowhere(plan, MEANING))
-        words = inputs.words(plan, wrong, there, good)
-        self.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
+    def _findings(self) -> None:
+        """What can be said of the rows below, and the line under the title."""
+        plan, on = self.plan, self.on
+        findings = findings_of(plan.mechanism, plan.found, by_rows=True)
+        lines = {finding: finding.line(on) for finding in findings}
+        for finding, line in lines.items():
+            row = on.rows[finding.key]
+            words = line.words.value if isinstance(line.words, Text) else line.words
+            self.line(row, line.symbol, line.unit if isinstance(line.unit, str) else None, words)
+            if not isinstance(line.unit, str):
+                self.formula(row, UNIT, line.unit, styles.numbered(styles.UNIT, '"/ "0'))
+            self.formula(row, VALUE, line.value, line.value_style)
+            if line.note:
+                self.comments.append(Comment(row, SYMBOL, line.note))
+            if line.beside is not None:
+                below = on.rows[finding.key_beside(plan)]
+                self.line(below, line.beside.symbol, plan.mechanism.length_unit, line.beside.words)
+                self.formula(below, VALUE, line.beside.value, replace(styles.RESULT, name=""))
+            for level in line.levels:
+                self.colour(Area(row, MEANING, row, LAST), level.test, LEVELS[level.kind])
+            self.conditionals.extend(line.rules)
+        self.formula(VERDICT_ROW, SYMBOL, title_words(on, findings), styles.LINE)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))
-        for test, style in (
-            ("OR(wrong>0,NOT(there),n=0,missed)", styles.BAD),
-            ("OR(n<rows,poor,doubts)", styles.WARN),
-            ("n=rows", styles.GOOD),
-        ):
-            condition = formula(
-                test, wrong=wrong, there=there, n=count, rows=rows, poor=any_poor, missed=missed, doubts=doubts
-            )
-            self.colour(area, condition, style)
+        for level in title_levels(on, lines.values()):
+            self.colour(area, level.test, LEVELS[level.kind])
 
     def _summaries(self) -> None:
         plan = self.plan
@@ -401,10 +223,10 @@ class Top(Cells):
 
         def part(name: str) -> Node:
             if name in WAYS:
-                return self.over_rows(summary.of, LEAST if name == "least" else MOST)
+                return self.on.over_rows(summary.of, LEAST if name == "least" else MOST)
             if name == "mean":
                 return self._mean(summary.take.column(summary.of))
-            return at_end(name, self.column(summary.of), *self._closing(summary.of))
+            return at_end(name, self.on.column(summary.of), *self.on.closing(summary.of))
 
         return summary.take.over(part)
 
@@ -418,5 +240,5 @@ class Top(Cells):
                 "AND(n=rows,n>=least,ABS(ROUND(step*rows/turn,0)*turn-step*rows)<1E-7)", n=plan.places.closed.cell,
                 least=LEAST_OF_TURN, rows=plan.places.rows.cell, step=step, turn=turn(plan.mechanism.driver.unit.in_degrees),
             )  # fmt: skip
-        tests = [(each, NUMBERS) for each in (self.column(symbol), *self._closing(symbol))]
-        return mean_of_motion(plan.mechanism.driver, self.column(symbol), tests, turns)
+        tests = [(each, NUMBERS) for each in (self.on.column(symbol), *self.on.closing(symbol))]
+        return mean_of_motion(plan.mechanism.driver, self.on.column(symbol), tests, turns)

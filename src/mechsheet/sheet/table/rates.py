@@ -10,6 +10,7 @@ from collections.abc import Callable, Sequence
 from livesheet.formula.nodes import CellRef, Node, Symbol
 from livesheet.workbook import Area, Cell, Column, Comment, Conditional, Fill, Merge, PrintSetup, Rich, Sheet
 from mechsheet.sheet import styles
+from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, RATES_DRIVER, RATES_STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
@@ -132,12 +133,13 @@ def determinants(plan: Plan) -> dict[int, str]:
 
 
 def dead_words(plan: Plan) -> list[str]:
-    """What the sheet says of a group at a dead centre, in order of solution."""
+    """What the sheet says of a group at a dead centre, in order of solution, and of a row that is none; nothing where no
+    group has any."""
     found = []
     for number in determinants(plan):
         group = plan.equations.groups[number - 1]
         found.append(plan.text("rates.dead", links=links_of(plan, group)))
-    return found
+    return [*found, plan.text("status.ok")] if found else []
 
 
 def _status(plan: Plan) -> Node:
@@ -147,7 +149,7 @@ def _status(plan: Plan) -> Node:
     if not moving:
         return said
     return formula("IF(said=ok,INDEX(words,first_dead),said)", said=said, ok=plan.text("status.ok"),
-                   words=plan.checked.dead, first_dead=first_open(moving))  # fmt: skip
+                   words=there(plan.places.dead), first_dead=first_open(moving))  # fmt: skip
 
 
 def _missing(plan: Plan, area: Area) -> Conditional:

@@ -20,7 +20,7 @@ NEAR = 0.2
 
 def status(plan: Plan) -> Node:
     """ "ok", or the first group that cannot be joined, or is undetermined."""
-    tests = [test for group in plan.equations.groups for test in _tests(plan, group)]
+    tests, reasons = _all_tests(plan), plan.places.reasons
     if not tests:
         return formula(
             "IF(wrong=0,ok,inputs)",
@@ -28,9 +28,17 @@ def status(plan: Plan) -> Node:
             ok=plan.text("status.ok"),
             inputs=plan.text("status.inputs"),
         )
-    if len(tests) == 1 and not plan.newton:  # whose words are long
+    if reasons is None:
         return formula("IF(closes,ok,reason)", closes=tests[0], ok=plan.text("status.ok"), reason=status_words(plan)[0])
-    return formula("INDEX(reasons,first_open)", reasons=plan.checked.reasons, first_open=first_open(tests))
+    return formula("INDEX(reasons,first_open)", reasons=reasons, first_open=first_open(tests))
+
+
+def words_looked_up(plan: Plan) -> list[str]:
+    """The words that it looks up in cells, that of a row that closes last; none where the formula says them itself."""
+    tests = len(_all_tests(plan))
+    if not tests or (tests == 1 and not plan.newton):  # whose words are long
+        return []
+    return [*status_words(plan), plan.text("status.ok")]
 
 
 def while_inputs_can_be(plan: Plan, value: Node) -> Node:
@@ -64,6 +72,10 @@ def status_words(plan: Plan) -> list[str]:
         key = "undetermined" if group.only_undetermined else "newton" if group.system is not None else "open"
         found.append(plan.text(f"status.{key}", links=links))
     return found
+
+
+def _all_tests(plan: Plan) -> list[Node]:
+    return [test for group in plan.equations.groups for test in _tests(plan, group)]
 
 
 def _tests(plan: Plan, group: Group) -> list[Node]:

@@ -1,0 +1,32 @@
+"""Which of the other sheets a person has deleted, and what can be said without them."""
+
+from __future__ import annotations
+
+from livesheet.formula.nodes import CellRef, Node, RangeRef
+from mechsheet.sheet.findings.finding import Finding, Line, look
+from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.places import there
+from mechsheet.sheet.quoted import formula, joined
+
+
+class OtherSheets(Finding):
+    """How many of the sheets that the first one reads were deleted; while some are, the line under the title says what is
+    left without them."""
+
+    key = "sheets"
+
+    def line(self, on: Reading) -> Line:
+        plan, count = on.plan, on.value(self.key)
+        cells = [CellRef(spot.row, spot.col, True, True) for spot in plan.places.sheets.values()]
+        gone = joined(*(
+            formula('IF(there,"",gone)', there=cell, gone=f"; {on.text('sheets.deleted', sheet=plan.at.titles[key])}")
+            for cell, key in zip(cells, plan.places.sheets, strict=True)
+        ))  # fmt: skip
+        words = formula("IF(count=0,all,MID(gone,3,999))", count=count, all=on.text("sheets.all"), gone=gone)
+        marks = formula("COUNTIF(marks,0)", marks=RangeRef(cells[0], cells[-1]))
+        return Line(on.text("sheets"), marks, words, levels=(look("count>0", count=count),), itself=("value", "words"))
+
+    def overrules(self, on: Reading, title: Node) -> Node:
+        return formula(
+            "IF(count>0,left,title)", count=on.value(self.key), left=there(on.plan.places.left).cell, title=title
+        )

@@ -1,0 +1,122 @@
+"""What findings and summaries read on a page: the rows of the table, and nothing between them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from livesheet.formula.nodes import Call, Node, RangeRef, Symbol, Text, symbols
+from mechsheet.model import Way
+from mechsheet.sheet.checks.checks import Checks
+from mechsheet.sheet.classification import FourBar
+from mechsheet.sheet.findings.listing import findings_of
+from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.grashof import Sides
+from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, over_rows
+from mechsheet.sheet.page.plan import PagePlan, sides_of
+from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.table.positions import places
+
+MEANING = 3
+"""The column of what a line says, the first of three."""
+
+
+class PageReading(Reading):
+    """A page."""
+
+    meaning = MEANING
+
+    def __init__(self, plan: PagePlan) -> None:
+        super().__init__(plan)
+        self.page = plan
+        keyed = {
+            finding.key: finding.key_beside(plan) for finding in findings_of(plan.mechanism, plan.found, by_rows=True)
+        }
+        self._beside = {key: self.value(beside) for key, beside in keyed.items() if beside}
+
+    @property
+    def checks(self) -> Checks:
+        raise ValueError("a page has no sheet of checks")
+
+    def beside(self, finding: str, found: Node) -> Node:
+        return self._beside.get(finding, found)
+
+    # --- the table --------------------------------------------------------------------------------------------
+
+    def column(self, symbol: str) -> RangeRef:
+        """The cells of a column, and those below that a person may fill."""
+        return self.page.filled(self.plan.at.spots[symbol])
+
+    def over_rows(self, symbol: str, function: str) -> Node:
+        """Over a column, as people read it, in rows in which every group closes."""
+        return over_rows(function, self.column(symbol), *self.closing(symbol))
+
+    def closing(self, symbol: str) -> list[RangeRef]:
+        """Columns that have a number where groups close of which this column says nothing: what it reads does close."""
+        page = self.page.page
+        by_symbol = {each.symbol: each for each in page.columns}
+        read, waiting = {symbol}, [symbol]
+        while waiting:
+            name = waiting.pop()
+            reads = by_symbol[name].reads if name in by_symbol else ()
+            reads = symbols(page.plain[name]) if name in page.plain else reads
+            waiting += [each for each in reads if each not in read]
+            read.update(reads)
+        others = dict.fromkeys(name for name in page.closes.values() if name and name not in read)
+        return [self.column(name) for name in others]
+
+    @property
+    def drivers(self) -> RangeRef:
+        return self.column(self.driver.symbol)
+
+    def count_rows(self) -> tuple[Node, Node]:
+        filled, said = self.drivers, self.page.filled(self.plan.places.status)
+        closed = formula('COUNTIFS(filled,numbers,said,"")', filled=filled, numbers=NUMBERS, said=said)
+        return closed, Call("COUNT", (filled,))
+
+    def stretches(self) -> Node | None:
+        return None
+
+    def inputs_fit(self) -> tuple[Node, Node | None]:
+        position, rows = self.plan.places.position, self.plan.places.rows.cell
+        if position is None:
+            return formula("TRUE"), None
+        there = formula("AND(ISNUMBER(shown),INT(N(shown))=shown,shown>=0,shown<rows)", shown=position.cell, rows=rows)
+        return there, None
+
+    def sides(self, loop: FourBar, names: Sequence[str]) -> Sides:
+        lengths = tuple(self._length(key, tree) for key, tree in sides_of(self.page, loop))
+        return Sides(lengths, lengths, names, places(self.plan, "length"))
+
+    def _length(self, key: str, length: Node) -> Node:
+        """A length without the bars that its sign does not need; one that is no dimension has a cell."""
+        match length:
+            case Call("ABS", (Symbol(name),)) if name in self.plan.equations.positive:
+                return length.args[0]
+        lengths = self.plan.places.lengths
+        return lengths[key].cell if key in lengths else length
+
+    # --- quantities -------------------------------------------------------------------------------------------
+
+    @property
+    def of_rows_only(self) -> Node | bool:
+        return True
+
+    def column_extreme(self, way: Way, symbol: str) -> Node:
+        return self.over_rows(symbol, LEAST if way == "min" else MOST)
+
+    def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
+        low, high = (self.column_extreme(way, symbol) for way in ("min", "max"))
+        row = "MATCH(IF(cell=other,high,low),column,0)"
+        if folded[0] == low:  # the cell itself is in the column, or what is missing to a straight angle
+            row = "IFERROR(MATCH(cell,column,0),MATCH(high,column,0))"
+        return formula(f"INDEX(drivers,{row})", drivers=self.drivers, cell=self.value(finding), other=folded[1], high=high,
+                       low=low, column=self.column(symbol))  # fmt: skip
+
+    def where_known(self, value: Node) -> Node:
+        return formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.plan.places.closed.cell, value=value)
+
+    def about(self, symbol: str) -> Node:
+        return Text(self.text("rows.only"))
+
+    def worst_group(self, values: RangeRef) -> Node:
+        return formula("MATCH(MIN(values),values,0)", values=values)

@@ -1,0 +1,117 @@
+"""What a person does to a workbook keeps it true, or is told: cases of `edits.txt`, done by LibreOffice."""
+
+from dataclasses import dataclass
+from itertools import product
+from pathlib import Path
+
+import pytest
+
+from chosen import ALL
+from livesheet.formats import read
+from livesheet.formula.references import column_letters
+from mechsheet.checking import check
+from mechsheet.compiled import Compiled
+from mechsheet.description import Overrides, load
+from mechsheet.library.building import build
+from mechsheet.sheet.plan import MAY_GO
+from office_macros import Job, edited
+
+pytestmark = [pytest.mark.libreoffice, pytest.mark.ci]
+
+ROOT = Path(__file__).parents[2]
+ROWS = [
+    [part.strip() for part in line.split("|")]
+    for line in (Path(__file__).parent / "edits.txt").read_text(encoding="utf-8").splitlines()
+    if line and not line.startswith("#")
+]
+FORMS = [*product(("sheets", "page"), ("xlsx", "ods"))]
+BUILT = [("four-bar", "sheets", "ods"), ("four-bar", "page", "xlsx")]
+EVERY = [*product(("four-bar", "fivelink", "adjustable-pump", "six-link-dwell", "slider-crank"), FORMS)]
+BESIDE = ("notes", "drawing", "description", *MAY_GO)
+
+
+@dataclass(frozen=True)
+class Case:
+    """A workbook, what is done to it, and what is said then."""
+
+    name: str
+    compiled: Compiled
+    file: Path
+    edits: tuple[tuple[str, ...], ...]
+    line: str
+    check: str
+
+
+def places(compiled):
+    """What the table of cases calls by name."""
+    plan = compiled.plan
+    first, last = plan.at.first + 1, plan.at.last + 1
+    middle = (first + last) // 2
+    columns = [spot.col for spot in plan.at.spots.values() if spot.sheet == plan.table and spot.column]
+    driver = plan.at.spots[plan.mechanism.driver.symbol].col
+    return {
+        "main": plan.main, "table": plan.table, "first": first, "second": first + 1, "fourth": first + 3, "last": last,
+        "further": last + 5, "middle": middle, "before": middle - 1, "beyond": middle + 2,
+        "driver": column_letters(driver), "end": column_letters(max(columns)),
+    }  # fmt: skip
+
+
+def cases(folder):
+    """Those of the table that fit a layout, and each sheet deleted."""
+    for name, layout, form in [(name, *each) for name, each in EVERY] if ALL else BUILT:
+        mechanism = load(ROOT / f"templates/{name}.toml", overrides=Overrides(layout=layout))
+        compiled = Compiled(mechanism)
+        (file,) = build(mechanism, folder / f"{name}-{layout}", (form,))
+        known = places(compiled)
+        for title, layouts, edits, line, said in ROWS:
+            if layouts in (layout, "both"):
+                done = [
+                    tuple(part.strip() for part in edit.format(**known).split(",")) for edit in edits.split(";") if edit
+                ]
+                yield Case(f"{name}, {layout}, {form}: {title}", compiled, file, tuple(done), line, said)
+        for key in BESIDE if layout == "sheets" else ():
+            if key in compiled.plan.at.titles:
+                sheet = compiled.plan.at.titles[key]
+                line = f"gone {sheet}" if key in MAY_GO else "same"
+                edits = (("delete sheet", sheet),)
+                yield Case(f"{name}, {layout}, {form}: delete {sheet}", compiled, file, edits, line, "agrees")
+
+
+def said_by(case, path):
+    """The line under the title as LibreOffice saved it, and the report of `check`."""
+    plan = case.compiled.plan
+    book = read(path)
+    cell = next(each.formula for each in book.names if each.name == "verdict")
+    return book.sheet(cell.sheet).cached.get(cell.row, cell.col), check(path), plan
+
+
+def wrong_in(case, path):
+    """What is not as the table says."""
+    line, report, plan = said_by(case, path)
+    found = []
+    built = case.compiled.value(plan.places.verdict)
+    match case.line.split(" ", 1):
+        case ["same"] if line != built:
+            found.append(f"says {line!r}")
+        case ["gone", sheet] if not line.endswith(plan.text("verdict.sheets.deleted", sheet=sheet)):
+            found.append(f"says {line!r}")
+        case ["red"] if not report.red_line:
+            found.append(f"is not red: {line!r}")
+        case [more] if more[0] == "+" and str(plan.rows + int(more)) not in line:
+            found.append(f"says {line!r}")
+    if (case.check == "agrees") is bool(report.edits):
+        found.append(f"edits: {[edit.where for edit in report.edits][:4]}")
+    if case.check == "agrees" and not report.agrees:
+        found.append(f"does not agree: {[c for c in report.comparisons if not c.agrees]}")
+    if report.stored.unstored:
+        found.append(f"{report.stored.unstored} have no stored value")
+    return found
+
+
+def test_what_a_person_does_is_true_or_told(tmp_path):
+    listed = list(cases(tmp_path))
+    files = edited(
+        [Job(case.file, edits=case.edits or [("none", case.compiled.plan.main)]) for case in listed], tmp_path
+    )
+    found = {case.name: wrong_in(case, path) for case, path in zip(listed, files, strict=True)}
+    assert {name: wrong for name, wrong in found.items() if wrong} == {}
