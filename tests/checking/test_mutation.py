@@ -16,7 +16,11 @@ from livesheet.formula.slips import damages
 from mechsheet.checking import mutate
 from mechsheet.checking.edited.edits import edits_of
 from mechsheet.checking.edited.expected import expected_for
+from mechsheet.description import Overrides, load
 from mechsheet.diagnostics import MechsheetError
+from mechsheet.library.building import build
+
+TEMPLATES = Path(__file__).parents[2] / "templates"
 
 pytestmark = pytest.mark.slow
 
@@ -89,6 +93,14 @@ def test_the_sheet_alone_notices_a_pin_that_moves(tmp_path):
     assert len(moved) > 3
     # but one that keeps the lengths: the mirror image, a turned frame
     assert sum(damage.sheet for damage in moved) > 0.7 * len(moved)
+
+
+def test_a_page_has_no_checks_of_its_own(tmp_path):
+    mechanism = load(TEMPLATES / "scotch-yoke.toml", overrides=Overrides(layout="page"))
+    (page,) = build(mechanism, tmp_path, ("xlsx",))
+    found = mutate(page, 3)
+    assert [damage.sheet for damage in found.damages] == [False] * 3
+    assert all(damage.check for damage in found.damages)
 
 
 def test_survivors_are_told(yoke):

@@ -48,7 +48,7 @@ def worst_against_reference(mechanism, found, dimensions=None, modes=None):
         unit = "angle" if symbol == mechanism.driver.symbol else equations.of(symbol).unit.kind
         if symbol != mechanism.driver.symbol and equations.of(symbol).unit.per:
             unit = "rate"
-        if symbol != mechanism.driver.symbol and equations.of(symbol).role == "force":
+        if symbol != mechanism.driver.symbol and (equations.of(symbol).role == "force" or unit == "rate"):
             gap = gap / max(1.0, float(np.nanmax(np.abs(theirs[symbol]))))
         elif symbol == mechanism.driver.symbol:
             gap = gap / (1.0 if mechanism.driver.unit.kind == "angle" else solution.size)

@@ -226,3 +226,19 @@ def test_rows_that_would_differ_from_design_to_design_are_refused():
 def test_a_loop_that_there_is_not_is_told_with_those_that_there_are():
     with pytest.raises(MechanismError, match="A0ABB0"):
         Designs(study_of(f'[study]\n{GRID}\nkeep = ["grashof(A0BBA0)"]'))
+
+
+def test_links_that_turn_far_between_limits_swing_as_in_the_workbook():
+    """An angle where a stretch ends is near what it is in the row beside the end; near the best row it was a turn off."""
+    text = template_text("four-bar").replace("[summary]\n", '[summary]\nturn = { of = "theta13", take = "range" }\n')
+    own = "a2 = { values = [88.6, 95.0, 74.6] }, a3 = { values = [102.1, 72.2] }, a4 = { values = [82.3, 100.1] }"
+    mechanism = loads(f"{text}\n[study]\nvary = {{ {own} }}\n")
+    designs, found = kept(mechanism)
+    swings = []
+    for number in range(len(found.numbers)):
+        values = {one: float(found.columns[one][number]) for one in designs.varied}
+        book = in_workbook(mechanism, values, designs.modes)
+        for name in ("turn", "swing"):
+            swings.append(float(found.columns[name][number]))
+            assert swings[-1] == pytest.approx(book[name], rel=1e-6, nan_ok=True), (name, values)
+    assert 180 < swings[0] < 350

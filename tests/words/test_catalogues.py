@@ -1,9 +1,13 @@
 """The catalogues: complete, in order, and read as Babel reads them."""
 
+import ast
+import errno
 import gettext
+import os
 import re
 import runpy
 import string
+from functools import cache
 from io import BytesIO
 from pathlib import Path
 
@@ -58,6 +62,65 @@ def test_a_text_has_the_parts_of_the_english_one(path):
     for key, english in texts("en").items():
         if key.startswith(("homework.", "study.", "draw.", "equation.", "step.")) or "{" in english:
             assert holes(texts(path.stem)[key]) == holes(english), key
+
+
+OWNERS = (
+    "homework.",
+    "study.",
+    "draw.",
+    "equation.",
+    "step.",
+    "solution.",
+    "notes.",
+    "synthesis.",
+    "draw.impossible.",
+    "notes.assumptions.",
+    "notes.use.",
+)
+"""What code puts before a key that it names."""
+
+MADE = re.compile(r'"rad/s.*|a number of degrees|free length|expected .*s, found .*')
+"""Messages that code puts together."""
+
+SYSTEM = {os.strerror(number) for number in errno.errorcode}
+"""What the system says of files."""
+
+
+@cache
+def code():
+    """Every text in the sources; what texts with holes may become, keys and whole sentences."""
+    plain, keys, sentences = set(), set(), set()
+    for path in (ROOT / "src").rglob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str):
+                plain.add(node.value)
+            elif isinstance(node, ast.JoinedStr):
+                parts = [part.value if isinstance(part, ast.Constant) else None for part in node.values]
+                fixed = "".join(part or "" for part in parts)
+                made = "".join(".+" if part is None else re.escape(part) for part in parts)
+                if re.fullmatch(r"[\w.-]*[a-z]{2}[\w.-]*", fixed) and fixed not in OWNERS:
+                    keys.add(made)
+                elif len(fixed) > 12:
+                    sentences.add(made)
+    for path in (ROOT / "src" / "mechsheet" / "drawing_page" / "page").iterdir():
+        text = path.read_text(encoding="utf-8")
+        plain |= set(re.findall(r'"([^"\n]+)"', text))
+        keys |= {re.sub(r"\\\$\\\{.*?\\\}", ".+", re.escape(one)) for one in re.findall(r"`([a-z_.]+\$[^`\n]+)`", text)}
+    return plain, re.compile("|".join(sorted(keys))), re.compile("|".join(sorted(sentences)))
+
+
+def used(key):
+    plain, keys, sentences = code()
+    if key not in texts("en"):
+        return key in plain | SYSTEM or sentences.fullmatch(key) or MADE.fullmatch(key)
+    names = [key, *(key.removeprefix(owner) for owner in OWNERS if key.startswith(owner))]
+    return any(name in plain or keys.fullmatch(name) for name in names)
+
+
+def test_no_text_lies_about():
+    """What no code asks for; keys that are put together are taken for used."""
+    assert [key for key in texts("tr") if not used(key)] == []
+    assert not used("a sentence that nobody says")
 
 
 def test_a_key_without_a_text_is_an_error():

@@ -290,16 +290,21 @@ class _Output:
 
     def __init__(self, producers: Sequence[int], starts: Sequence[int], sizes: Sequence[int]) -> None:
         self.producers = producers
+        self.lone = slice(starts[0], starts[0] + sizes[0]) if len(producers) == 1 else None
         self.cells = np.concatenate([np.arange(at, at + size) for at, size in zip(starts, sizes, strict=True)])
         self.firsts = np.cumsum([0, *sizes[:-1]])
 
     def values(self, live: Live) -> tuple[Any, Any]:
         """Their values to the last bit, and what kinds they are."""
+        if self.lone is not None:  # as most steps are; bytes are compared in a fifth of the time
+            return live.numbers[self.lone].tobytes(), live.codes[self.lone].tobytes()
         return live.numbers.view(np.int64)[self.cells], live.codes[self.cells]
 
-    def changed(self, live: Live, before: tuple[Any, Any]) -> list[int]:
+    def changed(self, live: Live, before: tuple[Any, Any]) -> Sequence[int]:
         """The blocks in which a cell is not what it was `before`."""
         numbers, codes = self.values(live)
+        if self.lone is not None:
+            return self.producers if (numbers, codes) != before else ()
         other = (numbers != before[0]) | (codes != before[1])
         return list(compress(self.producers, np.logical_or.reduceat(other, self.firsts).tolist()))
 

@@ -12,8 +12,6 @@ from mechsheet.checking.inputs import Array
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import CAM, FORCES, INNER, RATES
 from mechsheet.kinematics.numeric import value
-from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
-from mechsheet.model import rate_symbols
 from mechsheet.sheet.plan import Plan
 
 EDGE = 1e-6
@@ -40,16 +38,8 @@ class Steepness:
                         ratio = np.abs(value(each.margin, there) / value(each.least, there)) * DEAD
                         self.sine = np.fmin(self.sine, ratio)
         self._reads = self._readers()
-        moved = (driver for driver in plan.mechanism.drivers if driver.segments is not None)
-        self._of_follower = {
-            name
-            for driver in moved
-            for name in (
-                *(driver.symbol + ending for ending in COEFFICIENTS),
-                *driver.rates_besides,
-                *rate_symbols(driver.symbol, not driver.joint),
-            )
-        }
+        follower = plan.mechanism.follower
+        self._of_follower = set() if follower is None else {*follower.by_angle, *follower.by_time}
 
     def _readers(self) -> dict[str, bool]:
         """Rates, and outputs that read them -> whether they depend on a group that has dead centres."""

@@ -198,7 +198,8 @@ class _Reading:
             if self.report.sound("links", "joints"):
                 links.check_connected(made, sliding, scope)
         rates.declare(made, sliding, self.driver, given, scope)
-        scope.rates |= dict.fromkeys(name for each in self.further if each.segments for name in each.rates_besides)
+        moved = [each for each in self.further if each.segments is not None]
+        scope.rates |= dict.fromkeys(name for each in moved for name in (each.by_angle[-1], each.by_time[-1]))
         scope.rates |= dict.fromkeys(scope.of_cam)
         motion = rates.motion(given, made, self.driver, scope) if self.driver else None
         if self.driver and motion:

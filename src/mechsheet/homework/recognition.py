@@ -160,9 +160,8 @@ def deciding(mechanism: Mechanism) -> tuple[str, ...]:
         parts += [at for point, at in link.points.items() if counted_points[point] > 1 or point in slides]
     if mechanism.cam is not None:
         parts += [mechanism.cam.base_radius, mechanism.cam.radius]
-    for driver in mechanism.drivers:
-        for segment in driver.segments.parts if driver.segments is not None else ():
-            parts += [segment.over, segment.by]
+    for segment in mechanism.segments.parts if mechanism.segments is not None else ():
+        parts += [segment.over, segment.by]
     by_symbol = {dim.symbol: dim for dim in mechanism.dimensions}
     read: set[str] = set()
     waiting = [symbol for part in parts for symbol in _read(part)]

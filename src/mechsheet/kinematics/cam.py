@@ -28,7 +28,7 @@ from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Motions, PointRate
 from mechsheet.kinematics.rates.rate_columns import RateColumns
-from mechsheet.model import Cam
+from mechsheet.model import Cam, FurtherDriver
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
@@ -58,23 +58,22 @@ class Contact:
 
 def write_cam(poses: Poses, motions: Motions, columns: RateColumns) -> Contact | None:
     """Write the cam's columns down, behind those of rates; where it presses, None where there is no cam."""
-    cam = poses.mechanism.cam
-    if cam is None:
+    cam, follower = poses.mechanism.cam, poses.mechanism.follower
+    if cam is None or follower is None:
         return None
     group, poses.ledger.group = poses.ledger.group, CAM
-    contact = _Writer(cam, poses, motions, columns).write()
+    contact = _Writer(cam, follower, poses, motions, columns).write()
     poses.ledger.group = group
     return contact
 
 
 class _Writer:
-    def __init__(self, cam: Cam, poses: Poses, motions: Motions, columns: RateColumns) -> None:
+    def __init__(self, cam: Cam, follower: FurtherDriver, poses: Poses, motions: Motions, columns: RateColumns) -> None:
+        self.follower = follower
         self.cam, self.poses, self.motions, self.columns = cam, poses, motions, columns
         self.ledger: Ledger = poses.ledger
         self.phi = Symbol(poses.mechanism.driver.symbol)
-        mechanism = poses.mechanism
-        self.follower = next(driver for driver in mechanism.drivers if driver.segments is not None)
-        self.touching = next(link for link in mechanism.links[1:] if cam.point in link.points)
+        self.touching = next(link for link in poses.mechanism.links[1:] if cam.point in link.points)
 
     def write(self) -> Contact:
         """The columns of a roller, or those of a face."""

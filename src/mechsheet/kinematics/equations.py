@@ -20,6 +20,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Node, Root, Symbol, symbols
 from livesheet.said import Words
 from mechsheet.kinematics.closures import Loop
+from mechsheet.model import FurtherDriver
 from mechsheet.units import Unit
 
 Role = Literal[
@@ -298,6 +299,11 @@ class Equations:
     def forces(self, *kinds: ForceKind) -> tuple[str, ...]:
         """Symbols of the forces of these kinds, in order of solution."""
         return tuple(equation.symbol for equation in self.columns if equation.force in kinds)
+
+    def rates_of(self, follower: FurtherDriver) -> tuple[str, str, str]:
+        """What people read of how a cam moves it: by time where the cam turns evenly, else by the cam's angle."""
+        known = {equation.symbol for equation in self.columns}
+        return follower.by_time if known.issuperset(follower.by_time) else follower.by_angle
 
     @property
     def positions(self) -> Equations:

@@ -387,9 +387,14 @@ class FurtherDriver:
     segments: Segments | None = None
 
     @property
-    def rates_besides(self) -> tuple[str, str]:
-        """Of what a cam moves: its third derivative by the cam's angle, and by time."""
-        return f"{self.symbol}.ddd", f"{self.symbol}.j"
+    def by_angle(self) -> tuple[str, str, str]:
+        """Of what a cam moves: its derivatives by the cam's angle."""
+        return f"{self.symbol}.d", f"{self.symbol}.dd", f"{self.symbol}.ddd"
+
+    @property
+    def by_time(self) -> tuple[str, str, str]:
+        """Of what a cam moves: velocity, acceleration and jerk."""
+        return (*rate_symbols(self.symbol, not self.joint), f"{self.symbol}.j")
 
 
 @dataclass(frozen=True, slots=True)
@@ -585,6 +590,16 @@ class Mechanism:
     def all_drivers(self) -> tuple[Driver | FurtherDriver, ...]:
         """The driver, and what is driven besides."""
         return (self.driver, *self.drivers)
+
+    @property
+    def follower(self) -> FurtherDriver | None:
+        """What a cam moves, where there is one."""
+        return next((driver for driver in self.drivers if driver.segments is not None), None)
+
+    @property
+    def segments(self) -> Segments | None:
+        """The motion over a cam's angle, where there is one."""
+        return None if self.follower is None else self.follower.segments
 
     @property
     def driven_symbols(self) -> tuple[str, ...]:

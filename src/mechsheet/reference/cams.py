@@ -120,8 +120,9 @@ def _solved(n: Plane, n1: Plane, p: Array, p1: Array) -> Plane:
 def _way(solution: Solution, cam: Cam, known: dict[str, tuple[Array, Array]], place: Plane) -> Plane:
     """The direction in which the follower moves a place of its own, seen from the cam's centre."""
     mechanism = solution.mechanism
-    moved = next(driver for driver in mechanism.drivers if driver.segments is not None)
+    moved = mechanism.follower
     touching = next(link for link in mechanism.links[1:] if cam.point in link.points)
+    assert moved is not None
     line = _line(mechanism, moved, touching.name)
     if line is not None:
         return np.full(len(place), np.exp(1j * number(line, solution.dimensions)))

@@ -90,10 +90,10 @@ def _held(solution: Solution, dynamics: Dynamics) -> dict[str, Array]:
 
 def _is_follower(solution: Solution, equation: Equation) -> bool:
     """Whether it is the condition that drives what a cam moves."""
-    follower = next(driver for driver in solution.mechanism.drivers if driver.segments is not None)
-    if follower.joint:
-        return equation.kind == "displacement" and equation.of == follower.joint
-    return equation.of == f"driver {follower.symbol}"
+    follower = solution.mechanism.follower
+    if follower is None or not follower.joint:
+        return follower is not None and equation.of == f"driver {follower.symbol}"
+    return equation.kind == "displacement" and equation.of == follower.joint
 
 
 def _pressing(applied: Applied, cam: Cam) -> Contact:

@@ -70,17 +70,16 @@ def by_time(solution: Solution) -> dict[str, Array]:
     mechanism = solution.mechanism
     driver = mechanism.driver
     read = {name for output in mechanism.outputs for name in symbols(output.formula)}
-    moved_by_cam = any(other.segments is not None for other in mechanism.drivers)
-    if driver.speed is None and not moved_by_cam and not any(name.endswith((".d", ".dd")) for name in read):
+    follower = mechanism.follower
+    if driver.speed is None and follower is None and not any(name.endswith((".d", ".dd")) for name in read):
         return {}
     slides = {joint.symbol for joint in mechanism.joints}
     derivatives = rates(solution)
     found: dict[str, Array] = {}
     for symbol, (once, twice) in derivatives.items():
         found |= {f"{symbol}.d": once, f"{symbol}.dd": twice}
-    for other in mechanism.drivers:
-        if other.segments is not None:
-            found[f"{other.symbol}.ddd"] = motion(other.segments, solution.dimensions, solution.driver)[3]
+    if follower is not None and follower.segments is not None:
+        found[follower.by_angle[-1]] = motion(follower.segments, solution.dimensions, solution.driver)[3]
     if driver.speed is None:
         return found
     given = driver_rates(mechanism, solution.dimensions, solution.driver)
@@ -89,10 +88,9 @@ def by_time(solution: Solution) -> dict[str, Array]:
         name: (once * speed, twice * speed**2 + once * acceleration) for name, (once, twice) in derivatives.items()
     }
     found |= given
-    for other in mechanism.drivers:
-        if other.segments is not None:
-            once, twice, thrice = (found[f"{other.symbol}.{ending}"] for ending in ("d", "dd", "ddd"))
-            found[f"{other.symbol}.j"] = thrice * speed**3 + 3.0 * twice * speed * acceleration
+    if follower is not None:
+        _, twice, thrice = (found[name] for name in follower.by_angle)
+        found[follower.by_time[-1]] = thrice * speed**3 + 3.0 * twice * speed * acceleration
     for symbol, pair in moved.items():
         if not symbol.endswith((".x", ".y")):
             found |= dict(zip(rate_symbols(symbol, symbol not in slides), pair, strict=True))

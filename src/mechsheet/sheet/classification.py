@@ -12,7 +12,7 @@ from itertools import combinations
 
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Group
-from mechsheet.model import CONTACT, Joint, Link, Mechanism, Segments, Synthesis
+from mechsheet.model import CONTACT, Joint, Link, Mechanism, Synthesis
 from mechsheet.sheet.columns.lowering import Assignments
 
 
@@ -140,7 +140,7 @@ def _still(mechanism: Mechanism, equations: Assignments) -> frozenset[str]:
 def _returning(
     mechanism: Mechanism, equations: Assignments, swings: tuple[Link, ...], strokes: tuple[Joint, ...]
 ) -> tuple[str, ...]:
-    if segments_of(mechanism) is not None:  # which may dwell at its ends, so that nobody knows when it turns back
+    if mechanism.segments is not None:  # which may dwell at its ends, so that nobody knows when it turns back
         return ()
     newton = any(group.system is not None for group in equations.groups)  # no ratio of two times from rows alone
     if not mechanism.driver.link or not (mechanism.driver.stepped or _once_round(mechanism)) or newton:
@@ -202,8 +202,3 @@ def _joined(mechanism: Mechanism) -> list[tuple[str, str]]:
         others = [joint.link] if joint.kind == "prismatic" else carriers[joint.point]
         pairs += [(joint.on, other) for other in others]
     return pairs
-
-
-def segments_of(mechanism: Mechanism) -> Segments | None:
-    """The motion over a cam's angle, where there is one."""
-    return next((driver.segments for driver in mechanism.drivers if driver.segments is not None), None)

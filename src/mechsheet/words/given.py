@@ -20,7 +20,7 @@ def given_words(mechanism: Mechanism, language: Language, dim: Dimension) -> str
                 words(language, "motion.duration", law=words(language, f"law.{law.name}"), rows=law.rows) if law else ""
             )
         case ("driver", "segments", int(number), str(key)):
-            parts = next(driver.segments.parts for driver in mechanism.drivers if driver.segments is not None)
+            parts = mechanism.segments.parts if mechanism.segments is not None else ()
             return words(language, f"cam.{key}", number=number + 1, law=words(language, f"segment.{parts[number].law}"))
         case ("driver", "start") if mechanism.driver.law is None:
             return words(language, "cam.start")

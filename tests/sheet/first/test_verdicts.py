@@ -166,3 +166,17 @@ def test_what_became_amber_or_red_is_named_under_the_line_with_its_cell():
     assert (pointed(), mark("inputs")) == (f"● yellow cells: E{rows['inputs'] + 1}", "●")
     laid.change(a1=100.0, a2=30.0, a3=90.0, a4=80.0)
     assert laid.values.get(laid.plan.main, LEGEND_ROW, MEANING) == laid.plan.text("legend.missing")
+
+
+@pytest.mark.parametrize(("phi", "lam"), [(190, 3), (170, 2.5)])
+def test_the_driver_turns_by_phi_during_the_slow_way(phi, lam):
+    """A crank-rocker that a task finds for so many degrees between its dead centres has these between them."""
+    laid = Laid(template_text("crank-rocker-swing"), overrides={"phi": str(phi), "lam": str(lam)})
+    assert laid.spot("slow_way_theta14") == pytest.approx(max(phi, 360 - phi), abs=1e-3)
+
+
+def test_a_motion_law_turns_the_driver_otherwise_than_time_goes_by():
+    text = re.sub(r"(?m)^(start|stop|step) *=.*\n", "", template_text("slider-crank"))
+    law = 'start = 0\nstop = 360\nmotion = { law = "cycloidal", duration = 3, rows = 73 }'
+    lines = Laid(text.replace("[driver]", f"[driver]\n{law}")).plan.places.lines
+    assert "time_ratio_s14" in lines and "slow_way_s14" not in lines

@@ -34,19 +34,17 @@ def cam_lines(told: Statement) -> Iterator[Rich]:
     def math(node: Node) -> list[Part]:
         return told.math(al.tidied(with_symbols(node, follows)))
 
-    for follower in mechanism.drivers:
-        if follower.segments is None:
-            continue
-        start = follower.segments.start
-        on_base = isinstance(start, Symbol) and start.name in found_by_base
-        begins: list[Part] = [(told.text("cam.on_base"), "")] if on_base else math(start)
-        yield Rich(((f"{told.text('cam.moves', symbol=follower.symbol)} ", ""), *begins))
-        for number, part in enumerate(follower.segments.parts, 1):
-            law = words(told.language, f"segment.{part.law}")
-            line: list[Part] = [(f"{number}. {law}: {told.text('cam.over')} ", ""), *math(part.over)]
-            if part.law != "dwell":
-                line += [(f", {told.text('cam.by')} ", ""), *math(part.by)]
-            yield Rich(tuple(line))
+    follower, motion = mechanism.follower, mechanism.segments
+    assert follower is not None and motion is not None
+    on_base = isinstance(motion.start, Symbol) and motion.start.name in found_by_base
+    begins: list[Part] = [(told.text("cam.on_base"), "")] if on_base else math(motion.start)
+    yield Rich(((f"{told.text('cam.moves', symbol=follower.symbol)} ", ""), *begins))
+    for number, part in enumerate(motion.parts, 1):
+        law = words(told.language, f"segment.{part.law}")
+        line: list[Part] = [(f"{number}. {law}: {told.text('cam.over')} ", ""), *math(part.over)]
+        if part.law != "dwell":
+            line += [(f", {told.text('cam.by')} ", ""), *math(part.by)]
+        yield Rich(tuple(line))
     yield from _touching(told)
 
 

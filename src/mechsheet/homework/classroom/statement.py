@@ -130,7 +130,7 @@ class Statement:
 
     def driver(self) -> Iterator[Rich]:
         """What is driven, from where its angle counts; of a cam what it does, and how it is made."""
-        if any(driver.segments is not None for driver in self.mechanism.drivers):
+        if self.mechanism.follower is not None:
             yield from cam_lines(self)
             return
         for driver in self.mechanism.all_drivers:

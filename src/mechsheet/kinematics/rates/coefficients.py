@@ -64,7 +64,7 @@ def wanted(mechanism: Mechanism) -> bool:
     return (
         mechanism.dynamics is not None
         or mechanism.driver.speed is not None
-        or any(driver.segments is not None for driver in mechanism.drivers)
+        or mechanism.follower is not None
         or any(name.endswith((".d", ".dd")) for name in asked(mechanism))
     )
 
@@ -269,9 +269,9 @@ class _Writer:
     def _follower(self, driver: FurtherDriver) -> None:
         """What a cam moves: its derivatives by the cam's angle, and where the cam turns evenly its jerk."""
         symbol, turns = driver.symbol, not driver.joint
-        for order, (node, ending) in enumerate(zip(self.ledger.ways[symbol], (*COEFFICIENTS, ".ddd"), strict=True), 1):
+        for order, (node, name) in enumerate(zip(self.ledger.ways[symbol], driver.by_angle, strict=True), 1):
             unit = self.columns.unit(0 if turns else 1, order)
-            self.ledger.define(f"{symbol}{ending}", node, unit, phrase(f"by_cam_{order}", symbol=symbol), "rate")
+            self.ledger.define(name, node, unit, phrase(f"by_cam_{order}", symbol=symbol), "rate")
         self.names.driven[symbol] = self.names.of(symbol)
         if not self.timed:
             return

@@ -109,7 +109,7 @@ def _default_requests(plan: Plan) -> tuple[ChartRequest, ...]:
 
 def _turned_by_cam(mechanism: Mechanism) -> str:
     """The angle of a cam, which is the driver's once more; "" where there is none."""
-    if all(driver.segments is None for driver in mechanism.drivers):
+    if mechanism.follower is None:
         return ""
     driven = (mechanism.driver.link, mechanism.driver.relative_to)
     return next(link.angle_symbol for link in mechanism.links[1:] if link.name in driven)
@@ -118,15 +118,11 @@ def _turned_by_cam(mechanism: Mechanism) -> str:
 def _of_follower(plan: Plan) -> list[ChartRequest]:
     """What a cam moves, as books have it: displacement, velocity, acceleration and jerk, one under another; without a speed,
     derivatives by the cam's angle."""
-    known = {equation.symbol for equation in plan.equations.columns}
-    for driver in plan.mechanism.drivers:
-        if driver.segments is not None:
-            symbol = driver.symbol
-            by_time = (*rate_symbols(symbol, not driver.joint), f"{symbol}.j")
-            by_angle = tuple(f"{symbol}.{ending}" for ending in ("d", "dd", "ddd"))
-            names = by_time if known.issuperset(by_time) else by_angle
-            return [ChartRequest(x=across(plan), y=(name,)) for name in (symbol, *names)]
-    return []
+    follower = plan.mechanism.follower
+    if follower is None:
+        return []
+    names = plan.equations.equations.rates_of(follower)
+    return [ChartRequest(x=across(plan), y=(name,)) for name in (follower.symbol, *names)]
 
 
 def across(plan: Plan) -> str:
@@ -142,12 +138,11 @@ def _rates(plan: Plan) -> list[str]:
     moving = {joint.symbol for joint in mechanism.joints if ground not in (joint.on, joint.link)}
     hidden = {name for symbol in moving for name in rate_symbols(symbol, False)}
     hidden |= {eq.symbol for eq in plan.equations.columns if eq.group == CAM and eq.symbol != "alpha"}
-    for driver in mechanism.drivers:
-        if driver.segments is not None:
-            hidden |= {f"{driver.symbol}.{ending}" for ending in ("d", "dd", "ddd")}
-            guided = next((joint.link for joint in mechanism.joints if joint.name == driver.joint), "")
-            points = next((link.points for link in mechanism.links if link.name == guided), ())
-            hidden |= {f"{point}.{part}" for point in points for part in ("v", "a")}  # as fast as the slide
+    if mechanism.follower is not None:
+        hidden |= {*mechanism.follower.by_angle}
+        guided = next((joint.link for joint in mechanism.joints if joint.name == mechanism.follower.joint), "")
+        points = next((link.points for link in mechanism.links if link.name == guided), ())
+        hidden |= {f"{point}.{part}" for point in points for part in ("v", "a")}  # as fast as the slide
     return [eq.symbol for eq in plan.equations.columns if eq.role == "rate" and eq.symbol not in hidden]
 
 

@@ -18,7 +18,6 @@ from mechsheet.model import (
     Segment,
     Segments,
     Spring,
-    rate_symbols,
 )
 from mechsheet.sheet.findings.finding import Finding, Level, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
@@ -50,7 +49,7 @@ FACTORS: dict[str, tuple[float, float, float]] = {
 class PressureAngle(Finding):
     """The largest pressure angle, either way."""
 
-    key, placed = "pressure_angle", True
+    key, placed, by_rows = "pressure_angle", True, True
 
     def line(self, on: Reading) -> Line:
         value = on.value(self.key)
@@ -76,7 +75,7 @@ class LeastRadius(Finding):
     A roller's is 1/kappa - r where the pitch curve is bent most.
     """
 
-    key, placed = "least_rho", True
+    key, placed, by_rows = "least_rho", True, True
 
     def line(self, on: Reading) -> Line:
         plan, value, cam = on.plan, on.value(self.key), on.plan.mechanism.cam
@@ -109,7 +108,7 @@ class LeastRadius(Finding):
 class ContactForce(Finding):
     """The least force of the cam on its follower: where it would have to pull, the follower lifts off."""
 
-    key, placed = "contact_force", True
+    key, placed, by_rows = "contact_force", True, True
 
     def line(self, on: Reading) -> Line:
         value = on.value(self.key)
@@ -132,7 +131,7 @@ class HoldingSpring(Finding):
     N (hold - L0) has the same sign in all rows where more preload presses more everywhere; else no free length is said.
     """
 
-    key = "holding_spring"
+    key, by_rows = "holding_spring", True
 
     def __init__(self, spring: Spring, force_unit: str) -> None:
         self.spring, self.force_unit = spring, force_unit
@@ -177,36 +176,36 @@ class LargestRate(Finding):
     """The largest velocity, acceleration or jerk of what the cam moves, and of which segment it is: its factor times the way
     over a power of the angle. Where the cam turns evenly it is that of the laws, else of the rows."""
 
-    placed = True
+    placed = by_rows = True
 
-    def __init__(self, follower: FurtherDriver, motion: Segments, symbol: str, order: int) -> None:
-        self.follower, self.motion, self.symbol, self.order = follower, motion, symbol, order
+    def __init__(self, follower: FurtherDriver, motion: Segments, order: int) -> None:
+        self.follower, self.motion, self.order = follower, motion, order
         self.key = ("largest_velocity", "largest_acceleration", "largest_jerk")[order - 1]
 
     def line(self, on: Reading) -> Line:
         plan = on.plan
-        speed, acceleration = (Symbol(name) for name in plan.mechanism.driver_rates)
-        column = Symbol(ALL + self.symbol)
+        symbol = plan.equations.equations.rates_of(self.follower)[self.order - 1]
+        column, value = Symbol(ALL + symbol), on.value(self.key)
         rows = formula("MAX(MAX(all),-MIN(all))", all=column)
         parts = [plan.at.bind(self._largest(part), plan.main) for part in self.motion.parts]
-        most = al.nested("MAX", parts)
-        value: Node = most
+        most = largest = al.nested("MAX", parts)
         power: Node = al.ONE
-        words: Node = Text("")  # of a list of uniform motions, whose acceleration is all leaps
-        if plan.mechanism.driver.speed is not None:
-            even = plan.at.bind(formula("acceleration=0", acceleration=acceleration), plan.main)
-            power = formula(f"ABS(speed)^{self.order}", speed=plan.at.bind(speed, plan.main))
-            value = formula("IF(even,most*power,rows)", even=even, most=most, power=power, rows=rows)
+        if symbol in self.follower.by_time:
+            speed, acceleration = (plan.at.bind(Symbol(name), plan.main) for name in plan.mechanism.driver_rates)
+            power = formula(f"ABS(speed)^{self.order}", speed=speed)
+            largest = formula("IF(acceleration=0,most*power,rows)", acceleration=acceleration, most=most, power=power,
+                              rows=rows)  # fmt: skip
+        words: Node = Text("")  # of uniform motions, whose acceleration is all leaps
         for number, (part, own) in reversed([*enumerate(zip(self.motion.parts, parts, strict=True), 1)]):
             if al.is_zero(own):
                 continue
             law, factor = plan.text(f"segment.{part.law}"), f"{FACTORS[part.law][self.order - 1]:.5g}"
             said = on.text("largest_rate", number=number, law=law, factor=factor)
-            words = formula("IF(ABS(value-own*power)<=rounding*value,said,other)", value=on.value(self.key), own=own,
-                            power=power, rounding=SAME, said=said, other=words)  # fmt: skip
-        unit = plan.equations.of(self.symbol).unit
+            words = formula("IF(ABS(value-own*power)<=rounding*value,said,other)", value=value, own=own, power=power,
+                            rounding=SAME, said=said, other=words)  # fmt: skip
+        unit = plan.equations.of(symbol).unit
         place = on.driver_in_row("IFERROR(MATCH(value,all,0),MATCH(-value,all,0))", value=rows, all=column)
-        return Line(rich(self.symbol), value, on.where_it_closes(words), unit.text, places_of(plan, unit), place=place)
+        return Line(rich(symbol), largest, on.where_it_closes(words), unit.text, places_of(plan, unit), place=place)
 
     def _largest(self, part: Segment) -> Node:
         """The largest derivative by the cam's angle of a segment."""
@@ -216,20 +215,18 @@ class LargestRate(Finding):
         return al.div(al.mul(al.number(factor), Call("ABS", (part.by,))), Binary("^", part.over, Number(self.order)))
 
 
-def largest_rates(mechanism: Mechanism) -> Iterator[LargestRate]:
-    """Of what the cam moves: by time where it has a speed that is one number, else by the cam's angle."""
-    for follower in mechanism.drivers:
-        if follower.segments is None:
-            continue
-        own = follower.symbol
-        by_angle = tuple(f"{own}.{ending}" for ending in ("d", "dd", "ddd"))
-        by_time = (*rate_symbols(own, not follower.joint), f"{own}.j")
-        for order, symbol in enumerate(by_angle if mechanism.driver.speed is None else by_time, 1):
-            yield LargestRate(follower, follower.segments, symbol, order)
+def motion_findings(mechanism: Mechanism) -> Iterator[Finding]:
+    """How fast the follower becomes, and where its motion leaps."""
+    follower, motion = mechanism.follower, mechanism.segments
+    if follower is not None and motion is not None:
+        yield from (LargestRate(follower, motion, order) for order in (1, 2, 3))
+        yield from (Leaping("velocity_leaps", motion, 1, "bad"), Leaping("acceleration_leaps", motion, 2, "look"))
 
 
 class Leaping(Finding):
     """Angles at which a derivative of the motion leaps: where segments meet, and in the middle of a parabolic one."""
+
+    by_rows = True
 
     def __init__(self, key: str, motion: Segments, order: int, kind: Literal["bad", "look"]) -> None:
         self.key, self.motion, self.order, self.kind = key, motion, order, kind

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from mechsheet.model import Mechanism
-from mechsheet.sheet.classification import Classification, segments_of
+from mechsheet.sheet.classification import Classification
 from mechsheet.sheet.findings import cam, closing, forces, limits, newton, rates, ratios
 from mechsheet.sheet.findings.finding import Finding
 from mechsheet.sheet.findings.four_bars import FourBarType
@@ -20,7 +20,7 @@ def findings_of(mechanism: Mechanism, found: Classification, by_rows: bool = Fal
 
     by_rows  only those that rows alone tell, which a page has
     """
-    findings = [OtherSheets(), *_closing(found, by_rows), *_motion(found), *_effort(mechanism, found)]
+    findings = [OtherSheets(), *_closing(found, by_rows), *_motion(mechanism, found), *_effort(mechanism, found)]
     return [finding for finding in findings if finding.by_rows] if by_rows else findings
 
 
@@ -39,12 +39,14 @@ def _closing(found: Classification, by_rows: bool) -> Iterator[Finding]:
         yield from (newton.SameAssembly(), newton.LargestResidual(), newton.PassesNeeded(), newton.LeastDeterminant())
 
 
-def _motion(found: Classification) -> Iterator[Finding]:
+def _motion(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
     """What links it has, how far they go, how well they transmit force."""
     yield from (FourBarType(loop, first=loop is found.four_bars[0]) for loop in found.four_bars)
     yield from (ratios.Swing(link.angle_symbol) for link in found.swings)
     yield from (ratios.Stroke(joint.symbol) for joint in found.strokes)
     yield from (ratios.TimeRatio(symbol) for symbol in found.returning)
+    if mechanism.driver.law is None and not mechanism.driver.uneven:
+        yield from (ratios.SlowWay(symbol) for symbol in found.returning)
     yield from (Transmission(group, found.transmission) for group in found.transmission)
 
 
@@ -62,10 +64,6 @@ def _effort(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
         yield from (cam.PressureAngle(), cam.LeastRadius())
         if found.forces:
             yield from cam.contact_findings(mechanism, found.cam)
-    yield from cam.largest_rates(mechanism)
-    motion = segments_of(mechanism)
-    if motion is not None:
-        yield cam.Leaping("velocity_leaps", motion, 1, "bad")
-        yield cam.Leaping("acceleration_leaps", motion, 2, "look")
+    yield from cam.motion_findings(mechanism)
     if found.flywheel:
         yield from (forces.MeanTorque(), forces.EnergyChange(), forces.FlywheelInertia())

@@ -143,12 +143,12 @@ class TimeRatio(Finding):
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
         if not motion.sure:
             return {}
-        ratios = self._ratios(motion)
+        ratios = self.ratios(motion)
         part = max(motion.part(self.key), 5 * EXACT)  # two places, each with its own step beside it
         return {self.key: Expected(ratios, part * min(ratios, default=1.0))}
 
-    def _ratios(self, motion: SearchedMotion) -> list[float]:
-        """Of extremes that are flat several are as true."""
+    def ratios(self, motion: SearchedMotion) -> list[float]:
+        """What a search finds: of extremes that are flat several are as true."""
         search, symbol = motion.search, self.symbol
         if search.mechanism.driver.uneven:
             return []
@@ -177,3 +177,27 @@ class TimeRatio(Finding):
     def _ties(self, motion: SearchedMotion, best: float, span: float) -> Array:
         near = motion.search.u[np.abs(motion.search.at[self.symbol] - best) < FLAT * span]
         return near[:: max(1, len(near) // 20)]
+
+
+class SlowWay(Finding):
+    """By how much a driver that turns evenly turns during the slower way: the angle between the dead centres."""
+
+    def __init__(self, symbol: str) -> None:
+        self.symbol, self.ratio = symbol, TimeRatio(symbol)
+        self.key = f"slow_way_{symbol}"
+
+    def line(self, on: Reading) -> Line:
+        ratio, unit = on.value(self.ratio.key), on.driver.unit
+        value = formula("IFERROR(turn*ratio/(ratio+1),NA())", turn=whole_turn(unit.in_degrees), ratio=ratio)
+        said = on.text("slow_way", symbol=plain(self.symbol))
+        words = formula('IF(ISNUMBER(value),IF(leaps>0,unsure,said&about),"")', value=on.value(self.key), said=said,
+                        leaps=on.plan.places.leaps.cell, unsure=on.text("unsure"),
+                        about=about_turns(on.plan, self.symbol))  # fmt: skip
+        return Line(on.text("slow_way.symbol"), value, words, unit.text, places(on.plan, "angle"))
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        if not motion.sure:
+            return {}
+        turn = TURN * motion.driver_scale
+        angles = [turn * ratio / (ratio + 1) for ratio in self.ratio.ratios(motion)]
+        return {self.key: Expected(angles, max(motion.part(self.key), 5 * EXACT) * turn / 2)}
