@@ -166,3 +166,19 @@ def test_the_line_under_the_title_is_as_bad_as_the_worst_line(law, radius, colou
     book = Book(text.replace('"cycloidal"\nover', f'"{law}"\nover'), "sheets").type(rb=radius)
     assert book.line.startswith("closes in all")
     assert book.line_colour == colour
+
+
+def test_a_page_says_the_same_of_its_rows():
+    text = (TEMPLATES / "cam-valve.toml").read_text(encoding="utf-8")
+    page, sheets = Book(text, "page"), Book(text, "sheets")
+    for key in ("pressure_angle", "largest_velocity", "largest_acceleration", "largest_jerk", "velocity_leaps"):
+        assert page.number(key) == pytest.approx(sheets.number(key))
+        assert page.words(key) == sheets.words(key)
+    for key in ("least_rho", "contact_force", "holding_spring"):
+        assert page.number(key) == pytest.approx(sheets.number(key), rel=0.02)
+        assert page.words(key).endswith("(rows only)")
+    assert page.type(speed=4000).words("contact_force").startswith("the follower lifts off at 70°: N = -81.61 N")
+    assert page.line_colour == "red"
+    mechanism = loads(text)
+    rows = sweep(mechanism, solve(mechanism), {"phi": np.radians(np.arange(0, 365, 5))})
+    assert Book(text, "page").number("contact_force") == pytest.approx(np.min(rows["N"]))

@@ -49,7 +49,7 @@ FACTORS: dict[str, tuple[float, float, float]] = {
 class PressureAngle(Finding):
     """The largest pressure angle, either way."""
 
-    key, placed = "pressure_angle", True
+    key, placed, by_rows = "pressure_angle", True, True
 
     def line(self, on: Reading) -> Line:
         value = on.value(self.key)
@@ -75,7 +75,7 @@ class LeastRadius(Finding):
     A roller's is 1/kappa - r where the pitch curve is bent most.
     """
 
-    key, placed = "least_rho", True
+    key, placed, by_rows = "least_rho", True, True
 
     def line(self, on: Reading) -> Line:
         plan, value, cam = on.plan, on.value(self.key), on.plan.mechanism.cam
@@ -108,7 +108,7 @@ class LeastRadius(Finding):
 class ContactForce(Finding):
     """The least force of the cam on its follower: where it would have to pull, the follower lifts off."""
 
-    key, placed = "contact_force", True
+    key, placed, by_rows = "contact_force", True, True
 
     def line(self, on: Reading) -> Line:
         value = on.value(self.key)
@@ -131,7 +131,7 @@ class HoldingSpring(Finding):
     N (hold - L0) has the same sign in all rows where more preload presses more everywhere; else no free length is said.
     """
 
-    key = "holding_spring"
+    key, by_rows = "holding_spring", True
 
     def __init__(self, spring: Spring, force_unit: str) -> None:
         self.spring, self.force_unit = spring, force_unit
@@ -176,7 +176,7 @@ class LargestRate(Finding):
     """The largest velocity, acceleration or jerk of what the cam moves, and of which segment it is: its factor times the way
     over a power of the angle. Where the cam turns evenly it is that of the laws, else of the rows."""
 
-    placed = True
+    placed = by_rows = True
 
     def __init__(self, follower: FurtherDriver, motion: Segments, order: int) -> None:
         self.follower, self.motion, self.order = follower, motion, order
@@ -225,6 +225,8 @@ def motion_findings(mechanism: Mechanism) -> Iterator[Finding]:
 
 class Leaping(Finding):
     """Angles at which a derivative of the motion leaps: where segments meet, and in the middle of a parabolic one."""
+
+    by_rows = True
 
     def __init__(self, key: str, motion: Segments, order: int, kind: Literal["bad", "look"]) -> None:
         self.key, self.motion, self.order, self.kind = key, motion, order, kind
