@@ -32,14 +32,14 @@ def test_contents(wheel):
     templates = {f"templates/{path.name}" for path in (ROOT / "templates").iterdir() if not path.name.startswith(".")}
     data = {
         "py.typed",
-        "exporting/octave_helpers.m",
         "plotting/page.css",
         "plotting/page.html",
         "plotting/page.js",
     }
+    brought = {f"exporting/brought/{path.name}" for path in (source / "exporting" / "brought").iterdir()}
     page = {f"drawing_page/page/{path.name}" for path in (source / "drawing_page" / "page").iterdir()}
     catalogues = {f"words/catalogues/{path.stem}.mo" for path in (source / "words" / "catalogues").glob("*.po")}
-    assert inside == modules | templates | data | page | catalogues
+    assert inside == modules | templates | data | page | catalogues | brought
     assert "templates/mechsheet.schema.json" in templates
     library = {name for name in names if name.startswith("livesheet/")}
     beside = {path.relative_to(ROOT / "src").as_posix() for path in (ROOT / "src" / "livesheet").rglob("*.py")}

@@ -35,7 +35,7 @@ _LABEL = Key(Words(), "what it is called, in one language or both")
 _CELL = Key(Text(), "the name of its cell in the workbook")
 _UNIT = Key(
     Text(longest=20),
-    'the length unit (the default), "deg", "rad", "1" for a plain number; of forces and masses "N", "N/mm", "kg", "kg m²" …',
+    'the length unit (the default), "deg", "rad", "1" for a plain number; of forces and masses "N", "N/mm", "kg", "lbf" …',
 )
 _ANGLE = Key(Quantity(), "direction of the line in the frame of `on`; default 0")
 _SYMBOL = Key(Text(), "the displacement: signed distance from `through` to `point` along the line")
@@ -310,8 +310,10 @@ DYNAMICS = Table(
             Either((Quantity(), PAIR)),
             "acceleration of gravity downwards, in m/s², or [gx, gy]; 9.81 on earth; default 0",
         ),
-        "force_unit": Key(Text(longest=20), "label of forces, where the length unit is not mm, cm, dm or m"),
-        "mass_unit": Key(Text(longest=20), "label of masses, likewise"),
+        "force_unit": Key(
+            Text(longest=20), "unit of forces, where lengths are not in mm, cm, dm or m; default with in and ft: lbf"
+        ),
+        "mass_unit": Key(Text(longest=20), "unit of masses, likewise; default with in: lbf s²/in, with ft: slug"),
     },
     later=("friction",),
 )

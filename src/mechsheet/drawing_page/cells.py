@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from mechsheet.description.text.index import Path
+from mechsheet.description.text.measured import CONSISTENT
 from mechsheet.description.text.rewrite import with_value
 from mechsheet.description.text.source import Source, dotted
 from mechsheet.description.typed_value import scope_for, typed_value
@@ -39,8 +40,11 @@ def own_units(source: Source | None) -> tuple[str, str]:
     """The units of forces and masses."""
     given = source.data.get("dynamics") if source is not None else None
     table = given if isinstance(given, dict) else {}
+    head = source.data.get("mechanism") if source is not None else None
+    length = head.get("length_unit") if isinstance(head, dict) else None
+    own = CONSISTENT.get(length, ("N", "kg")) if isinstance(length, str) else ("N", "kg")
     force, mass = table.get("force_unit"), table.get("mass_unit")
-    return force if isinstance(force, str) else "N", mass if isinstance(mass, str) else "kg"
+    return force if isinstance(force, str) else own[0], mass if isinstance(mass, str) else own[1]
 
 
 def number_in_unit(source: Source, typed: str, unit: str) -> str:

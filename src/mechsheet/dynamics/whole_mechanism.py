@@ -78,7 +78,9 @@ class Wholes:
         """
         columns, mass_unit, length_unit = self.columns, self.acting.dynamics.mass_unit, self.mechanism.length_unit
         unit, metre = ((columns.force, columns.metre), (columns.torque, al.square(columns.metre)))[lengths - 1]
-        part = Unit(unit.kind, f"{mass_unit} {length_unit}{'²' if lengths > 1 else ''}/s²")
+        part = unit
+        if self.acting.dynamics.metre is not None:
+            part = Unit(unit.kind, f"{mass_unit} {length_unit}{'²' if lengths > 1 else ''}/s²")
         inertia = columns.lengths.split(inertia, lambda terms: columns.grey(name, terms, part, label))
         columns.written(name, al.total([al.neg(al.mul(metre, inertia)), *couples]), unit, label, "whole")
 

@@ -37,6 +37,7 @@ from .mechanism import (
     Summary,
     TableRequest,
     energy_unit,
+    inertia_label,
     inertia_unit,
     torque_unit,
 )
@@ -117,6 +118,7 @@ __all__ = [
     "Way",
     "center_symbol",
     "energy_unit",
+    "inertia_label",
     "inertia_unit",
     "pair_symbol",
     "rate_symbols",

@@ -288,7 +288,13 @@ def inertia_unit(dynamics: Dynamics, length_unit: str) -> str:
     """kg m², or in the description's own units; without a mass nobody has said what masses are called."""
     if dynamics.metre is not None:
         return "kg m²"
-    return f"{dynamics.mass_unit} {length_unit}²" if dynamics.mass_unit else f"{dynamics.force_unit} {length_unit} s²"
+    return inertia_label(dynamics.mass_unit or f"{dynamics.force_unit} s²/{length_unit}", length_unit)
+
+
+def inertia_label(mass_unit: str, length_unit: str) -> str:
+    """A mass times a length squared: lb ft², but lbf in s² for lbf s²/in times in²."""
+    force, of_force, rest = mass_unit.partition(f" s²/{length_unit}")
+    return f"{force} {length_unit} s²" if of_force and not rest else f"{mass_unit} {length_unit}²"
 
 
 LAWS = ("constant", "accelerated", "parabolic", "harmonic", "cycloidal", "polynomial")

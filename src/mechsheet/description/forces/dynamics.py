@@ -20,7 +20,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, symbol_fault
 from mechsheet.description.text.index import Path
-from mechsheet.description.text.measured import METRES
+from mechsheet.description.text.measured import CONSISTENT, METRES, consistent, spelled
 from mechsheet.model import (
     Cartesian,
     Dimension,
@@ -34,6 +34,7 @@ from mechsheet.model import (
     Quantity,
     Spring,
     center_symbol,
+    inertia_label,
     torque_unit,
 )
 from mechsheet.units import Unit, unit_of
@@ -94,9 +95,17 @@ class _Reader:
 
     def _units(self, bodies: dict[str, Any]) -> tuple[str, str]:
         """The labels of forces and masses."""
+        length = self.scope.length_unit
+        own = ("N", "kg") if self.metre else CONSISTENT.get(spelled(length), ("", ""))
+        if BAD in self.given.values():
+            return own
+        given = tuple(
+            str(self.given.get(key, word)) for key, word in zip(("force_unit", "mass_unit"), own, strict=True)
+        )
+        if not self.metre and consistent(given[0], given[1], length) is False:
+            self._inconsistent(*given)
         found = []
-        for key, metric in (("force_unit", "N"), ("mass_unit", "kg")):
-            word = self.given.get(key, metric if self.metre else "")
+        for key, metric, word in zip(("force_unit", "mass_unit"), own, given, strict=True):
             if self.metre and word not in (BAD, metric):
                 message = say(
                     "with lengths in {length_unit} forces are in N and masses in kg", length_unit=self.scope.length_unit
@@ -111,8 +120,27 @@ class _Reader:
                 )
                 hint = say("a force must be a mass times {length_unit}/s²", length_unit=self.scope.length_unit)
                 self.scope.report.at(("dynamics", key) if key in self.given else ("dynamics",), message, hint)
-            found.append(metric if word is BAD else str(word))
+            found.append(word)
         return found[0], found[1]
+
+    def _inconsistent(self, force: str, mass: str) -> None:
+        """Report a force that is not a mass times an acceleration."""
+        length = self.scope.length_unit
+        message = say(
+            "1 {force} is not 1 {mass} times 1 {length}/s²: forces would come out wrong",
+            force=force,
+            mass=mass,
+            length=length,
+        )
+        hint = say("a force must be a mass times {length_unit}/s²", length_unit=length)
+        if (right := CONSISTENT.get(spelled(length))) is not None:
+            hint = say(
+                'with {length}: force_unit = "{right_force}", mass_unit = "{right_mass}", which need not be written; '
+                'a mass in another unit has it behind the number: mass = "5 {mass}"',
+                length=length, right_force=right[0], right_mass=right[1], mass=mass,
+            )  # fmt: skip
+        key = "mass_unit" if "mass_unit" in self.given else "force_unit"
+        self.scope.report.at(("dynamics", key), message, hint)
 
     # ---- cells
 
@@ -192,7 +220,7 @@ class _Reader:
             mass = self._cell(f"m_{n}", entry["mass"], Unit("label", self.mass_unit), (*path, "mass"), "mass", 0.0)
         assumed = "mass" in entry and "inertia" not in entry and self.scope.moves and link.name not in self.straight
         if "inertia" in entry or assumed:
-            unit = Unit("label", f"{self.mass_unit} {length}²")
+            unit = Unit("label", inertia_label(self.mass_unit, length))
             inertia = self._cell(f"J_{n}", entry.get("inertia", 0), unit, (*path, "inertia"), "moment of inertia", 0.0)
         own = center_symbol(n)
         names = (f"x_{own}", f"y_{own}")

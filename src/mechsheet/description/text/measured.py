@@ -12,6 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 
 from mechsheet.description.kinds import plain_unit
+from mechsheet.model import inertia_label
 
 LARGEST, SMALLEST = 1e100, 1e-100
 """Sizes of numbers that can be multiplied a few times without leaving what a spreadsheet can hold."""
@@ -48,9 +49,12 @@ _WORDS: dict[str, Known] = {
     "km": _known("1e3", 1, 0, 0, 0),
     "in": _known("0.0254", 1, 0, 0, 0),
     "ft": _known("0.3048", 1, 0, 0, 0),
+    "yd": _known("0.9144", 1, 0, 0, 0),
     "g": _known("1e-3", 0, 1, 0, 0),
     "kg": _known("1", 0, 1, 0, 0),
     "t": _known("1e3", 0, 1, 0, 0),
+    "lb": _known("0.45359237", 0, 1, 0, 0),
+    "slug": Known(Fraction("4.4482216152605") / Fraction("0.3048"), 0, (0, 1, 0, 0)),
     "ms": _known("1e-3", 0, 0, 1, 0),
     "s": _known("1", 0, 0, 1, 0),
     "min": _known("60", 0, 0, 1, 0),
@@ -64,6 +68,7 @@ _WORDS: dict[str, Known] = {
     "MN": _known("1e6", *_FORCE),
     "kgf": _known("9.80665", *_FORCE),
     "lbf": _known("4.4482216152605", *_FORCE),
+    "kip": _known("4448.2216152605", *_FORCE),
     "Nm": _known("1", *_WORK),
     "kNm": _known("1e3", *_WORK),
     "Nmm": _known("1e-3", *_WORK),
@@ -71,11 +76,20 @@ _WORDS: dict[str, Known] = {
     "W": _known("1", *_POWER),
     "kW": _known("1e3", *_POWER),
 }
-_SPELLED = {"inch": "in", "milimetre": "mm", "santimetre": "cm", "metre": "m", "sn": "s", "μm": "µm"}
+_SPELLED = {
+    "inch": "in",
+    "lbm": "lb",
+    "slugs": "slug",
+    "milimetre": "mm",
+    "santimetre": "cm",
+    "metre": "m",
+    "sn": "s",
+    "μm": "µm",
+}
 _WHOLE = dict.fromkeys(("1/min", "r/min", "d/dk", "dev/dk", "dev/dak", "devir/dakika", "min^-1"), _RPM)
 """Units that mean something else than their parts: 1/min of a shaft are turns."""
 
-EXAMPLES = "mm, cm, m, in, deg, rad, rpm, mm/s, N, kN, N m, N/mm, N s/mm, kg, kg m², s"
+EXAMPLES = "mm, cm, m, in, deg, rad, rpm, mm/s, N, kN, N m, N/mm, N s/mm, kg, kg m², s; in, ft, lbf, lb, slug"
 
 _PART = r"(?:°|[^\W\d_]+)(?:[²³]|\^-?[1-9])?"
 _UNIT = rf"(?:1/)?{_PART}(?:[ *·⋅/]{_PART})*"
@@ -154,12 +168,30 @@ def unit_named(unit: str) -> Known | None:
 METRES = {"mm": 0.001, "cm": 0.01, "dm": 0.1, "m": 1.0}
 """Length unit -> metres: with these masses are in kg and forces in N."""
 
+CONSISTENT = {"in": ("lbf", "lbf s²/in"), "ft": ("lbf", "slug")}
+"""Length unit -> the units of forces and masses that go with it, so that a force is a mass times an acceleration: there is
+no factor in any formula. A mass in pounds is written with its unit, and its cell has it in these."""
+
+
+def consistent(force: str, mass: str, length: str) -> bool | None:
+    """Whether one of the force is one of the mass times one of the length per s²; None where one of them is not known."""
+    units = [unit_named(unit) for unit in (force, mass, length, "s")]
+    if any(unit is None for unit in units):
+        return None
+    one, body, way, second = (unit for unit in units if unit is not None)
+    return one == body.times(way, 1).times(second, -2)
+
 
 def labels_of(length_unit: str) -> tuple[str, ...]:
     """Units of dimensions that are neither lengths nor angles: those in which the program computes, so that a formula may
     read the cell as it is. With lengths in a unit of one's own nobody knows what goes with it.
     """
     turning = ("rad/s", "rad/s²", "s")
+    if length_unit in CONSISTENT:
+        force, mass = CONSISTENT[length_unit]
+        per_length = (f"{force}/{length_unit}", f"{force} s/{length_unit}", f"{length_unit}/s", f"{length_unit}/s²")
+        torque = f"{force} {length_unit}"
+        return (force, torque, mass, inertia_label(mass, length_unit), f"{torque}/s", *per_length, *turning)
     if length_unit not in METRES:
         return turning
     per_length = (f"N/{length_unit}", f"N s/{length_unit}", f"{length_unit}/s", f"{length_unit}/s²")

@@ -10,7 +10,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Node, Symbol
 from livesheet.formula.printer import print_formula
 from mechsheet.description.scope import symbol_fault
-from mechsheet.description.text.measured import METRES
+from mechsheet.description.text.measured import METRES, labels_of
 from mechsheet.description.text.rewrite_tables import with_last_key
 from mechsheet.description.text.source import Source
 from mechsheet.drawing_page.cells import number_in_unit, own_units
@@ -53,7 +53,9 @@ def weigh(sheet: Sheet, name: str, size: str, shape: str) -> Sheet:
     source = sheet.source
     value = number_in_unit(source, size, unit)
     label = said(sheet, "label.mass", link=name)
-    source = with_length(source, symbol, value, label, f', unit = "{unit if metric else 1}"')
+    source = with_length(
+        source, symbol, value, label, f', unit = "{unit if unit in labels_of(sheet.parts.length_unit) else 1}"'
+    )
     sheet, body = SHAPES[shape](sheet.again(source, {}), weighed)
     source = sheet.source
     path = ("links", name)

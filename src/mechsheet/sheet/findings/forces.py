@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from livesheet.formula.nodes import Node, Symbol
-from mechsheet.model import ENERGY, inertia_unit
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import CellRef, Node, Symbol
+from livesheet.workbook import Area, Conditional
+from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
-from mechsheet.sheet.findings.finding import Finding, Line
-from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.finding import Finding, Line, look
+from mechsheet.sheet.findings.reading import NUMBERS, Reading
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places, places_of
+from mechsheet.words.equations import link_words
 from mechsheet.words.symbols import plain
+
+EVEN = 1e-9
+"""An angular acceleration smaller than this part of the speed's square is rounding."""
 
 
 class LargestEffort(Finding):
@@ -43,6 +49,47 @@ class LargestForce(Finding):
             plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else "", places(plan, "force"),
             place=formula('IFERROR(place,"")', place=on.checks.worst_at("force")),
         )  # fmt: skip
+
+
+class AssumedInertia(Finding):
+    """How many links with a mass turn unevenly although nobody has said a moment of inertia: those whose cells hold 0."""
+
+    key = "assumed_inertia"
+
+    def line(self, on: Reading) -> Line:
+        mechanism = on.plan.mechanism
+        masses = [mass for mass in mechanism.dynamics.masses if mass.assumed] if mechanism.dynamics else []
+        links = [link for mass in masses for link in mechanism.links if link.name == mass.link]
+        tests = [self._assumed(on, link) for link in links]
+        count = al.total(formula("IF(test,1,0)", test=test) for test in tests)
+        names: list[Node | str] = [
+            formula('IF(test,name,"")', test=test, name=f" {link_words(link).of(on.plan.language)}")
+            for test, link in zip(tests, links, strict=True)
+        ]
+        some = joined(on.text("assumed_inertia.some"), *names)
+        words = formula(
+            "IF(count=0,none,some)", count=on.value(self.key), none=on.text("assumed_inertia.none"), some=some
+        )
+        spots = [on.plan.at.spots[f"J_{link.number}"] for link in links]
+        cells = [CellRef(spot.row, spot.col, True, True) for spot in spots]
+        empty = "AND(cell=0,count>0)"  # a rule reads the cells of its sheet alone
+        rules = [
+            Conditional(Area(cell.row, cell.col, cell.row, cell.col), formula(empty, cell=cell, count=on.value(self.key)),
+                        styles.WARN)
+            for cell in cells
+        ]  # fmt: skip
+        return Line(
+            on.text(self.key), count, on.where_it_closes(words), levels=(look("count>0", count=on.value(self.key)),),
+            rules=rules,
+        )  # fmt: skip
+
+    def _assumed(self, on: Reading, link: Link) -> Node:
+        """Whether the cell holds 0 and the link's angular velocity changes."""
+        column = Symbol(ALL + link.rate_symbols[1])
+        largest = formula(f'MAX(MAXIFS(all,all,"{NUMBERS}"),-MINIFS(all,all,"{NUMBERS}"))', all=column)
+        speed = Symbol(on.plan.mechanism.driver_rates[0])
+        return formula("AND(inertia=0,largest>even*(1+speed^2))", inertia=Symbol(f"J_{link.number}"), largest=largest,
+                       even=EVEN, speed=speed)  # fmt: skip
 
 
 class MeanTorque(Finding):
