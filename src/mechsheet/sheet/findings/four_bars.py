@@ -63,7 +63,7 @@ class FourBarType(Finding):
             note("said=change", said=said, change=begin + text("change")),
         )
         reach: Node | str = ""
-        if plan.mechanism.bands is not None:
+        if plan.mechanism.bands is not None and plan.extremes is not None:  # a page has no bands
             reach = on.found.reach[loop.group].cell
             levels += (look("ISNUMBER(FIND(reach,said))", said=said, reach=text("reach")),)
         words = formula('IFERROR(said,"")', said=joined(begin, kind, reach))
