@@ -304,8 +304,12 @@ def test_a_sheet_of_ones_own(yoke):
     assert found.remarks == ('the sheet "Mine" is your own',)
 
 
-def test_a_sheet_of_formulas_that_is_gone(yoke):
-    workbook, _ = yoke
-    sheets = tuple(sheet for sheet in workbook.sheets if sheet.title not in ("Drawing", "Notes"))
-    found = audited(replace(workbook, sheets=sheets))
-    assert [(edit.kind, edit.where) for edit in found.edits] == [("sheet", "Drawing")]
+def test_sheets_that_are_gone(yoke):
+    """The drawing and the notes may be deleted; positions may not."""
+    workbook, plan = yoke
+    gone = ("Drawing", "Notes", plan.table)
+    found = audited(replace(workbook, sheets=tuple(sheet for sheet in workbook.sheets if sheet.title not in gone)))
+    assert ("sheet", plan.table) in [(edit.kind, edit.where) for edit in found.edits]
+    assert {'the sheet "Drawing" is missing', 'the sheet "Notes" is missing'} <= {*found.remarks}
+    kept = audited(replace(workbook, sheets=tuple(sheet for sheet in workbook.sheets if sheet.title not in gone[:2])))
+    assert kept.edits == ()

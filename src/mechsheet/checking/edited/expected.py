@@ -40,13 +40,14 @@ class Expected:
 
     def inputs(self) -> Inputs:
         """The cells that are there to be changed, and what each holds: dimensions, modes, the driver, tolerances …"""
-        by_cell = {(spot.sheet, spot.row, spot.col): symbol for symbol, spot in self.plan.at.spots.items()}
+        named = {"start": self.plan.places.start, "step": self.plan.places.step, **self.plan.at.spots}
+        by_cell = {(spot.sheet, spot.row, spot.col): symbol for symbol, spot in named.items() if spot is not None}
         found = {}
         for sheet in self.workbook.sheets:
             for cell in sheet.cells:
                 if not cell.style.locked and not isinstance(cell.content, str):
                     place = (sheet.title, cell.row, cell.col)
-                    found[place] = by_cell.get(place, "").removeprefix("#")
+                    found[place] = by_cell.get(place, "")
         tolerated = self.plan.blocks["dimensions"].rows if self.plan.mechanism.layout == "sheets" else {}
         for symbol, row in tolerated.items():
             found[self.plan.main, row, TOLERANCE] = f"the tolerance of {symbol}"
