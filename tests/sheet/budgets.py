@@ -51,11 +51,9 @@ A_PASS = 10
 IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anchors"): 160}
 """Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""
 
-ELSEWHERE = {"names": 420, "anchors": 540}
-"""Characters of the longest formula beside the table of several sheets; 20 of them say what is left where a sheet was
-deleted."""
-LONGER = {"planar-3rpr": 430, "stephenson-iii-output": 418, "stephenson-ii-class-iv": 409}
-"""Whether the accelerations of four links fit, which Newton's method has found at once."""
+ELSEWHERE = {"names": 430, "anchors": 540}
+"""Characters of the longest formula beside the table of several sheets: verdict words, of which 20 say what is left where a
+sheet was deleted, and whether the accelerations of four links fit that Newton's method has found at once."""
 
 
 @dataclass(frozen=True)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text
+from livesheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.plan import Plan
@@ -43,18 +43,20 @@ def bound_of(sides: Sides, shortest: Node, excess: Node) -> Node:
     """What would mend it, in words: up to which length of its longest link a loop closes that cannot be closed, or of its
     first link this one turns fully, where no link does. Nothing where it would have to be next to nothing.
     """
-    ground, first, coupler, last = sides.lengths
     longest, total = Call("MAX", sides.all), Call("SUM", sides.all)
     closes = joined(sides.of(longest, sides.names), AT_MOST, _at_most(al.sub(total, longest), sides.places))
-    others: tuple[Node, ...] = (ground, coupler, last)
-    if isinstance(coupler, CellRef) and isinstance(last, CellRef) and len(sides.all) == 1:  # side by side
-        others = (ground, RangeRef(coupler, replace(last, sheet=coupler.sheet)))
-    turns = formula("total-first-2*most", total=total, first=first, most=Call("MAX", others))
     return formula(
         'IF(excess>open_from*shortest,closes,IF(AND(excess>0,turns>worth*first),said,""))', excess=excess,
-        shortest=shortest, open_from=OPEN, closes=closes, turns=turns, worth=WORTH, first=first,
-        said=joined(sides.names[1] + AT_MOST, _at_most(turns, sides.places)),
+        shortest=shortest, open_from=OPEN, closes=closes, turns=sides.turns, worth=WORTH, first=sides.lengths[1],
+        said=joined(sides.names[1] + AT_MOST, _at_most(sides.turns, sides.places)),
     )  # fmt: skip
+
+
+def turns_up_to(lengths: Sequence[Node]) -> Node:
+    """The length up to which a loop's first link turns fully, as long as no other link turns: of ground, first link,
+    coupler and last link; below 0 where there is none."""
+    ground, _, coupler, last = lengths
+    return formula("others-2*most", others=al.total([ground, coupler, last]), most=Call("MAX", (ground, coupler, last)))
 
 
 AT_MOST = " ≤ "
@@ -70,18 +72,16 @@ def type_of(
 
     which  what it is called where some link turns fully
     text   the words of `open`, `change`, `none`
-    bound  what would mend it, as `bound_of` says: a cell
+    bound  what would mend it, as `bound_of` says: a cell, without a text where nothing is to be mended
     """
-    opened: Node = Text(text("open"))
-    none: Node = Text(text("none"))
-    if bound is not None:
-        opened = joined(opened, text("unless"), bound)
-        none = joined(none, formula('IF(bound="","",unless&bound)', bound=bound, unless=text("unless")))
-    return formula(
+    words = formula(
         "IF(excess>open_from*shortest,opened,IF(excess=0,change,IF(excess>0,none,which)))",
-        excess=excess, shortest=shortest, open_from=OPEN, which=which, opened=opened,
-        change=text("change"), none=none,
+        excess=excess, shortest=shortest, open_from=OPEN, which=which, opened=text("open"), change=text("change"),
+        none=text("none"),
     )  # fmt: skip
+    if bound is None:
+        return words
+    return joined(words, formula('IF(bound="","",unless&bound)', bound=bound, unless=text("unless")))
 
 
 def _at_most(bound: Node, places: int) -> Node:
@@ -95,12 +95,14 @@ class Sides:
 
     lengths  each;  all: the arguments of a function of all four, one range where they stand side by side
     names    what they are called: dimensions, or their pins;  places: decimals of a length
+    turns    up to which length the first link turns fully (`turns_up_to`)
     """
 
     lengths: Sequence[Node]
     all: tuple[Node, ...]
     names: Sequence[str]
     places: int
+    turns: Node
 
     def of(self, length: Node, words: Sequence[str]) -> Node:
         """The words of the first side that is so long."""

@@ -117,7 +117,7 @@ class _Judge:
         if not self.truth.count:
             loops = [f"grashof_{loop.group}" for loop in self.found.four_bars]
             for key in self.plan.places.lines:
-                if key not in ("inputs", "rows_closed", "input_from", *loops):
+                if key not in ("sheets", "inputs", "rows_closed", "input_from", *loops):
                     self.say(
                         "nothing else said where nothing closes",
                         not self.sheets.words(key),

@@ -50,6 +50,7 @@ from mechsheet.sheet.checks.search_table import (
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.columns.bands import band_of_constant
 from mechsheet.sheet.geometry import length_in_cells
+from mechsheet.sheet.grashof import turns_up_to
 from mechsheet.sheet.over_rows import is_back, whole_turns
 from mechsheet.sheet.places import Extreme, Searched, there
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
@@ -59,8 +60,9 @@ from mechsheet.sheet.table.positions import heading
 from mechsheet.units import turn as whole_turn
 from mechsheet.words.symbols import plain
 
-REACH = 6
-"""The working cell of a loop that says whether tolerances reach a change point; how far they reach stands before it."""
+REACH, BOUND = 6, 7
+"""Working cells of a loop: whether tolerances reach a change point (how far they reach stands before it), and up to which
+length its first link turns fully."""
 
 WHOLE, FINE, THERE, WORST_GROUP, STEEP, COUNTED, ROWS_APART = range(1, 8)
 """Working cells of all: what the sweep covers, whether inputs can be, whether the position that is drawn is one; which of
@@ -210,13 +212,21 @@ class Extremes:
         ends = (self.table.fixed(self.loops[loop.group], work) for work in (1, 4))
         return RangeRef(*(replace(end, sheet=self.table.title) for end in ends))
 
+    def bound_of(self, loop: FourBar) -> CellRef:
+        """The cell with the length up to which its first link turns fully, as another sheet reads it."""
+        return replace(self.table.fixed(self.loops[loop.group], BOUND), sheet=self.table.title)
+
     def _loop(self, loop: FourBar) -> None:
-        """The four lengths of a loop, and how far tolerances reach in the sum that its type follows from, at most."""
+        """The four lengths of a loop, up to which length its first link turns fully, and how far tolerances reach in the sum
+        that its type follows from, at most."""
         plan, row = self.plan, self.loops[loop.group]
         self.table.put(row, self.table.side, loop.name, styles.LABEL)
         poses = plan.equations.poses
-        for work, (link, start, end) in enumerate(loop.sides(plan.mechanism.ground), 1):
+        lengths = [
             self.table.work(row, work, "length", length=length_in_cells(link, start, end, poses))
+            for work, (link, start, end) in enumerate(loop.sides(plan.mechanism.ground), 1)
+        ]
+        self.table.work(row, BOUND, "bound", bound=turns_up_to(lengths))
         if plan.mechanism.bands is None:
             return
         bands = [

@@ -203,7 +203,7 @@ class SheetReading(Reading):
     def sides(self, loop: FourBar, names: Sequence[str]) -> Sides:
         lengths = self._extremes.lengths_of(loop)
         cells = [replace(lengths.start, col=lengths.start.col + at) for at in range(4)]
-        return Sides(cells, (lengths,), names, places(self.plan, "length"))
+        return Sides(cells, (lengths,), names, places(self.plan, "length"), self._extremes.bound_of(loop))
 
     @property
     def of_rows_only(self) -> Node | bool:
