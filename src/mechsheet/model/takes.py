@@ -23,6 +23,9 @@ Way = Literal["min", "max"]
 WAYS: dict[str, Way] = {"least": "min", "largest": "max"}
 """The parts that are extremes, and which."""
 
+PARTS = (*WAYS, "first", "last", "mean")
+"""All parts. A further one is found in each place that finds parts: `docs/contributing.md` lists them."""
+
 X = Symbol("x")
 """The quantity in one row."""
 
@@ -41,6 +44,10 @@ class Take:
     value: Node
     of_row: Node = X
     mark: str = ""
+
+    def __post_init__(self) -> None:
+        if unknown := {*self.parts} - {*PARTS}:
+            raise ValueError(f"no parts of a motion: {unknown}")
 
     @property
     def parts(self) -> tuple[str, ...]:

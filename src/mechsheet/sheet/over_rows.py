@@ -81,6 +81,10 @@ def last_row(plan: Plan) -> Node:
     return formula("MAX(rows)", rows=RangeRef(*ends))
 
 
+END_ROWS = {"first": first_row, "last": last_row}
+"""Where the parts of takes that are values of one row are found."""
+
+
 def may_leave_out(plan: Plan) -> bool:
     """Whether rows may be a whole turn without the one that closes it: the driver turns by steps, and no gear is on its
     way."""

@@ -52,6 +52,8 @@ def test_the_first_sheet_says_how_well_it_went(sheet):
     assert 3 <= sheet.spot("passes_needed") <= 6
     assert sheet.spot("same_assembly") == 0
     assert "rows only" in sheet.words("swing_theta12")
+    last = next(group.system.determinant for group in sheet.plan.equations.groups if group.system is not None)
+    assert sheet.spot("least_det") == min(map(abs, sheet.column(last)))
 
 
 @pytest.mark.slow

@@ -85,11 +85,15 @@ class AssumedInertia(Finding):
 
     def _assumed(self, on: Reading, link: Link) -> Node:
         """Whether the cell holds 0 and the link's angular velocity changes."""
-        column = Symbol(ALL + link.rate_symbols[1])
-        largest = formula(f'MAX(MAXIFS(all,all,"{NUMBERS}"),-MINIFS(all,all,"{NUMBERS}"))', all=column)
-        speed = Symbol(on.plan.mechanism.driver_rates[0])
-        return formula("AND(inertia=0,largest>even*(1+speed^2))", inertia=Symbol(f"J_{link.number}"), largest=largest,
-                       even=EVEN, speed=speed)  # fmt: skip
+        speed = on.plan.mechanism.driver_rates[0]
+        fastest = _largest(speed) if on.plan.at.spots[speed].column else Symbol(speed)
+        return formula("AND(inertia=0,largest>even*(1+fastest^2))", inertia=Symbol(f"J_{link.number}"),
+                       largest=_largest(link.rate_symbols[1]), even=EVEN, fastest=fastest)  # fmt: skip
+
+
+def _largest(symbol: str) -> Node:
+    """The largest size of a quantity in the rows."""
+    return formula(f'MAX(MAXIFS(all,all,"{NUMBERS}"),-MINIFS(all,all,"{NUMBERS}"))', all=Symbol(ALL + symbol))
 
 
 class MeanTorque(Finding):

@@ -11,7 +11,7 @@ from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.deleted import sheets_of
 from mechsheet.sheet.first.blocks import Writer, value_style
-from mechsheet.sheet.over_rows import first_row, last_row, mean_of_rows
+from mechsheet.sheet.over_rows import END_ROWS, mean_of_rows
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.shown import shown_unit, unit_of_column
@@ -133,7 +133,7 @@ def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
             return mean_of_rows(plan, summary.take.column(summary.of), plan.main), None
         if part in WAYS:
             return _extreme(plan, summary, WAYS[part])
-        row = first_row(plan) if part == "first" else last_row(plan)
+        row = END_ROWS[part](plan)
         value, where = (formula("INDEX(column,row)", column=each, row=row) for each in (column, drivers))
         return value, where
 

@@ -18,7 +18,7 @@ from mechsheet.model import WAYS, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.columns.bands import QUANTITIES, ROOT, WORST, part_of
-from mechsheet.sheet.over_rows import MOST, first_row, last_row, mean_of_rows, over_rows
+from mechsheet.sheet.over_rows import END_ROWS, MOST, mean_of_rows, over_rows
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import RATES_DRIVER, RATES_STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
@@ -175,10 +175,7 @@ class Tolerance:
             return self._of_extreme(quantity, WAYS[part], symbol)
         if part == "mean":
             return mean_of_rows(self.plan, symbol, self.title)
-        column = Symbol(ALL + symbol)
-        if part == "first":
-            return formula("INDEX(column,row)", column=column, row=first_row(self.plan))
-        return formula("INDEX(column,row)", column=column, row=last_row(self.plan))
+        return formula("INDEX(column,row)", column=Symbol(ALL + symbol), row=END_ROWS[part](self.plan))
 
     def _of_extreme(self, quantity: str, way: Way, symbol: str) -> Node:
         """Where the quantity is smallest or largest: by a probe, or in the row where nothing is known between rows."""
