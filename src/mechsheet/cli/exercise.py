@@ -39,8 +39,8 @@ def exercise(description: Path, class_list: Path | None, output: Path, seed: int
 
     \b
     mechsheet exercise four-bar.toml class.csv -o week3
-    mechsheet exercise four-bar.toml class.csv -o tasks.pdf     on paper, a task for each student
-    mechsheet exercise four-bar.toml -o task.pdf                the task with the description's own dimensions
+    mechsheet exercise four-bar.toml class.csv -o tasks.pdf  on paper, for all
+    mechsheet exercise four-bar.toml -o task.pdf             with its own numbers
 
     CLASS.CSV has a column id and, if you like, one called name. The command writes week3/student/ID.xlsx (a figure,
     the task in words, own dimensions, the driver's column, headings of what is asked; no answer anywhere),
