@@ -47,7 +47,17 @@ class Sheets:
         self.equations = solve(mechanism)
         workbook, self.plan = lay_out(mechanism, self.equations)
         titles = self.plan.at.titles
-        wanted = ("mechanism", "synthesis", "positions", "rates", "forces", "checks", "extremes", "iterations")
+        wanted = (
+            "mechanism",
+            "synthesis",
+            "positions",
+            "rates",
+            "forces",
+            "checks",
+            "extremes",
+            "iterations",
+            "tolerance",
+        )
         needed = {titles[key] for key in wanted if key in titles}
         self.rules = []
         sheets = []
