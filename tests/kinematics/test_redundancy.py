@@ -176,7 +176,9 @@ def test_the_reference_and_the_search_agree(tmp_path, length):
     compiled = Compiled(loads(LAMP.replace("a4 = 150", f"a4 = {length}")))
     path = tmp_path / "lamp.xlsx"
     write(compiled.workbook, path)
-    assert check(path).agrees
+    report = check(path)
+    assert all(found.agrees for found in report.comparisons)
+    assert bool(report.red_line) == (length == 147)
     assert perturb(path, 2).agrees
 
 

@@ -138,7 +138,10 @@ def test_of_function_generators(seed):
         assert (found["assemblies"][0] == NO) == bool(np.any(sides != sides[0]))
     got = outputs(bar, theta, values[mechanism.synthesis.results["mode"]])
     errors = np.degrees(np.abs(np.angle(np.exp(1j * (got - psi)))))
-    assert (found["meets"][0] == NO) == bool(np.any(np.isnan(errors)))
+    missed = np.isnan(errors)
+    if len(theta) == 3:  # three pairs are met exactly, or in the other assembly
+        missed |= errors > 1e-6
+    assert (found["meets"][0] == NO) == bool(np.any(missed))
     if not np.any(np.isnan(errors)):
         assert found["meets"][1] == pytest.approx(np.max(errors), abs=1e-7)
     assert found["order"][1] == float(abs(np.sum(np.sign(np.diff(theta)))) == len(theta) - 1)

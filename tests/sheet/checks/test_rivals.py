@@ -88,8 +88,9 @@ def test_one_peak_or_several_alike_are_none_to_doubt(formula, rows):
         assert not shown(loads(text), name)[1].endswith(SAID)
 
 
-RIVALS = {"chebyshev", "klann", "roberts", "six-bar-r-rrr-rrt"}
-"""Templates in which something has several extremes that are nearly alike: straight lines, the walker's foot."""
+RIVALS = {"cam-rocker", "cam-valve", "chebyshev", "klann", "roberts", "six-bar-r-rrr-rrt"}
+"""Templates in which something has several extremes that are nearly alike: straight lines, the walker's foot, a cam that
+rises and returns by like laws."""
 
 
 @pytest.mark.ci

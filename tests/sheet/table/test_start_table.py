@@ -200,7 +200,9 @@ def test_check_agrees_where_the_assembly_ends(tmp_path, v):
     """Somebody has typed it and saved: nothing is wrong with the workbook."""
     (path,) = mechsheet.template("stephenson-ii-class-iv").build(tmp_path, formats=["xlsx"])
     mechsheet.recalc(path, {"v": v}).write(tmp_path / "typed.xlsx")
-    assert mechsheet.check(tmp_path / "typed.xlsx").agrees
+    report = mechsheet.check(tmp_path / "typed.xlsx")
+    assert all(found.agrees for found in report.comparisons)
+    assert bool(report.red_line) == (v == 1.65)  # there is no position, and the line says so
 
 
 def test_what_leads_to_a_group():

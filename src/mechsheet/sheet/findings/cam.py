@@ -50,6 +50,7 @@ class PressureAngle(Finding):
     """The largest pressure angle, either way."""
 
     key, placed, by_rows = "pressure_angle", True, True
+    needs = ("rates",)
 
     def line(self, on: Reading) -> Line:
         value = on.value(self.key)
@@ -76,6 +77,7 @@ class LeastRadius(Finding):
     """
 
     key, placed, by_rows = "least_rho", True, True
+    needs = ("rates",)
 
     def line(self, on: Reading) -> Line:
         plan, value, cam = on.plan, on.value(self.key), on.plan.mechanism.cam
