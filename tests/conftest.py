@@ -27,7 +27,7 @@ gc.set_threshold(100_000, 50, 50)
 
 
 MORE_CASES_IN_CI = 5
-"""So many times the cases that `make test` takes of a test marked `cases` run in CI."""
+"""So many times the cases that `make test` takes of a test marked `cases` run in CI, where it runs elsewhere, too."""
 
 
 def left_to_longer_runs(items, quick):
@@ -48,7 +48,8 @@ def left_to_longer_runs(items, quick):
             cases[item.nodeid.partition("[")[0]].append(item)
     for found in cases.values():
         (count,) = found[0].get_closest_marker("cases").args
-        kept = 1 if quick else count * MORE_CASES_IN_CI if IN_CI else count
+        more = IN_CI and not found[0].get_closest_marker("ci")
+        kept = 1 if quick else count * MORE_CASES_IN_CI if more else count
         left_out.update(set(found) - set(found[:: -(-len(found) // kept)]))
     return left_out
 

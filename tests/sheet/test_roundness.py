@@ -19,7 +19,7 @@ pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[2]
 INK = "FF00FF"
 TOLERANCE = 0.01
-RESOLUTION = 200
+RESOLUTION = 300
 
 
 def with_cells(workbook, changes):
