@@ -30,13 +30,17 @@ MORE_CASES_IN_CI = 5
 """So many times the cases that `make test` takes of a test marked `cases` run in CI, where it runs elsewhere, too."""
 
 
+CASES_ON_QUICK = 2
+"""No test runs with more cases on `make quick`: there are thousands of small ones."""
+
+
 def left_to_longer_runs(items, quick):
     """Cases that do not run here, by the marks of their tests.
 
     slow      not in `make quick`
     ci        in CI and full runs only
     full      in full runs only
-    cases(n)  n of its cases, evenly spread, where it is not a full run: one in `make quick`, more in CI
+    cases(n)  n of its cases, evenly spread, where it is not a full run: no more than two on `make quick`, more in CI
     """
     without = set() if ALL else {"full"} if IN_CI else {"full", "ci"}
     if quick:
@@ -44,12 +48,13 @@ def left_to_longer_runs(items, quick):
     left_out = {item for item in items if without & {marker.name for marker in item.iter_markers()}}
     cases = defaultdict(list)
     for item in items:
-        if item.get_closest_marker("cases") and not ALL:
+        if quick or (item.get_closest_marker("cases") and not ALL):
             cases[item.nodeid.partition("[")[0]].append(item)
     for found in cases.values():
-        (count,) = found[0].get_closest_marker("cases").args
+        mark = found[0].get_closest_marker("cases")
+        count = mark.args[0] if mark else CASES_ON_QUICK
         more = IN_CI and not found[0].get_closest_marker("ci")
-        kept = 1 if quick else count * MORE_CASES_IN_CI if more else count
+        kept = min(count, CASES_ON_QUICK) if quick else count * MORE_CASES_IN_CI if more else count
         left_out.update(set(found) - set(found[:: -(-len(found) // kept)]))
     return left_out
 
