@@ -13,6 +13,7 @@ from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.sheet.findings.cam import FACTORS
+from mechsheet.sheet.plan import UNIT
 
 TEMPLATES = Path(__file__).resolve().parents[3] / "templates"
 WORDS = 4
@@ -129,6 +130,13 @@ def test_a_spring_that_pulls_is_to_be_shorter():
     assert words.endswith("needed: at most this")
     held = loads(text.replace("value = 3000", "value = 4000").replace("value = 32", f"value = {needed}"))
     assert line(held, "contact_force")[0] >= 0
+
+
+def test_the_largest_rates_have_the_units_of_their_columns():
+    compiled = compiled_of(load(TEMPLATES / "cam-slide.toml"))
+    units = {cell.row: cell.content for cell in compiled.layout.sheets[0].cells if cell.col == UNIT}
+    keys = ("largest_velocity", "largest_acceleration", "largest_jerk")
+    assert [units[compiled.plan.places.lines[key].row] for key in keys] == ["mm/s", "mm/s²", "mm/s³"]
 
 
 @pytest.mark.parametrize(

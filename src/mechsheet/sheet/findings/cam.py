@@ -22,6 +22,7 @@ from mechsheet.model import (
 from mechsheet.sheet.findings.finding import Finding, Level, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
+from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places, places_of
 
@@ -207,7 +208,9 @@ class LargestRate(Finding):
                             rounding=SAME, said=said, other=words)  # fmt: skip
         unit = plan.equations.of(symbol).unit
         place = on.driver_in_row("IFERROR(MATCH(value,all,0),MATCH(-value,all,0))", value=rows, all=column)
-        return Line(rich(symbol), largest, on.where_it_closes(words), unit.text, places_of(plan, unit), place=place)
+        return Line(
+            rich(symbol), largest, on.where_it_closes(words), shown_unit(plan, symbol), places_of(plan, unit), place=place
+        )  # fmt: skip
 
     def _largest(self, part: Segment) -> Node:
         """The largest derivative by the cam's angle of a segment."""

@@ -6,6 +6,7 @@ All of them go through the list (`listing`); none asks which finding it has.
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -106,7 +107,7 @@ class InTitle:
     last: Node | str = ""
 
 
-class Finding:
+class Finding(ABC):
     """One thing that is said of a motion.
 
     key     the name of its cell, in every language
@@ -124,9 +125,9 @@ class Finding:
         """The key of the line that a page has for what stands beside the number; "" where nothing does."""
         return ""
 
+    @abstractmethod
     def line(self, on: Reading) -> Line:
         """What it says where it is written."""
-        raise NotImplementedError
 
     def in_title(self, on: Reading) -> InTitle:
         """What it adds to the line under the title where all is well."""
