@@ -8,7 +8,8 @@ from livesheet.workbook import Area, Conditional
 from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
 from mechsheet.sheet.findings.finding import Finding, Line, look
-from mechsheet.sheet.findings.reading import NUMBERS, Reading
+from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places, places_of
@@ -93,7 +94,8 @@ class AssumedInertia(Finding):
 
 def _largest(symbol: str) -> Node:
     """The largest size of a quantity in the rows."""
-    return formula(f'MAX(MAXIFS(all,all,"{NUMBERS}"),-MINIFS(all,all,"{NUMBERS}"))', all=Symbol(ALL + symbol))
+    column = Symbol(ALL + symbol)
+    return formula("MAX(most,-least)", most=over_rows(MOST, column), least=over_rows(LEAST, column))
 
 
 class MeanTorque(Finding):

@@ -8,6 +8,9 @@ from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import formula, joined
 
+MOST_CHARACTERS = 999
+"""More than the words of all sheets have together: what follows the first "; " is taken whole."""
+
 
 class OtherSheets(Finding):
     """How many of the sheets that the first one reads were deleted; while some are, the line under the title says what is
@@ -22,7 +25,8 @@ class OtherSheets(Finding):
             formula('IF(there,"",gone)', there=cell, gone=f"; {on.text('sheets.deleted', sheet=plan.at.titles[key])}")
             for cell, key in zip(cells, plan.places.sheets, strict=True)
         ))  # fmt: skip
-        words = formula("IF(count=0,all,MID(gone,3,999))", count=count, all=on.text("sheets.all"), gone=gone)
+        words = formula("IF(count=0,all,MID(gone,3,most))", count=count, all=on.text("sheets.all"), gone=gone,
+                        most=MOST_CHARACTERS)  # fmt: skip
         marks = formula("COUNTIF(marks,0)", marks=RangeRef(cells[0], cells[-1]))
         return Line(on.text("sheets"), marks, words, levels=(look("count>0", count=count),), itself=("value", "words"))
 

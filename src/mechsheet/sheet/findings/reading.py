@@ -13,14 +13,12 @@ from mechsheet.sheet.checks.extremes import Extremes, about
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.deleted import are_there, missing_words
 from mechsheet.sheet.grashof import Sides
+from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.places import Searched, there
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.positions import places
 from mechsheet.units import behind_number
-
-NUMBERS = ">-1E+300"
-"""What every number is: a column that has none in some row is asked for its numbers only."""
 
 
 class Reading(ABC):
@@ -80,7 +78,7 @@ class Reading(ABC):
             place: Node = found.occurs.cell
         else:
             column = Symbol(ALL + symbol)
-            value = formula(f'{way.upper()}IFS(all,all,"{NUMBERS}")', all=column)
+            value = over_rows(LEAST if way == "min" else MOST, column)
             place = self.driver_in_row("MATCH(value,all,0)", value=value, all=column)
         return (formula("RADIANS(value)", value=value) if self.plan.at.spots[symbol].degrees else value), place
 
