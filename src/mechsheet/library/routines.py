@@ -10,9 +10,10 @@ from __future__ import annotations
 import itertools
 import math
 import unicodedata
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from copy import copy
 from functools import cache
+from pathlib import Path
 
 from livesheet.diagnostics import Fault
 from livesheet.engine import evaluate
@@ -21,6 +22,7 @@ from livesheet.formula.functions import FUNCTIONS
 from livesheet.formula.names import folded
 from livesheet.formula.nodes import Call, Node, Number, calls
 from livesheet.said import say
+from mechsheet.library.own_functions import with_modules
 from mechsheet.words.catalogue import ENGLISH, LANGUAGES, Language
 
 PUMP = "adjustable-pump"
@@ -30,8 +32,12 @@ SAME = 1e-5
 MOST_COMPARED = 50
 
 
-def with_routines(book: Book) -> Book:
-    """The book with the routines that its formulas call and that nothing in it defines, and a remark that says which."""
+def with_routines(book: Book, modules: Sequence[Path] = ()) -> Book:
+    """The book with the routines that its formulas call and that nothing in it defines, and a remark that says which.
+
+    modules  files in Basic that define functions for it
+    """
+    book = with_modules(book, modules)
     defined = {folded(one.name) for one in book.names}
     called = {name for sheet in book.sheets for name in _called(sheet) if folded(name) not in defined}
     known = {name: language for name in sorted(called) if (language := _language(name)) is not None}
