@@ -81,6 +81,8 @@ class _Writer:
             if part.name in self.function.whole:
                 start[part.name] = whole(given[part.name])
         body = self.block(self.function.body, 0, start, _Around(self.end, {}))
+        if _has_loop(self.function.body):
+            body = _cell_by_cell(body)
         return Call("LAMBDA", (*given.values(), body))
 
     def end(self, values: Values) -> Node:
@@ -276,6 +278,22 @@ class _Writer:
                 for at in changing:
                     if at < len(part.args) and isinstance(part.args[at], Symbol):
                         raise _NotReadError(called.parameters[at].name)
+
+
+def _cell_by_cell(body: Node) -> Node:
+    """The same, for one cell at a time, as REDUCE is computed: in a column of calls each row takes rounds of its own, and to
+    follow all of them together costs more with every round."""
+    return Call("REDUCE", (Number(0.0), Number(0.0), Call("LAMBDA", (Local("so far"), Local("one"), body))))
+
+
+def _has_loop(statements: Statements) -> bool:
+    for each in statements:
+        match each:
+            case For() | Do():
+                return True
+            case If(branches, otherwise) if any(map(_has_loop, (*(body for _, body in branches), otherwise))):
+                return True
+    return False
 
 
 def _assigned(statements: Statements) -> frozenset[str]:
