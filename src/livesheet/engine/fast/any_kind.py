@@ -488,7 +488,6 @@ _CALLS: dict[str, Callable[[_Writer, tuple[Node, ...]], str]] = {
     "ATAN2": _of_numbers("atan2", 2, 2), "MOD": _of_numbers("modulo", 2, 2), "ROUND": _round, "POWER": _power,
     "MIN": _fold("least"), "MAX": _fold("greatest"), "SUM": _fold("total"),
     "MINIFS": _fold_if("least"), "MAXIFS": _fold_if("greatest"),
-    "MEDIAN": _of_numbers("middle", 3, 3),
     "N": _n, "ROW": _row, "COUNT": _count, "COUNTIF": _count_if, "COUNTIFS": _count_if, "MATCH": _match, "INDEX": _index,
 }  # fmt: skip
 _TRUTHS = frozenset(("AND", "OR", "NOT", "ISNUMBER", "ISTEXT", "ISLOGICAL", "ISBLANK", "ISNA", "ISERROR"))
