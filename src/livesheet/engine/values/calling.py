@@ -25,6 +25,7 @@ from .cells import (
     Numbers,
     Texts,
     codes_of,
+    error,
     error_code,
     fitted,
     too_large,
@@ -49,6 +50,18 @@ class Problem(Exception):  # noqa: N818 - an error value on its way to the cell,
     def __init__(self, code: str) -> None:
         super().__init__(code)
         self.code = code
+
+
+def caught(kernel: Callable[..., Cells]) -> Callable[..., Cells]:
+    """The kernel with the error value in place of a `Problem`."""
+
+    def catching(*args: Any) -> Cells:
+        try:
+            return kernel(*args)
+        except Problem as problem:
+            return error(error_code(problem.code))
+
+    return catching
 
 
 def need(*conditions: bool) -> None:
