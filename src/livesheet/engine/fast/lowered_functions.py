@@ -29,11 +29,7 @@ UFUNCS = {
 
 
 def _ufunc(op: str) -> Lowered:
-    def lowered(low: Lowering, args: Args) -> int:
-        _expect(len(args) == 1)
-        return low.value(op, (low.number(args[0]),))
-
-    return lowered
+    return lambda low, args: low.value(op, (low.number(args[0]),))
 
 
 def _expect(condition: bool) -> None:
