@@ -72,4 +72,6 @@ def test_it_has_a_cell_and_what_is_typed_there_comes_back(tmp_path):
 
 def test_in_turkish():
     linkage = mechsheet.loads(of().text, language="tr")
-    assert verdict(told(linkage)).endswith("; atalet momentleri düzgün dönmeyen şu uzuvlar için verilmedi, 0 alındı: biyel")
+    assert verdict(told(linkage)).endswith(
+        "; atalet momentleri düzgün dönmeyen şu uzuvlar için verilmedi, 0 alındı: biyel"
+    )
