@@ -26,12 +26,9 @@ from ...formula.nodes import (
     shifted,
 )
 from ..graph import area_read
-from ..layout import Area, Band, Layout
+from ..layout import Area, Layout
 from ..values.cells import NEAR
 from ..values.coerce import compare_numbers
-
-MOST_EDGE = 4
-"""How many rows a column may be read beyond its end (the row above the first one, say)."""
 
 MOST_VALUES = 4096
 """Values of a segment: code without end takes long to compile."""
@@ -70,18 +67,15 @@ class Reads:
 
     columns  where the first rows of columns lie that are read row by row -> their producers;  others  other producers
     texts    producers that must hold texts, and nothing else
-    top, bottom  rows in which something beyond the end of a column is read: never fast
     """
 
     columns: dict[int, frozenset[int]] = field(default_factory=dict)
     others: set[int] = field(default_factory=set)
     texts: set[int] = field(default_factory=set)
-    top: int = 0
-    bottom: int = 0
 
     def copy(self) -> Reads:
         """Reads that can be changed apart from these."""
-        return Reads(dict(self.columns), set(self.others), set(self.texts), self.top, self.bottom)
+        return Reads(dict(self.columns), set(self.others), set(self.texts))
 
 
 _ARITHMETIC = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide"}
@@ -327,13 +321,11 @@ class Lowering:
         return self.value("cell", (), place, kind=self.read(producers))
 
     def _column(self, area: Area) -> int:
-        band = self._band(area)
-        top = max(0, band.row - area.row)
-        bottom = max(0, area.row + area.rows - band.row - band.rows)
-        if max(top, bottom) > MOST_EDGE or area.rows <= top + bottom:
-            raise UnsuitableError
-        self.reads.top, self.reads.bottom = max(self.reads.top, top), max(self.reads.bottom, bottom)
-        producers = self.layout.producers(Area(area.sheet, area.row + top, area.col, area.rows - top - bottom, 1))
+        column = self.layout.columns[area.sheet].get(area.col)
+        band = None if column is None else column.band_at(area.row)
+        if band is None or area.row + area.rows > band.row + band.rows:
+            raise UnsuitableError  # beyond the end of what lies side by side
+        producers = self.layout.producers(area)
         for producer in producers & self.results.keys():
             own = self.layout.block_area(producer)
             if own == area:
@@ -345,14 +337,6 @@ class Lowering:
             return self.value("column", (), place, True, self.read(producers))
         self.reads.columns[place] = frozenset(producers) | self.reads.columns.get(place, frozenset())
         return self.value("column", (), place, True)
-
-    def _band(self, area: Area) -> Band:
-        """The band that a column's middle lies in."""
-        column = self.layout.columns[area.sheet].get(area.col)
-        band = None if column is None else column.band_at(area.row + area.rows // 2)
-        if band is None:
-            raise UnsuitableError
-        return band
 
     def mask(self, node: Node) -> int:
         """A condition: a mask, or a truth known beforehand."""

@@ -121,28 +121,20 @@ class Segment:
         worth = (self._runs > 1 or worth_at_once(self.rows, self.cols)) and _flags_work()
         marks.texts |= self.texts  # what an interpreted chunk finds may take them out again
         marks.dirty |= self.texts
-        if self.lowering is not None and self.lowering.reads.top + self.lowering.reads.bottom > 0:
-            worth &= self.rows > _SHORT  # the rows at the ends cost as much as all of them
         if not worth or self.lowering is None or not self._as_expected(self.lowering.reads, marks):
             self._interpreted(ev, marks, 0, self.rows)
             return
         if self._code is None:
             self._code, _, self._counts = emit(self.lowering, self.layout, ev.around.arithmetic)
         buffers = self._buffers.pop() if self._buffers else self._new_buffers()
-        reads = self.lowering.reads
-        first, last = min(reads.top, self.rows), max(reads.top, self.rows - reads.bottom)
-        if first:
-            self._interpreted(ev, marks, 0, first)
-        for start in range(first, last, CHUNK):
-            stop = min(start + CHUNK, last)
+        for start in range(0, self.rows, CHUNK):
+            stop = min(start + CHUNK, self.rows)
             if self._fast(ev, marks, buffers, start, stop):
                 continue
             for part in range(start, stop, _PART):
                 end = min(part + _PART, stop)
                 if stop - start <= _PART or not self._fast(ev, marks, buffers, part, end):
                     self._interpreted(ev, marks, part, end)
-        if last < self.rows:
-            self._interpreted(ev, marks, last, self.rows)
         self._buffers.append(buffers)
 
     def _fast(self, ev: Evaluator, marks: Marks, buffers: Buffers, start: int, stop: int) -> bool:
