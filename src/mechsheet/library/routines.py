@@ -22,7 +22,6 @@ from livesheet.formula.functions import FUNCTIONS
 from livesheet.formula.names import folded
 from livesheet.formula.nodes import Call, Node, Number, calls
 from livesheet.said import say
-from mechsheet.library.own_functions import with_modules
 from mechsheet.words.catalogue import ENGLISH, LANGUAGES, Language
 
 PUMP = "adjustable-pump"
@@ -37,7 +36,10 @@ def with_routines(book: Book, modules: Sequence[Path] = ()) -> Book:
 
     modules  files in Basic that define functions for it
     """
-    book = with_modules(book, modules)
+    if modules:
+        from mechsheet.library.own_functions import with_modules
+
+        book = with_modules(book, modules)
     defined = {folded(one.name) for one in book.names}
     called = {name for sheet in book.sheets for name in _called(sheet) if folded(name) not in defined}
     known = {name: language for name in sorted(called) if (language := _language(name)) is not None}
