@@ -167,11 +167,9 @@ class FullScatter(ChartScatter):  # type: ignore[misc]
         if line.get("none") or not {"color", "width"} <= line.keys() or line.get("dash_type"):
             super()._write_a_ln(line)
             return
-        width = number(round(line["width"] * POINT))
-        self._xml_start_tag("a:ln", [("w", width), ("cap", "rnd")])
+        self.fh.write(f'<a:ln w="{round(line["width"] * POINT)}" cap="rnd">')
         self._write_a_solid_fill(line)
-        self.fh.write("<a:round/>")
-        self._xml_end_tag("a:ln")
+        self.fh.write("<a:round/></a:ln>")
 
     def _write_number_format(self, axis: dict[str, Any]) -> None:
         # Never linked to the source: LibreOffice would number the axis with the decimals of the cells.
