@@ -118,6 +118,7 @@ def test_our_workbook_without_its_description(built, tmp_path):
     assert json.loads(run("check", "--json", path).output)[0]["unjudged"][-1] == "it carries no description"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sheet", ["Extremes", "Checks", "Drawing", "Positions"])
 def test_one_files_trouble_is_one_files_line(sheet, built, tmp_path):
     folder = tmp_path / "books"

@@ -44,7 +44,7 @@ def settings() -> Iterator[None]:
     except ImportError as error:
         raise missing_package("matplotlib", "plot", say("it draws the pictures")) from error
     # `rcdefaults` does so, too, but reads all of matplotlib's style sheets first.
-    defaults = {name: value for name, value in mpl.rcParamsDefault.items() if name != "backend"}
+    defaults: dict[Any, Any] = {name: value for name, value in mpl.rcParamsDefault.items() if name != "backend"}
     ours = {"svg.hashsalt": "mechsheet", "pdf.fonttype": 42, "font.family": "DejaVu Sans", "path.simplify": False}
     with mpl.rc_context(defaults | ours):
         yield

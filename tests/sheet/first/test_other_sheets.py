@@ -35,6 +35,8 @@ def without(laid, title):
     return evaluate(book_of(replace(laid.workbook, sheets=sheets, names=names)))
 
 
+@pytest.mark.slow
+@pytest.mark.cases(4)
 @pytest.mark.parametrize("language", ["en", "tr"])
 @pytest.mark.parametrize("name", some(TEMPLATES, 8))
 def test_a_deleted_sheet_leaves_no_error_on_the_first(name, language):
