@@ -36,16 +36,22 @@ from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import Plan
 
 
-def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Comparison, list[str]]:
+def against_plan(
+    book: Book, values: Any, plan: Plan, shown: str, built: Plan | None = None
+) -> tuple[Comparison, list[str]]:
     """Compare every variable, point and output, row by row, with what the reference finds for the inputs in the cells.
 
-    `values` is the engine's, `plan` that of the description inside the workbook. Returns the comparison, and remarks for a
-    person.
+    `values` is the engine's, `plan` that of the description inside the workbook; where somebody has made the table longer,
+    that of so many rows, and `built` the description's own, which two-way tables follow. Returns the comparison, and remarks
+    for a person.
     """
     inputs = inputs_in(book, values, plan, shown)
     tally = Tally("reference")
     remarks = _compare_rows(book, values, plan, inputs, tally)
-    compare_tables(book, values, plan, inputs, tally)
+    if built is None or built is plan:
+        compare_tables(book, values, plan, inputs, tally)
+    else:
+        compare_tables(book, values, built, inputs_in(book, values, built, shown), tally)
     return tally.result(), [*inputs.remarks, *remarks]
 
 

@@ -63,6 +63,9 @@ NUMBER, DRIVER, STATUS = range(3)
 RATES_DRIVER, RATES_STATUS = range(2)
 """First columns of the sheets of rates and of forces."""
 
+SPARE = 400
+"""So many rows below the table are looked at too: a person may fill it further down."""
+
 LEAST_PROBED = 4
 """With fewer rows nothing is looked for between them."""
 
