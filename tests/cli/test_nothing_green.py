@@ -14,6 +14,8 @@ from mechsheet.description.templates import template_text
 from mechsheet.library.building import build
 from mechsheet.library.changed import loads
 
+pytestmark = pytest.mark.slow
+
 
 def run(*arguments):
     return CliRunner().invoke(main, [*map(str, arguments)])
@@ -118,7 +120,6 @@ def test_our_workbook_without_its_description(built, tmp_path):
     assert json.loads(run("check", "--json", path).output)[0]["unjudged"][-1] == "it carries no description"
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("sheet", ["Extremes", "Checks", "Drawing", "Positions"])
 def test_one_files_trouble_is_one_files_line(sheet, built, tmp_path):
     folder = tmp_path / "books"
