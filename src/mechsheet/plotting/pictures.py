@@ -43,11 +43,10 @@ def settings() -> Iterator[None]:
         import matplotlib as mpl
     except ImportError as error:
         raise missing_package("matplotlib", "plot", say("it draws the pictures")) from error
-    with mpl.rc_context():
-        mpl.rcdefaults()
-        mpl.rcParams.update(
-            {"svg.hashsalt": "mechsheet", "pdf.fonttype": 42, "font.family": "DejaVu Sans", "path.simplify": False}
-        )
+    # `rcdefaults` does so, too, but reads all of matplotlib's style sheets first.
+    defaults: dict[Any, Any] = {name: value for name, value in mpl.rcParamsDefault.items() if name != "backend"}
+    ours = {"svg.hashsalt": "mechsheet", "pdf.fonttype": 42, "font.family": "DejaVu Sans", "path.simplify": False}
+    with mpl.rc_context(defaults | ours):
         yield
 
 
