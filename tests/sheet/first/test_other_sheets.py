@@ -45,6 +45,8 @@ def changed_in_silence(laid, shown, place):
     return shown.get((row, MEANING)) == laid.values.get(plan.main, row, MEANING)
 
 
+@pytest.mark.slow
+@pytest.mark.cases(4)
 @pytest.mark.parametrize("language", ["en", "tr"])
 @pytest.mark.parametrize("name", some(TEMPLATES, 8))
 def test_a_deleted_sheet_leaves_no_error_on_the_first(name, language):
