@@ -126,9 +126,10 @@ Sub Work(folder As String)
             document.calculateAll()
             document.calculateAll()  ' the second time in another order
         End If
-        document.storeToURL(ConvertToURL(stem & ".xlsx"), Array(Setting("FilterName", "Calc MS Excel 2007 XML")))
         If FileExists(stem & ".edits") And Right(jobs(number), 4) = ".ods" Then
             document.storeToURL(ConvertToURL(stem & ".edited.ods"), Array(Setting("FilterName", "calc8")))
+        Else
+            document.storeToURL(ConvertToURL(stem & ".xlsx"), Array(Setting("FilterName", "Calc MS Excel 2007 XML")))
         End If
         document.close(True)
     Next number
@@ -137,7 +138,7 @@ End Sub
 """
 
 
-PATIENCE, PATIENCE_FOR_EACH = 60, 6
+PATIENCE, PATIENCE_FOR_EACH = 60, 20
 """Seconds for a call, and for each of its jobs: a machine may have much else to do."""
 
 

@@ -32,6 +32,8 @@ ACROSS, SIDE, TITLE = 6, 400, 18
 """Drawings in a row; pixels of a drawing's side, and of its name above it."""
 COVERED = (22, 7)
 """Rows and columns of the first sheet that the drawing covers."""
+FOOTER = 0.1
+"""Part of a page's height, from below."""
 BROWSER = ["--headless", "--no-sandbox", "--disable-gpu"]
 
 
@@ -57,7 +59,8 @@ def printed(paths: Sequence[Path], form: str) -> Iterator[Image.Image]:
             write(replace(workbook, sheets=(first, *(replace(each, hidden=True) for each in others))), targets[-1])
         for pdf in convert_with_libreoffice(targets, "pdf", Path(folder)):
             subprocess.run(["pdftoppm", "-r", "130", "-singlefile", "-png", pdf, pdf.with_suffix("")], check=True)
-            yield Image.open(pdf.with_suffix(".png"))
+            page = Image.open(pdf.with_suffix(".png"))
+            yield page.crop((0, 0, page.width, round(page.height * (1 - FOOTER))))
 
 
 def drawn(paths: Sequence[Path]) -> Iterator[Image.Image]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -37,13 +37,13 @@ from mechsheet.sheet.plan import Plan
 
 
 def against_plan(
-    book: Book, values: Any, plan: Plan, shown: str, built: Plan | None = None
+    book: Book, values: Any, plan: Plan, shown: str, built: Plan | None = None, rows: Sequence[int] = ()
 ) -> tuple[Comparison, list[str]]:
     """Compare every variable, point and output, row by row, with what the reference finds for the inputs in the cells.
 
-    `values` is the engine's, `plan` that of the description inside the workbook; where somebody has made the table longer,
-    that of so many rows, and `built` the description's own, which two-way tables follow. Returns the comparison, and remarks
-    for a person.
+    `values` is the engine's, `plan` that of the description inside the workbook. Where somebody has made the table longer,
+    it is that of so many rows; `built` is the description's own then, and `rows` the numbers of its rows, which two-way
+    tables follow. Returns the comparison, and remarks for a person.
     """
     inputs = inputs_in(book, values, plan, shown)
     tally = Tally("reference")
@@ -51,7 +51,8 @@ def against_plan(
     if built is None or built is plan:
         compare_tables(book, values, plan, inputs, tally)
     else:
-        compare_tables(book, values, built, inputs_in(book, values, built, shown), tally)
+        given = {name: column[list(rows)] for name, column in inputs.given.items()}
+        compare_tables(book, values, built, replace(inputs, given=given), tally)
     return tally.result(), [*inputs.remarks, *remarks]
 
 

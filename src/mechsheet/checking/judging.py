@@ -133,7 +133,7 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | No
         placed = MovedValues(values, found.moves) if found.moves else values
         remarks += found.remarks
         try:
-            comparison, of_inputs = against_plan(found.book, placed, plan, shown, expected.plan)
+            comparison, of_inputs = against_plan(found.book, placed, plan, shown, expected.plan, with_rows.built)
             comparisons.append(comparison)
             remarks += of_inputs
             searched = against_search(found.book, placed, plan, shown, expected.plan)

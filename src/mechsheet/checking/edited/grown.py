@@ -51,10 +51,14 @@ class Growth:
 
 @dataclass(frozen=True, slots=True)
 class Compared:
-    """What somebody changed in a workbook, and the plan of the workbook with as many rows as its table has."""
+    """What somebody changed in a workbook, and the plan of the workbook with as many rows as its table has.
+
+    built  of a table that was made longer, the numbers of the rows that it was built with: two-way tables follow these
+    """
 
     edits: Edits
     plan: Plan
+    built: tuple[int, ...] = ()
 
 
 def compared(book: Book, expected: Expected) -> Compared:
@@ -62,12 +66,14 @@ def compared(book: Book, expected: Expected) -> Compared:
     growth = growth_of(book, expected)
     if growth is None:
         return Compared(edits_of(book, expected), expected.plan)
-    tried = [edits_of(book, grown(expected, growth, at)) for at in _places(book, expected, growth)]
-    found = min(tried, key=lambda each: len(each.edits))
+    tried = {at: edits_of(book, grown(expected, growth, at)) for at in _places(book, expected, growth)}
+    at, found = min(tried.items(), key=lambda each: len(each[1].edits))
     if growth.empty:  # they are no rows of the table
         found = replace(found, edits=edits_of(book, expected).edits)
     remarks = (*_said(growth, expected), *found.remarks)
-    return Compared(replace(found, remarks=remarks), longer_plan(expected.plan, growth.inserted + growth.below))
+    plan, rows = longer_plan(expected.plan, growth.inserted + growth.below), range(expected.plan.rows)
+    built = tuple(row if row < at else row + growth.inserted for row in rows)
+    return Compared(replace(found, remarks=remarks), plan, built)
 
 
 def _said(growth: Growth, expected: Expected) -> tuple[str, ...]:
