@@ -115,7 +115,7 @@ def test_rows_around_an_error_are_computed_interpreted_and_the_others_fast(small
     same(interpreted, fast)
     assert fast.get("S", 399, 5) == ErrorValue("#DIV/0!")
     assert ranges
-    assert all(start <= 395 < stop <= start + 256 for start, stop in ranges)
+    assert all(start <= 395 < stop <= start + 64 for start, stop in ranges)
 
 
 def test_rows_of_a_large_chunk_are_tried_in_parts(monkeypatch):

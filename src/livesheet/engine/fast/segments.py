@@ -23,8 +23,12 @@ Buffers: TypeAlias = dict[str, Any]
 
 _MOST_MEMBERS = 256
 """Blocks of a segment: what depends on a change is found by segments."""
+_PATIENCE = 3
 _PART = 4096
-"""Rows that are interpreted together where not all of them are plain numbers."""
+"""Cells of a chunk that are computed together where not all of it is plain numbers."""
+_PIECE = 64
+_GAP = 16
+"""Rows: a piece that is tried by itself; good rows between bad ones that are worth a call of their own."""
 _SHORT = 64
 """Rows that cell by cell, by code, are done before the interpreter has looked at each part of their formula once."""
 _INTERPRETED = 4
@@ -129,23 +133,60 @@ class Segment:
         buffers = self._buffers.pop() if self._buffers else self._new_buffers()
         for start in range(0, self.rows, CHUNK):
             stop = min(start + CHUNK, self.rows)
-            if self._fast(ev, marks, buffers, start, stop):
-                continue
-            for part in range(start, stop, _PART):
-                end = min(part + _PART, stop)
-                if stop - start <= _PART or not self._fast(ev, marks, buffers, part, end):
-                    self._interpreted(ev, marks, part, end)
+            if self._suspect(marks) or not self._fast(ev, buffers, start, stop):
+                for part in range(start, stop, _PART):
+                    self._chunk(ev, marks, buffers, part, min(part + _PART, stop))
         self._buffers.append(buffers)
 
-    def _fast(self, ev: Evaluator, marks: Marks, buffers: Buffers, start: int, stop: int) -> bool:
-        """Compute rows [start, stop) by the code; whether all that they read and give is plain numbers."""
-        if self._code is None or any(ev.codes[place + start : place + stop].any() for place in self._suspect(marks)):
+    def _chunk(self, ev: Evaluator, marks: Marks, buffers: Buffers, start: int, stop: int) -> None:
+        """Rows [start, stop): fast as far as everything is plain, interpreted where it is not, in order from the top.
+
+        Where the code stops, the rows are tried again in smaller pieces, so that a few bad ones cost little; after
+        three failures the rest is interpreted, so that many cost little more than that.
+        """
+        step, failures = stop - start, 0
+        while start < stop:
+            end, plain = self._stretch(ev, marks, start, stop)
+            end = min(end, start + step)
+            if failures >= _PATIENCE:
+                end, plain = stop, False
+            if plain and not self._fast(ev, buffers, start, end):
+                failures += 1
+                if end - start > _PIECE:
+                    step = max(_PIECE, step // 8)
+                    continue
+                plain = False
+            if not plain:
+                self._interpreted(ev, marks, start, end)
+            start = end
+
+    def _fast(self, ev: Evaluator, buffers: Buffers, start: int, stop: int) -> bool:
+        if self._code is None:
             return False
         try:
             self._code(ev.numbers, ev.codes, buffers, start, stop)
         except _FAILURES:
             return False
         return True
+
+    def _stretch(self, ev: Evaluator, marks: Marks, start: int, stop: int) -> tuple[int, bool]:
+        """How far the rows from `start` on are of one sort, and whether they read numbers only."""
+        suspect = self._suspect(marks)
+        if not suspect:
+            return stop, True
+        bad = np.zeros(stop - start, bool)
+        for place in suspect:
+            bad |= ev.codes[place + start : place + stop] != 0
+        rows = np.flatnonzero(bad)
+        if not len(rows):
+            return stop, True
+        if rows[0] >= _GAP:
+            return start + int(rows[0]), True
+        gaps = np.flatnonzero(np.diff(rows) > _GAP)
+        if len(gaps) > _PATIENCE:
+            return stop, False
+        end = int(rows[gaps[0]] if len(gaps) else rows[-1]) + 1
+        return (stop if stop - start - end < _GAP else start + end), False
 
     @staticmethod
     def _as_expected(reads: Reads, marks: Marks) -> bool:
