@@ -8,6 +8,7 @@ from mechsheet.library.building import Target, told, write_all
 from mechsheet.library.changed import loads
 from mechsheet.sheet import styles
 from mechsheet.sheet.first.blocks import MEANING_WIDTH
+from mechsheet.sheet.page.plan import ROW_HEIGHT as PAGE_ROW
 from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.wrapping import ROW_HEIGHT, height_of, label_lines
 
@@ -59,9 +60,10 @@ def test_the_row_of_a_long_label_is_higher(layout):
     (label,) = (cell for cell in sheet.cells if cell.content == LONG)
     heights = dict(sheet.row_heights)
     assert label.style == styles.LABEL_LINES and label.style.wrap
-    assert heights[label.row] >= height_of(3) > ROW_HEIGHT
+    row = ROW_HEIGHT if layout == "sheets" else PAGE_ROW
+    assert heights[label.row] >= height_of(3, row) > row
     others = {cell.row for cell in sheet.cells if cell.style == styles.LABEL and cell.row > label.row}
-    assert {heights[row] for row in others} == {ROW_HEIGHT}
+    assert {heights[other] for other in others} == {row}
     if layout == "sheets":
         (width,) = (column.width for column in sheet.columns if column.first == MEANING)
         assert width == MEANING_WIDTH
