@@ -14,8 +14,8 @@ from livesheet.said import say
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.baseline import Baseline
 from mechsheet.checking.cells import compare_cells
-from mechsheet.checking.edited.edits import edits_of
 from mechsheet.checking.edited.expected import expected_for, functions_in, inside
+from mechsheet.checking.edited.grown import compared
 from mechsheet.checking.edited.inserted_rows import MovedValues
 from mechsheet.checking.inputs import description_in
 from mechsheet.checking.line_under_title import first_sheet, red_line
@@ -62,15 +62,17 @@ def judge(
     rules: Rules | None = None,
     baseline: Baseline | None = None,
     descriptions: Sequence[Path] = (),
+    modules: Sequence[Path] = (),
 ) -> Report:
     """As `check`; cells to ignore that mean nothing in this file are left to the caller, who may have other files.
 
     descriptions  files among which the workbook's own is looked for when none of its name is beside it
+    modules       files in Basic whose functions the workbook calls
     """
     asked = names_of(programs)
     refuse_unknown(asked)
     path = Path(path)
-    work = _Work(asked, progress or (lambda _: None), rules or Rules(), baseline)
+    work = _Work(asked, progress or (lambda _: None), rules or Rules(), baseline, modules)
     if path.suffix.lower() == ".toml":
         return _check_description(path, work)
     work.say("reading")
@@ -85,6 +87,7 @@ class _Work:
     say: Callable[[str], None]
     rules: Rules
     baseline: Baseline | None
+    modules: Sequence[Path] = ()
 
 
 def _check_description(path: Path, work: _Work) -> Report:
@@ -108,7 +111,7 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | No
     """Judge a workbook; `file` is the description that it should have been built from, if there is one."""
     work.say("recalculating")
     form = functions_in(book)
-    book = with_routines(book)
+    book = with_routines(book, work.modules)
     stored, values = judge_stored(book, work.rules)
     if work.baseline is not None:
         stored = work.baseline.accept(Path(shown), stored)
@@ -126,16 +129,17 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | No
             changed = stale(text, path, file)
         work.say("looking for edits")
         expected = expected_for(text, inside(shown), form)
-        found = edits_of(book, expected)
+        with_rows = compared(book, expected)
+        found, plan = with_rows.edits, with_rows.plan
         edits = found.edits
         work.say("solving")
         placed = MovedValues(values, found.moves) if found.moves else values
         remarks += found.remarks
         try:
-            comparison, of_inputs = against_plan(found.book, placed, expected.plan, shown)
+            comparison, of_inputs = against_plan(found.book, placed, plan, shown, expected.plan, with_rows.built)
             comparisons.append(comparison)
             remarks += of_inputs
-            searched = against_search(found.book, placed, expected.plan, shown)
+            searched = against_search(found.book, placed, plan, shown, expected.plan)
             comparisons += [] if searched is None else [searched]
         except MissingSheetError as error:  # the sheet is told as an edit
             judge = "reference" if len(comparisons) == 1 else "search"
@@ -161,7 +165,7 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | No
         try:
             comparisons.append(
                 compare_program(
-                    program, book, values, theirs, expected.plan, shown,
+                    program, book, values, theirs, plan, shown,
                     rules=work.rules, but=stored.unsure, moves=found.moves,
                 )
             )  # fmt: skip

@@ -17,7 +17,7 @@ from mechsheet.sheet.findings.title import title_levels, title_words
 from mechsheet.sheet.first.blocks import value_style
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion
-from mechsheet.sheet.page.plan import PagePlan
+from mechsheet.sheet.page.plan import ROW_HEIGHT, PagePlan
 from mechsheet.sheet.page.reading import MEANING, PageReading
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula
@@ -67,7 +67,7 @@ class Top(Cells):
             lines = label_lines(meaning, self.room)
             self.put(row, MEANING, meaning, styles.LABEL if lines == 1 else styles.LABEL_LINES)
             if lines > 1:
-                self.heights[row] = height_of(lines)
+                self.heights[row] = height_of(lines, ROW_HEIGHT)
         else:
             self.formula(row, MEANING, meaning, styles.LABEL_SAID)
         for col in range(MEANING + 1, LAST + 1):
@@ -133,7 +133,7 @@ class Top(Cells):
         plan = self.plan
         for row in plan.blocks["position"].rows.values() if plan.drawn else ():
             self.line(row, plan.text("name.position"), "", plan.text("page.position"))
-            self.put(row, VALUE, float(plan.first_existing), styles.INPUT)
+            self.put(row, VALUE, float(plan.first_shown), styles.INPUT)
             title, message = plan.text("hint.position.title"), plan.text("hint.position", last=plan.rows - 1)
             last = Number(plan.rows - 1.0)
             self.takes(row, VALUE, "whole", title, message, low=Number(0.0), high=last, stop=False)
