@@ -154,7 +154,13 @@ class Extremes:
         table.put(ABOUT_ROW, 0, plan.text("extremes.about"), styles.SUBTITLE)
         for column in table.columns:
             table.put(HEAD_ROW, column.col, heading(plan, column), styles.HEAD)
-        for col, key in ((COLUMN, "column"), (NEAR, "near"), (SENSE, "sense"), (PLACE_COL, "row"), (table.value_col, "value")):
+        for col, key in (
+            (COLUMN, "column"),
+            (NEAR, "near"),
+            (SENSE, "sense"),
+            (PLACE_COL, "row"),
+            (table.value_col, "value"),
+        ):
             table.put(HEAD_ROW, col, plan.text(f"extremes.{key}"), styles.HEAD)
         self._whole()
         table.work(self.whole_row, FINE, "fine", fine=self._inputs_are_fine())

@@ -12,7 +12,7 @@ from dataclasses import replace
 from functools import reduce
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, with_symbols
+from livesheet.formula.nodes import Call, Node, RangeRef, Symbol, with_symbols
 from mechsheet.sheet.checks.search_rules import SETTLED
 from mechsheet.sheet.checks.search_table import SearchTable
 from mechsheet.sheet.places import there
@@ -97,10 +97,13 @@ def write(table: SearchTable, row: int, at: int, symbol: str, known: Mapping[str
         start = table.work(row + index, at + FROM, begin, rows=table.rows, **ends)
         end = table.work(row + index, at + TO, until, **ends)
         part = {
-            name: formula("first:last", **{
-                edge: table.rows_of(symbol, row, formula(f"place{away}", place=place))
-                for edge, place in (("first", start), ("last", end))
-            })
+            name: formula(
+                "first:last",
+                **{
+                    edge: table.rows_of(symbol, row, formula(f"place{away}", place=place))
+                    for edge, place in (("first", start), ("last", end))
+                },
+            )
             for name, away in (("own", ""), ("before", "-1"), ("after", "+1"))
         }
         rivals = with_symbols(OF_PART, limits | part)
