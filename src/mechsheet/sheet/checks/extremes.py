@@ -307,7 +307,7 @@ class Extremes:
         begin: dict[str, Node] = {"column": table.number_of(symbol), "near": here, "sense": al.ONE}
         for name, step in (("left", "-1"), ("middle", ""), ("right", "+1")):
             begin[name] = formula(f"here{step}", here=here)
-            begin[f"f_{name}"] = table.rows_of(symbol, row, Symbol(name))
+            begin[f"f_{name}"] = table.in_row(symbol, row, Symbol(name))
         self.searches.search(row, begin)
         table.lay(row, PROBES, [symbol])
         self.searches.value(row, symbol)

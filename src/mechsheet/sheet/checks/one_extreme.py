@@ -175,7 +175,7 @@ class Searches:
             return
         self._wraps(sought)
         here = table.work(row, HERE, "here", here=self._begun_from(sought))
-        self.search(row, self._begin(sought, table.rows_of(symbol, row, here)))
+        self.search(row, self._begin(sought, table.in_row(symbol, row, here)))
         table.lay(row, rules.PROBES, [symbol])
         self.value(row, symbol)
         self._result(sought)
@@ -188,15 +188,15 @@ class Searches:
         """The best value of all rows that close, of no more stretches than are looked at, and the first row that has it."""
         table, row, symbol = self.table, sought.row, sought.symbol
         said, stretches = self.plan.places.status.whole(), self.plan.searched.count.cell
-        bests = Call(f"{sought.way.upper()}IFS", (table.rows_of(symbol, row), said, Text(self.plan.ok)))
+        bests = Call(f"{sought.way.upper()}IFS", (table.in_rows(symbol, row), said, Text(self.plan.ok)))
         begin = self._read(sought)["first"]
         best = table.work(
             row, OF_ROWS, "IF(OR(stretches=0,stretches>most),NA(),bests)", stretches=stretches, most=rules.STRETCHES,
             bests=bests,
         )  # fmt: skip
         table.work(
-            row, BEST, "begin-1+MATCH(best,from_begin:to_end,0)", begin=begin, best=best,
-            from_begin=table.rows_of(symbol, row, begin), to_end=table.rows_of(symbol, row, table.rows),
+            row, BEST, "begin-1+MATCH(best,from_begin,0)", begin=begin, best=best,
+            from_begin=table.in_rows(symbol, row, begin),
         )  # fmt: skip
 
     def _begin(self, sought: Sought, value: Node) -> dict[str, Node]:
@@ -225,7 +225,7 @@ class Searches:
 
     def _at_place(self, sought: Sought, known: Mapping[str, Node]) -> Node:
         """The value in a row beside the one from which a search begins."""
-        return self.table.rows_of(sought.symbol, sought.row, with_symbols(rules.ROW_AT, known))
+        return self.table.in_row(sought.symbol, sought.row, with_symbols(rules.ROW_AT, known))
 
     def _begun_from(self, sought: Sought) -> Node:
         """The row from which the search begins: the best one, or, where that is the motion's first or last, another one
@@ -235,7 +235,7 @@ class Searches:
             return known["best"]
 
         def value(place: str) -> Node:
-            return table.rows_of(sought.symbol, sought.row, formula(place, rows=table.rows))
+            return table.in_row(sought.symbol, sought.row, formula(place, rows=table.rows))
 
         least = sought.way.upper()
         known["other"] = other = table.work(
@@ -250,7 +250,7 @@ class Searches:
         return formula(
             "IFERROR(IF(AND(wraps=0,IF(best=1,at_first,at_last)),MATCH(other,column,0),best),best)",
             wraps=known["wraps"], best=known["best"], at_first=at_first, at_last=at_last, other=other,
-            column=table.rows_of(sought.symbol, sought.row),
+            column=table.in_rows(sought.symbol, sought.row),
         )  # fmt: skip
 
     def _wraps(self, sought: Sought) -> None:
@@ -260,9 +260,9 @@ class Searches:
         if sought.way == "min":
             table.work(row, WRAPS, "wraps", wraps=table.near(self.opposite(sought).row, WRAPS))
             return
-        start, end = (table.rows_of(symbol, row, place) for place in (al.ONE, table.rows))
+        start, end = (table.in_row(symbol, row, place) for place in (al.ONE, table.rows))
         unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
-        meet = ends_meet(plan, symbol, unit, table.rows_of(symbol, row), (start, end))
+        meet = ends_meet(plan, symbol, unit, table.in_rows(symbol, row), (start, end))
         table.work(row, WRAPS, "wraps", wraps=with_symbols(rules.WRAPS, self._read(sought) | {"meet": meet}))
 
     def _around(self, sought: Sought) -> Node:
@@ -375,7 +375,7 @@ class Searches:
             known["middle"] = table.work(row, MIDDLE, "row", row=with_symbols(boundless.MIDDLE, known))
             before, after = (with_symbols(tree, known) for tree in boundless.NEIGHBOURS)
             places, divisor = (before, known["middle"], after), unsigned_divisor(plan, symbol)
-            of_rows = [table.rows_of(symbol, row, place) for place in places]
+            of_rows = [table.in_row(symbol, row, place) for place in places]
             if divisor is not None:
                 signs = [in_row(plan, divisor, place) for place in places]
                 for at in (0, 2):

@@ -82,28 +82,25 @@ def write(table: SearchTable, row: int, at: int, symbol: str, known: Mapping[str
     )
     ends = {name: known[name] for name in ("here", "first", "last", "wraps")}
     limits = {"promise": promise, "twin": twin, "sense": known["sense"]}
-    inner = [table.table_of(symbol, offset, 2 - offset) for offset in (0, 1, 2)]
-    before, own, after = (table.in_table(each, row) for each in inner)
+    before, own, after = (
+        table.in_rows(symbol, row, al.number(float(first)), al.sub(table.rows, al.number(3.0 - first)))
+        for first in (1, 2, 3)
+    )
     number = _inner(there(table.plan.places.number).whole())
     again = table.work(row, at + FROM, "again", again=with_symbols(AGAIN, ends | {"rows": table.rows}))
     columns: dict[str, Node] = {"own": own, "before": before, "after": after, "number": number, "again": again}
     rivals = with_symbols(RIVALS, ends | limits | columns)
     table.work(row, at + COUNT, "IFERROR(SUMPRODUCT(rivals),0)", rivals=rivals)
     # rows that are inserted beside the first or last two are not in all three
-    table.work(row + 3, at + TO, "IF(ROWS(before)=ROWS(after),0,1)", before=inner[0], after=inner[2])
+    table.work(row + 3, at + TO, "IF(ROWS(before)=ROWS(after),0,1)",
+                before=table.table_of(symbol, last=2), after=table.table_of(symbol, first=2))  # fmt: skip
     for index, (begin, further, until) in enumerate((("first", "+1", "here-2"), ("here", "+2", "last-1")), 1):
         # where all rows close, there is no part of them
         begin = f"IF(last-first+1=rows,rows,{begin}){further}"
         start = table.work(row + index, at + FROM, begin, rows=table.rows, **ends)
         end = table.work(row + index, at + TO, until, **ends)
         part = {
-            name: formula(
-                "first:last",
-                **{
-                    edge: table.rows_of(symbol, row, formula(f"place{away}", place=place))
-                    for edge, place in (("first", start), ("last", end))
-                },
-            )
+            name: table.in_rows(symbol, row, *(formula(f"place{away}", place=place) for place in (start, end)))
             for name, away in (("own", ""), ("before", "-1"), ("after", "+1"))
         }
         rivals = with_symbols(OF_PART, limits | part)
@@ -142,7 +139,7 @@ def _end(
         "near": f"{other}{back}1",
     }
     row, at = cell
-    y = {name: table.rows_of(symbol, row, formula(place, **ends)) for name, place in places.items()}
+    y = {name: table.in_row(symbol, row, formula(place, **ends)) for name, place in places.items()}
     known = {**ends, **limits, **y, "end": ends[end], "other_end": ends[other]}
     outside = table.work(row + 1, at + work, "outside", outside=with_symbols(OUTSIDE, known))
     return with_symbols(RIVAL_AT_END, known | {"outside": outside})

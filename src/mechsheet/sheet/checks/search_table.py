@@ -12,7 +12,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, Previous, RangeRef, Symbol, transform, with_symbols
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Previous, RangeRef, Symbol, transform, with_symbols
 from livesheet.workbook import Cell, Content, Fill, Style
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
@@ -95,20 +95,23 @@ class SearchTable:
         start, end = table.start, table.end
         return RangeRef(replace(start, row=start.row + first), replace(end, row=end.row - last))
 
-    def rows_of(self, sought: str, row: int, place: Node = al.ZERO) -> Node:
-        """What its table has of the quantity whose search begins in a row: in a row of the table (from 1), or in all (0)."""
-        return self.in_table(self.table_of(sought), row, place)
-
-    @staticmethod
-    def in_table(table: RangeRef, row: int, place: Node = al.ZERO) -> Node:
-        """The same of a part of the table."""
+    def in_row(self, sought: str, row: int, place: Node) -> Node:
+        """What its table has of the quantity whose search begins in a row, in the row `place` of the table, from 1."""
         number = CellRef(row, COLUMN, False, True)
-        return formula("INDEX(table,place,number)", table=table, place=place, number=number)
+        return formula("INDEX(table,place,number)", table=self.table_of(sought), place=place, number=number)
+
+    def in_rows(self, sought: str, row: int, first: Node = al.ONE, last: Node | None = None) -> Node:
+        """The same in rows of the table, from one to another: in all, where no others are said.
+
+        `INDEX(table,0,number)` would be all of them, but gnumeric knows no row 0.
+        """
+        ends = (self.in_row(sought, row, place) for place in (first, self.rows if last is None else last))
+        return Binary(":", *ends)
 
     def probed(self, sought: str, row: int, probe: int, anchored: bool = False) -> Node:
         """What another row here has found of the quantity whose column a row says."""
         ends = (CellRef(probe, self.at.spots[each].col, anchored, True) for each in self._table_of(sought))
-        return formula("INDEX(probes,number)", probes=RangeRef(*ends), number=CellRef(row, COLUMN, False, True))
+        return formula("INDEX(probes,1,number)", probes=RangeRef(*ends), number=CellRef(row, COLUMN, False, True))
 
     def _columns(self, first: str, last: str) -> RangeRef:
         """Columns of a table, from one to another, as formulas here read them."""
