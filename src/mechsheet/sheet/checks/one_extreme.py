@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, Text, with_symbols
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, with_symbols
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.model import WAYS, Way
 from mechsheet.sheet import styles
@@ -230,27 +230,27 @@ class Searches:
     def _begun_from(self, sought: Sought) -> Node:
         """The row from which the search begins: the best one, or, where that is the motion's first or last, another one
         (`rules.INNER`)."""
-        table, known = self.table, self._read(sought)
-        if not self.ends or self.plan.rows < rules.LEAST_INNER:
+        plan, table, rows, way = self.plan, self.table, self.plan.rows, sought.way
+        known = self._read(sought)
+        if not self.ends or rows < rules.LEAST_INNER:
             return known["best"]
-
-        def value(place: str) -> Node:
-            return table.in_row(sought.symbol, sought.row, formula(place, rows=table.rows))
-
-        least = sought.way.upper()
+        spot = plan.at.spots[sought.symbol]
+        y = {
+            index: CellRef(plan.at.first + index - 1, spot.col, True, True, spot.sheet) for index in range(1, rows + 1)
+        }
+        later, earlier = RangeRef(y[3], y[rows]), RangeRef(y[1], y[rows - 2])
         known["other"] = other = table.work(
-            sought.row, OTHER, f"IF(best=1,{least}(third:end),IF(best=rows,{least}(start:last_but_two),NA()))",
-            best=known["best"], rows=table.rows, third=value("3"), end=value("rows"), start=value("1"),
-            last_but_two=value("rows-2"),
+            sought.row, OTHER, f"IF(best=1,{way.upper()}(later),IF(best=rows,{way.upper()}(earlier),NA()))",
+            best=known["best"], rows=table.rows, later=later, earlier=earlier,
         )  # fmt: skip
         at_first, at_last = (
-            with_symbols(rules.INNER, known | {"end": value(end), "next": value(next_), "third": value(third)})
-            for end, next_, third in (("1", "2", "3"), ("rows", "rows-1", "rows-2"))
+            with_symbols(rules.INNER, known | {"end": end, "next": next_, "third": third})
+            for end, next_, third in ((y[1], y[2], y[3]), (y[rows], y[rows - 1], y[rows - 2]))
         )
         return formula(
             "IFERROR(IF(AND(wraps=0,IF(best=1,at_first,at_last)),MATCH(other,column,0),best),best)",
             wraps=known["wraps"], best=known["best"], at_first=at_first, at_last=at_last, other=other,
-            column=table.in_rows(sought.symbol, sought.row),
+            column=whole(sought.symbol),
         )  # fmt: skip
 
     def _wraps(self, sought: Sought) -> None:

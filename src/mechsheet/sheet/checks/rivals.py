@@ -12,11 +12,12 @@ from dataclasses import replace
 from functools import reduce
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, Node, RangeRef, Symbol, with_symbols
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, with_symbols
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.search_rules import SETTLED
 from mechsheet.sheet.checks.search_table import SearchTable
 from mechsheet.sheet.places import there
-from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.quoted import ALL, formula
 
 COUNT = 0
 """Working cells: how many rivals there are of all rows; where not all close, above the best row, and below it; at the
@@ -82,31 +83,28 @@ def write(table: SearchTable, row: int, at: int, symbol: str, known: Mapping[str
     )
     ends = {name: known[name] for name in ("here", "first", "last", "wraps")}
     limits = {"promise": promise, "twin": twin, "sense": known["sense"]}
-    before, own, after = (
-        table.in_rows(symbol, row, al.number(float(first)), al.sub(table.rows, al.number(3.0 - first)))
-        for first in (1, 2, 3)
-    )
-    number = _inner(there(table.plan.places.number).whole())
+    column = Symbol(ALL + symbol)
+    before, own, after = (_part(table, table.plan.at.spots[symbol], offset) for offset in (0, 1, 2))
+    number = _part(table, there(table.plan.places.number), 1)
     again = table.work(row, at + FROM, "again", again=with_symbols(AGAIN, ends | {"rows": table.rows}))
     columns: dict[str, Node] = {"own": own, "before": before, "after": after, "number": number, "again": again}
     rivals = with_symbols(RIVALS, ends | limits | columns)
     table.work(row, at + COUNT, "IFERROR(SUMPRODUCT(rivals),0)", rivals=rivals)
     # rows that are inserted beside the first or last two are not in all three
-    table.work(row + 3, at + TO, "IF(ROWS(before)=ROWS(after),0,1)",
-                before=table.table_of(symbol, last=2), after=table.table_of(symbol, first=2))  # fmt: skip
+    table.work(row + 3, at + TO, "IF(ROWS(before)=ROWS(after),0,1)", before=before, after=after)
     for index, (begin, further, until) in enumerate((("first", "+1", "here-2"), ("here", "+2", "last-1")), 1):
         # where all rows close, there is no part of them
         begin = f"IF(last-first+1=rows,rows,{begin}){further}"
         start = table.work(row + index, at + FROM, begin, rows=table.rows, **ends)
         end = table.work(row + index, at + TO, until, **ends)
         part = {
-            name: table.in_rows(symbol, row, *(formula(f"place{away}", place=place) for place in (start, end)))
+            name: formula(f"INDEX(column,start{away}):INDEX(column,end{away})", column=column, start=start, end=end)
             for name, away in (("own", ""), ("before", "-1"), ("after", "+1"))
         }
         rivals = with_symbols(OF_PART, limits | part)
         table.work(row + index, at + COUNT, "IF(start>end,0,SUMPRODUCT(rivals))", start=start, end=end, rivals=rivals)
     for work, count in ((PROMISE, COUNT), (TWIN, FROM)):
-        rival = _end(table, (row, at), work, symbol, ends, limits)
+        rival = _end(table, (row + 1, at + work), work, column, ends, limits)
         table.work(row + 3, at + count, "rival", rival=rival)
 
 
@@ -117,20 +115,23 @@ def there_are(table: SearchTable, row: int, at: int) -> Node:
     return formula("SUM(counts,last)>0", counts=counts, last=last)
 
 
-def _inner(column: RangeRef) -> RangeRef:
-    """The rows of a column that have neighbours on both sides."""
-    start, end = column.start, column.end
-    return RangeRef(replace(start, row=start.row + 1), replace(end, row=end.row - 1))
+def _part(table: SearchTable, spot: Spot, offset: int) -> RangeRef:
+    """The rows of a column that are first, second or third (from 0) of three neighbours."""
+    plan = table.plan
+    start = CellRef(plan.at.first + offset, spot.col, True, True, spot.sheet)
+    return RangeRef(start, replace(start, row=plan.at.last - 2 + offset))
 
 
 def _end(
-    table: SearchTable, cell: tuple[int, int], work: int, symbol: str, ends: dict[str, Node], limits: Mapping[str, Node]
+    table: SearchTable,
+    cell: tuple[int, int],
+    way: int,
+    column: Node,
+    ends: dict[str, Node],
+    limits: Mapping[str, Node],
 ) -> Node:
-    """Whether the first row (at `PROMISE`), or the last one, is a rival.
-
-    cell  the first of the working cells
-    """
-    end, other, inward, back = ("first", "last", "+", "-") if work == PROMISE else ("last", "first", "-", "+")
+    """Whether the first row (at `PROMISE`), or the last one, is a rival."""
+    end, other, inward, back = ("first", "last", "+", "-") if way == PROMISE else ("last", "first", "-", "+")
     places = {
         "own": end,
         "after": f"{end}{inward}1",
@@ -138,8 +139,7 @@ def _end(
         "far": other,
         "near": f"{other}{back}1",
     }
-    row, at = cell
-    y = {name: table.in_row(symbol, row, formula(place, **ends)) for name, place in places.items()}
+    y = {name: formula(f"INDEX(column,{place})", column=column, **ends) for name, place in places.items()}
     known = {**ends, **limits, **y, "end": ends[end], "other_end": ends[other]}
-    outside = table.work(row + 1, at + work, "outside", outside=with_symbols(OUTSIDE, known))
+    outside = table.work(*cell, "outside", outside=with_symbols(OUTSIDE, known))
     return with_symbols(RIVAL_AT_END, known | {"outside": outside})
