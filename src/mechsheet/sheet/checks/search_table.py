@@ -89,24 +89,17 @@ class SearchTable:
         """In which column of its table a quantity stands, counted from the first that is filled down here."""
         return formula("COLUMNS(columns)", columns=self._columns(self._table_of(symbol)[0], symbol))
 
-    def table_of(self, symbol: str, first: int = 0, last: int = 0) -> RangeRef:
-        """The columns of a quantity's table, but for its first and last rows, so many of each."""
-        table = self._columns(*self._table_of(symbol))
-        start, end = table.start, table.end
-        return RangeRef(replace(start, row=start.row + first), replace(end, row=end.row - last))
-
     def in_row(self, sought: str, row: int, place: Node) -> Node:
         """What its table has of the quantity whose search begins in a row, in the row `place` of the table, from 1."""
-        number = CellRef(row, COLUMN, False, True)
-        return formula("INDEX(table,place,number)", table=self.table_of(sought), place=place, number=number)
+        table, number = self._columns(*self._table_of(sought)), CellRef(row, COLUMN, False, True)
+        return formula("INDEX(table,place,number)", table=table, place=place, number=number)
 
-    def in_rows(self, sought: str, row: int, first: Node = al.ONE, last: Node | None = None) -> Node:
-        """The same in rows of the table, from one to another: in all, where no others are said.
+    def in_rows(self, sought: str, row: int, first: Node = al.ONE) -> Node:
+        """The same in all rows of the table, or from one on.
 
         `INDEX(table,0,number)` would be all of them, but gnumeric knows no row 0.
         """
-        ends = (self.in_row(sought, row, place) for place in (first, self.rows if last is None else last))
-        return Binary(":", *ends)
+        return Binary(":", *(self.in_row(sought, row, place) for place in (first, self.rows)))
 
     def probed(self, sought: str, row: int, probe: int, anchored: bool = False) -> Node:
         """What another row here has found of the quantity whose column a row says."""
