@@ -8,8 +8,8 @@ python tools/claims.py --again FILE                          only these settings
 
 Each mechanism is built once; then its dimensions, start, step and modes are typed anew, the engine recalculates, and every
 line is held against a search (`tests/sheet/findings/claims.py`). `--check` asks `mechsheet check` of the same values, too:
-its own
-search against the sheet's cells. Prints how many claims of each kind are wrong; --table puts them into docs/proof.md.
+its
+own search against the sheet's cells. Prints how many claims of each kind are wrong; --table puts them into docs/proof.md.
 """
 
 from __future__ import annotations

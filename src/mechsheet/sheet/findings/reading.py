@@ -15,7 +15,7 @@ from mechsheet.sheet.deleted import are_there, missing_words
 from mechsheet.sheet.grashof import Sides
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.places import Searched, there
-from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
+from mechsheet.sheet.plan import MEANING, SPARE, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.positions import places
 from mechsheet.units import behind_number
@@ -72,15 +72,20 @@ class Reading(ABC):
 
     def extreme(self, way: Way, symbol: str) -> tuple[Node, Node]:
         """The smallest or the largest value, in internal units, and where it occurs: between rows where it is searched."""
+        spot = self.plan.at.spots[symbol]
+        if not spot.column:  # it is one number
+            return Symbol(symbol), Text("")
+        value, place = self.extreme_of_column(way, symbol)
+        return (formula("RADIANS(value)", value=value) if spot.degrees else value), place
+
+    def extreme_of_column(self, way: Way, symbol: str) -> tuple[Node, Node]:
+        """The same of a column, in the units that it shows."""
         found = self.found.extremes.get((way, symbol))
         if found is not None:
-            value: Node = found.value.cell
-            place: Node = found.occurs.cell
-        else:
-            column = Symbol(ALL + symbol)
-            value = over_rows(LEAST if way == "min" else MOST, column)
-            place = self.driver_in_row("MATCH(value,all,0)", value=value, all=column)
-        return (formula("RADIANS(value)", value=value) if self.plan.at.spots[symbol].degrees else value), place
+            return found.value.cell, found.occurs.cell
+        column = Symbol(ALL + symbol)
+        value = over_rows(LEAST if way == "min" else MOST, column)
+        return value, self.driver_in_row("MATCH(value,all,0)", value=value, all=column)
 
     def doubt(self, symbol: str, *ways: Way) -> Node:
         """What is added where an extreme is to be doubted."""
@@ -123,6 +128,10 @@ class Reading(ABC):
     @abstractmethod
     def count_rows(self) -> tuple[Node, Node]:
         """How many rows close, and how many there are, counted in the table."""
+
+    def rows_below(self) -> Node | None:
+        """How many rows below the table somebody has filled of which nothing is said; None where these count, too."""
+        return None
 
     @abstractmethod
     def stretches(self) -> Node | None:
@@ -189,6 +198,11 @@ class SheetReading(Reading):
     def count_rows(self) -> tuple[Node, Node]:
         said = self.plan.places.status.whole()
         return formula("COUNTIF(said,ok)", said=said, ok=self.plan.text("status.ok")), formula("ROWS(said)", said=said)
+
+    def rows_below(self) -> Node | None:
+        drivers = self.drivers
+        first, last = (replace(drivers.end, row=self.plan.at.last + more) for more in (1, SPARE))
+        return formula("COUNT(below)", below=RangeRef(replace(first, sheet=drivers.start.sheet), last))
 
     def stretches(self) -> Node | None:
         stretches = [stretch.words.cell for stretch in self.found.stretches]
