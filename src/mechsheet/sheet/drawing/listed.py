@@ -19,11 +19,7 @@ import numpy as np
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, Symbol, Unary, symbols, transform, walk
-<<<<<<< HEAD
-from livesheet.formula.vectors import NOWHERE, Vector, plus
-=======
-from livesheet.formula.vectors import NOWHERE, Vector, minus, times, together
->>>>>>> main
+from livesheet.formula.vectors import NOWHERE, Vector, minus, plus, times, together
 from livesheet.workbook import Rich, Series, SeriesRef
 from mechsheet.shapes.colors import INK
 from mechsheet.shapes.forms import (
