@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from livesheet.formula.nodes import Binary, Node, Number
 
-from ..model import CONTACT, Cam, Dynamics, Link, Mechanism, Place, Spring, pair_symbol
+from ..model import CONTACT, Cam, Dynamics, Link, Mechanism, Place, Spring, pair_symbol, touched_by
 from .cams import profile
 from .expressions import column as over_rows
 from .expressions import number
@@ -39,14 +39,22 @@ def forces(solution: Solution) -> dict[str, Array]:
         return {}
     found = _held(solution, dynamics)
     if CONTACT in found:
-        touched = _touched(solution.mechanism)
-        springs = [
-            spring for spring in dynamics.springs
-            if {name for name, _ in spring.ends} == {solution.mechanism.ground.name, touched}
-        ]  # fmt: skip
+        springs = _pressing_springs(solution.mechanism, dynamics)
         for spring in springs if len(springs) == 1 else ():
             found[spring.hold] = _holding(solution, dynamics, spring, found[CONTACT])
     return found
+
+
+def _pressing_springs(mechanism: Mechanism, dynamics: Dynamics) -> list[Spring]:
+    """Those between the ground and what the cam touches; where there are none, all that are not at the cam."""
+    at_cam = [spring for spring in dynamics.springs if mechanism.cam and _is_at(spring, mechanism.cam.link)]
+    near = {mechanism.ground.name, _touched(mechanism)}
+    found = [spring for spring in dynamics.springs if {name for name, _ in spring.ends} == near]
+    return found or [spring for spring in dynamics.springs if spring not in at_cam]
+
+
+def _is_at(spring: Spring, link: str) -> bool:
+    return any(name == link for name, _ in spring.ends)
 
 
 def _holding(solution: Solution, dynamics: Dynamics, spring: Spring, pressed: Array) -> Array:
@@ -107,7 +115,8 @@ def _pressing(applied: Applied, cam: Cam) -> Contact:
 
 def _touched(mechanism: Mechanism) -> str:
     """The link on which a cam presses."""
-    return next(link.name for link in mechanism.links[1:] if mechanism.cam and mechanism.cam.point in link.points)
+    touched = None if mechanism.cam is None else touched_by(mechanism.cam, mechanism.links)
+    return "" if touched is None else touched.name
 
 
 def _is_tie(equation: Equation) -> bool:
