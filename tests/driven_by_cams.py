@@ -25,7 +25,9 @@ def driven_by_cam(text: str, seed: int, face: bool = False) -> str:
         start, way = math.degrees(start), math.degrees(way)
     size = largest_length(mechanism, dimension_values(mechanism))
     x, y = (dice.uniform(-1, 1) * size for _ in "xy")
-    text = text.replace("points = {", f"points = {{ CAM = [{x:.3f}, {y:.3f}], ", 1)  # of the ground, where nothing turns
+    text = text.replace(
+        "points = {", f"points = {{ CAM = [{x:.3f}, {y:.3f}], ", 1
+    )  # of the ground, where nothing turns
     head, own, rest = re.search(r"(?ms)\A(.*?^\[driver\]$)(.*?)((?:^\[.*)?)\Z", text).groups()
     own = re.sub(rf"(?m)^({OWN}) *=.*$", "", own)
     driven = next((link.points for link in mechanism.links if link.name == mechanism.driver.link), {})

@@ -9,10 +9,11 @@ follower's variable (a prime), n.P' the lever of the contact force N:
 from __future__ import annotations
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Node
+from livesheet.formula.nodes import Call, Node
 from livesheet.formula.vectors import dot, minus
 from mechsheet.dynamics.acting import ActingForces
 from mechsheet.kinematics.cam import Contact
+from mechsheet.kinematics.equations import Condition
 from mechsheet.model import Spring
 from mechsheet.units import LENGTH
 from mechsheet.words.equations import phrase
@@ -40,4 +41,5 @@ def write_preload(acting: ActingForces, contact: Contact, force: Node) -> None:
         return
     longer = al.div(al.mul(force, contact.lever), al.mul(spring.stiffness, opens))
     label = phrase("spring_hold", name=spring.name)
-    acting.columns.written(spring.hold, al.add(spring.free_length, longer), LENGTH, label, "hold")
+    stretched = () if contact.direct else (Condition(Call("ABS", (opens,)), contact.least),)
+    acting.columns.written(spring.hold, al.add(spring.free_length, longer), LENGTH, label, "hold", exists=stretched)

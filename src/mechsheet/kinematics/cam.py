@@ -54,6 +54,7 @@ class Contact:
     follower  the variable of what the cam's motion drives
     direct  whether that drives the link on the ground; else other links lie between
     lever   how far the force goes along the normal with that variable: no number in rows in which it could not move it
+    least   what moves by less with that variable counts as standing
     moved   how the place of a link moves with that variable that is at some coordinates;  turned: how a link turns
     """
 
@@ -64,6 +65,7 @@ class Contact:
     normal: Vector
     direct: bool
     lever: Node
+    least: Node
     moved: Callable[[str, Vector], Vector]
     turned: Callable[[str], Node]
 
@@ -155,7 +157,7 @@ class _Writer:
             pushes = Condition(Call("ABS", (lever,)), al.mul(Number(SELF_LOCKED), size(way)))
             lever = self._inner("lever", lever, self._unit_of_way(), exists=(pushes,))
         turned = self.by_follower.of_angle
-        return Contact(self.cam.link, link, variable, at, normal, direct, lever, self._moved, turned)
+        return Contact(self.cam.link, link, variable, at, normal, direct, lever, self._resting(), self._moved, turned)
 
     # --- how the follower presses ----------------------------------------------------------------------------------
 
@@ -163,8 +165,7 @@ class _Writer:
         """Between the normal and the way in which the place that is touched moves: that of a roller is its centre."""
         exists: tuple[Condition, ...] = ()
         if self._moved_directly(self.poses.xy[self.cam.point]) is None:
-            least = Number(RESTING) if self.follower.joint else al.mul(Number(RESTING), self.ledger.size())
-            exists = (Condition(size(way), least),)
+            exists = (Condition(size(way), self._resting()),)
         self._define("alpha", Call("ATAN", (al.div(aside, forth),)), ANGLE, *exists)
 
     def _way(self, at: Vector) -> Vector:
@@ -177,6 +178,10 @@ class _Writer:
         if direct is not None:
             return direct
         return self._vector("V", self.by_follower.of_place(self.touching.name, at), self._unit_of_way())
+
+    def _resting(self) -> Node:
+        """What moves by less with the follower's variable shows no direction."""
+        return Number(RESTING) if self.follower.joint else al.mul(Number(RESTING), self.ledger.size())
 
     def _unit_of_way(self) -> Unit:
         return NUMBER if self.follower.joint else LENGTH

@@ -28,6 +28,9 @@ from .solution import Solution, reached
 from .system import Equation, System, residual
 from .teeth import Contact, along_poses, tooth_forces
 
+_UNSTRETCHED = 1e-9
+"""A spring whose preload presses cam and follower together by less than this part of itself does not hold them."""
+
 
 def forces(solution: Solution) -> dict[str, Array]:
     """F34, F34.x, F34.y, F14.n, F14.c, F14.t, T12 by name, (n,) each; NaN in rows that do not exist.
@@ -63,8 +66,10 @@ def _holding(solution: Solution, dynamics: Dynamics, spring: Spring, pressed: Ar
     longer = replace(spring, free_length=Binary("+", spring.free_length, Number(by)))
     springs = tuple(longer if each is spring else each for each in dynamics.springs)
     other = _held(solution, replace(dynamics, springs=springs))[CONTACT]
-    own = number(spring.free_length, solution.dimensions)
-    return own - pressed * by / (other - pressed)
+    own, stiff = (number(node, solution.dimensions) for node in (spring.free_length, spring.stiffness))
+    bears = np.abs(other - pressed) > _UNSTRETCHED * abs(stiff) * by
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(bears, own - pressed * by / (other - pressed), np.nan)
 
 
 def _held(solution: Solution, dynamics: Dynamics) -> dict[str, Array]:
