@@ -11,11 +11,25 @@ from mechsheet.words import catalogue
 FOLDER = Path(catalogue.FOLDER)
 
 
+def messages(language):
+    """Every entry of a catalogue, without its head."""
+    with (FOLDER / f"{language}.po").open("rb") as file:
+        return [one for one in read_po(file, locale=language) if one.id]
+
+
+@cache
+def forms(language):
+    """What is looked up and its plural forms in a language, one where nothing is counted; without what has a context."""
+    entries = [one for one in messages(language) if not one.context]
+    return {
+        one.id[0] if one.pluralizable else one.id: one.string if one.pluralizable else (one.string,) for one in entries
+    }
+
+
 @cache
 def texts(language):
-    """What is looked up and what it is in a language, without what has a context."""
-    with (FOLDER / f"{language}.po").open("rb") as file:
-        return {one.id: one.string for one in read_po(file, locale=language) if one.id and not one.context}
+    """What is looked up and what it is in a language, of plural forms the last; without what has a context."""
+    return {key: strings[-1] for key, strings in forms(language).items()}
 
 
 def pairs(begins=""):

@@ -2,22 +2,12 @@
 
 import pytest
 
-from livesheet.counted import counted
 from mechsheet.checking.remark_lines import stored_lines
 from mechsheet.checking.stored import Stored
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.words.homework import marks_of
-
-
-@pytest.mark.parametrize(
-    ("count", "words", "text"),
-    [(1, ("row",), "1 row"), (0, ("row",), "0 rows"), (25, ("row",), "25 rows"), (1, ("is", "are"), "1 is"),
-     (2, ("is", "are"), "2 are")],
-)  # fmt: skip
-def test_one_and_several(count, words, text):
-    assert counted(count, *words) == text
 
 
 def test_the_comparison_with_stored_values_counts_in_english():

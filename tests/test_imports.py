@@ -17,7 +17,6 @@ EVERYBODY = {
     "extras",
     "arguments.numbers",
     "livesheet.said",
-    "livesheet.counted",
     "livesheet.on_demand",
     "livesheet.replacing",
     "livesheet.time_limit",
@@ -165,17 +164,16 @@ ALLOWED["drawing_page"] = {
 PARTS = sorted(ALLOWED)
 IN_LIBRARY = {
     "said": set(),
-    "counted": set(),
     "on_demand": set(),
     "diagnostics": {"said"},
     "replacing": {"said", "diagnostics"},
     "time_limit": {"said", "diagnostics"},
     "portable": set(),
-    "formula": {"said", "diagnostics", "counted", "portable"},
+    "formula": {"said", "diagnostics", "portable"},
     # a workbook as data: no file format is known here, and formats know nothing else of what they write
     "workbook": {"formula"},
-    "formats": {"said", "diagnostics", "counted", "on_demand", "replacing", "time_limit", "formula", "workbook"},
-    "engine": {"said", "diagnostics", "counted", "on_demand", "time_limit", "formula", "portable"},
+    "formats": {"said", "diagnostics", "on_demand", "replacing", "time_limit", "formula", "workbook"},
+    "engine": {"said", "diagnostics", "on_demand", "time_limit", "formula", "portable"},
     "evaluation": {"diagnostics", "formula", "workbook", "engine"},
 }
 """Part of livesheet -> the parts that it may import."""

@@ -1,13 +1,30 @@
 """Messages that keep what they are made of."""
 
 import pickle
+from gettext import NullTranslations
 
-from livesheet.said import reason, say, translated
+import pytest
+
+from livesheet.said import reason, say, say_count, translated
 from mechsheet.model import Label
 
 
+class Patterns(NullTranslations):
+    """A catalogue with plural forms as Polish has them: one, few, many."""
+
+    def __init__(self, patterns):
+        super().__init__()
+        self.patterns = patterns
+
+    def gettext(self, message):
+        return self.patterns.get(message, message)
+
+    def ngettext(self, msgid1, msgid2, n):
+        return self.patterns[msgid1, msgid2][0 if n == 1 else 1 if n < 5 else 2]
+
+
 def in_turkish(text, patterns):
-    return translated(text, lambda pattern: patterns.get(pattern, pattern), "tr")
+    return translated(text, Patterns(patterns), "tr")
 
 
 def test_a_message_is_a_text_like_any_other():
@@ -46,3 +63,14 @@ def test_an_exception_says_what_it_was_given():
         in_turkish(reason(ValueError(say("division by zero"))), {"division by zero": "sıfıra bölme"}) == "sıfıra bölme"
     )
     assert reason(OverflowError(34, "too large")) == str(OverflowError(34, "too large"))
+
+
+@pytest.mark.parametrize(
+    ("count", "english", "polish"),
+    [(1, "1 row", "1 wiersz"), (3, "3 rows", "3 wiersze"), (25, "25 rows", "25 wierszy")],
+)
+def test_a_count_takes_the_form_that_the_language_has_for_it(count, english, polish):
+    text = pickle.loads(pickle.dumps(say("{rows}", rows=say_count("{count} row", "{count} rows", count))))
+    forms = ("{count} wiersz", "{count} wiersze", "{count} wierszy")
+    assert text == english
+    assert in_turkish(text, {("{count} row", "{count} rows"): forms}) == polish

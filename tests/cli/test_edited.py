@@ -105,7 +105,7 @@ def test_mutate(yoke):
     result = run("check", yoke, "--mutate", "2")
     assert result.exit_code == 0
     assert "2 damages that change a value (seed 0)" in result.stdout
-    assert "check                  2 caught, 100.00%" in result.stdout
+    assert "check                    2 caught, 100.00%" in result.stdout
     data = json.loads(run("check", yoke, "--mutate", "2", "--json").stdout)[0]
     assert (data["damages"], data["caught"]["check"], data["clear"]) == (2, 2, True)
 

@@ -161,3 +161,39 @@ def test_an_angle_is_an_angle():
     dims = {dim.symbol: dim for dim in mechsheet.loads(source).dimensions}
     assert dims["phi"].value == math.radians(30)
     assert (dims["psi"].value, dims["psi"].unit.text) == (0.5, "rad")
+
+
+@pytest.mark.parametrize(
+    ("where", "given", "said"),
+    [
+        ("inertia", '"3 furlong"', 'links.crank.inertia: unknown unit "furlong"'),
+        ("inertia", '"3 kg miles2"', 'links.crank.inertia: unknown unit "kg miles2"'),
+        ("speed", '"60 RPM"', 'did you mean "rpm"?'),
+        ("k", '"0.3 N per mm"', 'loads[2].stiffness: unknown unit "N per mm"'),
+        ("k", '"2 a2"', 'a product is written with "*"'),
+        ("k", '"P"', 'loads[2].stiffness: "P" is in N where N/mm are needed'),
+        ("k", '"-P"', 'loads[2].stiffness: "-P" is in N where N/mm are needed'),
+        ("stop", '"P"', '"P" is in N where an angle is needed'),
+    ],
+)
+def test_what_a_unit_that_does_not_fit_is_told(where, given, said):
+    with pytest.raises(DescriptionError) as error:
+        mechsheet.loads(text(**{where: given}))
+    assert said in str(error.value)
+
+
+def test_an_acceleration_in_millimetres_is_no_gravity_in_metres():
+    own = text().replace("a3 = 62.3", 'a3 = 62.3\nfall = "9810 mm/s²"')
+    with pytest.raises(DescriptionError, match=r'"fall" is in mm/s² where m/s² are needed'):
+        mechsheet.loads(own + '[dynamics]\ngravity = "fall"\n')
+
+
+def test_a_force_is_no_length():
+    with pytest.raises(DescriptionError, match='"a2" is in N where a length is needed'):
+        mechsheet.loads(text(a2='"35 N"'))
+
+
+@pytest.mark.parametrize("given", ['"0.001*P"', '"k"'])
+def test_what_may_be_meant_is_taken(given):
+    """A factor may be a conversion, and a dimension without a unit is what its place needs."""
+    mechsheet.loads(text(k=given).replace("a3 = 62.3", "a3 = 62.3\nk = 0.3"))

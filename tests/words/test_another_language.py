@@ -9,9 +9,8 @@ from pathlib import Path
 
 import openpyxl
 import pytest
-from babel.messages.pofile import read_po
 
-from catalogues import FOLDER, texts
+from catalogues import FOLDER, messages, texts
 from livesheet.formula.nodes import Text, walk
 from livesheet.workbook import Rich
 from mechsheet.compiled import Compiled
@@ -23,7 +22,13 @@ from mechsheet.words import catalogue
 from mechsheet.words.messages import in_language
 
 ROOT = Path(__file__).parents[2]
-HEAD = 'msgid ""\nmsgstr ""\n"Language: xx\\n"\n"Content-Type: text/plain; charset=utf-8\\n"\n'
+FORMS = 3
+"""Plural forms of the language: for one thing, for few and for many, as Polish has them."""
+
+HEAD = (
+    'msgid ""\nmsgstr ""\n"Language: xx\\n"\n"Content-Type: text/plain; charset=utf-8\\n"\n'
+    f'"Plural-Forms: nplurals={FORMS}; plural=n==1 ? 0 : n<5 ? 1 : 2;\\n"\n'
+)
 IN_BRACKETS, BEGUN, ENDED = re.compile("⟦[^⟦⟧]*⟧"), re.compile("⟦.*", re.DOTALL), re.compile(".*⟧", re.DOTALL)
 WORD = re.compile(r"[^\W\d_]{3,}")
 MARK = "mechsheet description, format 1"
@@ -45,16 +50,19 @@ def folder(tmp_path_factory):
     made = tmp_path_factory.mktemp("catalogues")
     for path in FOLDER.glob("*.po"):
         shutil.copy(path, made)
-    with (FOLDER / "tr.po").open("rb") as file:
-        ids = [(one.context, one.id) for one in read_po(file) if one.id]
     english = texts("en")
     entries = [HEAD]
-    for context, key in ids:
-        text = english.get(key, key)
-        text = text if key.startswith(FORMAL) else f"⟦{text}⟧"
-        entries.append(
-            (f"msgctxt {quoted(context)}\n" if context else "") + f"msgid {quoted(key)}\nmsgstr {quoted(text)}\n"
-        )
+    for one in messages("tr"):
+        if one.pluralizable:
+            first, many = one.id
+            text = f"⟦{english.get(first, many)}⟧"
+            form = "".join(f"msgstr[{number}] {quoted(text)}\n" for number in range(FORMS))
+            entries.append(f"msgid {quoted(first)}\nmsgid_plural {quoted(many)}\n{form}")
+            continue
+        text = english.get(one.id, one.id)
+        text = text if one.id.startswith(FORMAL) else f"⟦{text}⟧"
+        context = f"msgctxt {quoted(one.context)}\n" if one.context else ""
+        entries.append(f"{context}msgid {quoted(one.id)}\nmsgstr {quoted(text)}\n")
     (made / "xx.po").write_text("\n".join(entries), encoding="utf-8")
     return made
 

@@ -30,7 +30,7 @@ def said_in(path):
         if (
             isinstance(node, ast.Call)
             and isinstance(node.func, ast.Name)
-            and node.func.id in names & {"say", "suggestion"}
+            and node.func.id in names & {"say", "say_count", "suggestion"}
         ):
             given = node.args[2] if node.func.id == "suggestion" else node.args[0]
             chosen = [given.body, given.orelse] if isinstance(given, ast.IfExp) else [given]

@@ -48,7 +48,7 @@ from ..formula.parser import parse_formula
 from ..formula.printer import quote_sheet
 from ..formula.references import area_name, parse_r1c1
 from ..formula.tables import cells_of_table
-from ..said import Said, say
+from ..said import Said, say, say_count
 from .graph import ANYWHERE, reads_anywhere
 from .interpreter.deep import deeply
 from .interpreter.intersections import intersected
@@ -85,9 +85,9 @@ def _with_kept(fault: Fault) -> Fault:
 def _arguments(least: int, most: int) -> Said:
     """How many arguments a function takes."""
     if most == MANY:
-        return say("at least 1 argument") if least == 1 else say("at least {least} arguments", least=least)
+        return say_count("at least 1 argument", "at least {count} arguments", least)
     if least == most:
-        return say("1 argument") if least == 1 else say("{least} arguments", least=least)
+        return say_count("1 argument", "{count} arguments", least)
     return say("{least} to {most} arguments", least=least, most=most)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..diagnostics import Fault, FormulaError, near_miss
-from ..said import say
+from ..said import say, say_count
 from .dialects import DESCRIPTION, DIALECTS, Dialect
 from .functions import MANY
 from .lexer import Token
@@ -122,8 +122,8 @@ class _DescriptionParser(Parser):
         self.faults.append(Fault(message, source=self.text, hint=hint))
 
     def arity(self, name: Token, count: int, least: int, most: int) -> None:
-        takes = say("1 argument") if most == 1 else say("{least} arguments", least=least)
-        takes = say("at least 1 argument") if most == MANY else takes
+        takes = say_count("1 argument", "{count} arguments", least)
+        takes = say_count("at least 1 argument", "at least {count} arguments", least) if most == MANY else takes
         message = say(
             "{text} takes {takes}, found {count}, at column {column}",
             text=name.text,

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from livesheet.diagnostics import Fault
-from livesheet.said import Said, say
+from livesheet.said import Said, say, say_count
 
 if TYPE_CHECKING:
     from mechsheet.checking import Stored
@@ -74,58 +74,27 @@ def stored_lines(stored: Stored) -> list[Said]:
     """What a comparison with the stored values found."""
     from mechsheet.checking.stored import COMPUTE_ANEW
 
-    one = len(stored.differences) == 1
-    head = say("{count} formula" if stored.formulas == 1 else "{count} formulas", count=stored.formulas)
-    differ = say("{count} differs" if one else "{count} differ", count=len(stored.differences))
+    head = say_count("{count} formula", "{count} formulas", stored.formulas)
+    differ = say_count("{count} differs", "{count} differ", len(stored.differences))
     lines = [say("{formulas}: {equal} as stored, {differ}", formulas=head, equal=stored.equal, differ=differ)]
+    counts = [
+        (stored.kept, "  {count} more was not computed: its stored value was taken",
+         "  {count} more were not computed: their stored values were taken"),
+        (stored.volatile, "  {count} more changes by itself (NOW, RAND ...): left out, its stored value was taken",
+         "  {count} more change by themselves (NOW, RAND ...): left out, their stored values were taken"),
+        (stored.ignored, "  {count} more is ignored", "  {count} more are ignored"),
+        (stored.accepted, "  {count} more difference is accepted by the baseline",
+         "  {count} more differences are accepted by the baseline"),
+        (len(stored.uncomputed), "  {count} more was {why}", "  {count} more were {why}"),
+    ]  # fmt: skip
     if stored.nothing_stored:
         lines.append(say("  no value is stored: nothing was compared"))
     else:
-        lines += _counted(
-            stored.unstored,
-            say("  {count} has no stored value", count=stored.unstored),
-            say("  {count} have no stored value", count=stored.unstored),
-        )
-    lines += _counted(
-        stored.kept,
-        say("  {count} more was not computed: its stored value was taken", count=stored.kept),
-        say("  {count} more were not computed: their stored values were taken", count=stored.kept),
-    )
-    lines += _counted(
-        stored.volatile,
-        say(
-            "  {count} more changes by itself (NOW, RAND ...): left out, its stored value was taken",
-            count=stored.volatile,
-        ),
-        say(
-            "  {count} more change by themselves (NOW, RAND ...): left out, their stored values were taken",
-            count=stored.volatile,
-        ),
-    )
-    lines += _counted(
-        stored.ignored,
-        say("  {count} more is ignored", count=stored.ignored),
-        say("  {count} more are ignored", count=stored.ignored),
-    )
-    lines += _counted(
-        stored.accepted,
-        say("  {count} more difference is accepted by the baseline", count=stored.accepted),
-        say("  {count} more differences are accepted by the baseline", count=stored.accepted),
-    )
-    uncomputed = len(stored.uncomputed)
-    lines += _counted(
-        uncomputed,
-        say("  {count} more was {why}", count=uncomputed, why=COMPUTE_ANEW),
-        say("  {count} more were {why}", count=uncomputed, why=COMPUTE_ANEW),
-    )
+        counts.insert(0, (stored.unstored, "  {count} has no stored value", "  {count} have no stored value"))
+    lines += [say_count(one, many, count, why=COMPUTE_ANEW) for count, one, many in counts if count]
     if stored.uncomputed:
         lines.append(say("    {places}", places=_first(stored.uncomputed)))
     return lines + _difference_lines(stored)
-
-
-def _counted(count: int, one: Said, many: Said) -> list[Said]:
-    """A line about so many; none about nothing."""
-    return [one if count == 1 else many] if count > 0 else []
 
 
 def _difference_lines(stored: Stored) -> list[Said]:
@@ -133,11 +102,10 @@ def _difference_lines(stored: Stored) -> list[Said]:
     follow = sum(item.follows for item in stored.differences)
     if follow:
         lines.append(
-            say(
-                "  {count} reads cells that differ themselves; the others, by their functions:"
-                if follow == 1
-                else "  {count} read cells that differ themselves; the others, by their functions:",
-                count=follow,
+            say_count(
+                "  {count} reads cells that differ themselves; the others, by their functions:",
+                "  {count} read cells that differ themselves; the others, by their functions:",
+                follow,
             )
         )
     groups = stored.groups()
@@ -157,5 +125,5 @@ def _difference_lines(stored: Stored) -> list[Said]:
         nothing = say("nothing")
         lines.append(say("          computed {ours}, stored {theirs}", ours=ours or nothing, theirs=theirs or nothing))
     if (more := len(groups) - MOST_LINES) > 0:
-        lines.append(say("  and {count} group more" if more == 1 else "  and {count} groups more", count=more))
+        lines.append(say_count("  and {count} group more", "  and {count} groups more", more))
     return lines

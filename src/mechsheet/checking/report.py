@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from livesheet.formula.nodes import ErrorValue, Scalar
-from livesheet.said import say
+from livesheet.said import say, say_count
 
 if TYPE_CHECKING:
     from livesheet.diagnostics import Fault
@@ -108,8 +108,7 @@ class Report:
             if not comparison.cells
         ]  # fmt: skip
         if self.stored is not None and (count := self.stored.not_computed):
-            pattern = "{count} cell was not computed" if count == 1 else "{count} cells were not computed"
-            found.append(say(pattern, count=count))
+            found.append(say_count("{count} cell was not computed", "{count} cells were not computed", count))
         if self.nameless:
             found.append(say("it carries no description"))
         return found

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from livesheet.said import say
+from livesheet.said import say, say_count
 from mechsheet.checking.remark_lines import remark_lines, stored_lines
 
 LONG = 100
@@ -27,7 +27,7 @@ def report_lines(report: Any) -> list[str]:
             pattern = "  {judge:<14} agrees  {worst:6.0e} in {cells:>6} {values:<6}  {where}"
         if item.agrees and not item.cells:
             pattern = "  {judge:<14} nothing was compared"
-        values = say("value") if item.cells == 1 else say("values")
+        values = say_count("value", "values", item.cells)
         parts = {
             "judge": say(item.judge),
             "worst": item.worst,

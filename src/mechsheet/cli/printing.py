@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import click
 
-from livesheet.counted import counted
-from livesheet.said import say
+from livesheet.said import say, say_count
 from mechsheet.checking.mutation import by_kind, by_sheet
 from mechsheet.checking.remark_lines import grouped
 from mechsheet.checking.report_lines import focused, report_lines
@@ -37,50 +37,79 @@ def print_line(report: Any) -> None:
 
 def print_report(report: Any) -> None:
     """A check: a line for each judge, the edits, the remarks."""
-    for line in report_lines(report):
-        click.echo(told(line))
+    _print(report_lines(report))
 
 
 def print_perturbation(found: Any) -> None:
     """Random sets of inputs: how many assemble, and the worst of each judge with the set that caused it."""
-    click.echo(f"{found.file}: {'all agree' if found.agrees else 'SOMETHING DIFFERS'}")
-    click.echo(
-        f"  {counted(found.sets, 'set')} (seed {found.seed}): {counted(found.whole, 'assembles', 'assemble')} in all "
-        f"{counted(found.rows, 'row')}, {found.partly} in some, {found.nowhere} in none"
-    )
+    sets = say_count("{count} set", "{count} sets", found.sets)
+    lines = [
+        say("{file}: all agree", file=found.file) if found.agrees else
+        say("{file}: SOMETHING DIFFERS", file=found.file),
+        say("  {sets} (seed {seed}): {whole} in all {rows}, {partly} in some, {nowhere} in none",
+            sets=sets, seed=found.seed, whole=say_count("{count} assembles", "{count} assemble", found.whole),
+            rows=say_count("{count} row", "{count} rows", found.rows), partly=found.partly, nowhere=found.nowhere),
+    ]  # fmt: skip
     for item in found.judged:
         worst = item.worst
-        verdict = "agrees " if not item.differing else "DIFFERS"
-        click.echo(f"  {worst.judge:<14} {verdict} {item.cells:>8} values, worst {worst.worst:9.2e}  {worst.where}")
+        pattern = "  {judge:<14} agrees  {cells:>8} {values}, worst {worst:9.2e}  {where}"
         if item.differing:
-            click.echo(
-                f"  {'':<14} in {item.differing} of {counted(found.sets, 'set')}; here {worst.subject} {worst.ours}, "
-            )
-            click.echo(f"  {'':<14} {worst.judge} {worst.theirs or 'nothing'}")
-        click.echo(f"  {'':<14} set {item.setting.number + 1}: {item.setting.text()}")
+            pattern = "  {judge:<14} DIFFERS {cells:>8} {values}, worst {worst:9.2e}  {where}"
+        values = say_count("value", "values", item.cells)
+        judge = say(worst.judge)
+        lines.append(say(pattern, judge=judge, cells=item.cells, values=values, worst=worst.worst, where=worst.where))
+        if item.differing:
+            lines += [
+                say("                 in {count} of {sets}; here {subject} {ours},",
+                    count=item.differing, sets=sets, subject=worst.subject, ours=worst.ours),
+                say("                 {judge} {theirs}", judge=judge, theirs=worst.theirs or say("nothing")),
+            ]  # fmt: skip
+        lines.append(
+            say("                 set {number}: {set}", number=item.setting.number + 1, set=item.setting.text())
+        )
+    _print(lines)
 
 
 def print_mutation(found: Any) -> None:
     """Damages: how many are caught by whom, and those that the sheet's own checks do not catch."""
-    count = len(found.damages)
-    click.echo(f"{found.file}: {'check catches all damages' if found.agrees else 'A DAMAGE ESCAPES'}")
-    click.echo(
-        f"  {counted(count, 'damage that changes', 'damages that change')} a value (seed {found.seed}); "
-        f"{counted(found.harmless, 'more changes', 'more change')} none, {found.circular} cannot be computed"
-    )
+    lines = [
+        say("{file}: check catches all damages", file=found.file) if found.agrees else
+        say("{file}: A DAMAGE ESCAPES", file=found.file),
+        say("  {damages} (seed {seed}); {harmless}, {circular} cannot be computed", seed=found.seed,
+            damages=say_count("{count} damage that changes a value", "{count} damages that change a value",
+                              len(found.damages)),
+            harmless=say_count("{count} more changes none", "{count} more change none", found.harmless),
+            circular=found.circular),
+    ]  # fmt: skip
     if not found.clear:
-        click.echo("  note: the sheet's checks are not clear without any damage: what they catch means nothing")
-    names = {"check": "check", "reference": "  reference only", "sheet": "sheet's checks"}
-    for by, name in names.items():
-        click.echo(f"  {name:<18} {found.caught(by):>5} caught, {found.share(by):7.2%}")
-    for title, what in (("by sheet", by_sheet), ("by kind", by_kind)):
+        lines.append(say("  note: the sheet's checks are not clear without any damage: what they catch means nothing"))
+    for by, name in _CATCHERS.items():
+        pattern = "  {name:<20} {caught:>5} caught, {share:7.2%}"
+        lines.append(say(pattern, name=name, caught=found.caught(by), share=found.share(by)))
+    for pattern, what in (
+        ("  sheet's checks by sheet: {parts}", by_sheet),
+        ("  sheet's checks by kind: {parts}", by_kind),
+    ):
         parts = (f"{key} {caught}/{number}" for key, (number, caught) in found.tally(what).items())
-        click.echo(f"  sheet's checks {title}: {', '.join(parts)}")
+        lines.append(say(pattern, parts=", ".join(parts)))
     survivors = [damage for damage in found.damages if not (damage.sheet and damage.check)]
     for damage in survivors[:SURVIVORS]:
         was, now = focused(damage.was, damage.now)
-        click.echo(f"  {'not caught' if not damage.check else 'only check'}: {damage.where} ({damage.kind})")
-        click.echo(f"          was {was}")
-        click.echo(f"          is  {now}")
-    if len(survivors) > SURVIVORS:
-        click.echo(f"  {len(survivors) - SURVIVORS} more (all with --json)")
+        caught = say("only check") if damage.check else say("not caught")
+        lines += [
+            say("  {caught}: {where} ({kind})", caught=caught, where=damage.where, kind=damage.kind),
+            say("          was {was}", was=was),
+            say("          is  {now}", now=now),
+        ]
+    if (more := len(survivors) - SURVIVORS) > 0:
+        lines.append(say("  {count} more (all with --json)", count=more))
+    _print(lines)
+
+
+_CATCHERS = {"check": say("check"), "reference": say("  reference only"), "sheet": say("sheet's checks")}
+"""Who may catch a damage, and how each is called."""
+
+
+def _print(lines: Iterable[str]) -> None:
+    for line in lines:
+        click.echo(told(line))

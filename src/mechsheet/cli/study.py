@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from livesheet.diagnostics import Fault
-from livesheet.said import Said, say
+from livesheet.said import Said, say, say_count
 from mechsheet.diagnostics import MechanismError
 
 from .common import FORMATS_COMPLETED, at_lines_of, bar_of, change_options, described
@@ -101,7 +101,7 @@ def _tell(found: Studied) -> None:
 
 
 def _designs(count: int) -> Said:
-    return say("{count:,} design" if count == 1 else "{count:,} designs", count=count)
+    return say_count("{count:,} design", "{count:,} designs", count)
 
 
 def _below(lines: Sequence[Said]) -> Said:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from graphlib import CycleError, TopologicalSorter
@@ -10,7 +11,7 @@ from typing import Any
 
 from livesheet.diagnostics import FormulaError
 from livesheet.formula.names import folded, name_fault
-from livesheet.formula.nodes import Node, Symbol, children, symbols, transform
+from livesheet.formula.nodes import Node, Symbol, Unary, children, symbols, transform
 from livesheet.formula.parser import RESERVED, parse_description
 from livesheet.formula.scalar import evaluate
 from livesheet.said import Said, Words, reason, say
@@ -18,7 +19,17 @@ from mechsheet.description.kinds import ANGLE, ANY, DEGREES, LENGTH, kind_of, pl
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.description.text.index import Path
-from mechsheet.description.text.measured import EXAMPLES, Measured, home, labels_of, measured, spelled, unit_named
+from mechsheet.description.text.measured import (
+    EXAMPLES,
+    Measured,
+    home,
+    labels_of,
+    like,
+    measured,
+    spelled,
+    unit_behind,
+    unit_named,
+)
 from mechsheet.description.text.numbers import typed_number
 from mechsheet.model import Label, Quantity, Take
 from mechsheet.units import DEG, NUMBER, Unit, unit_of
@@ -167,6 +178,9 @@ class Scope:
             if number := typed_number(text):
                 self.report.at(path, say("found {text}: {why}", text=quoted(text), why=number.why), number.hint)
                 return None
+            if (unit := unit_behind(text)) and not set(re.findall(r"\w+", unit)) & {*self.units, *self.variables}:
+                self.unknown_unit(unit, path)
+                return None
             for fault in error.faults:
                 self.report.at(path, say("in {text}: {message}", text=quoted(text), message=fault.message), fault.hint)
             return None
@@ -226,11 +240,15 @@ class Scope:
     def fits(self, tree: Node, text: str, wanted: str, path: Path, instead: str = "") -> bool:
         """True unless the expression surely is of another kind than `wanted`; `instead`: what to do about an angle."""
         kind = kind_of(tree, self.kinds)
+        needed = say("an angle") if wanted == ANGLE else say("a length")
+        if wanted != ANY and (label := self.label_of(tree)):
+            message = say("{text} is in {unit} where {needed} is needed", text=quoted(text), unit=label, needed=needed)
+            self.report.at(path, message)
+            return False
         if ANY in (kind, wanted) or kind == wanted:
             return True
         hint = say("expressions compute in radians: leave degrees() out") if kind == DEGREES and wanted == ANGLE else ""
         hint = instead if kind == ANGLE else hint
-        needed = say("an angle") if wanted == ANGLE else say("a length")
         is_now = say("an angle") if kind == ANGLE else say(f"a {kind}")
         self.report.at(
             path,
@@ -243,6 +261,23 @@ class Scope:
             hint,
         )
         return False
+
+    def label_of(self, tree: Node) -> str:
+        """The unit of a dimension that is a force, a mass or the like and stands alone but for a sign; "" for all else."""
+        match tree:
+            case Unary(_, operand):
+                return self.label_of(operand)
+            case Symbol(name) if name in self.units and self.units[name].kind == "label":
+                return self.units[name].text
+        return ""
+
+    def in_its_unit(self, tree: Node, text: str, unit: Unit, path: Path) -> None:
+        """Report a dimension whose unit is known and is another one than that of its place."""
+        label = self.label_of(tree)
+        own, needed = unit_named(label), unit_named(unit.text)
+        if own is not None and needed is not None and own != needed:
+            message = say("{text} is in {own} where {unit} are needed", text=quoted(text), own=label, unit=unit.text)
+            self.report.at(path, message)
 
     def quantity(self, value: Any, wanted: str, path: Path, unit: Unit | None = None) -> Quantity:
         """A number or expression over dimensions as the model holds it, in internal units; REPORTED if it is faulty.
@@ -289,8 +324,10 @@ class Scope:
 
     def unknown_unit(self, unit: str, path: Path) -> None:
         """Report it."""
-        message = say("unknown unit {unit}", unit=quoted(unit))
-        self.report.at(path, message, say("units that are known: {units}", units=EXAMPLES))
+        hint = say("units that are known: {units}", units=EXAMPLES)
+        if near := like(unit):
+            hint = say("{near} {all}", near=say('did you mean "{name}"?', name=near), all=hint)
+        self.report.at(path, say("unknown unit {unit}", unit=quoted(unit)), hint)
 
     def number(self, quantity: Quantity) -> float:
         """The value of what `quantity` returned; nan where it is not known."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from livesheet.diagnostics import Fault
 from livesheet.formula.nodes import Call, Node, Symbol, symbols, walk
-from livesheet.said import say
+from livesheet.said import say, say_count
 from mechsheet.description import dimensions
 from mechsheet.description.asked import synthesis
 from mechsheet.description.head import scope_of
@@ -101,10 +101,8 @@ def _value(tree: Node, text: str, unit: Unit, scope: Scope) -> float | None:
     if not scope.only_dimensions(tree, text, ()) or not scope.fits(tree, text, unit_kind(unit), ()):
         return None
     if missing := [name for name in symbols(tree) if name not in scope.numbers]:
-        message = say("has no value: {names} have none", names=listed(missing))
-        if len(missing) == 1:
-            message = say("has no value: {name} has none", name=listed(missing))
-        scope.report.at((), message)
+        one, many = "has no value: {names} has none", "has no value: {names} have none"
+        scope.report.at((), say_count(one, many, len(missing), names=listed(missing)))
         return None
     value = scope.value(tree, ())
     return None if value is None else unit.to_shown(value)

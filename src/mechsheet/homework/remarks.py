@@ -20,6 +20,7 @@ from mechsheet.homework.summaries import span_of
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.verdicts import Finding, Sheet, mostly
 from mechsheet.model import Mechanism
+from mechsheet.words.catalogue import words_of_count
 from mechsheet.words.homework import said
 
 MOST_OF_ENGINE = 5
@@ -35,7 +36,7 @@ def remarks_of(judged: Judged, language: str) -> Iterator[str]:
     for text in found.work.remarks:
         key, _, rest = text.partition(" ")
         if key == "comma":
-            yield said(language, "remark.comma.one") if rest == "1" else said(language, "remark.comma", count=rest)
+            yield words_of_count(language, "homework.remark.comma", int(rest))
         else:
             yield text
     if found.work.large:

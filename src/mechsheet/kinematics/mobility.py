@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from livesheet.diagnostics import Fault
-from livesheet.said import say
+from livesheet.said import say, say_count
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.graph import Graph
 from mechsheet.model import Gear, Mechanism
@@ -118,13 +118,13 @@ def _count_message(mechanism: Mechanism, graph: Graph, count: int) -> str:
     if graph.relations:
         terms = say("{terms} - {count} gear, belt or rack", terms=terms, count=len(graph.relations))
     drivers = 1 + len(mechanism.drivers)
-    need = say("one driver needs 1") if drivers == 1 else say("{drivers} drivers need {drivers}", drivers=drivers)
+    need = say_count("one driver needs 1", "{count} drivers need {count}", drivers)
     return say("the mobility is {count}, but {need}: {terms} = {count}", count=count, need=need, terms=terms)
 
 
 def _count_hint(count: int, drivers: int) -> str:
     if count > drivers:
-        given = say("one is given") if drivers == 1 else say("{drivers} are given", drivers=drivers)
+        given = say_count("one is given", "{count} are given", drivers)
         return say(
             "{count} drivers would be needed, {given}: join the loose links, remove {surplus} of the "
             "freedoms, or add [[drivers]]",

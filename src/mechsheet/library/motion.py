@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from livesheet.counted import counted
-from livesheet.said import say
+from livesheet.said import say, say_count
 from mechsheet.extras import missing_package
 from mechsheet.library.named import Named, unknown
 
@@ -98,7 +97,7 @@ class Motion(Mapping[str, NDArray[np.float64]]):
 
     def __repr__(self) -> str:
         rows = len(next(iter(self._columns.values())))
-        return f"<Motion: {counted(rows, 'row')} of {', '.join(self._columns)}>"
+        return f"<Motion: {say_count('{count} row', '{count} rows', rows)} of {', '.join(self._columns)}>"
 
     def _repr_html_(self) -> str:
         """The table, for notebooks: names and units above the numbers."""

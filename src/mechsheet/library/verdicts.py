@@ -10,7 +10,6 @@ import numpy as np
 from livesheet.formula.nodes import Scalar
 from livesheet.said import say
 from mechsheet.compiled import Compiled
-from mechsheet.description.report import listed
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.points_in_link import number
@@ -74,7 +73,6 @@ def verdict(compiled: Compiled) -> str:
         shown = {"stop": stop, "last": last}
         said.append(say("the step misses the stop ({stop}): the last row is {last}", **shown))
     said += _undetermined(compiled)
-    said += _without_inertia(compiled)
     said += [
         say(
             "the sketch says nothing about group {group}: mode +1 was taken, {mode}; a point under [assembly] decides",
@@ -108,23 +106,6 @@ def _undetermined(compiled: Compiled) -> list[str]:
                     links=group.label)
             )  # fmt: skip
     return found
-
-
-def _without_inertia(compiled: Compiled) -> list[str]:
-    """The links with a mass that turn unevenly, and of which nobody has said the moment of inertia."""
-    mechanism = compiled.mechanism
-    masses = mechanism.dynamics.masses if mechanism.dynamics else ()
-    symbols = {link.name: link.angle_symbol for link in mechanism.links}
-    driver = mechanism.driver
-    steady = driver.link if dimension_values(mechanism).get(mechanism.driver_rates[1]) == 0.0 else ""
-    names = [
-        mass.link
-        for mass in masses
-        if mass.assumed and mass.link != steady and np.nanstd(compiled.values[symbols[mass.link]]) > _LANDS
-    ]
-    if not names:
-        return []
-    return [say("no `inertia` of {links}, with a mass that turns: 0 was taken", links=listed(names))]
 
 
 def _missed_stop(mechanism: Mechanism, rows: int) -> tuple[float, float, float] | None:

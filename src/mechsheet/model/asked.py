@@ -188,7 +188,9 @@ class Tolerances:
     """What bands are asked for: of which variables, coordinates and outputs, and of which summaries, by symbol.
 
     quantities  those of the summaries, too, in the order in which they have columns
+    named       whether the description names them; else all are asked for that a tolerance changes
     """
 
     quantities: tuple[str, ...]
     summaries: tuple[str, ...]
+    named: bool = True

@@ -67,7 +67,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
     values = given_values(mechanism, dimension_values(mechanism))[mechanism.driver.symbol]
     rows = len(values)
     at = Addresses(titles, HEADING_ROWS, HEADING_ROWS + rows - 1)
-    found_of_bands = found_bands(mechanism, equations)
+    mechanism, found_of_bands = found_bands(mechanism, equations)
     assignments = with_averaged(
         mechanism, with_bands(mechanism, with_energy(mechanism, lowered(mechanism, equations)), found_of_bands)
     )

@@ -30,7 +30,7 @@ from mechsheet.model import Objective, Range
 from mechsheet.sheet import styles
 from mechsheet.studies.designs import DESIGN
 from mechsheet.studies.parts import heads_of, told_of
-from mechsheet.words.catalogue import words
+from mechsheet.words.catalogue import words, words_of_count
 
 if TYPE_CHECKING:
     from mechsheet.studies.run import Studied
@@ -86,9 +86,8 @@ def _remarks(found: Studied, remarks: list[str | None], col: int) -> list[Cell]:
 def _best(found: Studied) -> Sheet:
     mechanism, table = found.designs.mechanism, found.best
     count = 0 if table is None else table.num_rows
-    key = "title.one" if found.result.kept == 1 else "title"
-    name = mechanism.title.of(mechanism.language)
-    title = _said(found, key, title=name, count=count, kept=f"{found.result.kept:,}")
+    name, kept = mechanism.title.of(mechanism.language), found.result.kept
+    title = words_of_count(mechanism.language, "study.title", kept, title=name, shown=count, kept=f"{kept:,}")
     cells = [Cell(0, 0, title, styles.TITLE), Cell(1, 0, _said(found, "about"), styles.SUBTITLE)]
     for row, (key, text) in enumerate(
         (("description", f"{mechanism.stem}.toml"), ("folder", found.folder.path.name)), 2
@@ -121,8 +120,8 @@ def _best(found: Studied) -> Sheet:
 def _apart(found: Studied) -> Sheet:
     """Designs that meet the conditions by numbers that the workbook marks."""
     table, remarks = told_of(found.apart)
-    key = "apart.title.one" if found.result.apart == 1 else "apart.title"
-    title = _said(found, key, count=table.num_rows, apart=f"{found.result.apart:,}")
+    language, apart = found.designs.mechanism.language, found.result.apart
+    title = words_of_count(language, "study.apart.title", apart, shown=table.num_rows, apart=f"{apart:,}")
     heads = [_said(found, "design"), *heads_of(table)[1:], _said(found, "command")]
     command = len(heads) - 1
     cells = [Cell(0, 0, title, styles.TITLE), Cell(1, 0, _said(found, "apart.about"), styles.SUBTITLE)]

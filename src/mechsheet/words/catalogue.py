@@ -6,6 +6,7 @@ which `en.po` need not have. What a catalogue lacks is said in English.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from gettext import GNUTranslations, NullTranslations
@@ -32,6 +33,9 @@ class _InEnglish(NullTranslations):
     def gettext(self, message: str) -> str:
         return catalogue(ENGLISH).gettext(message)
 
+    def ngettext(self, msgid1: str, msgid2: str, n: int) -> str:
+        return catalogue(ENGLISH).ngettext(msgid1, msgid2, n)
+
 
 @cache
 def catalogue(language: str) -> GNUTranslations:
@@ -54,6 +58,18 @@ def words(language: str, key: str, **parts: object) -> str:
     text = catalogue(language).gettext(key)
     if text == key:
         raise KeyError(key)
+    return _filled(text, language, parts)
+
+
+def words_of_count(language: str, key: str, count: int, **parts: object) -> str:
+    """The text of a key that has plural forms, about so many things; `{count}` stands for the number."""
+    text = catalogue(language).ngettext(key, key, count)
+    if text == key:
+        raise KeyError(key)
+    return _filled(text, language, {"count": count, **parts})
+
+
+def _filled(text: str, language: str, parts: Mapping[str, object]) -> str:
     if not parts:
         return text
     return text.format(**{name: part.of(language) if isinstance(part, Words) else part for name, part in parts.items()})

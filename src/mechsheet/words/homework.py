@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from .catalogue import words
+import math
+
+from .catalogue import words, words_of_count
 
 
 def marks_of(language: str, marks: float, of: float) -> str:
-    """ "62.5 of 100 marks"."""
-    return said(language, "marks.of_one" if of == 1 else "marks", marks=f"{marks:g}", of=f"{of:g}")
+    """ "62.5 of 100 marks"; a part of a mark is spoken of as several are."""
+    return words_of_count(language, "homework.marks", math.ceil(of), marks=f"{marks:g}", of=f"{of:g}")
 
 
 def said(language: str, key: str, **parts: object) -> str:

@@ -12,7 +12,7 @@ from .catalogue import ENGLISH, catalogue
 
 def text_in(text: str, language: str) -> str:
     """A message in a language."""
-    return text if language == ENGLISH else translated(text, catalogue(language).gettext, language)
+    return text if language == ENGLISH else translated(text, catalogue(language), language)
 
 
 def in_language(fault: Fault, language: str) -> Fault:

@@ -1,9 +1,12 @@
 """Loads as they are read: numbers are cells, a 0 is none, what differs from row to row stands as it is."""
 
+import pytest
+
 from in_line import IN_LINE
 from livesheet.formula.algebra import ZERO, neg
 from livesheet.formula.nodes import Symbol, symbols
 from mechsheet.description import loads
+from mechsheet.diagnostics import DescriptionError
 from mechsheet.kinematics.dimensions import dimension_values
 
 LOADS = """
@@ -45,3 +48,24 @@ def test_a_spring_joins_two_points():
     (spring,) = loads(IN_LINE + '[[loads]]\nbetween = ["A0", "B"]\nstiffness = 2\nfree_length = 180\n').dynamics.springs
     assert spring.ends == (("ground", "A0"), ("rod", "B"))
     assert (spring.stiffness, spring.free_length, spring.damping) == (Symbol("k_L1"), Symbol("l_L1"), ZERO)
+
+
+def test_a_flywheel_of_a_motion_that_takes_no_time_is_no_crash():
+    """A speed that is no finite number: the faults of the text are told, this is none of them."""
+    text = """format = 1
+[dimensions]
+a1 = 1e90
+[links.ground]
+points = { A = [0, 0] }
+[links.crank]
+points = { A = [0, 0], B = ["a1", 0] }
+[driver]
+link = "crank"
+start = 0
+stop = "a1"
+motion = { law = "constant", duration = 1e-90 }
+[flywheel]
+fluctuation = 1e-99
+"""
+    with pytest.raises(DescriptionError):
+        loads(text)

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from mechsheet.description.text.measured import home, measured
+from mechsheet.description.text.measured import home, like, measured
 
 
 @pytest.mark.parametrize(
@@ -28,6 +28,14 @@ from mechsheet.description.text.measured import home, measured
         ("9.81 m/s^2", "m/s²", 9.81),
         ("-2.5e3 g", "kg", -2.5),
         ("20 birim", "birim", 20.0),
+        ("5 Ns/mm", "N s/mm", 5.0),
+        ("5 N.m", "N m", 5.0),
+        ("2 kNm", "N m", 2000.0),
+        ("300 kg mm2", "kg m²", 0.0003),
+        ("3 kgm²", "kg m²", 3.0),
+        ("9.81 m/s2", "m/s²", 9.81),
+        ("6 rad/sec", "rad/s", 6.0),
+        ("1 Hz", "rpm", 60.0),
     ],
 )
 def test_a_number_in_another_unit(text, unit, value):
@@ -42,6 +50,11 @@ def test_of_another_kind(text, unit):
 @pytest.mark.parametrize("text", ["20", "2*a1", "a1", "2,5 mm", "1e999999999 mm", "60/min", "3 a b", ""])
 def test_what_is_no_number_with_a_unit(text):
     assert measured(text) is None
+
+
+@pytest.mark.parametrize(("unit", "known"), [("RPM", "rpm"), ("Kg", "kg"), ("KN", "kN"), ("furlong", "")])
+def test_a_unit_of_other_capitals_is_known(unit, known):
+    assert like(unit) == known
 
 
 def test_in_which_unit_a_dimension_has_it():

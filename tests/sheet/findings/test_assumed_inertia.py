@@ -10,28 +10,43 @@ TEXT = mechsheet.template("four-bar").text.replace(
 )
 
 
-def lines(book):
-    """The first sheet's lines about it: value, words, mark."""
-    rows = [row for row in range(20, 90) if book[f"Mechanism!A{row}"] == "moments of inertia"]
-    return [tuple(book[f"Mechanism!{column}{row}"] for column in "BEF") for row in rows]
+RUNNING = TEXT.replace('link = "crank"\nstart', 'link = "crank"\nspeed = "60 rpm"\nstart')
+MISSING = "not given, 0 taken, of what turns unevenly: coupler"
+GIVEN = "of every link that turns unevenly"
+COLUMNS = {"sheets": "BEF", "page": "BD"}
 
 
 @pytest.fixture
 def built(tmp_path):
-    def build(text):
-        path = tmp_path / "mine.toml"
-        path.write_text(text, encoding="utf-8")
-        (book,) = mechsheet.build(mechsheet.load(path), tmp_path / "mine.xlsx")
+    def build(text, layout="sheets"):
+        (book,) = mechsheet.build(mechsheet.loads(text, "mine"), tmp_path / "mine.xlsx", layout=layout)
         return mechsheet.open_book(book)
 
     return build
 
 
+def lines(book, layout="sheets"):
+    """The first sheet's lines about it: value, words, and on several sheets the mark."""
+    rows = [row for row in range(20, 90) if book[f"Mechanism!A{row}"] == "moments of inertia"]
+    return [tuple(book[f"Mechanism!{column}{row}"] for column in COLUMNS[layout]) for row in rows]
+
+
 def test_it_is_amber_until_the_cell_has_a_number(built):
-    book = built(TEXT.replace('link = "crank"\nstart', 'link = "crank"\nspeed = "60 rpm"\nstart'))
-    assert lines(book) == [(1.0, "not given, 0 taken, of what turns unevenly: coupler", "▲")]
+    book = built(RUNNING)
+    assert lines(book) == [(1.0, MISSING, "▲")]
     book.set("J_3", 0.001)
-    assert lines(book) == [(0.0, "of every link that turns unevenly", "")]
+    assert lines(book) == [(0.0, GIVEN, "")]
+
+
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+def test_the_line_under_the_title_names_it_until_then(built, layout):
+    book = built(RUNNING, layout)
+    title = book["Mechanism!A2"]
+    assert title.endswith(f"; moments of inertia {MISSING}")
+    assert lines(book, layout)[0][:2] == (1.0, MISSING)
+    book.set("J_3", 0.001)
+    assert book["Mechanism!A2"] == title.removesuffix(f"; moments of inertia {MISSING}")
+    assert lines(book, layout)[0][:2] == (0.0, GIVEN)
 
 
 def test_at_rest_and_where_it_is_given_there_is_none(built):

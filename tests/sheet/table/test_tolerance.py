@@ -9,6 +9,7 @@ import pytest
 from laid import Laid, template_text
 from placed import places_of
 
+import mechsheet
 from chosen import ITERATED, but
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
@@ -146,6 +147,24 @@ def test_newtons_groups_are_refused():
 def test_what_no_dimension_changes_is_refused():
     with pytest.raises(MechanismError, match='no dimension with a tolerance changes "gone"'):
         lay_out(slider('["gone"]', source=SLIDER.replace("[outputs]", '[outputs]\ngone = { formula = "b3" }')))
+
+
+def test_of_all_outputs_those_have_bands_that_a_tolerance_changes():
+    """Where the description names none: a length without a tolerance is not asked for by anybody."""
+    source = SLIDER.replace("[outputs]", '[outputs]\ngone = { formula = "b3" }')
+    source = source.replace("a2 = { value", f"a2 = {{ tolerance = {T2}, value")
+    bands = mechsheet.loads(source).tolerance()
+    assert "stroke" in bands
+    assert "gone" not in bands
+
+
+@pytest.mark.slow
+def test_a_template_with_tolerances_has_the_bands_that_its_first_lines_promise(tmp_path):
+    """The spring of this suspension lies between the frame and an arm whose dimensions have no tolerance."""
+    linkage = mechsheet.template("double-wishbone")
+    assert {"camber", "spring"} & {*linkage.tolerance()} == {"camber"}
+    (book,) = linkage.build(tmp_path, formats="xlsx", tolerance=True)
+    assert mechsheet.check(book).agrees
 
 
 def all_toleranced(name):

@@ -45,7 +45,7 @@ def read(
         found = [name for name in named if name is not BAD]
     summaries = tuple(name for name in found if name in scope.summaries)
     quantities = dict.fromkeys(scope.summaries.get(name, name) for name in found)
-    return Tolerances(tuple(quantities), summaries)
+    return Tolerances(tuple(quantities), summaries, named is not None)
 
 
 def _check_dimensions(dimensions: tuple[Dimension, ...], layout: str, scope: Scope) -> None:

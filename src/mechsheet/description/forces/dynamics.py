@@ -157,6 +157,7 @@ class _Reader:
             tree = scope.parse(given, path)
             if tree is None or not scope.only_dimensions(tree, given, path):
                 return None
+            scope.in_its_unit(tree, given, unit, path)
             known = all(name in scope.numbers for name in symbols(tree))
             number = scope.value(tree, path) if known else None
             value = tree

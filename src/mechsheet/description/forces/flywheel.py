@@ -84,11 +84,15 @@ def _of_speed(driver: Driver, dimensions: tuple[Dimension, ...], scope: Scope) -
     speed, acceleration = (
         cells.get(rate.name) if isinstance(rate, Symbol) else None for rate in (driver.speed, driver.acceleration)
     )
-    if speed is None or acceleration is None or _number(acceleration, scope) != 0.0:
+    if speed is None or acceleration is None or abs(_number(acceleration, scope)) > 0.0:
         hint = say("give one number as `speed`, and no `acceleration`")
         return [(say("a flywheel needs a constant speed: this one varies"), hint)]
     return [(say("a flywheel needs a speed: at rest it stores no energy"), "")] if _number(speed, scope) == 0.0 else []
 
 
 def _number(quantity: Quantity, scope: Scope) -> float:
-    return quantity if isinstance(quantity, float) else evaluate(quantity, scope.numbers)
+    """The value; nan where it has none, as a motion that takes next to no time."""
+    try:
+        return quantity if isinstance(quantity, float) else evaluate(quantity, scope.numbers)
+    except (ArithmeticError, ValueError):
+        return math.nan

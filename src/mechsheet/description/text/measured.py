@@ -69,9 +69,6 @@ _WORDS: dict[str, Known] = {
     "kgf": _known("9.80665", *_FORCE),
     "lbf": _known("4.4482216152605", *_FORCE),
     "kip": _known("4448.2216152605", *_FORCE),
-    "Nm": _known("1", *_WORK),
-    "kNm": _known("1e3", *_WORK),
-    "Nmm": _known("1e-3", *_WORK),
     "J": _known("1", *_WORK),
     "W": _known("1", *_POWER),
     "kW": _known("1e3", *_POWER),
@@ -84,17 +81,29 @@ _SPELLED = {
     "santimetre": "cm",
     "metre": "m",
     "sn": "s",
+    "sec": "s",
     "μm": "µm",
 }
-_WHOLE = dict.fromkeys(("1/min", "r/min", "d/dk", "dev/dk", "dev/dak", "devir/dakika", "min^-1"), _RPM)
-"""Units that mean something else than their parts: 1/min of a shaft are turns."""
+_WHOLE = {
+    **dict.fromkeys(("1/min", "r/min", "U/min", "d/dk", "dev/dk", "dev/dak", "devir/dakika", "min^-1"), _RPM),
+    "Hz": _known("2", 0, 0, -1, 1, turns=1),
+}
+"""Units that mean something else than their parts: 1/min and Hz of a shaft are turns."""
+
+_TOUCHED = ("kN", "kgf", "lbf", "kip", "N", "kg")
+"""Units that people write the next one at without a blank: Nm, kNm, Ns/mm, kgm²."""
 
 EXAMPLES = "mm, cm, m, in, deg, rad, rpm, mm/s, N, kN, N m, N/mm, N s/mm, kg, kg m², s; in, ft, lbf, lb, slug"
 
-_PART = r"(?:°|[^\W\d_]+)(?:[²³]|\^-?[1-9])?"
-_UNIT = rf"(?:1/)?{_PART}(?:[ *·⋅/]{_PART})*"
+_PART = r"(?:°|[^\W\d_]+)(?:[²³23]|\^-?[1-9])?"
+_UNIT = rf"(?:1/)?{_PART}(?:[ *·⋅./]{_PART})*"
 _MEASURED = re.compile(rf"([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]{{1,3}})?)[ \t]*({_UNIT})\.?")
-_PIECE = re.compile(r"([ *·⋅/]?)(°|[^\W\d_]+)(?:([²³])|\^(-?[1-9]))?")
+_PIECE = re.compile(r"([ /]?)([^\W\d_]+)(?:\^(-?[1-9]))?")
+_WORD, _RAISED, _DOT = (
+    re.compile(r"[^\W\d_]+"),
+    re.compile(r"(?<=[^\W\d_])[23](?![\w.])"),
+    re.compile(r"(?<=\w)\.(?=\w)"),
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,14 +144,34 @@ def measured(text: str) -> Measured | None:
     return Measured(found[1], unit)
 
 
+def unit_behind(text: str) -> str | None:
+    """What stands behind the number of a text in the form of a number with its unit, known or not; None for other texts."""
+    found = _MEASURED.fullmatch(text.strip())
+    return None if found is None else found[2]
+
+
 def spelled(unit: str) -> str:
-    """A unit as this module spells it: `N·s/mm` is `N s/mm`, `m/s²` is `m/s^2`, `°` is `deg`."""
-    unit = re.sub(r"[*·⋅]", " ", unit.strip()).replace("²", "^2").replace("³", "^3")
+    """A unit as this module spells it: `N·s/mm` and `Ns/mm` are `N s/mm`, `m/s²` and `m/s2` are `m/s^2`, `°` is `deg`."""
+    unit = _DOT.sub(" ", re.sub(r"[*·⋅]", " ", unit.strip())).replace("²", "^2").replace("³", "^3")
+    unit = _RAISED.sub(r"^\g<0>", unit)
     unit = unit.replace("°", "deg").replace("degC", "°C")
-    if not unit.isalpha():
-        return unit
-    word = plain_unit(unit)
-    return _SPELLED.get(word, word)
+    if unit.isalpha():
+        word = plain_unit(unit)
+        unit = _SPELLED.get(word, word)
+    return _WORD.sub(lambda word: _parted(word[0]), unit)
+
+
+def _parted(word: str) -> str:
+    """A word that is two units without a blank between them, with the blank; others as they are."""
+    if word in _WORDS or word in _SPELLED:
+        return word
+    halves = ((first, word.removeprefix(first)) for first in _TOUCHED if word.startswith(first))
+    return next((f"{first} {second}" for first, second in halves if second in _WORDS), word)
+
+
+def like(unit: str) -> str:
+    """The known unit that differs from this one by upper and lower case alone; "" where there is none."""
+    return next((known for known in (*_WORDS, *_SPELLED) if known.casefold() == unit.casefold()), "")
 
 
 @lru_cache(maxsize=256)
@@ -157,7 +186,7 @@ def unit_named(unit: str) -> Known | None:
         word = None if found is None else _WORDS.get(_SPELLED.get(found[2], found[2]))
         if found is None or word is None or bool(found[1]) != bool(at):
             return None
-        power = int(found[4] or 1)
+        power = int(found[3] or 1)
         whole = whole.times(word, -power if found[1] == "/" else power)
         at = found.end()
     return whole if unit else None

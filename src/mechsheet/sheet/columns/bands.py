@@ -86,23 +86,31 @@ def band_of_constant(mechanism: Mechanism, equations: Equations, node: Node) -> 
     return al.total(parts)
 
 
-def found_bands(mechanism: Mechanism, equations: Equations) -> Sensitivities:
-    """The derivatives that are asked for. Raises MechanismError where there are none."""
-    if mechanism.bands is None:
-        return NO_BANDS
+def found_bands(mechanism: Mechanism, equations: Equations) -> tuple[Mechanism, Sensitivities]:
+    """The derivatives that are asked for, and the mechanism that asks for these: of all outputs and summaries, where the
+    description names none, those that a tolerance changes. Raises MechanismError where there are none.
+    """
+    bands = mechanism.bands
+    if bands is None:
+        return mechanism, NO_BANDS
     newton = [group.label for group in equations.groups if group.system is not None]
     if newton:
         message = say("bands are not found where links must be solved all at once: {group}", group=newton[0])
         raise MechanismError(Fault(message, key="tolerance", hint=say("leave [tolerance] out; positions are found")))
-    found = sensitivities(mechanism, equations, mechanism.bands.quantities)
+    found = sensitivities(mechanism, equations, bands.quantities)
     still = [each.quantity for each in found.of if not each.by]
-    if still:
+    if not still:
+        return mechanism, found
+    moved = [name for name in bands.quantities if name not in still]
+    if bands.named or not moved:
         raise MechanismError(
             Fault(say('no dimension with a tolerance changes "{name}"', name=name), key="tolerance",
                   hint=say("give another dimension a tolerance, or leave it out of `of`"))
             for name in still
         )  # fmt: skip
-    return found
+    of = {summary.symbol: summary.of for summary in mechanism.summaries}
+    left = replace(bands, quantities=(*moved,), summaries=tuple(each for each in bands.summaries if of[each] in moved))
+    return replace(mechanism, bands=left), sensitivities(mechanism, equations, moved)
 
 
 def with_bands(mechanism: Mechanism, equations: Assignments, found: Sensitivities) -> Assignments:

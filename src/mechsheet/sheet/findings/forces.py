@@ -7,9 +7,8 @@ from livesheet.formula.nodes import CellRef, Node, Symbol
 from livesheet.workbook import Area, Conditional
 from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
-from mechsheet.sheet.findings.finding import Finding, Line, look
+from mechsheet.sheet.findings.finding import Finding, InTitle, Line, look
 from mechsheet.sheet.findings.reading import Reading
-from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import places, places_of
@@ -18,6 +17,12 @@ from mechsheet.words.symbols import plain
 
 EVEN = 1e-9
 """An angular acceleration smaller than this part of the speed's square is rounding."""
+
+BETWEEN = ", "
+"""Between links that are named one after another."""
+
+MOST_SAID = 1000
+"""More characters of such names than any mechanism has."""
 
 
 class LargestEffort(Finding):
@@ -55,7 +60,7 @@ class LargestForce(Finding):
 class AssumedInertia(Finding):
     """How many links with a mass turn unevenly although nobody has said a moment of inertia: those whose cells hold 0."""
 
-    key = "assumed_inertia"
+    key, by_rows = "assumed_inertia", True
 
     def line(self, on: Reading) -> Line:
         mechanism = on.plan.mechanism
@@ -64,10 +69,11 @@ class AssumedInertia(Finding):
         tests = [self._assumed(on, link) for link in links]
         count = al.total(formula("IF(test,1,0)", test=test) for test in tests)
         names: list[Node | str] = [
-            formula('IF(test,name,"")', test=test, name=f" {link_words(link).of(on.plan.language)}")
+            formula('IF(test,name,"")', test=test, name=f"{BETWEEN}{link_words(link).of(on.plan.language)}")
             for test, link in zip(tests, links, strict=True)
         ]
-        some = joined(on.text("assumed_inertia.some"), *names)
+        listed = formula("MID(names,begin,most)", names=joined(*names), begin=len(BETWEEN) + 1, most=MOST_SAID)
+        some = joined(on.text("assumed_inertia.some"), " ", listed)
         words = formula(
             "IF(count=0,none,some)", count=on.value(self.key), none=on.text("assumed_inertia.none"), some=some
         )
@@ -84,18 +90,21 @@ class AssumedInertia(Finding):
             rules=rules,
         )  # fmt: skip
 
+    def in_title(self, on: Reading) -> InTitle:
+        said = joined("; ", on.text(self.key), " ", on.words(self.key))
+        return InTitle(last=formula('IFERROR(IF(count>0,said,""),"")', count=on.value(self.key), said=said))
+
     def _assumed(self, on: Reading, link: Link) -> Node:
         """Whether the cell holds 0 and the link's angular velocity changes."""
         speed = on.plan.mechanism.driver_rates[0]
-        fastest = _largest(speed) if on.plan.at.spots[speed].column else Symbol(speed)
+        fastest = _largest(on, speed) if on.plan.at.spots[speed].column else Symbol(speed)
         return formula("AND(inertia=0,largest>even*(1+fastest^2))", inertia=Symbol(f"J_{link.number}"),
-                       largest=_largest(link.rate_symbols[1]), even=EVEN, fastest=fastest)  # fmt: skip
+                       largest=_largest(on, link.rate_symbols[1]), even=EVEN, fastest=fastest)  # fmt: skip
 
 
-def _largest(symbol: str) -> Node:
-    """The largest size of a quantity in the rows."""
-    column = Symbol(ALL + symbol)
-    return formula("MAX(most,-least)", most=over_rows(MOST, column), least=over_rows(LEAST, column))
+def _largest(on: Reading, symbol: str) -> Node:
+    """The largest size of a quantity."""
+    return formula("MAX(most,-least)", most=on.extreme("max", symbol)[0], least=on.extreme("min", symbol)[0])
 
 
 class MeanTorque(Finding):

@@ -72,15 +72,20 @@ class Reading(ABC):
 
     def extreme(self, way: Way, symbol: str) -> tuple[Node, Node]:
         """The smallest or the largest value, in internal units, and where it occurs: between rows where it is searched."""
+        spot = self.plan.at.spots[symbol]
+        if not spot.column:  # it is one number
+            return Symbol(symbol), Text("")
+        value, place = self.extreme_of_column(way, symbol)
+        return (formula("RADIANS(value)", value=value) if spot.degrees else value), place
+
+    def extreme_of_column(self, way: Way, symbol: str) -> tuple[Node, Node]:
+        """The same of a column, in the units that it shows."""
         found = self.found.extremes.get((way, symbol))
         if found is not None:
-            value: Node = found.value.cell
-            place: Node = found.occurs.cell
-        else:
-            column = Symbol(ALL + symbol)
-            value = over_rows(LEAST if way == "min" else MOST, column)
-            place = self.driver_in_row("MATCH(value,all,0)", value=value, all=column)
-        return (formula("RADIANS(value)", value=value) if self.plan.at.spots[symbol].degrees else value), place
+            return found.value.cell, found.occurs.cell
+        column = Symbol(ALL + symbol)
+        value = over_rows(LEAST if way == "min" else MOST, column)
+        return value, self.driver_in_row("MATCH(value,all,0)", value=value, all=column)
 
     def doubt(self, symbol: str, *ways: Way) -> Node:
         """What is added where an extreme is to be doubted."""

@@ -104,13 +104,11 @@ class PageReading(Reading):
     def column_extreme(self, way: Way, symbol: str) -> Node:
         return self.over_rows(symbol, LEAST if way == "min" else MOST)
 
-    def extreme(self, way: Way, symbol: str) -> tuple[Node, Node]:
-        if not self.plan.at.spots[symbol].column:  # it is one number
-            return Symbol(symbol), Text("")
+    def extreme_of_column(self, way: Way, symbol: str) -> tuple[Node, Node]:
         value = self.column_extreme(way, symbol)
         place = formula('IFERROR(INDEX(drivers,MATCH(value,column,0)),"")', drivers=self.drivers, value=value,
                         column=self.column(symbol))  # fmt: skip
-        return (formula("RADIANS(value)", value=value) if self.plan.at.spots[symbol].degrees else value), place
+        return value, place
 
     def doubt(self, symbol: str, *ways: Way) -> Node:
         return Text(self.text("rows.only") if symbol in self.plan.found.cam else "")
