@@ -11,7 +11,7 @@ from typing import TypeVar
 ALL = bool(os.environ.get("MECHSHEET_ALL"))
 IN_CI = ALL or bool(os.environ.get("MECHSHEET_CI"))
 
-MORE = 3
+MORE = 2
 """So many times more cases run in CI than elsewhere."""
 
 ALWAYS = ("adjustable-pump", "fivelink", "four-bar")

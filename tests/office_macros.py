@@ -126,9 +126,10 @@ Sub Work(folder As String)
             document.calculateAll()
             document.calculateAll()  ' the second time in another order
         End If
-        document.storeToURL(ConvertToURL(stem & ".xlsx"), Array(Setting("FilterName", "Calc MS Excel 2007 XML")))
         If FileExists(stem & ".edits") And Right(jobs(number), 4) = ".ods" Then
             document.storeToURL(ConvertToURL(stem & ".edited.ods"), Array(Setting("FilterName", "calc8")))
+        Else
+            document.storeToURL(ConvertToURL(stem & ".xlsx"), Array(Setting("FilterName", "Calc MS Excel 2007 XML")))
         End If
         document.close(True)
     Next number
@@ -137,8 +138,8 @@ End Sub
 """
 
 
-PATIENCE = 60
-"""Seconds for all jobs of a call."""
+PATIENCE, PATIENCE_FOR_EACH = 60, 20
+"""Seconds for a call, and for each of its jobs: a machine may have much else to do."""
 
 
 @dataclass(frozen=True)
@@ -200,7 +201,10 @@ def _work(jobs: Sequence[Job], folder: Path) -> None:
             stem.with_suffix(".bas").write_bytes(job.module)
             stem.with_suffix(".txt").write_text("\n".join(job.formulas), encoding="utf-8")
     (folder / "jobs.txt").write_text("\n".join(listed), encoding="utf-8")
-    _run([command, profile, "--headless", f"macro:///Standard.Runner.Work({folder})"], PATIENCE + len(jobs))
+    _run(
+        [command, profile, "--headless", f"macro:///Standard.Runner.Work({folder})"],
+        PATIENCE + PATIENCE_FOR_EACH * len(jobs),
+    )
 
 
 def _run(command: list[str], patience: float = PATIENCE) -> None:

@@ -14,6 +14,8 @@ from mechsheet.description.templates import template_text
 from mechsheet.library.building import build
 from mechsheet.library.changed import loads
 
+pytestmark = pytest.mark.slow
+
 
 def run(*arguments):
     return CliRunner().invoke(main, [*map(str, arguments)])

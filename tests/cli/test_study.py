@@ -68,6 +68,7 @@ def test_a_description_that_was_changed_since_is_noted(description, tmp_path):
     assert "differs from the description of the study" in done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("design", "words"),
     [

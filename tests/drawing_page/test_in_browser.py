@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 import mechsheet
+from mechsheet.description.templates import template_text
 
 ROOT = Path(__file__).parents[2]
 
@@ -426,12 +427,59 @@ def test_while_the_description_is_read_the_page_does_not_call_it_empty(opening, 
 
 
 @pytest.mark.ci
-def test_the_buttons_over_a_narrow_sheet_cover_no_point(opening, four_bar):
+def test_on_a_telephone_nothing_over_the_sheet_covers_a_point(opening, four_bar):
+    """In Turkish, whose sentences are the longer ones; every tool has its button within the screen, in two rows."""
     opened = opening(four_bar)
     opened.page.set_viewport_size({"width": 390, "height": 844})
+    opened.page.click("#language")
+    opened.quiet()
     opened.page.click("#fit")
     left = opened.page.locator("#corner").bounding_box()["x"]
-    assert all(opened.place(point)[0] < left for point in ("A0", "A", "B", "B0", "C"))
+    advice = opened.page.locator("#advice").bounding_box()
+    for point in ("A0", "A", "B", "B0", "C"):
+        x, y = opened.place(point)
+        assert x < left and y > advice["y"] + advice["height"], point
+    boxes = [button.bounding_box() for button in opened.page.locator("#tools button").all()]
+    assert len({box["y"] for box in boxes}) == 2
+    assert all(box["x"] >= 0 and box["x"] + box["width"] <= 390 and box["height"] >= 40 for box in boxes)
+    assert opened.page.evaluate("document.documentElement.scrollWidth") == 390
+
+
+@pytest.mark.ci
+@pytest.mark.parametrize("name", ["shaper", "klann", "double-wishbone"])
+def test_names_of_points_stand_on_no_link_and_on_no_other(opening, name, tmp_path):
+    path = tmp_path / f"{name}.toml"
+    path.write_text(template_text(name), encoding="utf-8")
+    opened = opening(path)
+    said = opened.page.locator(".acting-name").all_text_contents()
+    assert len(said) == len(set(said))
+    for position in (0, 3, 7):
+        opened.page.locator("#position").fill(str(position))
+        opened.quiet()
+        conflicts = opened.page.evaluate("""() => {
+          const box = (each) => {
+            const [b, m] = [each.getBBox(), each.getCTM()];
+            return [b.x + m.e, b.y + m.f, b.x + b.width + m.e, b.y + b.height + m.f];
+          };
+          const names = [...document.querySelectorAll(".pin text")];
+          const boxes = names.map(box);
+          const found = [];
+          boxes.forEach((a, n) => boxes.slice(n + 1).forEach((b) => {
+            if (a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]) found.push("names");
+          }));
+          for (const back of document.querySelectorAll(".bar-back, .plate-back")) {
+            const length = back.getTotalLength();
+            boxes.forEach((b, n) => {
+              const [x, y] = [(b[0] + b[2]) / 2, (b[1] + b[3]) / 2];
+              for (let at = 0; at <= length; at += 2) {
+                const p = back.getPointAtLength(at);
+                if (Math.hypot(p.x - x, p.y - y) < 6) return found.push(names[n].textContent);
+              }
+            });
+          }
+          return found;
+        }""")
+        assert conflicts == [], position
 
 
 def test_curves_follow_the_position(opening, four_bar):

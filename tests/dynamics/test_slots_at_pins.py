@@ -6,6 +6,7 @@ The judge knows nothing of groups, blocks or multipliers: it adds up what the na
 import math
 
 import numpy as np
+import pytest
 
 from chosen import IN_CI
 from mechsheet import reference
@@ -168,6 +169,7 @@ def test_a_massless_link_is_in_equilibrium_where_its_pin_stands_in_a_slot():
     assert "F23" not in solved(without)[1]
 
 
+@pytest.mark.slow
 def test_random_pins_in_slots_leave_every_link_in_equilibrium():
     """Pins of two or three links, of the ground too, each in one slot or two: workbook's columns and reference alike."""
     judged = shared = 0

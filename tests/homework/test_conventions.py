@@ -169,6 +169,7 @@ BUILT = {
 """Number -> (task, the column of its own workbook of one sheet that is changed; from, to; what is asked in that column)."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", first(list(BUILT), 3))
 def test_one_formula_changed_in_a_workbook_that_was_built(tmp_path, number):
     name, column, was, now, lost = BUILT[number]

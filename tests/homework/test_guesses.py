@@ -58,6 +58,7 @@ GUESSED = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", first(list(GUESSED), 2))
 def test_one_of_several_columns_that_happens_to_be_right_has_no_marks(tmp_path, asked_one, how):
     headings, more = GUESSED[how]

@@ -154,6 +154,7 @@ def test_what_nothing_sketched_tells_is_open():
     assert [(group.mode_value, group.open) for group in groups] == [(1, False), (1, True)]
 
 
+@pytest.mark.slow
 def test_an_assembly_that_never_closes_is_not_taken_for_one_that_does():
     """With mode +1 of the first group, which nothing sketched tells, the second would not close."""
     closing = {}

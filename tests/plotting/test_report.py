@@ -28,6 +28,8 @@ def texts_of(page):
     return [text.get_text() for text in page.texts]
 
 
+@pytest.mark.slow
+@pytest.mark.cases(3)
 @pytest.mark.parametrize("path", some(TEMPLATES, 5), ids=lambda path: path.stem)
 def test_true_scale(path):
     """A millimetre of paper is n of the mechanism, along both axes, and everything lies between the margins."""

@@ -13,7 +13,7 @@ from mechsheet.description import load, loads
 from mechsheet.model import Link
 from mechsheet.shapes.colors import FORCE, SPRING, link_color
 from mechsheet.shapes.forms import EDGE
-from mechsheet.shapes.loads import COIL_ASIDE, LONGEST, NARROWEST, WIDEST
+from mechsheet.shapes.loads import COIL_ASIDE, LONGEST, NARROWEST, WIDEST, first_shown
 from mechsheet.shapes.positions import Positions, there
 from mechsheet.words.equations import link_words
 
@@ -60,7 +60,7 @@ def test_everything_is_there(suspension):
         "link", "ground", "spring", "damper", "load", "torque", "weight", "mass", "path", "pin", "point", "name",
         "scale", "caption",
     }  # fmt: skip
-    names = {item.text for item in of_kind(scene, "name")}
+    names = {item.text.split(" = ")[0] for item in of_kind(scene, "name")}
     assert {"A₀", "S", "E", "K", "G₂", "G₃"} <= names
 
 
@@ -81,6 +81,7 @@ def test_a_spring_stretches_between_its_ends(suspension, truth):
         aside = np.abs((coil.points - coil.points[0]) @ np.array([-way[1], way[0]]))
         assert aside.max() == pytest.approx(COIL_ASIDE * suspension.window.half)
         lengths.append(np.hypot(*(coil.points[-1] - coil.points[0])))
+        assert f"K = {lengths[-1]:.0f} mm" in {item.text for item in of_kind(suspension.at(row), "name")}
     assert max(lengths) > 1.05 * min(lengths)
 
 
@@ -181,3 +182,16 @@ def test_two_springs():
     lamp = positions(LAMP)
     assert len(of_kind(lamp.at(0), "spring")) == 2
     assert not of_kind(lamp.at(0), "damper", "load", "torque")
+
+
+def test_the_first_position_shown_is_one_in_which_loads_act():
+    """A shaper cuts on its way to the left but for its ends: the row of 0 degrees has no force, that of 15 has."""
+    compiled = Compiled(load(folder / "shaper.toml"))
+    row = first_shown(compiled.mechanism, compiled.closed, compiled.values)
+    assert (row, float(np.degrees(compiled.driver[row]))) == (3, pytest.approx(15))
+    scene = Positions(compiled).at(row)
+    shaft = next(item for item in of_kind(scene, "load") if not item.fill)
+    assert shaft.points[1][0] > shaft.points[0][0]  # to the right, against the cut
+    assert not any(there(item) for item in of_kind(Positions(compiled).at(0), "load"))
+    without = Compiled(load(folder / "four-bar.toml"))
+    assert first_shown(without.mechanism, without.closed, without.values) == 0

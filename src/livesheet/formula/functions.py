@@ -109,7 +109,11 @@ def _row(match: re.Match[str], family: str, module: str) -> Function:
 FUNCTIONS = {row.name: row for row in _rows(Path(__file__).with_name("functions.txt").read_text(encoding="utf-8"))}
 """Name in the tree -> its row."""
 
-_PREFIXES = ("_XLFN.", "_XLWS.", "COM.MICROSOFT.", "ORG.OPENOFFICE.", "ORG.LIBREOFFICE.")
+_PREFIXES = (
+    "_XLFN.", "_XLWS.", "COM.MICROSOFT.", "ORG.OPENOFFICE.", "ORG.LIBREOFFICE.", "_XLFNGNUMERIC.", "_XLFNODF.", "ODF.",
+)  # fmt: skip
+"""The last three are gnumeric's, before what it takes for no function of Excel's."""
+
 _BY_ODF = {row.odf: row.name for row in FUNCTIONS.values()}
 
 

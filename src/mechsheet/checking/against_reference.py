@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -36,16 +36,23 @@ from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import Plan
 
 
-def against_plan(book: Book, values: Any, plan: Plan, shown: str) -> tuple[Comparison, list[str]]:
+def against_plan(
+    book: Book, values: Any, plan: Plan, shown: str, built: Plan | None = None, rows: Sequence[int] = ()
+) -> tuple[Comparison, list[str]]:
     """Compare every variable, point and output, row by row, with what the reference finds for the inputs in the cells.
 
-    `values` is the engine's, `plan` that of the description inside the workbook. Returns the comparison, and remarks for a
-    person.
+    `values` is the engine's, `plan` that of the description inside the workbook. Where somebody has made the table longer,
+    it is that of so many rows; `built` is the description's own then, and `rows` the numbers of its rows, which two-way
+    tables follow. Returns the comparison, and remarks for a person.
     """
     inputs = inputs_in(book, values, plan, shown)
     tally = Tally("reference")
     remarks = _compare_rows(book, values, plan, inputs, tally)
-    compare_tables(book, values, plan, inputs, tally)
+    if built is None or built is plan:
+        compare_tables(book, values, plan, inputs, tally)
+    else:
+        given = {name: column[list(rows)] for name, column in inputs.given.items()}
+        compare_tables(book, values, built, replace(inputs, given=given), tally)
     return tally.result(), [*inputs.remarks, *remarks]
 
 

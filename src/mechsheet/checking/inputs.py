@@ -185,6 +185,12 @@ def _of_sweep(plan: Plan, values: Any, key: Literal["start", "step"], dimensions
     return plan.mechanism.driver.unit.to_shown(computed)
 
 
+def _empty_rows(plan: Plan, values: Any) -> NDArray[np.bool_]:
+    """Rows that are none: somebody inserted them and left them empty, or emptied them, which is told as an edit."""
+    spot = plan.at.spots[plan.mechanism.driver.symbol]
+    return np.array([cell is None for cell in values.column(spot.sheet, spot.col, plan.at.first, plan.at.last)])
+
+
 def _given(
     plan: Plan, values: Any, dimensions: Mapping[str, float], faults: list[Fault], shown: str
 ) -> dict[str, Array]:
@@ -206,9 +212,14 @@ def _given(
         step = _of_sweep(plan, values, "step", dimensions)
         numbers = isinstance(start, float) and isinstance(step, float)
         found = {driver.symbol: start + np.arange(plan.rows) * step if numbers else np.array([math.nan])}
+        if numbers:
+            found[driver.symbol][_empty_rows(plan, values)] = math.nan
     for symbol, column in found.items():
         # NaN where they follow from a task without a solution, as everything does that they decide
-        if not np.isfinite(column).all() and (mechanism.synthesis is None or len(column) != plan.rows):
+        missing = ~np.isfinite(column)
+        if driver.stepped and len(column) == plan.rows:
+            missing &= ~_empty_rows(plan, values)
+        if missing.any() and (mechanism.synthesis is None or len(column) != plan.rows):
             message = say("the values of {symbol} are not all numbers", symbol=symbol)
             if symbol == driver.symbol:
                 message = say("the driver's values are not all numbers")

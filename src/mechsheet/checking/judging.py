@@ -14,8 +14,8 @@ from livesheet.said import say
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.baseline import Baseline
 from mechsheet.checking.cells import compare_cells
-from mechsheet.checking.edited.edits import edits_of
 from mechsheet.checking.edited.expected import expected_for, functions_in, inside
+from mechsheet.checking.edited.grown import compared
 from mechsheet.checking.edited.inserted_rows import MovedValues
 from mechsheet.checking.inputs import description_in
 from mechsheet.checking.line_under_title import first_sheet, red_line
@@ -126,16 +126,17 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | No
             changed = stale(text, path, file)
         work.say("looking for edits")
         expected = expected_for(text, inside(shown), form)
-        found = edits_of(book, expected)
+        with_rows = compared(book, expected)
+        found, plan = with_rows.edits, with_rows.plan
         edits = found.edits
         work.say("solving")
         placed = MovedValues(values, found.moves) if found.moves else values
         remarks += found.remarks
         try:
-            comparison, of_inputs = against_plan(found.book, placed, expected.plan, shown)
+            comparison, of_inputs = against_plan(found.book, placed, plan, shown, expected.plan, with_rows.built)
             comparisons.append(comparison)
             remarks += of_inputs
-            searched = against_search(found.book, placed, expected.plan, shown)
+            searched = against_search(found.book, placed, plan, shown, expected.plan)
             comparisons += [] if searched is None else [searched]
         except MissingSheetError as error:  # the sheet is told as an edit
             judge = "reference" if len(comparisons) == 1 else "search"
@@ -161,7 +162,7 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | No
         try:
             comparisons.append(
                 compare_program(
-                    program, book, values, theirs, expected.plan, shown,
+                    program, book, values, theirs, plan, shown,
                     rules=work.rules, but=stored.unsure, moves=found.moves,
                 )
             )  # fmt: skip

@@ -8,7 +8,6 @@ from typing import Any
 import click
 
 from livesheet.said import say, say_count
-from mechsheet.checking.mutation import by_kind, by_sheet
 from mechsheet.checking.remark_lines import grouped
 from mechsheet.checking.report_lines import focused, report_lines
 
@@ -72,6 +71,8 @@ def print_perturbation(found: Any) -> None:
 
 def print_mutation(found: Any) -> None:
     """Damages: how many are caught by whom, and those that the sheet's own checks do not catch."""
+    from mechsheet.checking.mutation import by_kind, by_sheet
+
     lines = [
         say("{file}: check catches all damages", file=found.file) if found.agrees else
         say("{file}: A DAMAGE ESCAPES", file=found.file),

@@ -56,6 +56,9 @@ _GUI = """<gui>
 """
 """The list of numbers and points at the left takes a quarter of the window."""
 
+LINK = 3.0
+"""How wide a link's line is: GeoGebra paints no bars [points]."""
+
 STEPS = 200
 """Into so many steps at least the range of a slider is divided, each 1, 2 or 5 times a power of ten."""
 
@@ -343,7 +346,8 @@ class Construction:
     def _line(self, shape: Shape, number: int, corners: str) -> _Element:
         """Two corners are a segment, a closed line of points a polygon, anything else a line with corners."""
         shown = f'<show object="true" label="false"/>\n<auxiliary val="true"/>\n{_color(shape.color)}'
-        shown += f'<lineStyle thickness="{max(1, round(2 * shape.width))}" type="0"/>\n'
+        width = LINK if shape.border else shape.width
+        shown += f'<lineStyle thickness="{max(1, round(2 * width))}" type="0"/>\n'
         closed = len(shape.corners) > 3 and shape.corners[0] == shape.corners[-1]
         label = self._take(f"{'p' if closed else 'l'}_{{{number}}}")
         if len(shape.corners) == 2:

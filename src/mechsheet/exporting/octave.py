@@ -328,7 +328,11 @@ def _shape(program: Program, shape: Shape) -> list[str]:
     line = f"{made}, {_color(shape.color)}, {shape.width:g}, {_string(shape.name)})"
     if shape.size is not None:
         line = f"large_enough({line}, {_text(program, shape.size)}, {LEAST:g})"
-    return [f"shapes{{end + 1}} = {line};"]
+    lines = [f"shapes{{end + 1}} = {line};"]
+    if shape.border:
+        width = shape.width - 2 * shape.border
+        lines.append(f"shapes{{end + 1}} = filled(shapes{{end}}, {_color(shape.fill)}, {width:g});")
+    return lines
 
 
 def _curves(program: Program, request: ChartRequest, number: int, name: str) -> str:

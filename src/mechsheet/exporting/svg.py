@@ -8,7 +8,7 @@ import numpy as np
 
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.shapes import Drawn, drawings
-from mechsheet.shapes.positions import RING, Disc, Label, Stroke, there
+from mechsheet.shapes.positions import RING, Disc, Label, Stroke, painted, there
 
 BASE = 0.35
 """How far the base line of letters lies under their middle, as a part of their height."""
@@ -36,7 +36,7 @@ def picture(drawn: Drawn) -> bytes:
         f"<desc>1 = 1 {escape(drawn.unit)}; y points upwards</desc>",
         '<g transform="scale(1,-1)" fill="none" stroke-linejoin="round" stroke-linecap="round">',
     ]
-    lines += [_shape(item, drawn) for item in items if not isinstance(item, Label) and there(item)]
+    lines += [_shape(each, drawn) for each in painted(items) if not isinstance(each, Label)]
     lines += ["</g>", '<g font-family="sans-serif" fill="#404040">']
     lines += [_label(item, drawn) for item in items if isinstance(item, Label) and there(item)]
     lines += ["</g>", '<g id="points" transform="scale(1,-1)" fill="none">']

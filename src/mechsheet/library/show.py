@@ -22,7 +22,6 @@ from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.library.building import told
-from mechsheet.library.recalculation import json_value
 from mechsheet.library.verdicts import DOUBTS, verdict
 from mechsheet.model import TIME, Mechanism, Output, Rack, Relation, Summary, energy_unit, inertia_unit
 from mechsheet.sheet.columns.lowering import Assignment, Assignments, lowered
@@ -231,6 +230,8 @@ def cells_of_workbook(workbook: Workbook) -> str:
 
 def cells_json(mechanism: Mechanism) -> str:
     """{"sheet": {"A1": value}} of every cell."""
+    from mechsheet.library.recalculation import json_value
+
     sheets: dict[str, dict[str, object]] = {}
     for sheet in told(mechanism).workbook.sheets:
         cells: dict[str, object] = {}

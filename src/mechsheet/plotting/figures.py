@@ -15,7 +15,7 @@ import numpy as np
 from livesheet.workbook import Axis, Chart, Series
 from mechsheet.plotting.axes import Scale, scale_of, tick_text
 from mechsheet.plotting.scenes import Curves, Piece, Points
-from mechsheet.shapes.positions import RING, Disc, Item, Label, Scene, Stroke, Window
+from mechsheet.shapes.positions import RING, Disc, Item, Label, Scene, Stroke, Window, layers_of
 
 SIZE = 480
 """Pixels of the drawing: square."""
@@ -94,8 +94,9 @@ def drawing(scenes: Sequence[Scene], shown: int, title: str) -> Figure:
     """The mechanism at `scenes[shown]`; the ids of its elements begin with m."""
     parts: list[str] = []
     moves: list[Move] = []
-    for index, item in enumerate(scenes[shown].items):
-        items = [scene.items[index] for scene in scenes]
+    layers = [[each for item in scene.items for each in layers_of(item)] for scene in scenes]
+    for index, item in enumerate(layers[shown]):
+        items = [each[index] for each in layers]
         places = [_hundredths(_in_pixels(_points_of(each), scenes[0].window)) for each in items]
         key = f"m-{index}"
         parts.append(_element(item, key, places[shown], scenes[0].window))

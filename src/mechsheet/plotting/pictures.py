@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from livesheet.said import say
 from mechsheet.extras import missing_package
-from mechsheet.shapes.positions import RING, Disc, Item, Label, Scene, Stroke, there
+from mechsheet.shapes.positions import RING, Disc, Item, Label, Scene, Stroke, painted
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -43,11 +43,10 @@ def settings() -> Iterator[None]:
         import matplotlib as mpl
     except ImportError as error:
         raise missing_package("matplotlib", "plot", say("it draws the pictures")) from error
-    with mpl.rc_context():
-        mpl.rcdefaults()
-        mpl.rcParams.update(
-            {"svg.hashsalt": "mechsheet", "pdf.fonttype": 42, "font.family": "DejaVu Sans", "path.simplify": False}
-        )
+    # `rcdefaults` does so, too, but reads all of matplotlib's style sheets first.
+    defaults: dict[Any, Any] = {name: value for name, value in mpl.rcParamsDefault.items() if name != "backend"}
+    ours = {"svg.hashsalt": "mechsheet", "pdf.fonttype": 42, "font.family": "DejaVu Sans", "path.simplify": False}
+    with mpl.rc_context(defaults | ours):
         yield
 
 
@@ -108,8 +107,8 @@ def draw(axes: Any, scene: Scene, scale: float = 1.0) -> None:
     axes.set_xlim(window.x - window.half, window.x + window.half)
     axes.set_ylim(window.y - window.half, window.y + window.half)
     axes.set_aspect("equal")
-    for order, item in enumerate(scene.items):
-        for artist in _artists(axes, item, scale) if there(item) else ():
+    for order, item in enumerate(painted(scene.items)):
+        for artist in _artists(axes, item, scale):
             artist.set(gid=f"{item.kind}-{order}", zorder=order)
 
 
@@ -118,8 +117,9 @@ def _artists(axes: Any, item: Item, scale: float) -> list[Any]:
 
     match item:
         case Stroke(points=points, fill=fill) if fill:
+            closed = bool(np.array_equal(points[0], points[-1]))
             return [axes.add_patch(Polygon(
-                points, closed=False, facecolor=f"#{fill}", edgecolor=f"#{item.color}", linewidth=item.width * scale,
+                points, closed=closed, facecolor=f"#{fill}", edgecolor=f"#{item.color}", linewidth=item.width * scale,
                 joinstyle="round", capstyle="round",
             ))]  # fmt: skip
         case Stroke(points=points):

@@ -5,6 +5,7 @@ One to three pages of A4, drawn by matplotlib; the words and numbers are those o
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -105,23 +106,44 @@ class _FirstSheet:
         return None
 
 
+def _springs(found: Sample, positions: Positions) -> list[Row]:
+    """Of each spring and damper its largest and its least length, and where the driver stands then."""
+    closed, rows = np.flatnonzero(found.closed[: found.sweep]), []
+    for name in positions.list.names:
+        if name.value is None or name.text not in _springs_of(found.mechanism):
+            continue
+        lengths = positions.column(name.value)[closed]
+        least, most = (f"{in_digits(lengths[at], 4)} {name.unit} @ {_place(found, closed[at])}"
+                       for at in (int(np.argmin(lengths)), int(np.argmax(lengths))))  # fmt: skip
+        rows.append((name.text, most, words(found.plan.language, "picture.longest", least=least)))
+    return rows
+
+
+def _springs_of(mechanism: Mechanism) -> set[str]:
+    return {plain(spring.name) for spring in mechanism.dynamics.springs} if mechanism.dynamics is not None else set()
+
+
+def _place(found: Sample, row: int) -> str:
+    """Where the driver stands in a row."""
+    driver = found.plan.mechanism.driver
+    shown = in_digits(float(driver.unit.to_shown(float(found.driver[row]))), 4)
+    return f"{shown}{behind_number(driver.unit.text)}"
+
+
 def _largest(found: Sample) -> list[Row]:
-    """Of each joint force and the driver's effort the largest, and where the driver stands then."""
+    """Of the driver's effort and each joint force the largest, and where the driver stands then; the largest force first."""
     plan, closed = found.plan, np.flatnonzero(found.closed[: found.sweep])
-    rows = []
+    rows: list[tuple[float, Row]] = []
     for symbol in (*plan.efforts[:1], *plan.held_columns):
         column = np.abs(np.broadcast_to(found.values[symbol], found.driver.shape)[closed])
         if not np.isfinite(column).any():
             continue
         row = closed[int(np.nanargmax(column))]
-        driver = plan.mechanism.driver
-        place = (
-            f"{in_digits(float(driver.unit.to_shown(float(found.driver[row]))), 4)}{behind_number(driver.unit.text)}"
-        )
         amount = f"{in_digits(float(found.values[symbol][row]), 4)} {shown_unit(plan, symbol)}"
         label = plan.equations.of(symbol).label.of(plan.language)
-        rows.append((plain(symbol), f"{amount} @ {place}", label))
-    return rows
+        size = math.inf if symbol in plan.efforts else float(np.nanmax(column))
+        rows.append((size, (plain(symbol), f"{amount} @ {_place(found, row)}", label)))
+    return [row for _, row in sorted(rows, key=lambda each: -each[0])]
 
 
 # --- pages -----------------------------------------------------------------------------------------------------------
@@ -149,6 +171,10 @@ def _pages(first: _FirstSheet, stage: Stage) -> list[Figure]:
         page = _with_room(pages, LARGEST[1] + (len(rows) + 4) * LINE, charts)
         page.heading(words(plan.language, "picture.forces"))
         page.drawing(Positions(found, VECTORS[2:]).at(found.shown), mechanism.length_unit)
+        page.columns(rows, 1)
+    if rows := _springs(found, stage.positions):
+        page = _with_room(pages, (len(rows) + 3) * LINE, charts)
+        page.heading(words(plan.language, "picture.springs"))
         page.columns(rows, 1)
     pages[-1].curves(charts)
     while charts and len(pages) < MOST:

@@ -23,6 +23,7 @@ from mechsheet.kinematics.driving import given_at, place_of, rates_at
 from mechsheet.kinematics.numeric import Array, runs_of
 from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
+from mechsheet.shapes.loads import first_shown
 from mechsheet.shapes.points import moving_points
 from mechsheet.sheet.plan import STATUS
 from mechsheet.units import behind_number
@@ -66,10 +67,10 @@ class Sample(Compiled):
 
     @cached_property
     def shown(self) -> int:
-        """The row of the position asked for; without one, the first that exists."""
+        """The row of the position asked for; without one, that which a workbook shows first."""
         if self._asked is not None:
             return self._asked
-        return self.exists.index(True) if True in self.exists else 0
+        return first_shown(self.mechanism, self.closed, self.values)
 
 
 def sample(

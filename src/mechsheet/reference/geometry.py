@@ -18,7 +18,6 @@ from mechsheet.diagnostics import MechanismError
 from ..model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
 from .driving import by_law
 from .expressions import number
-from .synthesis.results import results
 
 Array: TypeAlias = NDArray[np.float64]
 Places: TypeAlias = Mapping[str, Mapping[str, Array]]
@@ -64,6 +63,8 @@ def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | Non
             values[symbol] = float(given[symbol])
             return
         if task is not None and symbol in found:
+            from .synthesis.results import results
+
             for name in (*task.inputs, *(set(task.results.values()) - set(task.steps))):
                 settle(name, (*asked, symbol))
             values.update({name: value for name, value in results(task, values).items() if name not in given})

@@ -18,6 +18,16 @@ VELOCITY, ACCELERATION, FORCE, SPRING = "0096FF", "FF0000", "E600C8", "546E7A"
 """No link has these colours."""
 
 
+PALE = 0.78
+"""How much of the way to white the inside of a plate is from its border."""
+
+
+def pale(color: str) -> str:
+    """The colour of a plate inside a border."""
+    parts = [int(color[at : at + 2], 16) for at in (0, 2, 4)]
+    return "".join(f"{round(part + PALE * (255 - part)):02X}" for part in parts)
+
+
 def link_color(link: Link, driven: str) -> str:
     """The colour of a link: one for the driven link, the others in turn; grey for the ground."""
     if link.name == driven:

@@ -11,6 +11,7 @@ from livesheet import portable
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
 from livesheet.formula.vectors import Vector, minus, plus, size, times, turned
+from mechsheet.shapes.colors import pale
 
 Kind: TypeAlias = Literal[
     "link", "ground", "slide", "cylinder", "gear", "belt", "rack", "cam", "spring", "damper", "load", "torque", "weight",
@@ -22,10 +23,13 @@ ARROWS = ("load", "torque", "weight", "velocity", "acceleration", "force")
 HALF = Symbol("#half")
 """Half the side of the window, in the length unit: symbols are so many of it large, whatever the mechanism's dimensions."""
 
-PAD = 0.13
-"""How far a guide reaches beyond the stroke, in half windows."""
+PAD = 0.1
+"""How far a guide reaches beyond the stroke, in half windows: a little more than half a block's length."""
 
-LEAST = 0.05
+PLATE, BORDER = 10.0, 1.25
+"""How wide a link is drawn, and the border of it [points]."""
+
+LEAST = 0.1
 """Of what is less than this part of the largest of its kind no arrow is drawn: it would be all tip."""
 
 Path: TypeAlias = tuple[tuple[float, float], ...]
@@ -46,6 +50,7 @@ class Shape:
     places in all positions are the line in each.
 
     color  RRGGBB;  fill  of what the line encloses, or "";  width  in points of a printer
+    border of a plate, [points]: so much of its line is its edge, the rest is filled as what it encloses; 0: a line
     size   of an arrow: which part it is of the largest of its kind; less than LEAST is not drawn
     """
 
@@ -58,6 +63,7 @@ class Shape:
     corners: tuple[Vector, ...] = ()
     fill: str = ""
     size: Node | None = None
+    border: float = 0.0
 
     @property
     def vectors(self) -> tuple[Vector, ...]:
@@ -245,7 +251,7 @@ def zigzag(turns: int, start: float, stop: float) -> Path:
     return ((0.0, 0.0), (start, 0.0), *teeth, (stop, 0.0), (1.0, 0.0))
 
 
-COIL = zigzag(6, 0.16, 0.84)
+COIL = zigzag(5, 0.16, 0.84)
 BARREL: Path = (
     (0.0, 0.0), (0.06, 0.0), (0.06, 1.0), (1.0, 1.0), (1.0, -1.0), (0.06, -1.0), (0.06, 0.0), (0.0, 0.0),
 )  # fmt: skip
@@ -281,6 +287,11 @@ class Shapes:
             known = Extreme(f"#{take} {len(self.extremes) + 1}", "min" if take == "min" else "max", of)
             self.extremes.append(known)
         return Symbol(known.symbol)
+
+
+def plate(name: str, color: str, places: tuple[Vector, ...]) -> Shape:
+    """A link: a bar with round ends, or a plate with round corners."""
+    return Shape("link", name, color, PLATE, corners=places, fill=pale(color), border=BORDER)
 
 
 def telescope(

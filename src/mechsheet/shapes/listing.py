@@ -12,7 +12,7 @@ from livesheet.formula.vectors import Vector, dot, minus, plus, size, times, tog
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Joint, Mechanism, Rack
 from mechsheet.shapes.cams import cam_shapes
-from mechsheet.shapes.colors import INK, PATHS, SERIES
+from mechsheet.shapes.colors import INK, PATHS, SERIES, pale
 from mechsheet.shapes.described import Described
 from mechsheet.shapes.forms import (
     BLOCK,
@@ -33,6 +33,7 @@ from mechsheet.shapes.forms import (
     along,
     comb,
     place_of,
+    plate,
     sized,
     telescope,
     unit,
@@ -77,7 +78,7 @@ def shapes_of(mechanism: Mechanism, equations: Equations, vectors: Collection[Ki
             order = corners(link, known.dimensions)
             closed = (*order, order[0]) if len(order) > 2 else order
             places = tuple(map(place_of, closed))
-            found.shapes.append(Shape("link", known.called(link), known.color(link.name), 3.0, corners=places))
+            found.shapes.append(plate(known.called(link), known.color(link.name), places))
     found.shapes += [guide.block() for guide in guides]
     for joint in cylinders:
         found.shapes += _cylinder(known, found, joint)
@@ -149,7 +150,8 @@ class _Guide:
         elif joint.kind != "prismatic":
             owner, part = "", 0.7
         frame = Frame(at, times(sized(part), self.way), times(sized(part), turned(self.way)))
-        return Shape("slide", self._named("block"), self.known.color(owner) if owner else INK, 2.0, frame, BLOCK)
+        color = self.known.color(owner) if owner else INK
+        return Shape("slide", self._named("block"), color, 2.0, frame, BLOCK, fill=pale(color))
 
 
 def is_cylinder(known: Described, joint: Joint) -> bool:

@@ -6,13 +6,17 @@ for, the forces of joints.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
 from livesheet.formula.vectors import NOWHERE, Vector, minus, plus, size, times, together, turned
 from mechsheet.kinematics.equations import JOINT_FORCES
+from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.points_in_link import angle_of, cartesian, polar
 from mechsheet.model import (
     Cartesian,
@@ -37,6 +41,7 @@ from mechsheet.shapes.forms import (
     BOW_HEAD,
     COIL,
     HALF,
+    LEAST,
     QUARTERS,
     ROUND,
     SHAFT,
@@ -116,6 +121,22 @@ def acting(known: Described, found: Shapes, vectors: Collection[Kind]) -> tuple[
     return behind, before
 
 
+def first_shown(mechanism: Mechanism, closed: NDArray[np.bool_], values: Mapping[str, Array]) -> int:
+    """The first of all positions in which every load acts that acts in any: a machine tool is shown as it cuts.
+
+    Without such a one the first that there is, and without any the first row.
+    """
+    acts = closed.copy()
+    for load in mechanism.dynamics.loads if mechanism.dynamics is not None else ():
+        parts = load.force or (load.torque or al.ZERO,)
+        with np.errstate(all="ignore"):
+            strength = sum(np.abs(value(part, values, rooted=True)) for part in parts) + np.zeros(len(closed))
+            there = strength[closed & np.isfinite(strength)]
+            if len(there) and there.max() > 0:
+                acts &= strength >= LEAST * there.max()
+    return int(np.argmax(acts if acts.any() else closed))
+
+
 def loaded_points(known: Described) -> tuple[str, ...]:
     """Points of the ground at which springs are held."""
     dynamics = known.mechanism.dynamics
@@ -170,8 +191,9 @@ def _spring(known: Described, found: Shapes, spring: Spring) -> Iterator[Shape]:
         yield from telescope(found, "damper", called, ends, (SPRING, SPRING), DAMPER_BORE)
     if not al.is_zero(spring.stiffness):
         frame = Frame(ends[0], way, times(sized(COIL_ASIDE), turned(unit(way))))
-        yield Shape("spring", words(language, "picture.spring", name=name), SPRING, 1.5, frame, COIL)
-    found.names.append(Name(name, plus(ends[0], times(al.number(0.5), way)), beside=COIL_ASIDE))
+        yield Shape("spring", words(language, "picture.spring", name=name), SPRING, 1.25, frame, COIL)
+    middle, unit_ = plus(ends[0], times(al.number(0.5), way)), known.mechanism.length_unit
+    found.names.append(Name(name, middle, size(way), unit_, beside=COIL_ASIDE))
 
 
 # --- masses ----------------------------------------------------------------------------------------------------------

@@ -7,8 +7,8 @@ the window is 360 high.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Protocol
 
@@ -43,6 +43,7 @@ from mechsheet.shapes.forms import (
 from mechsheet.shapes.listing import shapes_of
 from mechsheet.shapes.loads import VECTORS
 from mechsheet.shapes.names import POINTS, Boxes, Lines, Sheet, half_box
+from mechsheet.shapes.plates import rings
 from mechsheet.units import behind_number
 from mechsheet.words.catalogue import words
 from mechsheet.words.equations import body_words
@@ -51,13 +52,19 @@ from mechsheet.words.symbols import plain
 FITTED = 8
 """How often a window is made larger for arrows, which grow with it, each time by less than half as much."""
 
+NAMELESS = 6
+"""So many rings in a plate leave no room for a name."""
+
 RING = 1.5
 """Width of the line of a ring [points]."""
 
 
 @dataclass(frozen=True, slots=True)
 class Stroke:
-    """A line through `points` (n, 2), with gaps where they are NaN; `width` in points, colours as RRGGBB, no `fill` ""."""
+    """A line through `points` (n, 2), with gaps where they are NaN; `width` in points, colours as RRGGBB, no `fill` "".
+
+    border  of a plate, as of a shape
+    """
 
     kind: Kind
     name: str
@@ -65,6 +72,7 @@ class Stroke:
     color: str
     width: float
     fill: str = ""
+    border: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,6 +101,19 @@ class Label:
 
 
 Item = Stroke | Disc | Label
+
+
+def painted(items: Iterable[Item]) -> Iterator[Item]:
+    """What is painted of the items that are there, from back to front."""
+    return (layer for item in items if there(item) for layer in layers_of(item))
+
+
+def layers_of(item: Item) -> tuple[Item, ...]:
+    """What is painted of an item, with round ends: of a plate its border, and on it its inside."""
+    if not isinstance(item, Stroke) or not item.border:
+        return (item,)
+    inside = replace(item, color=item.fill, width=item.width - 2 * item.border, border=0.0)
+    return replace(item, fill=item.color, border=0.0), inside
 
 
 def there(item: Item) -> bool:
@@ -155,7 +176,7 @@ class Positions:
         self._seen: dict[Any, Any] = {}
         self._places: dict[int, Array] = {}
         for extreme in self.list.extremes:
-            found = np.concatenate([self._column(node) for node in extreme.of])
+            found = np.concatenate([self.column(node) for node in extreme.of])
             found = found[np.isfinite(found)]
             take = np.min if extreme.take == "min" else np.max
             self._known[extreme.symbol] = float(take(found)) if len(found) else math.nan
@@ -178,14 +199,15 @@ class Positions:
 
     # --- formulas in numbers -----------------------------------------------------------------------------------------
 
-    def _column(self, node: Node) -> Array:
+    def column(self, node: Node) -> Array:
+        """The values of a tree in all positions."""
         with np.errstate(all="ignore"):
             found = value(node, self._known, rooted=True, seen=self._seen)
         return np.broadcast_to(np.asarray(found, float), (self.rows,))
 
     def _vector(self, vector: Vector) -> Array:
         """(rows, 2)."""
-        return np.column_stack([self._column(part) for part in vector])
+        return np.column_stack([self.column(part) for part in vector])
 
     def columns(self, shape: Shape) -> Array:
         """The vectors of a shape's frame, or its corners (rows, count, 2); NaN where it is not there."""
@@ -193,7 +215,7 @@ class Positions:
         there = np.asarray(np.isfinite(found).all(axis=(1, 2)))
         if shape.size is not None:
             with np.errstate(invalid="ignore"):
-                there &= self._column(shape.size) >= LEAST
+                there &= self.column(shape.size) >= LEAST
         return np.where(there[:, None, None], found, math.nan)
 
     def curve(self, shape: Shape) -> Array:
@@ -214,7 +236,7 @@ class Positions:
         """A square about everything in all positions; larger where arrows would leave it, higher where bars stand in it."""
         low, high = np.full(2, math.inf), np.full(2, -math.inf)
         for place, radius in self.list.around:
-            at, out = self._vector(place), self._column(radius)[:, None]
+            at, out = self._vector(place), self.column(radius)[:, None]
             low = np.fmin(low, np.fmin.reduce(at - out))
             high = np.fmax(high, np.fmax.reduce(at + out))
         low, high = (np.where(np.isfinite(end), end, 0.0) for end in (low, high))
@@ -248,7 +270,7 @@ class Positions:
             x, y = places[row].tolist()
             return Disc(shape.kind, shape.name, x, y, shape.radius * self.window.half, shape.fill, INK)
         points = places if shape.kind == "path" else places[row]
-        return Stroke(shape.kind, shape.name, points, shape.color, shape.width, shape.fill)
+        return Stroke(shape.kind, shape.name, points, shape.color, shape.width, shape.fill, shape.border)
 
     def _trace(self, places: Array) -> Array:
         """A path has the positions of the sweep, without one that was asked for outside of it."""
@@ -271,7 +293,7 @@ class Positions:
         return tuple(bars), tuple(texts)
 
     def _bar(self, scale: Scale, height: float) -> tuple[Stroke, Label] | None:
-        most = float(self._column(scale.most)[0])
+        most = float(self.column(scale.most)[0])
         if not most > 0:
             return None
         amount = longest(most)
@@ -356,7 +378,7 @@ class Positions:
         """Of every name in all positions: its place, its size, its value."""
 
         def column(node: Node | None) -> Array | None:
-            return None if node is None else self._column(node)
+            return None if node is None else self.column(node)
 
         return [(self._vector(name.at), column(name.size), column(name.value)) for name in self.list.names]
 
@@ -365,7 +387,7 @@ class Positions:
 
     def sheet(self, drawn: Sequence[Item]) -> Sheet:
         """What names must not cover, and the paths that they had better not."""
-        strokes = [item for item in drawn if isinstance(item, Stroke)]
+        strokes = [_filled(item) for item in drawn if isinstance(item, Stroke)]
         discs = [item for item in drawn if isinstance(item, Disc) and math.isfinite(item.x)]
         half = np.array([disc.radius for disc in discs]) / self.window.half
         taken = Boxes(
@@ -391,6 +413,13 @@ class Positions:
         )
         there = np.isfinite(starts).all(axis=1) & np.isfinite(ends).all(axis=1)
         return Lines(starts[there], ends[there], widths[there])
+
+
+def _filled(stroke: Stroke) -> Stroke:
+    """A plate with its inside as lines, since no name stands on it."""
+    if not stroke.border or len(stroke.points) < 4:
+        return stroke
+    return replace(stroke, points=rings(stroke.points, NAMELESS))
 
 
 def in_digits(amount: float, digits: int = 3) -> str:

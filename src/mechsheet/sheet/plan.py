@@ -27,6 +27,7 @@ from mechsheet.kinematics.rates.sensitivity import NO_BANDS, Sensitivities
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.kinematics.terms import only_rounding
 from mechsheet.model import Dimension, Mechanism
+from mechsheet.shapes.loads import first_shown
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.classification import Classification
 from mechsheet.sheet.columns.bands import Banded, sizes
@@ -62,6 +63,9 @@ NUMBER, DRIVER, STATUS = range(3)
 
 RATES_DRIVER, RATES_STATUS = range(2)
 """First columns of the sheets of rates and of forces."""
+
+SPARE = 400
+"""So many rows below the table are looked at too: a person may fill it further down."""
 
 LEAST_PROBED = 4
 """With fewer rows nothing is looked for between them."""
@@ -185,9 +189,9 @@ class Plan:
         return found
 
     @cached_property
-    def first_existing(self) -> int:
-        """The number of the first row that has a position, with the dimensions as described; 0 where none has."""
-        return int(np.argmax(self.equations.equations.closed(self.nominal)))
+    def first_shown(self) -> int:
+        """The number of the row that is shown first, with the dimensions as described."""
+        return first_shown(self.mechanism, self.equations.equations.closed(self.nominal), self.nominal)
 
     @cached_property
     def unguarded(self) -> frozenset[str]:

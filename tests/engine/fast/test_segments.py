@@ -8,7 +8,6 @@ from hypothesis import strategies as st
 
 from chosen import examples
 from livesheet.engine import FAST, PORTABLE, compile_book
-from livesheet.engine.fast import emitting as emitting_module
 from livesheet.engine.fast import segments as segments_module
 from livesheet.engine.fast.segments import Segment
 from livesheet.formula.book import BookBuilder
@@ -39,10 +38,9 @@ def never(*_):
     trees,
     trees,
     st.sampled_from(["", "sum", "held"]),
-    st.booleans(),
     st.sampled_from([FAST, PORTABLE]),
 )
-def test_fast_equals_the_interpreter(data, singles, first, second, third, recurrence, large, arithmetic):
+def test_fast_equals_the_interpreter(data, singles, first, second, third, recurrence, arithmetic):
     builder = BookBuilder()
     sheet = builder.sheet("S")
     for col, column in enumerate(data):
@@ -70,10 +68,7 @@ def test_fast_equals_the_interpreter(data, singles, first, second, third, recurr
     }[recurrence]
     sheet.block(FIRST, 5, ROWS, 1, formula)
     plan = compile_book(builder.build(), arithmetic)
-    with pytest.MonkeyPatch.context() as patch:
-        if large:  # the code is written as for many cells
-            patch.setattr(emitting_module, "_LARGE", 0)
-        same(plan.evaluate(), plan.evaluate())
+    same(plan.evaluate(), plan.evaluate())
 
 
 @pytest.fixture

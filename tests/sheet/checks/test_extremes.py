@@ -46,6 +46,7 @@ def test_what_does_not_come_back_with_the_mechanism_has_ends(formula, unit, rows
     assert found["high"] == pytest.approx(to_shown(high), abs=off)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rows", ROWS.values(), ids=ROWS)
 def test_a_load_that_grows_with_the_angle(rows):
     text = template_text("four-bar-forces").replace("torque = 120", 'torque = "-50*theta12"')
@@ -57,6 +58,7 @@ def test_a_load_that_grows_with_the_angle(rows):
     assert compiled.number(spot) == pytest.approx(high, abs=2e-4 * (high - low))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rows", ROWS.values(), ids=ROWS)
 @pytest.mark.parametrize("formula", ["C.x - 20*theta12", "C.x + 20*theta14", "C.x - C.y"])
 def test_a_study_finds_the_same(formula, rows):

@@ -55,6 +55,7 @@ def test_two_ranges():
     assert limits(laid) == pytest.approx([near, far, 360 - far, 360 - near], abs=1e-4)
 
 
+@pytest.mark.slow
 def test_crank_without_limits_and_no_position_at_all():
     laid = Laid(FOUR_BAR)
     assert limits(laid) == []

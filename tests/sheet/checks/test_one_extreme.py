@@ -8,6 +8,8 @@ from laid import Laid, template_text
 from mechsheet.sheet.checks.search_rules import PROBES
 from mechsheet.sheet.checks.search_table import KNOWN, PLACE_COL
 
+pytestmark = pytest.mark.slow
+
 R, ROD = 50, 250
 
 

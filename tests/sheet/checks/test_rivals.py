@@ -8,6 +8,7 @@ import pytest
 from placed import places_of
 from swept import four_bar, swept
 
+from chosen import some
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from mechsheet.checking.searched.against_search import against_search
@@ -19,6 +20,8 @@ from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.checks.search_rules import BEYOND
 from mechsheet.sheet.plan import MEANING
 from mechsheet.studies.designs import Designs
+
+pytestmark = pytest.mark.slow
 
 FORCES = template_text("four-bar-forces").partition("[summary]")[0]
 SAID = " (or beyond)"
@@ -95,12 +98,12 @@ rises and returns by like laws."""
 
 @pytest.mark.ci
 def test_few_templates_have_doubts():
-    found = set()
-    for name in template_names():
+    found, names = set(), some(template_names(), 4)
+    for name in names:
         compiled = compiled_of(loads(template_text(name)))
         extremes = compiled.plan.searched.extremes.values()
         found |= {name for extreme in extremes if compiled.value(extreme.doubt) == BEYOND}
-    assert found == RIVALS
+    assert found == RIVALS.intersection(names)
 
 
 STUDY = "[study]\nvary = { a2 = [24, 36, 4], a3 = [50, 104, 18], a4 = [56, 92, 12] }\n"

@@ -1,6 +1,7 @@
 """Which charts a workbook has, what is in them, and where they stand."""
 
 import math
+import re
 from copy import copy
 from functools import cache
 from pathlib import Path
@@ -8,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from chosen import some
 from livesheet.formats.house_style import MARGIN_END
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
@@ -250,6 +252,23 @@ def test_a_balanced_torque_is_a_line_at_zero():
     assert 0 < np.nanmax(np.abs(plan.nominal["T12"])) < 1e-15
     axis = value_axis(plan, found["T12", "T12.work"])
     assert (axis.low, axis.high) == (-1.0, 1.0)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", some(TEMPLATES, 6))
+def test_no_chart_shows_what_is_the_same_in_every_row(name):
+    """Of the charts that nobody has asked for; but rounding that is a line at 0."""
+    _, plan = laid(without_charts((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8")))
+    for request in chart_requests(plan):
+        columns = [plan.nominal[symbol] for symbol in request.y if symbol in plan.nominal]
+        there = [column[np.isfinite(column)] for column in columns]
+        moves = [np.ptp(column) > 1e-9 * np.abs(column).max() for column in there if len(column)]
+        assert not moves or any(moves) or set(request.y) <= plan.only_rounding.keys(), request.y
+
+
+def without_charts(text):
+    """The description without its own charts."""
+    return re.sub(r"(?ms)^\[\[charts\]\]\n.*?(?=^\[|\Z)", "", text)
 
 
 def test_an_effort_that_is_the_same_in_every_row_has_no_chart():

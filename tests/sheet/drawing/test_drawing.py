@@ -17,6 +17,7 @@ from livesheet.formula.nodes import CellRef, ErrorValue
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
+from mechsheet.shapes.forms import PLATE
 from mechsheet.sheet.drawing.charts import chart_requests
 from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.drawing.frames import SAMPLES
@@ -169,10 +170,14 @@ def test_a_position_that_does_not_exist_draws_nothing():
     laid = template("four-bar")
     values = laid.at(12, a2=90.0)
     chart = laid.drawing.chart
-    links = [series for series in chart.series if series.width == 3.0]
-    assert [series.name for series in links] == ["crank", "coupler", "rocker"]
+    links = list(dict.fromkeys(series for series in chart.series if series.width == PLATE))
+    assert [series.name for series in links] == [
+        "rocker",
+        "coupler",
+        "crank",
+    ]  # what lies on top is drawn on both sides
     ends = [int(np.isfinite(laid.series(values, series)).all(axis=1).sum()) for series in links]
-    assert ends == [2, 2, 1]  # the coupler's outline begins and ends at the crank's pin: one point, and no line
+    assert ends == [1, 2, 2]  # the coupler's outline begins and ends at the crank's pin: one point, and no line
     caption = next(s for s in chart.series if s.label_size == 11.0).name
     assert "does not close" in values.get(caption.sheet, caption.row, caption.col)
     good = laid.at(0)

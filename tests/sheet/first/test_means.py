@@ -120,6 +120,7 @@ def test_listed_positions_count_alike():
     )
 
 
+@pytest.mark.slow
 def test_two_means_of_one_sheet_agree():
     """The flywheel's mean torque and the summary's."""
     text = template_text("four-bar-forces").replace("acceleration = -40", "")

@@ -9,7 +9,7 @@ from chosen import some
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from livesheet.formula.nodes import CellRef, ErrorValue, NameRef, RangeRef, transform
-from mechsheet.sheet.plan import MAY_GO
+from mechsheet.sheet.plan import MAY_GO, MEANING, VALUE
 
 
 def without(laid, title):
@@ -35,6 +35,18 @@ def without(laid, title):
     return evaluate(book_of(replace(laid.workbook, sheets=sheets, names=names)))
 
 
+def changed_in_silence(laid, shown, place):
+    """Whether a result is another number now, and the words beside it do not say that they are of something else."""
+    plan, (row, col) = laid.plan, place
+    tells = {spot.row for spot in plan.places.sheets.values()} | {plan.places.lines["sheets"].row}
+    was, now = laid.values.get(plan.main, row, col), shown[place]
+    if col != VALUE or row in tells or not isinstance(now, float) or now == was:
+        return False
+    return shown.get((row, MEANING)) == laid.values.get(plan.main, row, MEANING)
+
+
+@pytest.mark.slow
+@pytest.mark.cases(4)
 @pytest.mark.parametrize("language", ["en", "tr"])
 @pytest.mark.parametrize("name", some(TEMPLATES, 8))
 def test_a_deleted_sheet_leaves_no_error_on_the_first(name, language):
@@ -48,6 +60,9 @@ def test_a_deleted_sheet_leaves_no_error_on_the_first(name, language):
         shown = {(fill.row, fill.col): values.get(plan.main, fill.row, fill.col) for fill in first.fills}
         wrong = {place: said for place, said in shown.items() if isinstance(said, ErrorValue) and said.code != "#N/A"}
         assert wrong == {}, title
+        assert [place for place in shown if changed_in_silence(laid, shown, place)] == [], title
+        marked = shown[plan.places.lines["inputs"].row, MEANING + 1]
+        assert marked == laid.values.get(plan.main, plan.places.lines["inputs"].row, MEANING + 1), title
         line = shown[plan.places.verdict.row, plan.places.verdict.col]
         if key not in MAY_GO:
             assert line == laid.verdict
@@ -55,3 +70,18 @@ def test_a_deleted_sheet_leaves_no_error_on_the_first(name, language):
         assert line.endswith(plan.text("verdict.sheets.deleted", sheet=title))
         if key not in ("synthesis", "iterations"):
             assert values.get(plan.main, plan.places.closed.row, plan.places.closed.col) == laid.spot("rows_closed")
+
+
+GAIN = """
+[outputs]
+gain = { formula = "omega14/omega12", label = { en = "gain", tr = "oran" } }
+"""
+
+
+def test_an_output_that_reads_a_deleted_sheet_is_not_there():
+    laid = Laid(template_text("four-bar-forces") + GAIN, "en")
+    plan, spot = laid.plan, laid.plan.at.spots["gain"]
+    for key, there in (("rates", False), ("forces", True), ("checks", True)):
+        values = without(laid, plan.at.titles[key])
+        found = [values.get(spot.sheet, row, spot.col) for row in range(plan.at.first, plan.at.last + 1)]
+        assert all(isinstance(value, float) for value in found) if there else set(found) == {ErrorValue("#N/A")}, key

@@ -338,17 +338,12 @@ def _if(writer: _Writer, args: tuple[Node, ...]) -> str:
 
 
 def _instead(name: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
-    def written(writer: _Writer, args: tuple[Node, ...]) -> str:
-        if len(args) != 2:
-            raise _UnsaidError
-        return f"{name}(lambda: {writer.value(args[0])}, lambda: {writer.value(args[1])})"
-
-    return written
+    return lambda writer, args: f"{name}(lambda: {writer.value(args[0])}, lambda: {writer.value(args[1])})"
 
 
 def _asks(test: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
     def written(writer: _Writer, args: tuple[Node, ...]) -> str:
-        if len(args) != 1 or not isinstance(args[0], CellRef):
+        if not isinstance(args[0], CellRef):
             raise _UnsaidError
         return f"(m.code({writer.place(args[0])}) {test})"
 
@@ -356,27 +351,11 @@ def _asks(test: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
 
 
 def _joined(name: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
-    def written(writer: _Writer, args: tuple[Node, ...]) -> str:
-        if not args:
-            raise _UnsaidError
-        return f"{name}(({', '.join(map(writer.counted, args))},))"
-
-    return written
+    return lambda writer, args: f"{name}(({', '.join(map(writer.counted, args))},))"
 
 
-def _not(writer: _Writer, args: tuple[Node, ...]) -> str:
-    if len(args) != 1:
-        raise _UnsaidError
-    return f"(not {writer.condition(args[0])})"
-
-
-def _of_numbers(name: str, least: int, most: int) -> Callable[[_Writer, tuple[Node, ...]], str]:
-    def written(writer: _Writer, args: tuple[Node, ...]) -> str:
-        if not least <= len(args) <= most:
-            raise _UnsaidError
-        return f"{name}({', '.join(map(writer.flat, args))})"
-
-    return written
+def _of_numbers(name: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
+    return lambda writer, args: f"{name}({', '.join(map(writer.flat, args))})"
 
 
 def _fold(name: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
@@ -401,15 +380,14 @@ def _fold(name: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
 
 def _fold_if(name: str) -> Callable[[_Writer, tuple[Node, ...]], str]:
     def written(writer: _Writer, args: tuple[Node, ...]) -> str:
-        if not args:
-            raise _UnsaidError
-        return f"{name}(*m.in_line_if({writer.line(args[0])[0]}, {_asked(writer, args[1:], writer.line(args[0])[1])}))"
+        places, size = writer.line(args[0])
+        return f"{name}(*m.in_line_if({places}, {_asked(writer, args[1:], size)}))"
 
     return written
 
 
 def _n(writer: _Writer, args: tuple[Node, ...]) -> str:
-    if len(args) != 1 or not isinstance(args[0], CellRef):
+    if not isinstance(args[0], CellRef):
         raise _UnsaidError
     return f"number_in({writer.value(args[0])})"
 
@@ -455,7 +433,7 @@ def _index(writer: _Writer, args: tuple[Node, ...]) -> str:
 
 
 def _round(writer: _Writer, args: tuple[Node, ...]) -> str:
-    if len(args) != 2 or not isinstance(args[1], Number):
+    if not isinstance(args[1], Number):
         raise _UnsaidError
     digits = math.trunc(args[1].value)
     if args[1].value == 0:
@@ -474,21 +452,17 @@ def _row(writer: _Writer, args: tuple[Node, ...]) -> str:
     return f"({(writer.block.row if cell is None else cell.row) + 1.0!r} + k)"
 
 
-def _power(writer: _Writer, args: tuple[Node, ...]) -> str:
-    if len(args) != 2:
-        raise _UnsaidError
-    return writer.value(Binary("^", args[0], args[1]))
-
-
+# Calls have as many arguments as their functions take: the others have been refused (`resolve`).
 _CALLS: dict[str, Callable[[_Writer, tuple[Node, ...]], str]] = {
     "IF": _if, "IFERROR": _instead("iferror"), "IFNA": _instead("ifna"), "AND": _joined("all"), "OR": _joined("any"),
-    "NOT": _not, "ISNUMBER": _asks("== 0"), "ISTEXT": _asks(f"== {TEXT}"), "ISLOGICAL": _asks(f"== {BOOLEAN}"),
+    "NOT": lambda writer, args: f"(not {writer.condition(args[0])})",
+    "ISNUMBER": _asks("== 0"), "ISTEXT": _asks(f"== {TEXT}"), "ISLOGICAL": _asks(f"== {BOOLEAN}"),
     "ISBLANK": _asks(f"== {BLANK}"), "ISNA": _asks(f"== {NA}"), "ISERROR": _asks(f">= {ERROR}"),
     "PI": lambda *_: "(3.141592653589793)", "NA": lambda *_: f"fail({NA})",
-    "ATAN2": _of_numbers("atan2", 2, 2), "MOD": _of_numbers("modulo", 2, 2), "ROUND": _round, "POWER": _power,
+    "ATAN2": _of_numbers("atan2"), "MOD": _of_numbers("modulo"), "ROUND": _round,
+    "POWER": lambda writer, args: writer.value(Binary("^", *args)),
     "MIN": _fold("least"), "MAX": _fold("greatest"), "SUM": _fold("total"),
     "MINIFS": _fold_if("least"), "MAXIFS": _fold_if("greatest"),
-    "MEDIAN": _of_numbers("middle", 3, 3),
     "N": _n, "ROW": _row, "COUNT": _count, "COUNTIF": _count_if, "COUNTIFS": _count_if, "MATCH": _match, "INDEX": _index,
 }  # fmt: skip
 _TRUTHS = frozenset(("AND", "OR", "NOT", "ISNUMBER", "ISTEXT", "ISLOGICAL", "ISBLANK", "ISNA", "ISERROR"))

@@ -146,11 +146,6 @@ def _joined_texts(left: Scalar, right: Scalar) -> str:
     return text
 
 
-def _middle(*numbers: float) -> float:
-    half = sorted(numbers)[1] / 2
-    return half + half
-
-
 def power_of(function: Callable[[float, float], float]) -> Callable[[float, float], float]:
     """A power whose exponent is computed, with the errors that cells show."""
 
@@ -261,7 +256,7 @@ NAMES: dict[str, Any] = {
     "plus": lambda a, b: _finite(a + b), "minus": lambda a, b: _finite(a - b), "times": lambda a, b: _finite(a * b),
     "over": _over, "plus_snapped": lambda a, b: snap(_finite(a + b), a), "squared": lambda a: _finite(a * a),
     "minus_snapped": lambda a, b: snap(_finite(a - b), a), "modulo": _modulo, "total": _total,
-    "middle": _middle, "joined": _joined_texts, "only_truth": _only_truth,
+    "joined": _joined_texts, "only_truth": _only_truth,
     "least": lambda *numbers: min(numbers, default=0.0) or _zero(numbers),
     "greatest": lambda *numbers: max(numbers, default=0.0) or _zero(numbers),
     "number_in": _number_in, "truth": _truth, "rounded_one": rounded_one,

@@ -17,16 +17,12 @@ from ..kernels.arithmetic import Arithmetic
 from ..layout import Layout
 from ..values.cells import NEAR, TEXT
 from .helpers import HELPERS
-from .lowering import COLS, ROWS, Effect, Lowering, Value
-from .recurrence import unwrapped
+from .lowering import Effect, Lowering, Value
 from .singles import Singles
 from .usage import roots
 
 CHUNK = 16_384
 """Cells of a column at a time: what fits the processor's second cache with a few buffers of it (docs/speed.md)."""
-
-_LARGE = 4096
-"""Cells from which on a reduction of an array is faster than it is to write another one."""
 
 Code = Callable[..., None]
 
@@ -52,26 +48,26 @@ class _Pool:
 def emit(lowering: Lowering, layout: Layout, arithmetic: Arithmetic) -> tuple[Code, str, dict[str, int]]:
     """The function `code(numbers, codes, buffers, i, j)`, its source, and how many buffers of each kind it needs.
 
-    `buffers` maps "t", "b" (one value or truth a row) and "w", "v" (the same for wide blocks) to arrays of that many rows.
+    `buffers` maps "t" (a number a row) and "b" (a truth a row) to arrays of that many rows.
     """
     emitter = _Emitter(lowering, layout, arithmetic)
     emitter.write()
     source = emitter.source()
     namespace = emitter.namespace
     exec(compile(source, "<segment>", "exec"), namespace)
-    return namespace["run"], source, {pool.letter: pool.count for pool in emitter.pools.values()}
+    return namespace["run"], source, {pool.letter: pool.count for pool in (emitter.numbers, emitter.masks)}
 
 
 class _Emitter(Singles):
     def __init__(self, lowering: Lowering, layout: Layout, arithmetic: Arithmetic) -> None:
         super().__init__(lowering, layout, arithmetic)
         self.boxed: set[int] = set()
-        self.pools = {key: _Pool(letter) for key, letter in zip("tbwv", "tbwv", strict=True)}
+        self.numbers, self.masks = _Pool("t"), _Pool("b")
         self.owned: dict[int, tuple[_Pool, str]] = {}
         self.namespace.update(
             array=np.array, copyto=np.copyto, zero=np.zeros(()), near=np.array(NEAR),
         )  # fmt: skip
-        self.needed, self.uses, self.outputs = self.usage.needed, self.usage.uses, self.usage.outputs
+        self.uses, self.outputs = self.usage.uses, self.usage.outputs
 
     # code
 
@@ -86,12 +82,9 @@ class _Emitter(Singles):
 
     def source(self) -> str:
         head = ["def run(numbers, codes, buffers, i, j):", "    n = j - i", "    item = numbers.item"]
-        wide = next((b.cols for b in map(self.layout.blocks.__getitem__, self.lowering.results) if b.cols > 1), 1)
-        for pool in self.pools.values():
+        for pool in (self.numbers, self.masks):
             for number in range(pool.count):
-                place = f'buffers["{pool.letter}"][{number}]'
-                view = f"[:n * {wide}].reshape({wide}, n)" if pool.letter in "wv" else "[:n]"
-                head.append(f"    {pool.letter}{number} = {place}{view}")
+                head.append(f'    {pool.letter}{number} = buffers["{pool.letter}"][{number}][:n]')
         return "\n".join([*head, *self.lines, "    return"]) + "\n"
 
     def _release(self, numbers: list[int] | tuple[int, ...], place: int) -> None:
@@ -100,35 +93,25 @@ class _Emitter(Singles):
                 pool, name = self.owned.pop(number)
                 pool.give(name)
 
-    def _pool(self, extent: int, mask: bool) -> _Pool:
-        wide = bool(extent & COLS)
-        return self.pools["v" if mask and wide else "b" if mask else "w" if wide else "t"]
-
     def _target(self, number: int) -> str:
-        """Where a value along the rows is computed: its block's cells, or a buffer."""
+        """Where a value along the rows is computed: its column's cells, or a buffer."""
         value = self.values[number]
-        block = self.outputs.get(number)
-        if block is not None:
-            name = f"o{block}"
-            line = f"{name} = {self._cells(block)}"
+        column = self.outputs.get(number)
+        if column is not None:
+            name = f"o{column}"
+            line = f"{name} = numbers[{column} + i:{column} + j]"
             if f"    {line}" not in self.lines:
                 self.line(line)
             return name
-        pool = self._pool(value.extent, value.kind == "mask")
+        pool = self.masks if value.kind == "mask" else self.numbers
         name = pool.take()
         self.owned[number] = pool, name
         return name
 
-    def _cells(self, block: int) -> str:
-        shape, start = self.layout.blocks[block], self.layout.block_offsets[block]
-        if shape.cols == 1:
-            return f"numbers[{start} + i:{start} + j]"
-        return f"numbers[{start}:{start + shape.rows * shape.cols}].reshape({shape.cols}, {shape.rows})[:, i:j]"
-
-    def _argument(self, number: int, along: bool) -> str:
+    def _argument(self, number: int) -> str:
         """An operand's name; a single number among columns as an array without axes, which numpy takes faster."""
         value, name = self.values[number], self.names[number]
-        if not along or value.extent or value.kind != "number":
+        if value.along or value.kind != "number":
             return name
         if value.op == "constant":
             box = f"k{number}"
@@ -141,34 +124,10 @@ class _Emitter(Singles):
 
     def _define(self, number: int, place: int) -> None:
         value = self.values[number]
-        if value.extent & ROWS:
+        if value.along:
             self._along(number, value, place)
-        elif value.extent == COLS:
-            self.names[number] = f"r{number}"
-            self._across(number, value)
-            self._release(value.args, place)
         else:
             self.define(number)
-
-    def _across(self, number: int, value: Value) -> None:
-        args = [self.names[arg] for arg in value.args]
-        if value.op == "across":
-            self.namespace[f"places{number}"] = np.array(value.data)[:, None]
-            text = f"numbers[places{number}]"
-        elif value.op.startswith("columns_") and isinstance(value.data, tuple):
-            parts = ", ".join(f"numbers[{start}:{end}].{value.op[8:]}()" for start, end in value.data)
-            text = f"array([{parts}])[:, None]"
-        elif value.op in HELPERS:
-            self.namespace[value.op] = self.helper(value.op)
-            text = f"{value.op}({', '.join(args)}{f', {value.data}' if value.op == 'rounded' else ''})"
-        elif value.op == "snap":
-            result, left = args
-            text = (
-                f"{self.function('where')}((abs({result}) < NEAR * abs({left})) & (abs({result}) < 1), 0.0, {result})"
-            )
-        else:
-            text = f"{self.function(value.op)}({', '.join(args)})"
-        self.line(f"r{number} = {text}")
 
     def _along(self, number: int, value: Value, place: int) -> None:
         if value.op == "column":
@@ -180,7 +139,7 @@ class _Emitter(Singles):
             self.names[number] = f"c{number}"
             self.line(f"c{number} = count{number}[i:j]")
             return
-        args = [self._argument(arg, True) for arg in value.args]
+        args = [self._argument(arg) for arg in value.args]
         special = self._SPECIAL.get(value.op)
         if special is not None:
             special(self, number, value, args)
@@ -196,12 +155,9 @@ class _Emitter(Singles):
     def _rows(self) -> int:
         return max(self.layout.blocks[block].rows for block in self.lowering.results)
 
-    def _cells_in_all(self) -> int:
-        return max(block.rows * block.cols for block in map(self.layout.blocks.__getitem__, self.lowering.results))
-
     def _where(self, number: int, value: Value, args: list[str]) -> None:
         self.names[number] = target = self._target(number)
-        if self.values[value.args[0]].extent == 0:
+        if not self.values[value.args[0]].along:
             self.line(f"copyto({target}, {args[1]} if {args[0]} else {args[2]})")
             return
         self.line(f"copyto({target}, {args[2]})")
@@ -217,48 +173,19 @@ class _Emitter(Singles):
         else:
             self.names[number] = target = self._target(number)
             self.line(f"copyto({target}, {args[0]})")
-        values, masks = self._pool(value.extent, False), self._pool(value.extent, True)
-        size, mask = values.take(), masks.take()
+        size, mask = self.numbers.take(), self.masks.take()
         self.line(f"{self.function('absolute')}({target}, {size})")
-        inside = ""
-        if self.values[left].extent == value.extent:
-            limit = values.take()
-            if self._cells_in_all() > _LARGE:
-                # Least and largest are found in half the time of a comparison cell by cell, once there are many.
-                self.namespace["least"], self.namespace["most"] = np.minimum.reduce, np.maximum.reduce
-                most = f"max(most({args[1]}, None), -least({args[1]}, None))"
-                self.line(f"if least({size}, None) < NEAR * {most}:")
-                inside = "    "
-            self.line(f"{inside}absolute({args[1]}, {limit})")
-            self.line(f"{inside}{self.function('multiply')}({limit}, near, {limit})")
-            values.give(limit)
+        if self.values[left].along:
+            limit = self.numbers.take()
+            self.line(f"absolute({args[1]}, {limit})")
+            self.line(f"{self.function('multiply')}({limit}, near, {limit})")
+            self.numbers.give(limit)
         else:
             limit = f"NEAR * abs({self.names[left]})"
-        self.line(f"{inside}{self.function('less')}({size}, {limit}, {mask})")
-        self.line(f"{inside}if {mask}.tobytes().find(1) >= 0: {target}[{mask} & ({size} < 1)] = 0.0")
-        values.give(size)
-        masks.give(mask)
-
-    def _running(self, number: int, value: Value, args: list[str]) -> None:
-        place = value.data[0] if isinstance(value.data, tuple) else 0
-        self.names[number] = target = self._target(number)
-        values, masks = self.pools["t"], self.pools["b"]
-        steps, mask = values.take(), masks.take()
-        self.line(f"copyto({steps}, {args[0]})")
-        self.line(f"{steps}[0] = item({place} + i) + item_of({steps})")
-        self.namespace["item_of"] = HELPERS["item_of"]
-        self.namespace["accumulate"] = np.add.accumulate
-        self.line(f"accumulate({steps}, 0, None, {target})")
-        # A sum that cancels to almost nothing is snapped, and what follows starts from 0: the interpreter does that.
-        self.line(f"{self.function('absolute')}({target}, {steps})")
-        limit = values.take()
-        self.line(f"absolute({args[0]}, {limit})")
-        self.line(f"{self.function('multiply')}({limit}, 2 * NEAR, {limit})")
-        self.line(f"{self.function('less')}({steps}, {limit}, {mask})")
-        self.line(f"if {mask}.tobytes().find(1) >= 0 and ({mask} & ({target} != 0)).any(): raise TroubleError")
-        for name in (steps, limit):
-            values.give(name)
-        masks.give(mask)
+        self.line(f"{self.function('less')}({size}, {limit}, {mask})")
+        self.line(f"if {mask}.tobytes().find(1) >= 0: {target}[{mask} & ({size} < 1)] = 0.0")
+        self.numbers.give(size)
+        self.masks.give(mask)
 
     def _helped(self, number: int, value: Value, args: list[str]) -> None:
         self.namespace[value.op] = HELPERS[value.op]
@@ -266,17 +193,8 @@ class _Emitter(Singles):
         digits = f", {value.data}" if value.op == "rounded" else ""
         self.line(f"copyto({target}, {value.op}({', '.join(args)}{digits}))")
 
-    def _unwrapped(self, number: int, value: Value, args: list[str]) -> None:
-        self.names[number] = target = self._target(number)
-        self.namespace["unwrapped"] = unwrapped
-        # into a buffer first: what is the same in all rows is one number
-        self.line(f"copyto({target}, {args[0]})")
-        above = f'buffers["above"][{value.data}] if i == 0 else item({value.data} + i)'
-        self.line(f"copyto({target}, unwrapped({target}, {args[1]}, {above}))")
-
     _SPECIAL: ClassVar[dict[str, Callable[[_Emitter, int, Value, list[str]], None]]] = {
-        "where": _where, "snap": _snap, "running": _running, "rounded": _helped, "unwrapped": _unwrapped,
-        "pick": _helped,
+        "where": _where, "snap": _snap, "rounded": _helped, "pick": _helped,
     }  # fmt: skip
 
     def _effect(self, effect: Effect) -> None:
@@ -286,7 +204,7 @@ class _Emitter(Singles):
             self._somewhere(effect.value, effect.data)
         else:
             name, wrong = self.names[effect.value], 1 if effect.what == "never" else 0
-            if self.values[effect.value].extent:
+            if self.values[effect.value].along:
                 self.line(f"if {name}.tobytes().find({wrong}) >= 0: raise TroubleError")
             else:
                 self.line(f"if {'not ' * (1 - wrong)}{name}: raise TroubleError")
@@ -294,29 +212,19 @@ class _Emitter(Singles):
     def _somewhere(self, x: int, y: int) -> None:
         """ATAN2(0, 0) is an error that the processor does not know."""
         a, b = self.names[x], self.names[y]
-        if self.values[x].extent == 0 or self.values[y].extent == 0:
-            single, other = (x, b) if self.values[x].extent == 0 else (y, a)
-            test = f"({other} == 0).any()" if self.values[x].extent or self.values[y].extent else f"{other} == 0"
-            self.line(f"if {self.names[single]} == 0 and {test}: raise TroubleError")
+        if not (self.values[x].along and self.values[y].along):
+            single, other = (b, a) if self.values[x].along else (a, b)
+            test = f"({other} == 0).any()" if self.values[x].along or self.values[y].along else f"{other} == 0"
+            self.line(f"if {single} == 0 and {test}: raise TroubleError")
             return
-        extent = self.values[x].extent
-        if extent & ROWS:
-            pool = self._pool(extent, True)
-            mask = pool.take()
-            self.line(f"{self.function('equal')}({a}, zero, {mask})")
-            pool.give(mask)
-        else:
-            mask = "beside"
-            self.line(f"beside = {a} == 0")
+        mask = self.masks.take()
+        self.line(f"{self.function('equal')}({a}, zero, {mask})")
+        self.masks.give(mask)
         self.line(f"if {mask}.tobytes().find(1) >= 0 and ({mask} & ({b} == 0)).any(): raise TroubleError")
 
-    def _store(self, number: int, block: int) -> None:
+    def _store(self, number: int, column: int) -> None:
+        cells = f"[{column} + i:{column} + j]"
         if self.values[number].kind == "text":
-            self.line(f"{self._cells(block).replace('numbers', 'codes')}.fill({TEXT})")
-        if self.outputs.get(number) == block:
-            return
-        shape = self.layout.blocks[block]
-        if shape.rows == shape.cols == 1:
-            self.line(f"numbers[{self.layout.block_offsets[block]}] = {self.names[number]}")
-        else:
-            self.line(f"{self._cells(block)}[...] = {self.names[number]}")
+            self.line(f"codes{cells} = {TEXT}")
+        if self.outputs.get(number) != column:
+            self.line(f"numbers{cells} = {self.names[number]}")

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from ..kernels.math import rounded
-from ..values.coerce import compare_numbers
 
 
 class TroubleError(Exception):
@@ -26,22 +25,6 @@ def _pick(line: Any, place: Any) -> Any:
     return line[place.astype(np.intp) - 1]
 
 
-def _find(line: Any, wanted: float) -> float:
-    """MATCH with type 0: where an equal number stands first."""
-    hits = np.flatnonzero(compare_numbers("=", line, wanted))
-    if not len(hits):
-        raise TroubleError
-    return float(hits[0] + 1)
-
-
-def _find_up(line: Any, wanted: float) -> float:
-    """MATCH with type 1: how many numbers of an ascending line are not above."""
-    place = float(np.searchsorted(line, wanted, "right"))
-    if not place:
-        raise TroubleError
-    return place
-
-
 def power_of(base: float, exponent: float, raised: Callable[..., Any] = np.power) -> float:
     """One number to the power of another, whatever that is."""
     if base == 0:
@@ -49,12 +32,6 @@ def power_of(base: float, exponent: float, raised: Callable[..., Any] = np.power
     return float(np.square(base)) if exponent == 2 else float(raised(base, exponent))
 
 
-def _first(array: Any) -> float:
-    first: float = array.item(0)
-    return first
-
-
 HELPERS: dict[str, Callable[..., Any]] = {
-    "pick": _pick, "find": _find, "find_up": _find_up, "rounded": rounded, "power_of": power_of,
-    "item_of": _first,
+    "pick": _pick, "rounded": rounded, "power_of": power_of,
 }  # fmt: skip

@@ -12,7 +12,7 @@ from ...formula.nodes import CellRef, Node, Number, RangeRef
 from ..graph import area_read
 from ..kernels.math import BELOW_HALF
 from ..layout import Area
-from .lowering import COLS, ROWS, Effect, Lowering, UnsuitableError
+from .lowering import Effect, Lowering, UnsuitableError
 
 Args = tuple[Node, ...]
 Lowered = Callable[[Lowering, Args], int]
@@ -29,11 +29,7 @@ UFUNCS = {
 
 
 def _ufunc(op: str) -> Lowered:
-    def lowered(low: Lowering, args: Args) -> int:
-        _expect(len(args) == 1)
-        return low.value(op, (low.number(args[0]),))
-
-    return lowered
+    return lambda low, args: low.value(op, (low.number(args[0]),))
 
 
 def _expect(condition: bool) -> None:
@@ -48,7 +44,13 @@ def _pi(low: Lowering, args: Args) -> int:
 
 def _na(low: Lowering, args: Args) -> int:
     del args
-    return low.value("error", (), None, 0, "error")
+    return low.value("error", (), None, False, "error")
+
+
+def _n(low: Lowering, args: Args) -> int:
+    """N of a cell that holds a number is that number."""
+    _expect(isinstance(args[0], CellRef))
+    return low.number(args[0])
 
 
 def _row(low: Lowering, args: Args) -> int:
@@ -58,7 +60,7 @@ def _row(low: Lowering, args: Args) -> int:
         if not isinstance(cell, CellRef):
             raise UnsuitableError
         row, moves = cell.row + 1, moves and not cell.row_abs
-    return low.value("count", (), row, ROWS) if moves else low.constant(row)
+    return low.value("count", (), row, True) if moves else low.constant(row)
 
 
 def _atan2(low: Lowering, args: Args) -> int:
@@ -127,10 +129,6 @@ def _fixed_rows(low: Lowering, node: RangeRef) -> bool:
     return low.block.rows == 1 or all(ref.row_abs for ref in _corners(node))
 
 
-def _fixed_cols(low: Lowering, node: RangeRef) -> bool:
-    return low.block.cols == 1 or all(ref.col_abs for ref in _corners(node))
-
-
 def _filled(low: Lowering, node: RangeRef) -> tuple[Area, str]:
     """The cells that a range means anywhere in the block, and their kind: all filled, and none by this segment."""
     area = area_read(node, low.block, low.sheets)
@@ -147,50 +145,26 @@ def _filled(low: Lowering, node: RangeRef) -> tuple[Area, str]:
 
 def _line(low: Lowering, node: Node) -> int:
     """A range that is the same all over the block, as an array: a slice of one column, or its cells picked together."""
-    if not isinstance(node, RangeRef) or not (_fixed_rows(low, node) and _fixed_cols(low, node)):
+    if not isinstance(node, RangeRef) or not _fixed_rows(low, node):
         raise UnsuitableError
     area, kind = _filled(low, node)
     line = "line" if kind == "number" else "text line"
     if area.cols == 1:
         place = low.layout.place(area.sheet, area.row, area.col)
-        return low.value("line", (), (place, place + area.rows), 0, line)
+        return low.value("line", (), (place, place + area.rows), False, line)
     places = tuple(
         low.layout.place(area.sheet, area.row + row, area.col + col)
         for row in range(area.rows)
         for col in range(area.cols)
     )
-    return low.value("gathered", (), places, 0, line)
+    return low.value("gathered", (), places, False, line)
 
 
 def _reduced(low: Lowering, op: str, node: RangeRef) -> int:
-    """One number from a range; in a row of cells that each look down their own column, one for each."""
-    if _fixed_cols(low, node):
-        line = _line(low, node)
-        _expect(low.values[line].kind == "line")
-        return low.value(f"line_{op}", (line,), None, 0)
-    start, end = _corners(node)
-    _expect(low.block.rows == 1 and start.col == end.col and not (start.col_abs or end.col_abs))
-    area, kind = _filled(low, node)
-    _expect(kind == "number")
-    places = [low.layout.place(area.sheet, area.row, area.col + col) for col in range(area.cols)]
-    return low.value(f"columns_{op}", (), tuple((place, place + area.rows) for place in places), COLS)
-
-
-def _count(low: Lowering, args: Args) -> int:
-    """COUNT of cells that hold numbers is how many there are."""
-    total = 0
-    for arg in args:
-        if isinstance(arg, CellRef):
-            total += low.values[low.lower(arg)].kind == "number"
-        elif isinstance(arg, RangeRef):
-            start, end = _corners(arg)
-            _expect(low.block.rows == 1 or start.row_abs == end.row_abs)
-            _expect(low.block.cols == 1 or start.col_abs == end.col_abs)
-            _expect(_filled(low, arg)[1] == "number")
-            total += (abs(end.row - start.row) + 1) * (abs(end.col - start.col) + 1)
-        else:
-            raise UnsuitableError
-    return low.constant(total)
+    """One number from a range."""
+    line = _line(low, node)
+    _expect(low.values[line].kind == "line")
+    return low.value(f"line_{op}", (line,))
 
 
 def _index(low: Lowering, args: Args) -> int:
@@ -210,27 +184,11 @@ def _index(low: Lowering, args: Args) -> int:
     return low.value("pick", (line, place), kind="number" if low.values[line].kind == "line" else "text")
 
 
-def _match(low: Lowering, args: Args) -> int:
-    """MATCH of one number in one row or column."""
-    wanted = low.number(args[0])
-    kind = args[2] if len(args) == 3 else Number(1.0)
-    _expect(low.values[wanted].extent == 0 and isinstance(kind, Number) and kind.value in (0, 1))
-    node = args[1]
-    if not isinstance(node, RangeRef):
-        raise UnsuitableError
-    start, end = _corners(node)
-    _expect(start.col == end.col or start.row == end.row)
-    op = "find" if kind == Number(0.0) else "find_up"
-    line = _line(low, node)
-    _expect(low.values[line].kind == "line")
-    return low.value(op, (line, wanted))
-
-
 # --- logic ----------------------------------------------------------------------------------------------------------
 
 
 def _truth(low: Lowering, flag: bool) -> int:
-    return low.value("truth", (), flag, 0, "true" if flag else "false")
+    return low.value("truth", (), flag, False, "true" if flag else "false")
 
 
 def _is(*kinds: str) -> Lowered:
@@ -277,7 +235,7 @@ def _if(low: Lowering, args: Args) -> int:
     if kinds in (("number", "number"), ("text", "text")):
         return low.value("where", (mask, then, otherwise), kind=kinds[0])
     # Rows that exist are the rule in a column; what a lone cell says when kinds differ is anybody's guess.
-    _expect(bool(low.values[mask].extent) or "error" in kinds)
+    _expect(low.values[mask].along or "error" in kinds)
     if kinds[0] == "number":
         low.effect(Effect("always", mask))
         return then
@@ -295,9 +253,9 @@ def _first(low: Lowering, args: Args) -> int:
 
 FUNCTIONS: dict[str, Lowered] = {
     **{name: _ufunc(op) for name, op in UFUNCS.items()},
-    "PI": _pi, "NA": _na, "ROW": _row, "ATAN2": _atan2, "POWER": _power, "MOD": _mod, "ROUND": _round,
-    "MIN": _extreme("minimum", "min"), "MAX": _extreme("maximum", "max"), "SUM": _sum, "SUMSQ": _sumsq, "COUNT": _count,
-    "INDEX": _index, "MATCH": _match, "ISNUMBER": _is("number"), "ISTEXT": _is("text"), "ISNA": _is(), "ISERROR": _is(),
+    "PI": _pi, "NA": _na, "N": _n, "ROW": _row, "ATAN2": _atan2, "POWER": _power, "MOD": _mod, "ROUND": _round,
+    "MIN": _extreme("minimum", "min"), "MAX": _extreme("maximum", "max"), "SUM": _sum, "SUMSQ": _sumsq, "INDEX": _index,
+    "ISNUMBER": _is("number"), "ISTEXT": _is("text"), "ISNA": _is(), "ISERROR": _is(),
     "AND": _all_or_any("logical_and", "false"), "OR": _all_or_any("logical_or", "true"), "NOT": _not, "IF": _if,
     "IFERROR": _first, "IFNA": _first,
 }  # fmt: skip

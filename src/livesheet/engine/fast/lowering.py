@@ -23,19 +23,15 @@ from ...formula.nodes import (
     Number,
     Text,
     Unary,
+    shifted,
 )
 from ..graph import area_read
-from ..layout import Area, Band, Layout
+from ..layout import Area, Layout
 from ..values.cells import NEAR
 from ..values.coerce import compare_numbers
-from .recurrence import Recurrence, RunningSum, Unwrapped
 
-ROWS, COLS = 1, 2
-"""Bits of a value's extent: it varies along the rows, along the columns, along both, or (0) not at all."""
-
-
-MOST_EDGE = 4
-"""How many rows a column may be read beyond its end (the row above the first one, say)."""
+MOST_VALUES = 4096
+"""Values of a segment: code without end takes long to compile."""
 
 
 class UnsuitableError(Exception):
@@ -45,14 +41,15 @@ class UnsuitableError(Exception):
 class Value(NamedTuple):
     """One value: an operation on earlier values (by number).
 
-    kind  number, mask, true or false (a truth known beforehand), text (its number in the table), error, line (an array of
+    along  whether it differs from row to row
+    kind   number, mask, true or false (a truth known beforehand), text (its number in the table), error, line (an array of
           numbers) or text line
     """
 
     op: str
     args: tuple[int, ...] = ()
     data: object = None
-    extent: int = 0
+    along: bool = False
     kind: str = "number"
 
 
@@ -70,18 +67,15 @@ class Reads:
 
     columns  where the first rows of columns lie that are read row by row -> their producers;  others  other producers
     texts    producers that must hold texts, and nothing else
-    top, bottom  rows in which something beyond the end of a column is read: never fast
     """
 
     columns: dict[int, frozenset[int]] = field(default_factory=dict)
     others: set[int] = field(default_factory=set)
     texts: set[int] = field(default_factory=set)
-    top: int = 0
-    bottom: int = 0
 
     def copy(self) -> Reads:
         """Reads that can be changed apart from these."""
-        return Reads(dict(self.columns), set(self.others), set(self.texts), self.top, self.bottom)
+        return Reads(dict(self.columns), set(self.others), set(self.texts))
 
 
 _ARITHMETIC = {"+": "add", "-": "subtract", "*": "multiply", "/": "divide"}
@@ -107,31 +101,47 @@ class Lowering:
         self.results: dict[int, int] = {}
         self._numbers: dict[Value, int] = {}
         self._effects: set[Effect] = set()
-        self._number = 0
+        self._block: Block | None = None
 
     @property
     def block(self) -> Block:
-        """The block being lowered."""
-        return self.layout.blocks[self._number]
+        """The column being lowered, as a block of its own."""
+        if self._block is None:
+            raise RuntimeError("nothing is being lowered")
+        return self._block
 
-    def add(self, number: int, formula: Node, recurrence: Recurrence | None) -> None:
+    def add(self, number: int, formula: Node) -> None:
         """Add a block. Raises UnsuitableError, leaving everything as it was."""
         mark = len(self.values), len(self.order), self.reads.copy()
-        self._number = number
         try:
-            if recurrence is not None:
-                result = self._recurrence(number, recurrence)
-            else:
-                result = self.lower(formula)
-                if isinstance(formula, Binary) and formula.op in "+-":
-                    result = self._snapped(result)
-            self._store(number, result)
+            self.results[number] = result = self._stored(number, formula)
         except (UnsuitableError, RecursionError) as problem:
             self._undo(*mark)
             raise UnsuitableError from problem
-        self.results[number] = result
         if self.values[result].kind == "text":
             self.texts.add(number)
+
+    def _stored(self, number: int, formula: Node) -> int:
+        """Have each column of a block computed and stored; the value of the first one. All are numbers, or all texts."""
+        block, offset = self.layout.blocks[number], self.layout.block_offsets[number]
+        results = []
+        for right in range(block.cols):
+            seen = shifted(formula, 0, right) if right else formula
+            self._block = Block(block.row, block.col + right, block.rows, 1, seen)
+            results.append(self._column_result(seen))
+            self.effect(Effect("store", results[-1], offset + right * block.rows))
+        if len({self.values[result].kind for result in results}) > 1 or len(self.order) > MOST_VALUES:
+            raise UnsuitableError
+        return results[0]
+
+    def _column_result(self, formula: Node) -> int:
+        """The number of the values that a column shows."""
+        result = self.lower(formula)
+        if isinstance(formula, Binary) and formula.op in "+-":
+            result = self._snapped(result)
+        if self.values[result].kind not in ("number", "text"):
+            raise UnsuitableError
+        return result
 
     def _undo(self, values: int, order: int, reads: Reads) -> None:
         for value in self.values[values:]:
@@ -144,14 +154,11 @@ class Lowering:
         self.reads = reads
 
     def value(
-        self, op: str, args: tuple[int, ...] = (), data: object = None, extent: int | None = None, kind: str = "number"
+        self, op: str, args: tuple[int, ...] = (), data: object = None, along: bool = False, kind: str = "number"
     ) -> int:
         """The number of a value, the same for the same operation on the same values."""
-        if extent is None:
-            extent = 0
-            for arg in args:
-                extent |= self.values[arg].extent
-        value = Value(op, args, data, extent, kind)
+        along = along or any(self.values[arg].along for arg in args)
+        value = Value(op, args, data, along, kind)
         found = self._numbers.get(value)
         if found is None:
             found = self._numbers[value] = len(self.values)
@@ -164,12 +171,6 @@ class Lowering:
         if effect not in self._effects:
             self._effects.add(effect)
             self.order.append(effect)
-
-    def _store(self, number: int, result: int) -> None:
-        kind = self.values[result].kind
-        if kind not in ("number", "text"):
-            raise UnsuitableError
-        self.effect(Effect("store", result, number))
 
     def number(self, node: Node) -> int:
         """A tree whose value is a number."""
@@ -202,11 +203,11 @@ class Lowering:
                 if not self.layout.texts.takes(text):
                     raise UnsuitableError
                 self.layout.texts.number(text)  # known to all evaluations of the plan
-                return self.value("text", (), text, 0, "text")
+                return self.value("text", (), text, False, "text")
             case Boolean(flag):
-                return self.value("truth", (), flag, 0, "true" if flag else "false")
+                return self.value("truth", (), flag, kind="true" if flag else "false")
             case ErrorValue():
-                return self.value("error", (), None, 0, "error")
+                return self.value("error", (), None, False, "error")
             case _:
                 raise UnsuitableError
 
@@ -242,7 +243,7 @@ class Lowering:
             sign, exponent = -1.0, exponent.operand
         if not isinstance(exponent, Number):
             power = self.number(exponent)
-            if self.values[base].extent or self.values[power].extent or sign < 0:
+            if self.values[base].along or self.values[power].along or sign < 0:
                 raise UnsuitableError
             return self.value("power_of", (base, power))
         if exponent.value == 0:
@@ -265,7 +266,7 @@ class Lowering:
     def _apart(self, op: str, number_first: bool) -> int:
         """A number beside a text: numbers come before texts."""
         flag = op == "<>" or (op != "=" and (op[0] == "<") == number_first)
-        return self.value("truth", (), flag, 0, "true" if flag else "false")
+        return self.value("truth", (), flag, kind="true" if flag else "false")
 
     def _compared(self, op: str, left: int, right: int) -> int:
         """As `compare_numbers`: nearly equal is equal, measured at the right side. Truths are the same or not."""
@@ -277,7 +278,7 @@ class Lowering:
         sides = self.values[left], self.values[right]
         if sides[0].op == sides[1].op == "constant":
             flag = bool(compare_numbers(op, float(str(sides[0].data)), float(str(sides[1].data))))
-            return self.value("truth", (), flag, 0, "true" if flag else "false")
+            return self.value("truth", (), flag, kind="true" if flag else "false")
         margin = self.value("multiply", (self.value("absolute", (right,)), self.constant(NEAR)))
         low = self.value("subtract", (right, margin)) if op in ("<", ">=", "=", "<>") else -1
         high = self.value("add", (right, margin)) if op in ("<=", ">", "=", "<>") else -1
@@ -310,58 +311,32 @@ class Lowering:
             raise UnsuitableError
         if area.rows == area.cols == 1:
             return self._single(area)
-        if area.rows > 1 and area.cols == 1:
-            return self._column(area)
-        return self._across(area)
+        return self._column(area)
 
     def _single(self, area: Area) -> int:
         place = self.layout.place(area.sheet, area.row, area.col)
         producers = self.layout.producers(area)
-        if place < 0:
+        if place < 0 or producers & self.results.keys():  # one row of a column that is only being computed
             raise UnsuitableError
-        for producer in producers & self.results.keys():
-            if self.layout.block_area(producer) != area:
-                raise UnsuitableError  # one row of a column that is only being computed
-            return self.results[producer]
         return self.value("cell", (), place, kind=self.read(producers))
 
     def _column(self, area: Area) -> int:
-        band = self._band(area)
-        top = max(0, band.row - area.row)
-        bottom = max(0, area.row + area.rows - band.row - band.rows)
-        if max(top, bottom) > MOST_EDGE or area.rows <= top + bottom:
-            raise UnsuitableError
-        self.reads.top, self.reads.bottom = max(self.reads.top, top), max(self.reads.bottom, bottom)
-        producers = self.layout.producers(Area(area.sheet, area.row + top, area.col, area.rows - top - bottom, 1))
+        column = self.layout.columns[area.sheet].get(area.col)
+        band = None if column is None else column.band_at(area.row)
+        if band is None or area.row + area.rows > band.row + band.rows:
+            raise UnsuitableError  # beyond the end of what lies side by side
+        producers = self.layout.producers(area)
         for producer in producers & self.results.keys():
             own = self.layout.block_area(producer)
             if own == area:
                 return self.results[producer]
-            if own.row < area.row or own.cols > 1:
+            if own.row < area.row:
                 raise UnsuitableError  # rows further down are not computed yet
         place = band.offset + area.row - band.row
         if producers <= self.texts:
-            return self.value("column", (), place, ROWS, self.read(producers))
+            return self.value("column", (), place, True, self.read(producers))
         self.reads.columns[place] = frozenset(producers) | self.reads.columns.get(place, frozenset())
-        return self.value("column", (), place, ROWS)
-
-    def _across(self, area: Area) -> int:
-        """Cells of one row, or of a rectangle, along the columns of a wide block."""
-        places = [self.layout.place(area.sheet, area.row, area.col + index) for index in range(area.cols)]
-        producers = self.layout.producers(area)
-        if min(places) < 0 or producers & self.results.keys():
-            raise UnsuitableError
-        if area.rows == 1:
-            return self.value("across", (), tuple(places), COLS, self.read(producers))
-        raise UnsuitableError
-
-    def _band(self, area: Area) -> Band:
-        """The band that a column's middle lies in."""
-        column = self.layout.columns[area.sheet].get(area.col)
-        band = None if column is None else column.band_at(area.row + area.rows // 2)
-        if band is None:
-            raise UnsuitableError
-        return band
+        return self.value("column", (), place, True)
 
     def mask(self, node: Node) -> int:
         """A condition: a mask, or a truth known beforehand."""
@@ -371,20 +346,3 @@ class Lowering:
         if self.values[found].kind not in ("mask", "true", "false"):
             raise UnsuitableError
         return found
-
-    def _recurrence(self, number: int, kind: Recurrence) -> int:
-        block = self.layout.blocks[number]
-        place = self.layout.place(self.layout.block_sheets[number], block.row - 1, block.col)
-        if place < 0 or place != self.layout.block_offsets[number] - 1:
-            raise UnsuitableError
-        producers = self.layout.producers(Area(self.layout.block_sheets[number], block.row - 1, block.col, 1, 1))
-        if producers & self.results.keys():
-            raise UnsuitableError
-        # above the first row a phase may have anything, a heading: what it is worth is asked before (`Segment`)
-        self.reads.columns[place] = frozenset({number} if isinstance(kind, Unwrapped) else producers | {number})
-        if isinstance(kind, RunningSum):
-            step = self.number(kind.step)
-            if kind.op == "-":
-                step = self.value("negative", (step,))
-            return self.value("running", (step,), (place, kind.step_first), ROWS)
-        return self.value("unwrapped", (self.number(kind.value), self.number(kind.turn)), place, ROWS)

@@ -15,7 +15,7 @@ from ..kernels.arithmetic import Arithmetic
 from ..kernels.math import rounded_one
 from ..layout import Layout
 from .helpers import HELPERS, TroubleError
-from .lowering import ROWS, Effect, UnsuitableError, Value
+from .lowering import Effect, UnsuitableError, Value
 from .row_lowering import RowLowering
 from .scalars import SINGLE, scalar, scalar_power, sign, snap, trunc
 from .singles import Singles
@@ -92,7 +92,7 @@ class _RowEmitter(Singles):
         """Values that may be no finite number without anybody being told."""
         found: set[int] = set()
         for number, value in enumerate(self.values):
-            if value.extent & ROWS and (
+            if value.along and (
                 value.op in _GROWING or (value.op in _PASSING and any(arg in found for arg in value.args))
             ):
                 found.add(number)
@@ -170,8 +170,8 @@ class _RowEmitter(Singles):
 
     def _is_in_rows(self, item: int | Effect) -> bool:
         if isinstance(item, Effect):
-            return item.what == "keep" or any(self.values[number].extent & ROWS for number in roots(item))
-        return bool(self.values[item].extent & ROWS)
+            return item.what == "keep" or any(self.values[number].along for number in roots(item))
+        return self.values[item].along
 
     def _input(self, number: int) -> str:
         value = self.values[number]

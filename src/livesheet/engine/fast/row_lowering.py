@@ -9,7 +9,7 @@ from ...formula.book import Block
 from ...formula.nodes import Binary, CellRef
 from ..graph import area_read
 from ..layout import Area, Layout
-from .lowering import ROWS, Effect, Functions, Lowering, UnsuitableError
+from .lowering import Effect, Functions, Lowering, UnsuitableError
 
 MOST_ABOVE = 16
 """Rows above a row that are kept: a recurrence reads one, a moving average a dozen."""
@@ -96,7 +96,7 @@ class RowLowering(Lowering):
         if not 0 < above <= MOST_ABOVE:
             raise UnsuitableError
         self.above.add((number, above))
-        return self.value("above", (), (number, above), ROWS)
+        return self.value("above", (), (number, above), True)
 
     def _elsewhere(self, area: Area) -> int:
         """A column that is there before the loop starts."""
@@ -106,4 +106,4 @@ class RowLowering(Lowering):
             raise UnsuitableError
         place = band.offset + area.row - band.row
         self.columns.add(place)
-        return self.value("column", (), place, ROWS)
+        return self.value("column", (), place, True)

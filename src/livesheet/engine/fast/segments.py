@@ -15,16 +15,14 @@ from ..values.frames import Frame
 from .cell_codes import CellCodes
 from .emitting import CHUNK, Code, emit
 from .helpers import TroubleError
-from .lowering import Lowering, Reads, UnsuitableError
+from .lowering import MOST_VALUES, Lowering, Reads, UnsuitableError
 from .marks import Marks
 from .memory import Memory
-from .recurrence import Recurrence, Unwrapped, compute, start_of
 
 Buffers: TypeAlias = dict[str, Any]
 
-_MOST_LONE, _MOST_MEMBERS, _MOST_VALUES = 64, 256, 4096
-"""Lone cells, blocks and values of a segment. What depends on a change is found by segments, and code without end takes
-long to compile."""
+_MOST_MEMBERS = 256
+"""Blocks of a segment: what depends on a change is found by segments."""
 _PATIENCE = 3
 _PART = 4096
 """Cells of a chunk that are computed together where not all of it is plain numbers."""
@@ -45,26 +43,17 @@ def worth_at_once(rows: int, cols: int) -> bool:
 
 
 class Member:
-    """A block of a segment: its formula, and what kind of recurrence it is, if it is one.
+    """A block of a segment and its formula.
 
     singly  whether the interpreter takes it cell by cell, as a range's size differs or goes down with them
     """
 
-    def __init__(self, layout: Layout, number: int, formula: Node, recurrence: Recurrence | None) -> None:
+    def __init__(self, layout: Layout, number: int, formula: Node) -> None:
         self.layout = layout
         self.number = number
         self.formula = formula
-        self.recurrence = recurrence
         self.block = layout.blocks[number]
         self.singly = self.block.rows * self.block.cols == 1
-
-    def above(self, ev: Evaluator) -> tuple[int, float]:
-        """Where the cell over a phase's column lies, and its number."""
-        if not isinstance(self.recurrence, Unwrapped):
-            raise TypeError("no phase")
-        sheet, block = self.layout.block_sheets[self.number], self.block
-        place = self.layout.place(sheet, block.row - 1, block.col)
-        return place, start_of(self.recurrence, ev, Frame(sheet, block.row, block.col, block.rows, 1, 0))
 
     def run(self, ev: Evaluator, start: int, stop: int) -> Codes:
         """Compute rows [start, stop) by the interpreter; their codes."""
@@ -72,8 +61,8 @@ class Member:
         sheet = self.layout.block_sheets[self.number]
         frame = Frame(sheet, block.row + start, block.col, stop - start, block.cols, start)
         before = ev.singly
-        found = ev.result(self.formula, frame) if self.recurrence is None else compute(self.recurrence, ev, frame)
-        self.singly |= self.recurrence is None and ev.singly > before
+        found = ev.result(self.formula, frame)
+        self.singly |= ev.singly > before
         return write(self.layout, self.number, start, stop, found, ev)
 
 
@@ -98,10 +87,6 @@ class Segment:
         self.lowering = lowering
         self.rows = first.block.rows
         self.cols = first.block.cols
-        # A wide block has few buffers, as it is alone in its segment.
-        self.chunk = CHUNK if self.cols == 1 else max(256, 3 * CHUNK // (2 * self.cols))
-        self.part = max(256, _PART // self.cols)
-        self._most = _MOST_LONE if self.rows * self.cols == 1 else _MOST_MEMBERS
         self._code: Code | None = None
         self._buffers: list[Buffers] = []
         self._counts: dict[str, int] = {}
@@ -113,7 +98,7 @@ class Segment:
         if self.lowering is None or self.is_full:
             return False
         try:
-            self.lowering.add(member.number, member.formula, member.recurrence)
+            self.lowering.add(member.number, member.formula)
         except UnsuitableError:
             return False
         self.members.append(member)
@@ -123,7 +108,7 @@ class Segment:
     @property
     def is_full(self) -> bool:
         """Whether further blocks must go elsewhere."""
-        return self.lowering is None or len(self.members) >= self._most or len(self.lowering.order) >= _MOST_VALUES
+        return self.lowering is None or len(self.members) >= _MOST_MEMBERS or len(self.lowering.order) >= MOST_VALUES
 
     @cached_property
     def texts(self) -> set[int]:
@@ -140,26 +125,17 @@ class Segment:
         worth = (self._runs > 1 or worth_at_once(self.rows, self.cols)) and _flags_work()
         marks.texts |= self.texts  # what an interpreted chunk finds may take them out again
         marks.dirty |= self.texts
-        if self.lowering is not None and self.lowering.reads.top + self.lowering.reads.bottom > 0:
-            worth &= self.rows > _PIECE  # the rows at the ends cost as much as all of them
         if not worth or self.lowering is None or not self._as_expected(self.lowering.reads, marks):
             self._interpreted(ev, marks, 0, self.rows)
             return
         if self._code is None:
             self._code, _, self._counts = emit(self.lowering, self.layout, ev.around.arithmetic)
         buffers = self._buffers.pop() if self._buffers else self._new_buffers()
-        buffers["above"] = dict(member.above(ev) for member in self.members if isinstance(member.recurrence, Unwrapped))
-        reads = self.lowering.reads
-        first, last = min(reads.top, self.rows), max(reads.top, self.rows - reads.bottom)
-        if first:
-            self._interpreted(ev, marks, 0, first)
-        for start in range(first, last, self.chunk):
-            stop = min(start + self.chunk, last)
+        for start in range(0, self.rows, CHUNK):
+            stop = min(start + CHUNK, self.rows)
             if self._suspect(marks) or not self._fast(ev, buffers, start, stop):
-                for part in range(start, stop, self.part):
-                    self._chunk(ev, marks, buffers, part, min(part + self.part, stop))
-        if last < self.rows:
-            self._interpreted(ev, marks, last, self.rows)
+                for part in range(start, stop, _PART):
+                    self._chunk(ev, marks, buffers, part, min(part + _PART, stop))
         self._buffers.append(buffers)
 
     def _chunk(self, ev: Evaluator, marks: Marks, buffers: Buffers, start: int, stop: int) -> None:
@@ -244,12 +220,9 @@ class Segment:
         return True
 
     def _new_buffers(self) -> Buffers:
-        size = {"t": self.chunk, "b": self.chunk, "w": self.chunk * self.cols, "v": self.chunk * self.cols}
-        kinds = {"t": np.float64, "b": np.bool_, "w": np.float64, "v": np.bool_}
-        return {
-            letter: [np.empty(size[letter], kinds[letter]) for _ in range(count)]
-            for letter, count in self._counts.items()
-        }
+        kinds = {"t": np.float64, "b": np.bool_}
+        size = min(CHUNK, self.rows)
+        return {letter: [np.empty(size, kinds[letter]) for _ in range(count)] for letter, count in self._counts.items()}
 
 
 @cache

@@ -31,7 +31,7 @@ class Singles:
         self.lowering = lowering
         self.layout = layout
         self.values = lowering.values
-        self.usage = Usage(lowering, layout)
+        self.usage = Usage(lowering)
         self.lines: list[str] = []
         self.names: dict[int, str] = {}
         self.namespace: dict[str, Any] = {"TroubleError": TroubleError, "NEAR": NEAR, "isfinite": np.isfinite}
@@ -44,7 +44,7 @@ class Singles:
         """Stop where a single number has overflowed."""
         needed = sorted(self.usage.needed)
         self.check_finite(
-            [self.names[n] for n in needed if self.values[n].extent == 0 and self.values[n].op in _UNFLAGGED]
+            [self.names[n] for n in needed if not self.values[n].along and self.values[n].op in _UNFLAGGED]
         )
 
     def check_finite(self, names: list[str]) -> None:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from ..layout import Layout
-from .lowering import COLS, ROWS, Effect, Lowering
+from .lowering import Effect, Lowering
 
 
 def roots(effect: Effect) -> list[int]:
@@ -16,9 +15,8 @@ def roots(effect: Effect) -> list[int]:
 class Usage:
     """What the emitter must know before it writes the first line."""
 
-    def __init__(self, lowering: Lowering, layout: Layout) -> None:
+    def __init__(self, lowering: Lowering) -> None:
         self.lowering = lowering
-        self.layout = layout
         self.values = lowering.values
         self.needed = self._needed()
         self.items = [item for item in lowering.order if isinstance(item, Effect) or item in self.needed]
@@ -50,18 +48,13 @@ class Usage:
                 last[number] = place
         return last
 
-    def _full(self, block: int) -> int:
-        shape = self.layout.blocks[block]
-        return (ROWS if shape.rows > 1 else 0) | (COLS if shape.cols > 1 else 0)
-
     def _outputs(self) -> dict[int, int]:
-        """Value -> the block into whose cells it is computed directly."""
+        """Value -> where the column begins into whose cells it is computed directly."""
         found: dict[int, int] = {}
         for item in self.lowering.order:
             if isinstance(item, Effect) and item.what == "store" and isinstance(item.data, int):
                 value = self.values[item.value]
-                fits = value.extent == self._full(item.data) and value.extent & ROWS
-                if fits and value.op not in ("column", "count") and item.value not in found:
+                if value.along and value.op not in ("column", "count") and item.value not in found:
                     found[item.value] = item.data
         for number in list(found):
             value = self.values[number]

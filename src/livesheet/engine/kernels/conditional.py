@@ -12,6 +12,7 @@ from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, Missing, Node, Rang
 from ..texts.criteria import Test, criterion
 from ..values.calling import table_of
 from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, VALUE, Cells, codes_of, error
+from ..values.coerce import once_each, shaped
 from ..values.frames import ArrayArgumentError, Frame
 from .fold import greatest, least, total
 
@@ -98,25 +99,7 @@ def _keyed(ev: Evaluator, criteria: Args, frame: Frame, spread: bool, one: Calla
         cell if len(cell.shape) <= 2 else Cells(np.ravel(cell.numbers)[0], np.ravel(codes_of(cell))[0])
         for cell in cells
     ]
-    shape = np.broadcast_shapes(*(cell.shape for cell in cells))
-    columns = [
-        zip(
-            np.broadcast_to(cell.numbers, shape).ravel().tolist(),
-            np.broadcast_to(codes_of(cell), shape).ravel().tolist(),
-            strict=True,
-        )
-        for cell in cells
-    ]
-    known: dict[Any, tuple[float, int]] = {}
-    found = []
-    for keys in zip(*columns, strict=True):
-        plain = tuple((0.0 if code >= ERROR else number, code) for number, code in keys)
-        if plain not in known:
-            known[plain] = one(plain)
-        found.append(known[plain])
-    numbers = np.array([number for number, _ in found]).reshape(shape)
-    codes = np.array([code for _, code in found], np.uint8).reshape(shape)
-    return Cells(numbers, codes if codes.any() else None)
+    return shaped(*once_each(one, cells))
 
 
 def _conditional(result: Callable[[Any, Any], tuple[float, int]], values_first: bool) -> Any:

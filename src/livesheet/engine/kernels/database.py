@@ -10,8 +10,8 @@ import numpy as np
 
 from ...formula.nodes import Missing, Node, Scalar
 from ..texts.criteria import criterion
-from ..values.calling import Problem, table_of, to_number
-from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, Texts, error, error_code
+from ..values.calling import Problem, caught, table_of, to_number
+from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, Texts, error
 from ..values.coerce import to_text
 from ..values.frames import Frame, VaryingSizeError
 from .fold import count, folded, greatest, least, mean, product, total
@@ -90,12 +90,9 @@ def _database(function: Callable[[Any, Any], Cells], counting: bool = False) -> 
         del spread
         if isinstance(args[1], Missing) and not counting:
             return error(VALUE)
-        try:
-            return function(*_picked(ev, args, frame))
-        except Problem as problem:
-            return error(error_code(problem.code))
+        return function(*_picked(ev, args, frame))
 
-    return kernel
+    return caught(kernel)
 
 
 def _fold(function: Callable[[Any, Any], Any]) -> Any:

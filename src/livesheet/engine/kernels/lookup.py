@@ -11,8 +11,8 @@ from ...formula.nodes import Call, CellRef, Local, Missing, Node, RangeRef
 from ..interpreter.regions import gives_region, regions
 from ..texts.searching import CRITERION, EXACT, EXPRESSION, LARGER, SMALLER, WILDCARD, Line
 from ..values.calling import spread_cells, table_of
-from ..values.cells import BLANK, NA, REF, TEXT, VALUE, Cells, choose, codes_of, error, errors_of, first_error, fitted
-from ..values.coerce import numbers_of, truths_of
+from ..values.cells import BLANK, NA, REF, TEXT, VALUE, Cells, choose, error, errors_of, first_error, fitted
+from ..values.coerce import numbers_of, once_each, truths_of
 from ..values.frames import Frame, VaryingSizeError
 
 if TYPE_CHECKING:
@@ -129,14 +129,9 @@ def positions(ev: Evaluator, wanted: Cells, line: Cells, kind: float) -> Cells:
     kind  0 the first equal one, texts with wildcards; 1 the last not above, in ascending order; -1 the last not below, in
           descending order
     """
-    numbers, codes = np.broadcast_arrays(wanted.numbers, codes_of(wanted))
-    flat = list(zip(numbers.ravel().tolist(), codes.ravel().tolist(), strict=True))
     search = Line(line, ev.texts, backwards=False)
-    known: dict[tuple[float, int], int] = {}
-    for key in flat:
-        if key not in known:
-            known[key] = _place(search, *key, kind)
-    found = np.array([known[key] for key in flat], np.float64).reshape(numbers.shape)
+    places, shape = once_each(lambda key: _place(search, *key[0], kind), (wanted,))
+    found = np.array(places, np.float64).reshape(shape)
     missing = np.where(found < 0, np.uint8(NA), np.uint8(0))
     errors = first_error(errors_of(wanted), missing if np.count_nonzero(missing) else None)
     return Cells(np.where(found < 0, 0.0, found), errors)
@@ -238,14 +233,8 @@ def _places(ev: Evaluator, args: Args, modes: int, frame: Frame, spread: bool) -
         return error(VALUE)
     line = Line(table, ev.texts, backwards=direction in (-1, -2))
     wanted = ev.value(args[0], frame, spread)
-    numbers, codes = np.broadcast_arrays(wanted.numbers, codes_of(wanted))
-    known: dict[tuple[float, int], int] = {}
-    keys = list(zip(numbers.ravel().tolist(), codes.ravel().tolist(), strict=True))
-    for key in keys:
-        if key not in known:
-            known[key] = line.place(*key, mode)
-    found = np.array([known[key] for key in keys], np.intp).reshape(numbers.shape)
-    return found, errors_of(wanted), table
+    places, shape = once_each(lambda key: line.place(*key[0], mode), (wanted,))
+    return np.array(places, np.intp).reshape(shape), errors_of(wanted), table
 
 
 def xmatch(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:

@@ -124,6 +124,7 @@ def rounded_down(number: Any, digits: Any) -> Any:
 
 
 def _step(number: Any, step: Any, whole: Callable[[Any], Any]) -> Any:
+    """A multiple of `step`; quotients that miss a whole number by rounding errors are whole."""
     count = np.divide(number, step)
     near = np.rint(count)
     count = np.where(np.abs(count - near) <= 4e-16 * np.abs(count), near, count)
@@ -216,12 +217,9 @@ def to_multiple(number: Any, step: Any) -> Result:
 
 
 def _stepped(number: Any, step: Any, whole: Callable[[Any], Any]) -> Any:
-    """A multiple of |step|; quotients that miss a whole number by rounding errors are whole."""
-    step = np.abs(step)
-    count = np.divide(number, np.where(np.equal(step, 0), 1.0, step))
-    near = np.rint(count)
-    count = np.where(np.abs(count - near) <= 4e-16 * np.abs(count), near, count)
-    return np.where(np.equal(step, 0), 0.0, whole(count) * step)
+    """A multiple of |step|; 0 of 0."""
+    nothing = np.equal(step, 0)
+    return np.where(nothing, 0.0, _step(number, np.where(nothing, 1.0, np.abs(step)), whole))
 
 
 def ceiling_math(number: Any, step: Any = 1.0, mode: Any = 0.0) -> Result:

@@ -14,7 +14,7 @@ from ..values.cells import Cells
 from ..values.coerce import to_text
 from ..values.frames import Frame
 from ..values.typed_numbers import Serial
-from .text import VALUE, _each, _number
+from .text import VALUE, _each, number_or_none
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
@@ -24,7 +24,7 @@ Args = tuple[Node, ...]
 
 def text(value: Scalar, pattern: Scalar, epochs: float = 0.0) -> Scalar:
     """TEXT(value, format). The format's decimal sign is the point; #VALUE! for what is no format."""
-    number = _number(value)
+    number = number_or_none(value)
     if isinstance(number, Serial):
         number = since_epoch(number, epochs)
     shown = to_text(value) if number is None or isinstance(value, bool) else number
@@ -40,17 +40,27 @@ def _text(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return kernel(ev, args, frame, spread)
 
 
-def fixed(value: Scalar, decimals: Scalar = 2.0, plain: Scalar = False) -> Scalar:
+_MOST_PLACES = 127
+"""Decimals that FIXED and DOLLAR show."""
+
+
+def fixed(number: float, decimals: float = 2.0, plain: bool = False) -> str:
     """FIXED(number, decimals, no commas)."""
-    number, places = _number(value), _number(decimals)
-    if number is None or places is None:
-        return VALUE
-    whole_places = int(places)
-    number = _to_tens(number, whole_places)
-    comma = "0" if _number(plain) else "#,##0"
-    if whole_places > 127:
-        return VALUE
-    return formatted(number, comma + ("." + "0" * whole_places if whole_places > 0 else ""))
+    return _with_places(number, decimals, "{0}" if plain else "#,##{0}")
+
+
+def dollar(number: float, decimals: float = 2.0) -> str:
+    """DOLLAR."""
+    return _with_places(number, decimals, "$#,##{0};($#,##{0})")
+
+
+def _with_places(number: float, decimals: float, pattern: str) -> str:
+    """A number in a format in which {0} stands for a zero and the decimals."""
+    places = math.trunc(decimals)
+    if places > _MOST_PLACES:
+        raise Problem("#VALUE!")
+    zeros = "0." + "0" * places if places > 0 else "0"
+    return formatted(_to_tens(number, places), pattern.format(zeros)) or ""
 
 
 def _to_tens(number: float, places: int) -> float:
@@ -61,16 +71,6 @@ def _to_tens(number: float, places: int) -> float:
     return float((Decimal(f"{number:.15g}") / scale).quantize(Decimal(1), ROUND_HALF_UP, WIDE) * scale)
 
 
-def dollar(number: float, decimals: float = 2.0) -> str:
-    """DOLLAR."""
-    places = math.trunc(decimals)
-    if places > 127:
-        raise Problem("#VALUE!")
-    number = _to_tens(number, places)
-    body = "$#,##0" + ("." + "0" * places if places > 0 else "")
-    return formatted(number, f"{body};({body})") or ""
+KERNELS: dict[str, Any] = {"TEXT": _text}
 
-
-KERNELS: dict[str, Any] = {"TEXT": _text, "FIXED": _each(fixed)}
-
-PLAIN: dict[str, Callable[..., Any]] = {"DOLLAR": dollar}
+PLAIN: dict[str, Callable[..., Any]] = {"FIXED": fixed, "DOLLAR": dollar}

@@ -10,8 +10,8 @@ import numpy as np
 
 from ...formula.nodes import Call, Node, walk
 from ..layout import Area
-from ..values.calling import Problem, table_of
-from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, error, error_code, finished
+from ..values.calling import caught, raise_first, table_of
+from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, error, finished
 from ..values.coerce import numbers_of
 from ..values.frames import ArrayArgumentError, Frame, VaryingSizeError
 from .fold import folded, greatest, least, mean, median, product, ranked, total, united
@@ -74,15 +74,9 @@ def _number(ev: Evaluator, node: Node, frame: Frame) -> int:
         raise ArrayArgumentError
     if np.ndim(numbers):
         raise VaryingSizeError
-    if errors is not None and np.any(errors):
-        raise _Fault(int(np.ravel(errors)[0]))
+    if errors is not None:
+        raise_first(np.atleast_1d(errors))
     return int(np.trunc(numbers))
-
-
-class _Fault(Exception):  # noqa: N818 - an error value on its way to the cell
-    def __init__(self, code: int) -> None:
-        super().__init__()
-        self.code = code
 
 
 def _together(ev: Evaluator, args: list[Node], frame: Frame, nested: bool, rows: str) -> tuple[Any, Any]:
@@ -111,15 +105,8 @@ def _total(function: int, numbers: Any, codes: Any, ignore_errors: bool) -> Cell
     counts = codes == NUMBER
     values = np.where(counts, numbers, 0.0)
     if function == 13:
-        return _of_problem(lambda: MODES(values[counts]))
+        return finished(np.float64(MODES(values[counts])))
     return folded(_FOLDS[function], values, counts, None)
-
-
-def _of_problem(compute: Callable[[], float]) -> Cells:
-    try:
-        return finished(np.float64(compute()))
-    except Problem as problem:
-        return error(error_code(problem.code))
 
 
 def subtotal(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
@@ -128,10 +115,7 @@ def subtotal(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     1 to 11 leave out the rows that a filter hides, 101 to 111 all hidden rows.
     """
     del spread
-    try:
-        function = _number(ev, args[0], frame)
-    except _Fault as fault:
-        return error(fault.code)
+    function = _number(ev, args[0], frame)
     rows = "shown" if function > 100 else "unfiltered"
     function = function - 100 if function > 100 else function
     if not 1 <= function <= 11:
@@ -142,10 +126,7 @@ def subtotal(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
 
 def aggregate(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     """AGGREGATE(function, option, values...): options 2, 3, 6, 7 leave errors out, 0 to 3 totals, odd ones hidden rows."""
-    try:
-        function, option = _number(ev, args[0], frame), _number(ev, args[1], frame)
-    except _Fault as fault:
-        return error(fault.code)
+    function, option = _number(ev, args[0], frame), _number(ev, args[1], frame)
     if not (1 <= function <= 19 and 0 <= option <= 7):
         return error(VALUE)
     ignore_errors = option in (2, 3, 6, 7)
@@ -165,12 +146,10 @@ def aggregate(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
         return finished(found, own if faults is None else np.where(faults != 0, faults, own))
     if np.ndim(place):
         raise ArrayArgumentError if np.ndim(place) > 2 else VaryingSizeError
-    if faults is not None and np.any(faults):
-        return error(int(np.ravel(faults)[0]))
-    values, exclusive = numbers[codes == NUMBER], function >= 18
-    if function in (16, 18):
-        return _of_problem(lambda: percentile(values, float(place), exclusive))
-    return _of_problem(lambda: quartile(values, float(place), exclusive))
+    if faults is not None:
+        raise_first(np.atleast_1d(faults))
+    rank = percentile if function in (16, 18) else quartile
+    return finished(np.float64(rank(numbers[codes == NUMBER], float(place), function >= 18)))
 
 
-KERNELS: dict[str, Any] = {"SUBTOTAL": subtotal, "AGGREGATE": aggregate}
+KERNELS: dict[str, Any] = {"SUBTOTAL": caught(subtotal), "AGGREGATE": caught(aggregate)}

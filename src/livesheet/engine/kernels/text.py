@@ -30,49 +30,38 @@ Args = tuple[Node, ...]
 VALUE = ErrorValue("#VALUE!")
 
 
-def _number(value: Scalar) -> float | None:
+def number_or_none(value: Scalar) -> float | None:
     """A scalar as a number, None for a text that shows none."""
-    if value is None:
-        return 0.0
-    if isinstance(value, str):
-        return text_to_number(value)
-    return float(value) if isinstance(value, bool | float | int) else None
+    return text_to_number(value) if isinstance(value, str) else to_number(value)
 
 
-def _counted(value: Scalar, many: Scalar) -> tuple[str, int] | None:
-    number = _number(many)
-    return None if number is None or number < 0 else (to_text(value), int(number))
-
-
-def left(value: Scalar, many: Scalar = 1.0) -> Scalar:
+def left(text: str, many: float = 1.0) -> str:
     """LEFT."""
-    parts = _counted(value, many)
-    return VALUE if parts is None else parts[0][: parts[1]]
+    return mid(text, 1.0, many)
 
 
-def right(value: Scalar, many: Scalar = 1.0) -> Scalar:
+def right(text: str, many: float = 1.0) -> str:
     """RIGHT."""
-    parts = _counted(value, many)
-    return VALUE if parts is None else parts[0][max(0, len(parts[0]) - parts[1]) :]
+    return mid(text, max(1.0, len(text) - math.trunc(many) + 1.0), many)
 
 
-def mid(value: Scalar, first: Scalar, many: Scalar) -> Scalar:
+def mid(text: str, first: float, many: float) -> str:
     """MID: from the `first`-th character (counted from 1)."""
-    parts, start = _counted(value, many), _number(first)
-    if parts is None or start is None or start < 1:
-        return VALUE
-    return parts[0][int(start) - 1 : int(start) - 1 + parts[1]]
+    if first < 1 or many < 0:
+        raise Problem("#VALUE!")
+    return text[math.trunc(first) - 1 : math.trunc(first) - 1 + math.trunc(many)]
 
 
-def rept(value: Scalar, many: Scalar) -> Scalar:
-    """REPT: #VALUE! beyond what a cell can hold (32,767 characters)."""
-    parts = _counted(value, many)
-    return VALUE if parts is None or len(parts[0]) * parts[1] > 32767 else parts[0] * parts[1]
+def rept(text: str, many: float) -> str:
+    """REPT: #VALUE! beyond what a cell can hold."""
+    if many < 0 or len(text) * math.trunc(many) > MOST_CHARACTERS:
+        raise Problem("#VALUE!")
+    return text * math.trunc(many)
 
 
 def value_(shown: Scalar, epochs: float = 0.0) -> Scalar:
     """VALUE: the number that a text shows."""
-    number = None if isinstance(shown, bool) else _number(shown)
+    number = None if isinstance(shown, bool) else number_or_none(shown)
     if isinstance(number, Serial):
         return since_epoch(number, epochs)
     return VALUE if number is None else number
@@ -373,21 +362,6 @@ def address(row: float, col: float, kind: float = 1.0, a1: bool = True, sheet: S
     return cell if sheet is None else f"{quote_sheet(to_text(sheet)) if sheet != '' else ''}!{cell}"
 
 
-def _left(text: str, many: float = 1.0) -> str:
-    return _mid(text, 1.0, many)
-
-
-def _right(text: str, many: float = 1.0) -> str:
-    return text[max(0, len(text) - math.trunc(many)) :] if many >= 0 else _mid(text, 1.0, many)
-
-
-def _mid(text: str, first: float, many: float) -> str:
-    """MIDB: as MID, where every character is one byte."""
-    if first < 1 or many < 0:
-        raise Problem("#VALUE!")
-    return text[math.trunc(first) - 1 : math.trunc(first) - 1 + math.trunc(many)]
-
-
 # --- texts that show numbers -----------------------------------------------------------------------------------------
 
 
@@ -417,29 +391,28 @@ def encode_url(text: str) -> str:
 
 KERNELS: dict[str, Any] = {
     "VALUE": _value, "CONCAT": concat, "CONCATENATE": _each(joined),
-    "LEN": _each(lambda value: float(len(to_text(value)))), "LEFT": _each(left), "RIGHT": _each(right),
-    "MID": _each(mid), "REPT": _each(rept), "UPPER": _each(lambda value: to_text(value).upper()),
-    "LOWER": _each(lambda value: to_text(value).lower()),
-    "TRIM": _each(lambda value: re.sub(" +", " ", to_text(value)).strip(" ")),
-    "EXACT": _each(lambda a, b: to_text(a) == to_text(b)), "SEARCH": _search, "SEARCHB": _search,
+    "SEARCH": _search, "SEARCHB": _search,
 }  # fmt: skip
 
 PLAIN: dict[str, Callable[..., Any]] = {
-    "LENB": lambda text: float(len(text)),
-    "LEFTB": _left,
-    "RIGHTB": _right,
-    "MIDB": _mid,
-    "FINDB": find,
-    "REPLACEB": replace,
+    **dict.fromkeys(("LEN", "LENB"), lambda text: float(len(text))),
+    **dict.fromkeys(("LEFT", "LEFTB"), left),
+    **dict.fromkeys(("RIGHT", "RIGHTB"), right),
+    **dict.fromkeys(("MID", "MIDB"), mid),
+    **dict.fromkeys(("FIND", "FINDB"), find),
+    **dict.fromkeys(("REPLACE", "REPLACEB"), replace),
+    "REPT": rept,
+    "UPPER": str.upper,
+    "LOWER": str.lower,
+    "TRIM": lambda text: re.sub(" +", " ", text).strip(" "),
+    "EXACT": lambda first, second: first == second,
     "CHAR": character,
     "CODE": code,
     "UNICHAR": unicode_character,
     "UNICODE": code_point,
     "CLEAN": lambda text: "".join(letter for letter in text if ord(letter) > 31),
     "PROPER": proper,
-    "FIND": find,
     "SUBSTITUTE": substitute,
-    "REPLACE": replace,
     "REGEXTEST": lambda text, pattern, ignore_case=0.0: expression(pattern, text, ignore_case).search(text) is not None,
     "REGEXEXTRACT": regex_extract,
     "REGEXREPLACE": regex_replace,

@@ -11,7 +11,6 @@ from ...formula.nodes import Node
 from ..fast.lowered_functions import FUNCTIONS
 from ..fast.lowering import Lowering, UnsuitableError
 from ..fast.marks import Marks
-from ..fast.recurrence import recognise
 from ..fast.segments import Member, Segment, worth_at_once
 from ..graph import Functions, ordered
 from ..interpreter.evaluator import Evaluator
@@ -64,8 +63,7 @@ def schedule(
     alike: dict[tuple[int, int], list[int]] = {}
     for group in ordered(reads, blocks):
         number = group[0]
-        recurrence = recognise(layout, number, formulas[number]) if number in reads[number] else None
-        if len(group) > 1 or (number in reads[number] and recurrence is None):
+        if len(group) > 1 or number in reads[number]:
             place.update(dict.fromkeys(group, len(steps)))
             together = Together(layout, formulas, group, special.functions, special.blocked)
             steps.append(row_by_row(layout, formulas, group) or together)
@@ -75,9 +73,10 @@ def schedule(
             place[number] = len(steps)
             steps.append(lone)
             continue
-        member = Member(layout, number, formulas[number], recurrence)
+        member = Member(layout, number, formulas[number])
         after = max((place[read] for read in reads[number] if read in place), default=0)
-        if special.once and not worth_at_once(member.block.rows, member.block.cols):
+        # Cells of one row are quicker one by one (`fast/any_kind`): no two of them need change together.
+        if member.block.rows == 1 or (special.once and not worth_at_once(member.block.rows, member.block.cols)):
             place[number] = len(steps)
             steps.append(Segment(layout, member, None))
             continue
@@ -112,7 +111,7 @@ def _lone_step(layout: Layout, number: int, formula: Node, special: Special) -> 
 
 def _new_segment(layout: Layout, member: Member, lowering: Lowering) -> Segment:
     try:
-        lowering.add(member.number, member.formula, member.recurrence)
+        lowering.add(member.number, member.formula)
     except UnsuitableError:
         return Segment(layout, member, None)
     return Segment(layout, member, lowering)

@@ -25,11 +25,12 @@ from .cells import (
     Numbers,
     Texts,
     codes_of,
+    error,
     error_code,
     fitted,
     too_large,
 )
-from .coerce import numbers_of, text_to_number, to_text
+from .coerce import numbers_of, once_each, shaped, text_to_number, to_text
 from .frames import Frame, VaryingSizeError
 from .typed_numbers import Serial
 
@@ -49,6 +50,18 @@ class Problem(Exception):  # noqa: N818 - an error value on its way to the cell,
     def __init__(self, code: str) -> None:
         super().__init__(code)
         self.code = code
+
+
+def caught(kernel: Callable[..., Cells]) -> Callable[..., Cells]:
+    """The kernel with the error value in place of a `Problem`."""
+
+    def catching(*args: Any) -> Cells:
+        try:
+            return kernel(*args)
+        except Problem as problem:
+            return error(error_code(problem.code))
+
+    return catching
 
 
 def need(*conditions: bool) -> None:
@@ -290,27 +303,13 @@ def spread_cells(table: Cells) -> Cells:
 def _each_key(call: _Call, lifted: list[Cells], spend: Callable[[int], None]) -> Cells:
     """The function's results over the common shape of its single values; `spend` is told how many an array has."""
     lifted = list(fitted(*lifted))
-    shape = np.broadcast_shapes(*(cells.shape for cells in lifted)) if lifted else ()
-    if shape == ():
-        found = call(tuple((float(cells.numbers), 0 if cells.codes is None else int(cells.codes)) for cells in lifted))
-        if isinstance(found, Cells):
-            return spread_cells(found)
-        return Cells(np.float64(found[0]), np.uint8(found[1]) if found[1] else None)
-    if len(shape) > 2:
-        spend(shape[0] * shape[1])
-    flat = [
-        (
-            np.broadcast_to(cells.numbers, shape).ravel().tolist(),
-            np.broadcast_to(codes_of(cells), shape).ravel().tolist(),
-        )
-        for cells in lifted
-    ]
-    keys = list(zip(*(zip(numbers, codes, strict=True) for numbers, codes in flat), strict=True))
-    known: dict[Any, Any] = {}
-    for key in keys:
-        if key not in known:
-            known[key] = call(key)
-    return _put_together([known[key] for key in keys], shape)
+    size = np.broadcast_shapes(*(cells.shape for cells in lifted))
+    if len(size) > 2:
+        spend(size[0] * size[1])
+    found, shape = once_each(call, lifted)
+    if shape == () and isinstance(found[0], Cells):
+        return spread_cells(found[0])
+    return _put_together(found, shape)
 
 
 def _put_together(found: list[Any], shape: tuple[int, ...]) -> Cells:
@@ -323,9 +322,7 @@ def _put_together(found: list[Any], shape: tuple[int, ...]) -> Cells:
         if len(shape) <= 2:
             return _stacked(found, shape)
         found = [_corner(item) if isinstance(item, Cells) else item for item in found]
-    numbers = np.array([item[0] for item in found], np.float64).reshape(shape)
-    codes = np.array([item[1] for item in found], np.uint8).reshape(shape)
-    return Cells(numbers, codes if codes.any() else None)
+    return shaped(found, shape)
 
 
 def _corner(table: Cells) -> tuple[float, int]:

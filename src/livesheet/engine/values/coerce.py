@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Sequence
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -26,6 +26,10 @@ from .cells import (
     fitted,
 )
 from .typed_numbers import Serial, shown_number
+
+Key: TypeAlias = tuple[tuple[float, int], ...]
+"""(number, code) of several values."""
+Found = TypeVar("Found")
 
 _NO_TEXT = ("", "")
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
@@ -139,41 +143,51 @@ def truths_of(cells: Cells, texts: Texts) -> tuple[Any, Any]:
     return mask, (errors if np.count_nonzero(errors) else None)
 
 
+def once_each(compute: Callable[[Key], Found], cells: Sequence[Cells]) -> tuple[list[Found], tuple[int, ...]]:
+    """What `compute` gives for the values of some cells at each place of their common shape, and that shape: asked once for
+    values that are alike. A key is the (number, code) of each; the number of an error is 0."""
+    shape = np.broadcast_shapes(*(part.shape for part in cells))
+    if shape == ():
+        key = (_key(float(part.numbers), 0 if part.codes is None else int(part.codes)) for part in cells)
+        return [compute(tuple(key))], shape
+    columns = [
+        map(_key, *(np.broadcast_to(values, shape).ravel().tolist() for values in (part.numbers, codes_of(part))))
+        for part in cells
+    ]
+    keys = list(zip(*columns, strict=True))
+    known = {key: compute(key) for key in dict.fromkeys(keys)}
+    return [known[key] for key in keys], shape
+
+
+def _key(number: float, code: int) -> tuple[float, int]:
+    return (0.0 if code >= ERROR else number), code
+
+
+def shaped(found: Sequence[tuple[float, int]], shape: tuple[int, ...]) -> Cells:
+    """Numbers and their codes along a shape."""
+    if shape == ():
+        number, code = found[0]
+        return Cells(np.float64(number), np.uint8(code) if code else None)
+    numbers = np.array([number for number, _ in found], np.float64).reshape(shape)
+    codes = np.array([code for _, code in found], np.uint8).reshape(shape)
+    return Cells(numbers, codes if codes.any() else None)
+
+
 def each(function: Callable[..., Scalar], args: tuple[Cells, ...], texts: Texts, spend: Callable[[int], None]) -> Cells:
     """A function of scalars, cell by cell: the slow way, for texts. Errors in arguments come first, from the left.
 
     spend  is told how many cells an array has
     """
+
+    def one(key: Key) -> tuple[float, int]:
+        wrong = next((code for _, code in key if code >= ERROR), 0)
+        return (np.nan, wrong) if wrong else texts.encode(function(*(texts.decode(*value) for value in key)))
+
     args = fitted(*args)
-    if all(cells.shape == () for cells in args):
-        single = tuple((float(cells.numbers), 0 if cells.codes is None else int(cells.codes)) for cells in args)
-        number, code = _one(function, single, texts)
-        return Cells(np.float64(number), np.uint8(code) if code else None)
-    parts = [np.broadcast_arrays(cells.numbers, codes_of(cells)) for cells in args]
-    shape = np.broadcast_shapes(*(part[0].shape for part in parts))
-    if len(shape) > 2:
-        spend(shape[0] * shape[1])
-    flat = [(np.broadcast_to(n, shape).ravel(), np.broadcast_to(c, shape).ravel()) for n, c in parts]
-    size = int(np.prod(shape))
-    numbers, codes = np.empty(size), np.zeros(size, np.uint8)
-    known: dict[tuple[tuple[float, int], ...], tuple[float, int]] = {}
-    for index in range(size):
-        key = tuple((float(n[index]), int(c[index])) for n, c in flat)
-        found = known.get(key)
-        if found is None:
-            found = known[key] = _one(function, key, texts)
-        numbers[index], codes[index] = found
-    return Cells(numbers.reshape(shape), codes.reshape(shape) if codes.any() else None)
-
-
-def _one(function: Callable[..., Scalar], key: tuple[tuple[float, int], ...], texts: Texts) -> tuple[float, int]:
-    for number, code in key:
-        if code >= ERROR:
-            return number, code
-    result = function(*(texts.decode(number, code) for number, code in key))
-    if isinstance(result, float) and not np.isfinite(result):
-        result = ErrorValue("#NUM!")
-    return texts.encode(result)
+    size = np.broadcast_shapes(*(cells.shape for cells in args))
+    if len(size) > 2:
+        spend(size[0] * size[1])
+    return shaped(*once_each(one, args))
 
 
 def compared(op: str, left: Cells, right: Cells, texts: Texts) -> Cells:

@@ -198,7 +198,9 @@ def _line_look(series: Series) -> str:
         color = series.marker_fill or series.marker_line or TEXT_COLOR
         return f'draw:stroke="none" draw:fill-color="#{color}" svg:stroke-color="#{color}"'
     stroke = _stroke(series.line, series.width)
-    if series.dash != "solid":
+    if series.dash == "solid":
+        stroke += ' svg:stroke-linecap="round" draw:stroke-linejoin="round"'
+    else:
         stroke = stroke.replace('"solid"', f'"dash" draw:stroke-dash="{series.dash}"')
     return f'{stroke} draw:fill-color="#{series.line}"'
 

@@ -39,6 +39,9 @@ _BUILTIN_STYLES = {
 """Styles that Excel has under these names (ECMA-376-1, 18.8.7): redefining one must give its number."""
 
 
+POINT = 12700
+"""What a drawing counts in [of a point]."""
+
 SHOWN_DIGITS = 6
 """Digits of the copy of its values that a chart keeps, for programs that draw without reading cells."""
 
@@ -135,6 +138,7 @@ class FullScatter(ChartScatter):  # type: ignore[misc]
 
     _write_lang, _write_disp_blanks_as, _write_plot_vis_only, _write_c_smooth, _write_number_format, _write_d_lbls
                                          elements that are said in full
+    _write_a_ln, _write_a_solid_fill     lines, with round ends
     _write_num_ref                       leaves the copy of the values out where there is none; a picture needs few digits
     _write_axis_font                     the font of labels
     """
@@ -157,6 +161,15 @@ class FullScatter(ChartScatter):  # type: ignore[misc]
 
     def _write_c_smooth(self, smooth: object) -> None:
         self.fh.write(f'<c:smooth val="{int(self.smooth)}"/>')
+
+    def _write_a_ln(self, line: dict[str, Any]) -> None:
+        # Round ends and corners, as Excel's own scatter charts have them; dashes keep their length.
+        if line.get("none") or not {"color", "width"} <= line.keys() or line.get("dash_type"):
+            super()._write_a_ln(line)
+            return
+        self.fh.write(f'<a:ln w="{round(line["width"] * POINT)}" cap="rnd">')
+        self._write_a_solid_fill(line)
+        self.fh.write("<a:round/></a:ln>")
 
     def _write_number_format(self, axis: dict[str, Any]) -> None:
         # Never linked to the source: LibreOffice would number the axis with the decimals of the cells.

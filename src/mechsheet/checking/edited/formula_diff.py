@@ -35,6 +35,8 @@ def neutral(node: Node, title: str) -> Node:
         match part:
             case CellRef(sheet=str(sheet)):
                 return replace(part, sheet=None if sheet.casefold() == title.casefold() else sheet.casefold())
+            case RangeRef(CellRef() as start, CellRef() as end) if replace(end, sheet=start.sheet) == start:
+                return start  # gnumeric writes a range of one cell as the cell
             case RangeRef(start, end) if end.sheet is None and start.sheet is not None:
                 return RangeRef(start, replace(end, sheet=start.sheet))
             case NameRef(name, sheet):

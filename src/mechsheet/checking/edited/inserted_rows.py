@@ -119,7 +119,9 @@ class Moves:
                         "",
                         say("missing"),
                     )
-                elif shift.count > 0 and sheet is not None and any(_torn(block, shift, axis) for block in sheet.blocks):
+                elif (
+                    shift.count > 0 and sheet is not None and any(inside(block, shift, axis) for block in sheet.blocks)
+                ):
                     yield Edit("inserted", where, "", "", say(" inside a filled range"))
 
 
@@ -133,7 +135,8 @@ def _places(shift: Shift, axis: str) -> str:
     )
 
 
-def _torn(block: Block, shift: Shift, axis: str) -> bool:
+def inside(block: Block, shift: Shift, axis: str) -> bool:
+    """Whether a shift begins inside a block, and so tears it."""
     first, count = (block.row, block.rows) if axis == "row" else (block.col, block.cols)
     return first < shift.at < first + count
 
@@ -240,7 +243,7 @@ def undone(book: Book, moves: Moves) -> Book:
     """The book with every cell and reference where it was; cells of inserted rows and columns are left out."""
     if not moves:
         return book
-    names = [replace(name, formula=_back(name.formula, "", moves)) for name in book.names]
+    names = [replace(name, formula=moved_back(name.formula, "", moves)) for name in book.names]
     return replace(book, sheets=[_undone_sheet(sheet, moves) for sheet in book.sheets], names=names)
 
 
@@ -248,9 +251,14 @@ def _undone_sheet(sheet: BookSheet, moves: Moves) -> BookSheet:
     move = moves.of(sheet.title)
     new = BookSheet(move.title, _undone_cells(sheet.constants, move), [], _undone_cells(sheet.cached, move))
     for block in sheet.blocks:
-        whole = _undone_block(block, sheet.title, move, moves)
-        new.blocks += [whole] if whole is not None else _undone_pieces(block, sheet.title, move, moves)
+        new.blocks += moved_block(block, sheet.title, move, moves)
     return new
+
+
+def moved_block(block: Block, title: str, move: Move, moves: Moves) -> Sequence[Block]:
+    """A block of a sheet, which moved so, where it was: one, or cell by cell where the shifts leave it no block."""
+    whole = _undone_block(block, title, move, moves)
+    return [whole] if whole is not None else [*_undone_pieces(block, title, move, moves)]
 
 
 def _undone_block(block: Block, title: str, move: Move, moves: Moves) -> Block | None:
@@ -263,8 +271,8 @@ def _undone_block(block: Block, title: str, move: Move, moves: Moves) -> Block |
     first, last = move.before(block.row, block.col), move.before(block.row + down, block.col + right)
     if first is None or last is None or (last[0] - first[0], last[1] - first[1]) != (down, right):
         return None
-    formula = _back(block.formula, title, moves)
-    if _back(shifted(block.formula, down, right), title, moves) != shifted(formula, down, right):
+    formula = moved_back(block.formula, title, moves)
+    if moved_back(shifted(block.formula, down, right), title, moves) != shifted(formula, down, right):
         return None
     return Block(*first, block.rows, block.cols, formula)
 
@@ -276,7 +284,7 @@ def _undone_pieces(block: Block, title: str, move: Move, moves: Moves) -> Iterat
             place = move.before(row, col)
             if place is not None:
                 formula = shifted(block.formula, row - block.row, col - block.col)
-                yield Block(*place, 1, 1, _back(formula, title, moves))
+                yield Block(*place, 1, 1, moved_back(formula, title, moves))
 
 
 def _undone_cells(cells: CellStore, move: Move) -> CellStore:
@@ -290,7 +298,7 @@ def _undone_cells(cells: CellStore, move: Move) -> CellStore:
     return new
 
 
-def _back(formula: Node, title: str, moves: Moves) -> Node:
+def moved_back(formula: Node, title: str, moves: Moves) -> Node:
     """A formula (as its own cell has it now) with its references where they were; one to a new cell is #REF!."""
 
     def change(part: Node) -> Node:

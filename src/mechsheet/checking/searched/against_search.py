@@ -7,15 +7,17 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
+
+import numpy as np
 
 from livesheet.diagnostics import MissingSheetError
 from livesheet.formula.book import Book
 from livesheet.formula.nodes import Scalar
 from livesheet.formula.references import cell_address
-from mechsheet.checking.inputs import OfTheLast, inputs_in
+from mechsheet.checking.inputs import Inputs, OfTheLast, inputs_in
 from mechsheet.checking.report import Comparison, Tally
 from mechsheet.checking.searched.summaries import judge_summaries
 from mechsheet.checking.searched.tables import judge_tables
@@ -35,7 +37,7 @@ _SEARCHES: OfTheLast[dict[tuple[tuple[str, float], ...], Search | None]] = OfThe
 """By other values of some inputs: a search reads no cell but inputs."""
 
 
-def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Comparison | None:
+def against_search(book: Book, values: Any, plan: Plan, shown: str, built: Plan | None = None) -> Comparison | None:
     """Hold every verdict cell against what is found with the inputs in the cells; arguments as of `against_plan`.
 
     None where a derived dimension does not exist: then there is no motion to search. Raises MissingSheetError where a sheet
@@ -44,15 +46,29 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
     for key in plan.places.sheets:
         if book.sheet(plan.at.titles[key]) is None:
             raise MissingSheetError(plan.at.titles[key], shown)
-    mechanism = plan.mechanism
-    inputs = inputs_in(book, values, plan, shown)
-    equations = plan.equations.equations
+    search = _searching(plan, inputs_in(book, values, plan, shown))
+    found = search({})
+    if found is None:
+        return None
+    judge = _Judge(values, plan, found)
+    judge_summaries(values, judge, judge.tally)
+    if built is not None and built is not plan:
+        search, plan = _searching(built, inputs_in(book, values, built, shown)), built
+    judge_tables(values, plan, judge.tally, search)
+    return judge.result()
+
+
+def _searching(plan: Plan, inputs: Inputs) -> Callable[[Mapping[str, float]], Search | None]:
+    """The search of a motion with other values of some inputs; None where a dimension has none then."""
+    mechanism, equations = plan.mechanism, plan.equations.equations
     groups = tuple(
         replace(group, assembly=group.assembly_of(inputs.modes[group.mode])) if group.mode in inputs.modes else group
         for group in equations.groups
     )
-
     known = _SEARCHES.of(plan, inputs, dict)
+    there = np.isfinite(inputs.given[mechanism.driver.symbol])
+    # rows that were inserted and left empty are none
+    given = {name: column[there] for name, column in inputs.given.items()} if there.any() else inputs.given
 
     def search(other: Mapping[str, float]) -> Search | None:
         asked = tuple(other.items())
@@ -61,23 +77,15 @@ def against_search(book: Book, values: Any, plan: Plan, shown: str) -> Compariso
         return known[asked]
 
     def searched(other: Mapping[str, float]) -> Search | None:
-        given = {**inputs.dimensions, **other}
-        if missing_dimensions(mechanism, given):
+        numbers = {**inputs.dimensions, **other}
+        if missing_dimensions(mechanism, numbers):
             return None
         dimensions = tuple(
-            dim if dim.derived else replace(dim, value=given[dim.symbol]) for dim in mechanism.dimensions
+            dim if dim.derived else replace(dim, value=numbers[dim.symbol]) for dim in mechanism.dimensions
         )
-        return Search(replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), inputs.given)
+        return Search(replace(mechanism, dimensions=dimensions), replace(equations, groups=groups), given)
 
-    found = search({})
-    if found is None:
-        return None
-    judge = _Judge(values, plan, found)
-    if judge.filled_further():
-        return judge.tally.result()
-    judge_summaries(values, judge, judge.tally)
-    judge_tables(values, plan, judge.tally, search)
-    return judge.result()
+    return search
 
 
 class _Judge(SearchedMotion):
@@ -98,10 +106,6 @@ class _Judge(SearchedMotion):
         return self.tally.result()
 
     # --- cells ---------------------------------------------------------------------------------------------------------
-
-    def filled_further(self) -> bool:
-        """Whether somebody has filled the page's table further down: then its verdicts are of more rows than the plan's."""
-        return self.page and self.values.get(self.plan.main, self.plan.at.last + 1, 0) is not None
 
     def _spot(self, key: str) -> Spot | None:
         """The cell of a finding, or of a limit; only the first limits have one."""
@@ -162,7 +166,7 @@ class _Judge(SearchedMotion):
             expected = plan.text("verdict.gap.redundant", link=misfit, sheet=plan.at.titles["checks"])
             right = line == expected
         elif search.count == search.rows:
-            expected = closes_in_all(plan)
+            expected = closes_in_all(plan, search.rows)
             right = line.startswith(expected)
         else:
             expected = f"{search.count} / {search.rows}"

@@ -8,14 +8,16 @@ import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from livesheet.diagnostics import Fault, readable_name
 from livesheet.said import say
 from mechsheet.description.quoting import printable
 from mechsheet.description.text.index import BARE_KEY, Path, Spot, index
-from mechsheet.description.text.typed import Mistake, mended
 from mechsheet.diagnostics import DescriptionError
+
+if TYPE_CHECKING:
+    from mechsheet.description.text.typed import Mistake
 
 MAX_BYTES = 1_000_000
 """A description is written by hand; a larger file is something else."""
@@ -150,6 +152,8 @@ def parse_as_meant(text: str, file: str) -> tuple[Source, list[Fault]]:
     except UnicodeEncodeError as error:
         raise _refusal(file, say("not Unicode text"), "", text.count("\n", 0, error.start) + 1) from None
     except tomllib.TOMLDecodeError:
+        from mechsheet.description.text.typed import mended
+
         meant = mended(text)
     faults = [_mistake(one, text, file, lines) for one in meant.mistakes[:MOST_TOLD]]
     try:

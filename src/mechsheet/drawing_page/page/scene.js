@@ -4,9 +4,11 @@ import { state, on } from "./state.js";
 import { canvas, size, spacing, toPlane, toScreen } from "./view.js";
 import { at, fromStretch, ground, isPin, lastPlace, linkNamed, linksAt, parts, shown } from "./geometry.js";
 import { word } from "./language.js";
+import { sides } from "./names.js";
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
 const TRIANGLE = "M0,0 L-9,15 L9,15 Z";
+const MIDDLE = 5; // how far the line under letters is below their middle
 const HATCH = "M-13,15 L13,15 M-10,15 l-4,5 M-4,15 l-4,5 M2,15 l-4,5 M8,15 l-4,5";
 
 export function element(name, attributes = {}, parent = null) {
@@ -128,8 +130,7 @@ function buildPin(point) {
   element("circle", { class: "reach", r: 17 }, group);
   element("circle", { class: "halo", r: 12 }, group);
   element("circle", { class: "dot", r: isPin(point) ? 5.5 : 3.5 }, group);
-  nameOf(point, { x: 9, y: -9 }, group);
-  return { point, group };
+  return { point, group, text: nameOf(point, { "text-anchor": "middle" }, group) };
 }
 
 // --- what acts on it: springs, loads, weights; wheels and racks --------------------------------------------------------
@@ -143,8 +144,9 @@ function buildActing() {
   acting = (state.look?.shapes ?? []).map((shape) => {
     const made = element("path", { class: `acting ${shape.kind} ${shape.filled}` }, layers.acting);
     element("title", {}, made).textContent = shape.name;
-    const name = NAMED.includes(shape.kind) && !named.has(shape.name) ? shape.name.split(" ").pop() : "";
-    named.add(shape.name);
+    const own = NAMED.includes(shape.kind) ? shape.name.split(" ").pop() : "";
+    const name = named.has(own) ? "" : own; // a spring and its damper have one
+    named.add(own);
     return { shape, made, text: name ? nameOf(name, { class: "acting-name" }, layers.acting) : null };
   });
 }
@@ -232,6 +234,23 @@ function move() {
   }
   moveActing();
   moveDriver(screen);
+  moveNames(screen);
+}
+
+/** Names of points, after all that they must not cover has its place. */
+function moveNames(screen) {
+  const there = built.pins.filter(({ point }) => screen(point));
+  const points = there.map((pin) => ({ place: screen(pin.point), fixed: linkNamed(ground())?.points.includes(pin.point), side: pin.side }));
+  const outlines = built.links.map(({ link }) => {
+    const corners = link.points.map(screen).filter(Boolean);
+    return corners.length > 2 ? [...corners, corners[0]] : corners;
+  });
+  const found = sides(points, [...outlines, ...acting.map((each) => each.shown ?? [])]);
+  for (const [n, pin] of there.entries()) {
+    pin.side = found[n];
+    pin.text.setAttribute("x", pin.side[0].toFixed(1));
+    pin.text.setAttribute("y", (pin.side[1] + MIDDLE).toFixed(1));
+  }
 }
 
 function moveLink(made, there, screen, faulty) {

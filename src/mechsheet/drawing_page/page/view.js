@@ -62,7 +62,7 @@ export function shift(dx, dy) {
   changed("view");
 }
 
-/** Show all that the mechanism reaches. */
+/** Show all that the mechanism reaches, below the advice and beside the buttons. */
 export function fit() {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
   for (const [xs, ys] of Object.values(state.look?.frames?.points ?? {})) {
@@ -70,14 +70,15 @@ export function fit() {
     for (const y of ys) if (y !== null) [low, high] = [Math.min(low, y), Math.max(high, y)];
   }
   if (!(left <= right)) [left, right, low, high] = [-20, 120, -20, 80];
-  const { width: whole, height } = size();
-  const width = whole - BUTTONS;
+  const { width: whole, height: tall } = size();
+  const above = document.getElementById("advice").offsetHeight;
+  const [width, height] = [whole - BUTTONS, tall - above];
   const span = Math.max(right - left, high - low, 1e-6);
   const room = 1.28;
   const scale = Math.min(
     width / (room * Math.max(right - left, span * 0.15)),
     height / (room * Math.max(high - low, span * 0.15)),
   );
-  state.view = { x: (left + right + BUTTONS / scale) / 2, y: (low + high) / 2, scale };
+  state.view = { x: (left + right + BUTTONS / scale) / 2, y: (low + high + above / scale) / 2, scale };
   changed("view");
 }

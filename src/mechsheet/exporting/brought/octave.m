@@ -198,7 +198,14 @@ function m = over_motion(take, x, exists)
 end
 
 function s = outlined(x, y, color, width, name)
-  s = struct('x', x, 'y', y, 'color', color, 'width', width, 'name', name);
+  s = struct('x', x, 'y', y, 'color', color, 'width', width, 'name', name, 'filled', false);
+end
+
+function s = filled(s, color, width)
+% The inside of a plate, on its border.
+  s.color = color;
+  s.width = width;
+  s.filled = size(s.x, 2) > 2;
 end
 
 function s = placed(rows, a, b, x, y, ax, ay, bx, by, color, width, name)
@@ -225,7 +232,11 @@ function animate(shapes, paths, pins, dots, rows, middle, h, title_text, file)
   handles = cell(1, numel(shapes));
   for k = 1:numel(shapes)
     s = shapes{k};
-    handles{k} = plot(s.x(rows(1), :), s.y(rows(1), :), 'color', s.color, 'linewidth', max(s.width, 0.5));
+    if s.filled
+      handles{k} = patch(s.x(rows(1), :), s.y(rows(1), :), s.color, 'edgecolor', s.color, 'linewidth', s.width);
+    else
+      handles{k} = plot(s.x(rows(1), :), s.y(rows(1), :), 'color', s.color, 'linewidth', max(s.width, 0.5));
+    end
   end
   rings = plot(pins.x(rows(1), :), pins.y(rows(1), :), 'o', 'color', [0.25 0.25 0.25], 'markerfacecolor', 'w', ...
                'markersize', 5, 'linestyle', 'none');

@@ -16,7 +16,7 @@ from livesheet.workbook import Anchor, Area, Cell, Chart, Series, SeriesRef, She
 from mechsheet.model import Mechanism
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage
-from mechsheet.shapes.positions import Disc, Item, Label, Scene, Stroke, there
+from mechsheet.shapes.positions import Disc, Item, Label, Scene, Stroke, layers_of, there
 from mechsheet.sheet.drawing.drawing import DRAWING_INNER
 from mechsheet.sheet.drawing.frames import HIDDEN_AXIS
 from mechsheet.words.homework import said
@@ -55,7 +55,8 @@ class Figure:
             for axis in (0, 1):
                 cells += [Cell(top + axis, col, place) for col, place in enumerate(places[:, axis].tolist(), 1)]
             x, y = (SeriesRef(title, Area(top + axis, 1, top + axis, len(places))) for axis in (0, 1))
-            series.append(self._series(item, words, x, y))
+            border, *inside = layers_of(item)  # programs draw the first on top, or the last
+            series += [self._series(each, words, x, y) for each in (*inside, border, *inside)]
         anchor = Anchor(row, 0, SIZE, SIZE)
         chart = Chart(
             "", anchor, tuple(series), HIDDEN_AXIS, HIDDEN_AXIS, legend="", inner=DRAWING_INNER, alt_text=title

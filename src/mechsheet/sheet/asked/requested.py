@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from livesheet.said import say
 from livesheet.workbook import Sheet
 from mechsheet.kinematics.newton.refusing import need_closed_form
 from mechsheet.model import TableRequest
-from mechsheet.sheet.asked.summary_table import SummaryTable
-from mechsheet.sheet.asked.two_way import Table
 from mechsheet.sheet.plan import Plan
+
+if TYPE_CHECKING:
+    from mechsheet.sheet.asked.two_way import Table
 
 
 def table_sheets(plan: Plan) -> tuple[Sheet, ...]:
@@ -21,12 +24,16 @@ def tables_of(plan: Plan) -> list[Table]:
 
     A page leaves those of summaries out, and says so: it has no cells that look between the rows.
     """
-    if plan.mechanism.tables:
-        need_closed_form(
-            plan.equations.equations, say("a two-way table cannot hold this"), "tables", say("leave the table out")
-        )
+    if not plan.mechanism.tables:
+        return []
+    from mechsheet.sheet.asked.summary_table import SummaryTable
+    from mechsheet.sheet.asked.two_way import Table
+
+    need_closed_form(
+        plan.equations.equations, say("a two-way table cannot hold this"), "tables", say("leave the table out")
+    )
     taken = {title.casefold() for title in plan.at.titles.values()}
-    found = []
+    found: list[Table] = []
     for request in plan.mechanism.tables:
         if request.of_summary and plan.mechanism.layout == "page":
             continue

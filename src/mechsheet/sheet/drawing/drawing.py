@@ -31,7 +31,7 @@ from mechsheet.sheet.drawing.frames import (
     write_frame,
 )
 from mechsheet.sheet.drawing.hodographs import hodograph_chart
-from mechsheet.sheet.drawing.listed import Listed, PointCells
+from mechsheet.sheet.drawing.listed import MOST_SERIES, Listed, PointCells
 from mechsheet.sheet.drawing.profile import profile_chart
 from mechsheet.sheet.over_rows import LEAST, MOST
 from mechsheet.sheet.plan import Plan
@@ -52,9 +52,6 @@ PATH_INNER = (0.08, 0.12, 0.85, 0.85)
 
 
 POINTS_OF_A_PIXEL = 0.75
-
-MOST_SERIES = 255
-"""Series that a chart of a spreadsheet takes: of mechanisms of very many points the last are drawn without their names."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +98,7 @@ def letters_in(size: int) -> float:
 
 
 def chart_of(plan: Plan, series: Sequence[Series], size: int) -> Chart:
-    """The drawing; of very many series the last names are left out."""
+    """The drawing; of more series than a chart takes the last names are left out."""
     names = [each for each in series if each.show_name and isinstance(each.name, str)]
     left_out = names[len(names) - max(0, len(series) - MOST_SERIES) :] if len(series) > MOST_SERIES else []
     title = plan.mechanism.title.of(plan.language)

@@ -60,12 +60,11 @@ class Page:
         self.row = row
         self.col = left + SWEEP
         self.stride = stride
-        self.first = plan.at.first
-        self.head_row = self.first - 1
+        self.first = self.sweep_from
         self.samples = math.ceil((plan.rows - 1) / self.stride) + 1
         self._swept: dict[Node, Area] = {}
         self.known: dict[str, Node] = {}
-        if self.stride > 1:
+        if self.numbered:
             self._numbers()
 
     # --- the left part ---------------------------------------------------------------------------------------
@@ -108,6 +107,21 @@ class Page:
 
     # --- the motion ------------------------------------------------------------------------------------------
 
+    @property
+    def sweep_from(self) -> int:
+        """The first row of the sweep columns, and of lists beside them."""
+        return self.plan.at.first
+
+    @property
+    def numbered(self) -> bool:
+        """Whether the sweep columns look their rows of the table up by numbers, rather than stand in these rows."""
+        return self.stride > 1
+
+    def row_number(self, heading: CellRef) -> Node:
+        """The number of the table's row, counted from 0, that a row of a sweep column stands for; the last one always."""
+        last = self.plan.rows - 1
+        return formula("MIN(stride*(ROW()-ROW(heading)-1),last)", stride=self.stride, heading=heading, last=last)
+
     def read(self, symbol: str) -> Node:
         """The quantity (internal units) in the row of the table that a row of a sweep column stands for.
 
@@ -121,7 +135,7 @@ class Page:
         if not spot.column:
             return self.plan.at.reference(symbol, self.title, None)
         cell: Node = CellRef(self.first, spot.col, sheet=self._sheet(spot))
-        if self.stride > 1:
+        if self.numbered:
             number = CellRef(self.first, self.left + SWEEP, col_abs=True)
             cell = formula("INDEX(column,number+1)", column=self.table_column(spot), number=number)
         return Call("RADIANS", (cell,)) if spot.degrees else cell
@@ -160,7 +174,7 @@ class Page:
 
     def column(self, head: str, node: Node) -> Area:
         """A new sweep column."""
-        self.cells.append(Cell(self.head_row, self.col, head, styles.HEAD))
+        self.cells.append(Cell(self.first - 1, self.col, head, styles.HEAD))
         self.fills.append(Fill(self.first, self.col, node, NUMBER_STYLE, rows=self.samples))
         self.col += 1
         return Area(self.first, self.col - 1, self.first + self.samples - 1, self.col - 1)
@@ -230,14 +244,11 @@ class Page:
         return Call(take, (self.column_of(FIRST, first, self.row - 1),))
 
     def _numbers(self) -> None:
-        """The table's row numbers that the sweep columns look at; the last one always."""
+        """The table's row numbers that the sweep columns look at."""
         heading = CellRef(self.first - 1, self.left + SWEEP, True, True)
-        number = formula(
-            "MIN(stride*(ROW()-ROW(heading)-1),last)", stride=self.stride, heading=heading, last=self.plan.rows - 1
-        )
         style = styles.decimals(styles.INNER, 0)
         self.cells.append(Cell(self.first - 1, self.left + SWEEP, self.plan.text("head.number"), styles.HEAD))
-        self.fills.append(Fill(self.first, self.left + SWEEP, number, style, rows=self.samples))
+        self.fills.append(Fill(self.first, self.left + SWEEP, self.row_number(heading), style, rows=self.samples))
         self.col += 1
 
 

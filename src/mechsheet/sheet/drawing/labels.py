@@ -43,13 +43,19 @@ class _Solved:
     values: Mapping[str, Array]
 
 
-def ways_beside(page: Page, vectors: Collection[Kind], letters: float, name: CellRef) -> tuple[Node, Node]:
+def as_described(plan: Plan, vectors: Collection[Kind]) -> Positions:
+    """All positions with the description's own dimensions."""
+    driver = plan.given[plan.mechanism.driver.symbol]
+    return Positions(_Solved(plan.mechanism, plan.equations.equations, driver, plan.nominal), vectors)
+
+
+def ways_beside(page: Page, positions: Positions, letters: float, name: CellRef) -> tuple[Node, Node]:
     """How far from its place the name with the number in a cell stands in x and in y [half windows].
 
     The changes are sorted by  number rows + position,  so that one look-up finds the last before the position shown.
     """
     plan, first, left = page.plan, page.first, page.col
-    changes = _changes(plan, vectors, letters)
+    changes = _changes(plan, positions, letters)
     heads = (plan.text("drawing.change"), plan.text("drawing.name.x"), plan.text("drawing.name.y"))
     page.cells += [Cell(first - 1, col, head, styles.HEAD) for col, head in enumerate(heads, left)]
     for row, (number, position, *ways) in enumerate(changes, first):
@@ -66,14 +72,12 @@ def ways_beside(page: Page, vectors: Collection[Kind], letters: float, name: Cel
     return formula("INDEX(column,found)", column=x, found=found), formula("INDEX(column,found)", column=y, found=found)
 
 
-def _changes(plan: Plan, vectors: Collection[Kind], letters: float) -> list[tuple[int, int, float, float]]:
+def _changes(plan: Plan, positions: Positions, letters: float) -> list[tuple[int, int, float, float]]:
     """(number of a name, counted from 1; position from which on; how far in x and in y), sorted; NaN where there is no room.
 
     Between two positions that were looked at the nearer one counts.
     """
-    driver = plan.given[plan.mechanism.driver.symbol]
     rows = np.unique(np.linspace(0, plan.rows - 1, min(MOST, plan.rows)).astype(int)).tolist()
-    positions = Positions(_Solved(plan.mechanism, plan.equations.equations, driver, plan.nominal), vectors)
     places = np.round(positions.beside(rows, letters), DIGITS) + 0.0
     found = []
     for index in range(places.shape[1]):

@@ -14,9 +14,11 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, Symbol, Unary, symbols, transform, walk
-from livesheet.formula.vectors import NOWHERE, Vector
+from livesheet.formula.vectors import NOWHERE, Vector, minus, times, together
 from livesheet.workbook import Rich, Series, SeriesRef
 from mechsheet.shapes.colors import INK
 from mechsheet.shapes.forms import (
@@ -27,6 +29,7 @@ from mechsheet.shapes.forms import (
     EDGE,
     HALF,
     LEAST,
+    LETTERS,
     MARGIN,
     SHAFT,
     Kind,
@@ -39,6 +42,8 @@ from mechsheet.shapes.forms import (
     shown,
 )
 from mechsheet.shapes.listing import shapes_of
+from mechsheet.shapes.names import POINTS
+from mechsheet.shapes.plates import rings_needed, ways_in
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.gaps import chunks_of
 from mechsheet.sheet.drawing.frames import (
@@ -58,7 +63,7 @@ from mechsheet.sheet.drawing.frames import (
     longest_bar,
     write_frame,
 )
-from mechsheet.sheet.drawing.labels import ways_beside
+from mechsheet.sheet.drawing.labels import as_described, ways_beside
 from mechsheet.sheet.over_rows import LEAST as SMALLEST
 from mechsheet.sheet.over_rows import MOST
 from mechsheet.sheet.plan import ArrowKind
@@ -73,6 +78,15 @@ COSTLY = ("SQRT", "COS", "SIN", "ABS", "MAX")
 
 DIGITS = 3
 """Of a value beside the name of a force."""
+
+MOST_SERIES = 255
+"""Series that a chart of a spreadsheet takes."""
+
+GROWN = 1.25
+"""Plates are filled also when dimensions become so many times as large."""
+
+MOST_CORNERS = 24
+"""Of a plate that is filled; a traced outline has hundreds."""
 
 DISC = {"pin": (6, "FFFFFF"), "point": (3, INK)}
 """How large a disc inside its ring is [points], and its colour."""
@@ -115,6 +129,8 @@ class Listed:
         self._numbers: dict[tuple[Vector, Vector, Vector, Node | None], int] = {}
         self.points: dict[str, PointCells] = {}
         self._rows: dict[int, tuple[int, int]] = {}
+        self._inside: dict[int, int] = {}
+        self._drawn = as_described(plan, self._vectors)
         self._curves: dict[int, int] = {}
         self._marked = [_point_at(shape.at) for shape in found.shapes if isinstance(shape, Mark)]
         self._switches()
@@ -127,11 +143,7 @@ class Listed:
         names = list(self._names(named))
         bars = [each for number, scale in enumerate(found.scales) for each in self._bar(scale, number)]
         caption = besides()
-        back, front = self._marks()
-        last = max((n for n, shape in enumerate(found.shapes) if isinstance(shape, Mark)), default=0)
-        behind = [self._series[n] for n, _ in enumerate(found.shapes) if n in self._series and n < last]
-        before = [self._series[n] for n, _ in enumerate(found.shapes) if n in self._series and n > last]
-        self.series = (*back, *paths, *behind, *names, *self.frame.series, caption, *front, *before, *bars)
+        self.series = self._in_both_orders(paths, [*names, *self.frame.series, caption, *bars])
 
     # --- what formulas read --------------------------------------------------------------------------------------
 
@@ -310,6 +322,9 @@ class Listed:
                 continue
             if shape.frame is None:
                 found += [_Corner(shape.name, 0.0, 0.0, self._place(at, shape.name)) for at in shape.corners]
+                if shape.border and len(shape.corners) > 3:
+                    self._inside[index] = len(found) - 1
+                    found += self._rings(shape)
             else:
                 number = self._place(shape.frame.origin, shape.name, shape.vectors[1:], shape.size)
                 found += [_Corner(shape.name, a, b, number) for a, b in shape.path]
@@ -322,6 +337,22 @@ class Listed:
             node = chart(page.cell(row, self.first_place, anchored=False))
             self._filled(col, node, self.first_place, self.last_place)
         return found, named
+
+    def _rings(self, plate: Shape) -> Iterator[_Corner]:
+        """What fills a plate: each of its corners on the way to the middle of all, again and again."""
+        points, count = LETTERS * POINTS / self._letters, len(plate.corners) - 1
+        outline = next((each for each in self._drawn.columns(plate) if np.isfinite(each).all()), None)
+        if outline is None:
+            return
+        width = (plate.width - 2 * plate.border) * self._drawn.window.half / points
+        if count > MOST_CORNERS:
+            return
+        middle = times(al.number(1 / count), together(plate.corners[:-1]))
+        row = self.first_place + self._place(middle, plate.name) - 1
+        self.known |= {part: self.page.cell(col, row) for part, col in zip(middle, (FIRST, SECOND), strict=True)}
+        numbers = [self._place(at, plate.name, (minus(middle, at), NOWHERE)) for at in plate.corners]
+        for way in ways_in(rings_needed(GROWN * outline, width)):
+            yield from (_Corner(plate.name, way, 0.0, number) for number in numbers)
 
     def _place(
         self, at: Vector, name: Rich | str, vectors: Sequence[Vector] = (NOWHERE, NOWHERE), size: Node | None = None
@@ -358,8 +389,8 @@ class Listed:
         self.page.formula(col, node, rows=last - first + 1)
         self.page.row = row
 
-    def _corners(self, corners: Sequence[_Corner]) -> dict[int, Series]:
-        """The block of corners, and by the shape's number the line through its own."""
+    def _corners(self, corners: Sequence[_Corner]) -> dict[int, tuple[Series, ...]]:
+        """The block of corners, and by the shape's number what is drawn through its own."""
         page, text = self.page, self.page.plan.text
         page.section(text("drawing.shapes"), ["a", "b", "X", "Y", "", "", "", "", text("drawing.number")])
         start, name = page.row, ""
@@ -387,29 +418,52 @@ class Listed:
             self._filled(col, node, start, page.row - 1)
         return self._lines(start)
 
-    def _lines(self, start: int) -> dict[int, Series]:
-        """A line for each shape; the tip of an arrow goes on from its shaft, the mark of a mass centre from its ring."""
-        found: dict[int, Series] = {}
+    def _lines(self, start: int) -> dict[int, tuple[Series, ...]]:
+        """A line for each shape; the tip of an arrow goes on from its shaft, the mark of a mass centre from its ring.
+
+        A plate has two, its border and on it its inside.
+        """
+        found: dict[int, tuple[Series, ...]] = {}
         before = -1
         for index, (first, last) in self._rows.items():
             shape = self.found.shapes[index]
             assert isinstance(shape, Shape)
             goes_on = before in found and before == index - 1 and self._belongs(shape, self.found.shapes[before])
             if goes_on:
-                line = found.pop(before)
-                x, y = (replace(ref, area=replace(ref.area, last_row=start + last)) for ref in (line.x, line.y))
-                found[index] = replace(line, x=x, y=y)
+                (line,) = found.pop(before)
+                found[index] = (self._line(line.line, line.width, line.x.area.first_row, start + last, shape.name),)
+            elif shape.border:
+                outer = self._inside.get(index, last)
+                inside = self._line(shape.fill, shape.width - 2 * shape.border, start + first, start + last, shape.name)
+                found[index] = self._line(shape.color, shape.width, start + first, start + outer, shape.name), inside
             else:
-                x, y = (self.page.reference(start + first, col, start + last) for col in (CHART_X, CHART_Y))
-                found[index] = Series(shape.name, x, y, line=shape.color, width=shape.width, in_legend=False)
+                found[index] = (self._line(shape.color, shape.width, start + first, start + last, shape.name),)
             before = index
         return found
+
+    def _line(self, color: str, width: float, first: int, last: int, name: str) -> Series:
+        x, y = (self.page.reference(first, col, last) for col in (CHART_X, CHART_Y))
+        return Series(name, x, y, line=color, width=width, in_legend=False)
 
     @staticmethod
     def _belongs(shape: Shape, before: Shape | Mark) -> bool:
         return (shape.kind, shape.name) == (before.kind, before.name) and shape.kind in (*ARROWS, "mass")
 
     # --- what else is drawn --------------------------------------------------------------------------------------
+
+    def _in_both_orders(self, paths: Sequence[Series], besides: Sequence[Series]) -> tuple[Series, ...]:
+        """Excel draws the last series on top, LibreOffice the first: what lies lowest is in the middle, with all that covers
+        nothing, and from links on each shape on both sides of it, as far as a chart takes so many series."""
+        shapes = self.found.shapes
+        first = next((n for n, shape in enumerate(shapes) if isinstance(shape, Shape) and shape.border), len(shapes))
+        last = max((n for n, shape in enumerate(shapes) if isinstance(shape, Mark)), default=0)
+        lowest = [each for n, drawn in self._series.items() if n < first for each in drawn]
+        upper = [each for n, drawn in self._series.items() if first <= n < last for each in drawn]
+        upper += self._marks()
+        upper += [each for n, drawn in self._series.items() if n > max(first, last) for each in drawn]
+        once = [*paths, *lowest, *besides]
+        room = max(0, MOST_SERIES - len(once) - len(upper))
+        return (*upper[: -room - 1 : -1], *once, *upper)
 
     def _paths(self) -> list[Series]:
         """The paths of points, and what a cam's curves are at the position shown: two sweep columns each."""
@@ -439,11 +493,10 @@ class Listed:
             nodes.append(formula("at+(a*along+b*across)/half", a=a, b=b, half=half, **cells))
         return nodes[0], nodes[1]
 
-    def _marks(self) -> tuple[tuple[Series, ...], tuple[Series, ...]]:
-        """Rings at the revolute joints, dots at other points: to be drawn first, and again last.
+    def _marks(self) -> list[Series]:
+        """Rings at the revolute joints, dots at other points.
 
-        Excel draws the last series on top, LibreOffice the first, and without borders round markers: a ring is a light disc
-        on a dark one, and both stand at both ends of the chart's series.
+        LibreOffice has no borders round markers: a ring is a light disc on a dark one.
         """
         back, front = [], []
         for kind, (size, inside) in DISC.items():
@@ -456,7 +509,7 @@ class Listed:
             disc = Series(name, x, y, marker="circle", marker_size=size + 3, in_legend=False)
             back.append(replace(disc, marker_line=INK, marker_fill=INK))
             front.append(replace(disc, marker_size=size, marker_line=inside, marker_fill=inside))
-        return (*front, *back), (*back, *front)
+        return [*back, *front]
 
     def _names(self, places: Sequence[int]) -> Iterator[Series]:
         """Names beside their places; where each stands is chosen for the positions of the description's own dimensions."""
@@ -476,7 +529,7 @@ class Listed:
             x, y = page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y)
             yield Series(words, x, y, show_name=True, label_side="center", in_legend=False)
             page.row += 1
-        ways = ways_beside(page, self._vectors, self._letters, page.cell(NINTH, start, anchored=False))
+        ways = ways_beside(page, self._drawn, self._letters, page.cell(NINTH, start, anchored=False))
         for col, chart_col, way in ((FIRST, CHART_X, ways[0]), (SECOND, CHART_Y, ways[1])):
             self._filled(col, way, start, page.row - 1)
             origins = page.column_of(chart_col, self.first_place, self.last_place)

@@ -11,7 +11,7 @@ from livesheet.formula.nodes import Node
 from mechsheet.kinematics.points_in_link import number_places
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.gaps import misfits_of
-from mechsheet.sheet.findings.finding import Finding, InTitle, Line, bad, good, look
+from mechsheet.sheet.findings.finding import Finding, InTitle, Level, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.grashof import why_nowhere
@@ -42,14 +42,19 @@ class RowsClosed(Finding):
             "IF(count=0,nowhere,IF(count=rows,everywhere,some))", count=count, rows=rows, nowhere=on.text("rows.none"),
             everywhere=on.text("rows.all"), some=some,
         )  # fmt: skip
-        return Line(
-            on.text("rows"), counted, words, of_rows, itself=("words",),
-            levels=(
-                bad("count=0", count=count),
-                look("count<rows", count=count, rows=rows),
-                good("count=rows", count=count, rows=rows),
-            ),
-        )  # fmt: skip
+        levels = [
+            bad("count=0", count=count),
+            look("count<rows", count=count, rows=rows),
+            good("count=rows", count=count, rows=rows),
+        ]
+        below = on.rows_below()
+        if below is not None:
+            before, after = on.text("rows.below", rows="#").split("#")
+            words = joined(words, formula('IF(below>0,said,"")', below=below, said=joined(before, below, after)))
+            # a rule reads the cells of its sheet alone
+            beyond = formula("ISNUMBER(SEARCH(after,words))", after=after, words=on.words(self.key))
+            levels.insert(1, Level("look", beyond))
+        return Line(on.text("rows"), counted, words, of_rows, itself=("words",), levels=levels)
 
     def in_title(self, on: Reading) -> InTitle:
         return InTitle(here=closes_in(on.plan, on.value(self.key), on.of_rows))
@@ -164,6 +169,7 @@ def closes_in(plan: Plan, count: Node, rows: Node) -> Node:
     )
 
 
-def closes_in_all(plan: Plan) -> str:
-    """What the line says first of a mechanism that closes in all positions, of so many rows as were built."""
-    return plan.text("verdict.line.one") if plan.rows == 1 else plan.text("verdict.line.all", rows=plan.rows)
+def closes_in_all(plan: Plan, rows: int = 0) -> str:
+    """What the line says first of a mechanism that closes in all positions, of so many rows, or as were built."""
+    count = rows or plan.rows
+    return plan.text("verdict.line.one") if count == 1 else plan.text("verdict.line.all", rows=count)

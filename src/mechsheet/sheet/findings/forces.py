@@ -42,7 +42,7 @@ class LargestEffort(Finding):
 class LargestForce(Finding):
     """The largest joint force, over rows, and of which joint it is."""
 
-    key, placed = "largest_force", True
+    key, placed, needs = "largest_force", True, ("forces",)
 
     def line(self, on: Reading) -> Line:
         plan, cell = on.plan, on.value(self.key)

@@ -15,7 +15,7 @@ from mechsheet.sheet.deleted import are_there, missing_words
 from mechsheet.sheet.grashof import Sides
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.places import Searched, there
-from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
+from mechsheet.sheet.plan import MEANING, SPARE, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.table.positions import places
 from mechsheet.units import behind_number
@@ -129,6 +129,10 @@ class Reading(ABC):
     def count_rows(self) -> tuple[Node, Node]:
         """How many rows close, and how many there are, counted in the table."""
 
+    def rows_below(self) -> Node | None:
+        """How many rows below the table somebody has filled of which nothing is said; None where these count, too."""
+        return None
+
     @abstractmethod
     def stretches(self) -> Node | None:
         """In words the stretches in which it closes; None where nobody looks for them."""
@@ -194,6 +198,11 @@ class SheetReading(Reading):
     def count_rows(self) -> tuple[Node, Node]:
         said = self.plan.places.status.whole()
         return formula("COUNTIF(said,ok)", said=said, ok=self.plan.text("status.ok")), formula("ROWS(said)", said=said)
+
+    def rows_below(self) -> Node | None:
+        drivers = self.drivers
+        first, last = (replace(drivers.end, row=self.plan.at.last + more) for more in (1, SPARE))
+        return formula("COUNT(below)", below=RangeRef(replace(first, sheet=drivers.start.sheet), last))
 
     def stretches(self) -> Node | None:
         stretches = [stretch.words.cell for stretch in self.found.stretches]

@@ -320,7 +320,7 @@ def _position(writer: Writer) -> None:
     before, after = plan.text("position.number", last="#").split("#")
     number = joined(before, formula("rows-1", rows=plan.places.rows.cell), after)
     writer.formula(rows["position"], MEANING, number, styles.LABEL_SAID)
-    writer.put(rows["position"], VALUE, float(plan.first_existing), styles.INPUT)
+    writer.put(rows["position"], VALUE, float(plan.first_shown), styles.INPUT)
     title, message = plan.text("hint.position.title"), plan.text("hint.position", last=last)
     writer.takes(rows["position"], VALUE, "list", title, message, low=there(plan.places.number).whole(plan.main))
     writer.line(rows[driver.symbol], rich(driver.symbol), driver.unit.text, plan.text("position.driver"))

@@ -13,7 +13,8 @@ from livesheet.workbook import Area, Conditional, Merge
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
-from mechsheet.sheet.findings.finding import LEVELS, MARKS, Line
+from mechsheet.sheet.deleted import missing_words
+from mechsheet.sheet.findings.finding import LEVELS, MARKS, Finding, Line
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.findings.reading import Reading, SheetReading
 from mechsheet.sheet.findings.title import left_words, title_levels, title_words
@@ -31,7 +32,7 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
     plan = writer.plan
     on, findings = SheetReading(plan, checks, extremes), findings_of(plan.mechanism, plan.found)
     writer.heading("verdicts", plan.text("head.at"))
-    lines = {on.rows[finding.key]: finding.line(on) for finding in findings}
+    lines = {on.rows[finding.key]: _while_it_can_be_said(on, finding) for finding in findings}
     for row, line in lines.items():
         _write(writer, on, row, line)
     writer.needs |= {on.rows[finding.key]: {*finding.needs} for finding in findings}
@@ -42,6 +43,20 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
     for level in title_levels(on, lines.values()):
         writer.colour(area, level.test, LEVELS[level.kind])
     return [Merge(area)]
+
+
+def _while_it_can_be_said(on: Reading, finding: Finding) -> Line:
+    """A finding's line; it is neither good nor bad where its words are that another sheet was deleted, which has a line of
+    its own."""
+    line, said = finding.line(on), on.words(finding.key)
+    missing = missing_words(on.plan)
+    if said == missing:
+        return line
+    levels = [
+        replace(level, test=formula("AND(said<>missing,test)", said=said, missing=missing, test=level.test))
+        for level in line.levels
+    ]
+    return replace(line, levels=levels)
 
 
 def _write(writer: Writer, on: Reading, row: int, line: Line) -> None:

@@ -1,4 +1,8 @@
-"""The drawing of a page: what it needs stands to the right of the table, folded away."""
+"""The drawing of a page: what it needs stands to the right of the table, folded away.
+
+It stands below the rows that a person may fill, and looks the table's rows up: rows that are inserted into the table, or
+filled down as whole rows, tear nothing apart there, and nobody needs to fill columns that are folded away.
+"""
 
 from __future__ import annotations
 
@@ -14,6 +18,7 @@ from mechsheet.sheet.drawing.drawing import caption, chart_of, letters_in, squar
 from mechsheet.sheet.drawing.frames import FIRST, NAME, NUMBER_STYLE, Page
 from mechsheet.sheet.drawing.listed import Listed
 from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan
+from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 
 WORDS = replace(styles.INNER, name="", align="left", shrink=True)
@@ -40,6 +45,23 @@ class _Beside(Page):
         """The last row of the table that is looked at."""
         return self.plan.last_looked_at
 
+    @property
+    def sweep_from(self) -> int:
+        return self.last_row + 3
+
+    @property
+    def numbered(self) -> bool:
+        return True
+
+    def row_number(self, heading: CellRef) -> Node:
+        """So many rows of the table as it was built with, from the first to the last that it has now; none that is empty."""
+        plan = self.plan
+        number = formula("ROUND((ROW()-ROW(heading)-1)*(rows-1)/steps,0)", heading=heading, rows=plan.places.rows.cell,
+                         steps=max(1, plan.rows - 1))  # fmt: skip
+        drivers = plan.filled(plan.at.spots[plan.mechanism.driver.symbol])
+        found = formula("IF(ISNUMBER(INDEX(drivers,number+1)),number,NA())", drivers=drivers, number=number)
+        return plan.at.bind(found, self.title)
+
 
 class PageDrawing:
     """The helpers' cells from column `start` on, and the charts that read them.
@@ -48,8 +70,7 @@ class PageDrawing:
     """
 
     def __init__(self, plan: PagePlan, start: int, charted: Sequence[str]) -> None:
-        self._page = page = _Beside(plan, plan.main, start, 2)
-        page.head_row = plan.symbol_row
+        self._page = page = _Beside(plan, plan.main, start, plan.last_looked_at + 1)
         self.cells, self.fills = page.cells, page.fills
         self.shown: dict[str, CellRef] = {}
         page.section(plan.text("page.drawing"))

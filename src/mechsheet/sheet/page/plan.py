@@ -25,7 +25,7 @@ from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.places import Places
-from mechsheet.sheet.plan import SHEETS, UNIT, VERDICT_ROW, Block, Named, Plan, TableColumn
+from mechsheet.sheet.plan import SHEETS, SPARE, UNIT, VERDICT_ROW, Block, Named, Plan, TableColumn
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.catalogue import words
 
@@ -40,9 +40,6 @@ CHART_ROWS = CHART_HEIGHT // ROW_HEIGHT + 2
 
 STATUS_GROUP = -2
 """The number under which the column stands that says what does not close: it has no heading."""
-
-SPARE = 400
-"""So many rows below the table are looked at too: a person may fill it further down."""
 
 
 @dataclass

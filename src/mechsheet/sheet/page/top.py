@@ -133,7 +133,7 @@ class Top(Cells):
         plan = self.plan
         for row in plan.blocks["position"].rows.values() if plan.drawn else ():
             self.line(row, plan.text("name.position"), "", plan.text("page.position"))
-            self.put(row, VALUE, float(plan.first_existing), styles.INPUT)
+            self.put(row, VALUE, float(plan.first_shown), styles.INPUT)
             title, message = plan.text("hint.position.title"), plan.text("hint.position", last=plan.rows - 1)
             last = Number(plan.rows - 1.0)
             self.takes(row, VALUE, "whole", title, message, low=Number(0.0), high=last, stop=False)

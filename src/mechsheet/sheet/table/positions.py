@@ -35,6 +35,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses
 from mechsheet.sheet.columns.bands import HEADINGS, ROOT, WORST
 from mechsheet.sheet.degrees import degrees_together, in_degrees
+from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there, sheets_of
 from mechsheet.sheet.driving import by_time, driver_after, rows_before, time_after
 from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.places import there
@@ -129,7 +130,17 @@ def column_fills(plan: Plan, column: TableColumn, sheet: str, first: int, rows: 
     if column.equation is None:
         raise ValueError(f"a column without an equation: {column.symbol}")
     value = cell_formula(plan, plan.at, column, column.equation.expression, sheet, first)
+    if column.equation.role == "output" and sheet == plan.table:
+        value = _while_sheets_are_there(plan, column.symbol, value)
     return [Fill(first, column.col, value, style, rows=rows)]
+
+
+def _while_sheets_are_there(plan: Plan, symbol: str, value: Node) -> Node:
+    """A value of the table; #N/A where a sheet that it is computed from was deleted."""
+    present = are_there(plan, sheets_of(plan, symbol) - {*FIRST_OF_ALL})
+    if present is None:
+        return value
+    return plan.at.bind(formula("IF(present,value,NA())", present=present, value=value), plan.table)
 
 
 def given_in_row(plan: Plan, column: TableColumn, number: Node) -> Node:
