@@ -11,6 +11,8 @@ from mechsheet.description.templates import template_text
 from mechsheet.library.building import build
 from mechsheet.library.changed import loads
 
+pytestmark = pytest.mark.slow
+
 TEXT = template_text("four-bar")
 CHANGED = TEXT.replace("a1 = { value = 70", "a1 = { value = 65")
 

@@ -29,6 +29,7 @@ def near_change_points(count):
         yield random.permutation([*sides, other + off]).tolist()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_both_layouts_say_the_same_type(language):
     sheets, page = (Book(FOUR_BAR, layout, language) for layout in ("sheets", "page"))
@@ -54,6 +55,7 @@ def test_no_length_is_advised_that_no_link_can_have(layout):
         assert "unless" not in book.line
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize(
     ("language", "alone"),

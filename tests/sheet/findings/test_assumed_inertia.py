@@ -15,6 +15,8 @@ MISSING = "not given, 0 taken, of what turns unevenly: coupler"
 GIVEN = "of every link that turns unevenly"
 COLUMNS = {"sheets": "BEF", "page": "BD"}
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def built(tmp_path):
