@@ -174,6 +174,8 @@ IN_LIBRARY = {
     "workbook": {"formula"},
     "formats": {"said", "diagnostics", "on_demand", "replacing", "time_limit", "formula", "workbook"},
     "engine": {"said", "diagnostics", "on_demand", "time_limit", "formula", "portable"},
+    # macros as formulas: what they mean is the engine's
+    "basic": {"said", "diagnostics", "formula"},
     "evaluation": {"diagnostics", "formula", "workbook", "engine"},
 }
 """Part of livesheet -> the parts that it may import."""
@@ -291,7 +293,7 @@ def test_what_solves_a_mechanism_has_no_hidden_circles(part):
 
 SHEET = (
     # what cells, formulas and places are made of
-    {"styles", "symbols", "wrapping", "quoted", "addresses", "places", "degrees", "mathematics", "naming"},
+    {"styles", "symbols", "wrapping", "printing", "quoted", "addresses", "places", "degrees", "mathematics", "naming"},
     # which columns there are: the equations as cells compute them, before anything has a place
     {"columns"},
     # the plan, which gives everything its place, and what is said in formulas over these places alone

@@ -267,7 +267,8 @@ class Merge:
 class PrintSetup:
     """Paper and print range; A4. `fit_width` pages across (0: no fit), `fit_height` pages down (0: as many as needed).
 
-    `scale`: instead of a fit, percent of the size on screen; `page_at`: columns that begin a page, which a fit forbids.
+    `scale`: instead of a fit, percent of the size on screen; `page_at`, `row_at`: columns and rows that begin a page, which
+    a fit forbids.
     `repeat_rows`, `repeat_cols` (first, last) stand on every page; the columns are ones that `Sheet.columns` names.
     `footer`: &L, &C, &R begin its parts, &P is the page, &N their count, &A the sheet, && an ampersand.
     """
@@ -277,6 +278,7 @@ class PrintSetup:
     fit_height: int = 0
     scale: int = 0
     page_at: tuple[int, ...] = ()
+    row_at: tuple[int, ...] = ()
     repeat_rows: tuple[int, int] | None = None
     repeat_cols: tuple[int, int] | None = None
     area: Area | None = None

@@ -11,10 +11,10 @@ DIGIT_PIXELS, EXCEL_DIGIT_PIXELS, PADDING_PIXELS = 7.4, 7, 5
 """A column of n characters is n digits and a padding wide. Excel rounds a digit of this font to 7 pixels, LibreOffice not:
 the columns of an .xlsx are as wide there as those of an .ods."""
 
-MARGIN_SIDE, MARGIN_END, MARGIN_HEADER = 0.6, 0.75, 0.3
+MARGIN_SIDE, MARGIN_END, MARGIN_HEADER = 0.6, 0.6, 0.3
 """Of printed pages [inches]: left and right, above and below the cells, above and below header and footer."""
 
-TITLE_SIZE, TEXT_SIZE = 11, 9
+TITLE_SIZE, TEXT_SIZE = 11, 10
 """Text of charts [points]."""
 GRID_COLOR, AXIS_COLOR, TEXT_COLOR = "D9D9D9", "7F7F7F", "404040"
 HAIR_LINE = 0.75

@@ -62,15 +62,17 @@ def judge(
     rules: Rules | None = None,
     baseline: Baseline | None = None,
     descriptions: Sequence[Path] = (),
+    modules: Sequence[Path] = (),
 ) -> Report:
     """As `check`; cells to ignore that mean nothing in this file are left to the caller, who may have other files.
 
     descriptions  files among which the workbook's own is looked for when none of its name is beside it
+    modules       files in Basic whose functions the workbook calls
     """
     asked = names_of(programs)
     refuse_unknown(asked)
     path = Path(path)
-    work = _Work(asked, progress or (lambda _: None), rules or Rules(), baseline)
+    work = _Work(asked, progress or (lambda _: None), rules or Rules(), baseline, modules)
     if path.suffix.lower() == ".toml":
         return _check_description(path, work)
     work.say("reading")
@@ -85,6 +87,7 @@ class _Work:
     say: Callable[[str], None]
     rules: Rules
     baseline: Baseline | None
+    modules: Sequence[Path] = ()
 
 
 def _check_description(path: Path, work: _Work) -> Report:
@@ -108,7 +111,7 @@ def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | No
     """Judge a workbook; `file` is the description that it should have been built from, if there is one."""
     work.say("recalculating")
     form = functions_in(book)
-    book = with_routines(book)
+    book = with_routines(book, work.modules)
     stored, values = judge_stored(book, work.rules)
     if work.baseline is not None:
         stored = work.baseline.accept(Path(shown), stored)

@@ -15,7 +15,7 @@ from livesheet.time_limit import limited
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.words.catalogue import LANGUAGES
 
-from .common import JSON, MOST_SECONDS, at_lines_of, described, progress, say_written, seconds_option
+from .common import JSON, MOST_SECONDS, at_lines_of, described, modules_option, progress, say_written, seconds_option
 from .helping import Explained
 from .speaking import spoken
 
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     "--describe", metavar="OUT.toml", type=click.Path(path_type=Path),
     help="Without --against: write a description to start from.",
 )  # fmt: skip
+@modules_option
 @click.option("--language", type=click.Choice(LANGUAGES), help="Of the words, in place of the description's.")
 @seconds_option(MOST_SECONDS)
 @JSON
@@ -41,6 +42,7 @@ def audit(
     workbook: Path,
     description: Path | None,
     assembly: str | None,
+    modules: tuple[Path, ...],
     describe: Path | None,
     language: str | None,
     seconds: float,
@@ -63,7 +65,7 @@ def audit(
     """
     if description is None:
         with limited(seconds, readable_name(workbook)):
-            _recognised(workbook, describe, language, as_json)
+            _recognised(workbook, modules, describe, language, as_json)
         return
     if describe is not None:
         raise MechsheetError(Fault(say("with --against there is a description already"), key="--describe"))
@@ -74,13 +76,15 @@ def audit(
     named = readable_name(workbook)
     with at_lines_of(mechanism, description), progress(workbook.name) as tell, limited(seconds, named):
         tell("auditing")
-        found = judge(workbook, mechanism, assembly or "")
+        found = judge(workbook, mechanism, assembly or "", modules)
     click.echo(json.dumps(found.as_dict(), indent=2, ensure_ascii=False) if as_json else "\n".join(lines(found)))
     if not found.right:
         sys.exit(1)
 
 
-def _recognised(workbook: Path, describe: Path | None, language: str | None, as_json: bool) -> None:
+def _recognised(
+    workbook: Path, modules: tuple[Path, ...], describe: Path | None, language: str | None, as_json: bool
+) -> None:
     """What a workbook seems to be; a description of that."""
     from livesheet.formats import read
     from mechsheet.homework.formula_strips import upright
@@ -88,7 +92,7 @@ def _recognised(workbook: Path, describe: Path | None, language: str | None, as_
     from mechsheet.homework.recognition import recognise, tables
 
     with progress(workbook.name) as tell:
-        found = tables(upright(read(workbook)))
+        found = tables(upright(read(workbook), modules=modules))
         known = recognise(found, tell)
     click.echo(
         json.dumps(as_dict(known), indent=2, ensure_ascii=False)

@@ -50,9 +50,10 @@ if TYPE_CHECKING:
 @click.option("--tolerance", is_flag=True, help="Bands of all outputs and summaries by the dimensions' tolerances.")
 @click.option(
     "--functions",
-    metavar="basic,lambda",
+    metavar="basic,lambda,vba",
     default="",
-    help="Extra files whose tables call functions: in Basic (.ods, macros), as LAMBDA (.xlsx, Excel 365).",
+    help="Extra files whose tables call functions: in Basic (.ods, macros), as LAMBDA (.xlsx, Excel 365), in VBA (.xlsx, "
+    "and a module to import).",
 )
 @click.option("--design", metavar="FOLDER:N", help="Use the dimensions of a design from a study (mechsheet study).")
 @click.option("--force", is_flag=True, help="Overwrite even what somebody has changed since it was built.")

@@ -14,7 +14,7 @@ from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
 
-from .common import JSON, completing, seconds_option
+from .common import JSON, completing, modules_option, seconds_option
 from .gate import Gate, concluded, descriptions_among, fails, gate_options, of_each, workbooks
 from .helping import Explained
 from .speaking import speak_of
@@ -38,6 +38,7 @@ def _programs() -> tuple[str, ...]:
 @click.option("--perturb", type=click.IntRange(min=1), metavar="N", help="Type N random sets of inputs and compare.")
 @click.option("--mutate", type=click.IntRange(min=1), metavar="N", help="Damage N formulas: would anybody notice?")
 @click.option("--seed", default=0, show_default=True, help="Another seed: other random sets, other damages.")
+@modules_option
 @gate_options
 @click.option("--strict", is_flag=True, help="Exit code 1 even if something just cannot be computed or compared.")
 @seconds_option()
@@ -47,6 +48,7 @@ def _programs() -> tuple[str, ...]:
 def check(
     files: tuple[Path, ...],
     programs: str,
+    modules: tuple[Path, ...],
     perturb: int | None,
     mutate: int | None,
     seed: int,
@@ -73,6 +75,10 @@ def check(
     """
     gate = Gate(**options)
     mode = "--mutate" if mutate is not None else "--perturb"
+    if modules and (mutate is not None or perturb is not None):
+        raise MechsheetError(
+            Fault(say("{given} does not go with --perturb and --mutate", given="--functions"), key=mode)
+        )
     if mutate is not None and (programs or perturb is not None):
         raise MechsheetError(Fault(say("--mutate goes with --seed and --json only"), key="--mutate"))
     if (mutate is not None or perturb is not None) and (gate.given() or gate.strict):
@@ -82,7 +88,7 @@ def check(
     if len(found) == 1:
         speak_of(found[0])
     if mutate is None and perturb is None:
-        _check(found, descriptions_among(files), programs, gate, seconds, quiet, verbose, as_json)
+        _check(found, descriptions_among(files), programs, modules, gate, seconds, quiet, verbose, as_json)
     else:
         _try_out(found, programs, perturb, mutate, seed, seconds, quiet, as_json)
 
@@ -91,6 +97,7 @@ def _check(
     files: Sequence[Path],
     descriptions: Sequence[Path],
     programs: str,
+    modules: Sequence[Path],
     gate: Gate,
     seconds: float | None,
     quiet: bool,
@@ -107,7 +114,9 @@ def _check(
     refuse_unknown(asked)
     rules, baseline = gate.rules(), gate.accepted()
     faults: list[Fault] = []
-    judged = of_each(files, faults, lambda file, tell: judge(file, asked, tell, rules, baseline, descriptions), seconds)
+    judged = of_each(
+        files, faults, lambda file, tell: judge(file, asked, tell, rules, baseline, descriptions, modules), seconds
+    )
     reports = with_twins(judged)
     if as_json:
         click.echo(json.dumps([report.as_dict() for report in reports], indent=2))

@@ -178,6 +178,11 @@ def change_options(command: Command) -> Command:
     return with_options(_CHANGES, command)
 
 
+modules_option = click.option(
+    "--functions", "modules", multiple=True, metavar="FILE.bas", type=click.Path(path_type=Path),
+    help="A module in Basic whose functions the workbook calls; may be repeated.",
+)  # fmt: skip
+
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
 MOST_SECONDS = 120.0

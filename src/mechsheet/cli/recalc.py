@@ -18,7 +18,7 @@ from livesheet.time_limit import limited
 from mechsheet.arguments.outputs import folder_ready, names_folder
 from mechsheet.diagnostics import MechsheetError
 
-from .common import JSON, output_file, output_option, progress, seconds_option, settings_of
+from .common import JSON, modules_option, output_file, output_option, progress, seconds_option, settings_of
 from .gate import Gate, concluded, gate_options, of_each, workbooks
 from .helping import Explained
 from .speaking import note, told, wrote
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 @click.option(
     "--print", "ranges", multiple=True, metavar="RANGE", help="Print Sheet!A1:C9, tab separated; may be repeated."
 )
+@modules_option
 @output_option("Write the recalculated workbook there.")
 @click.option("--strict", is_flag=True, help="Exit code 1 even if something just cannot be computed or compared.")
 @click.option("--check", is_flag=True, help="Compare with the stored values instead, of files and whole folders.")
@@ -46,6 +47,7 @@ def recalc(
     files: tuple[Path, ...],
     settings: tuple[str, ...],
     ranges: tuple[str, ...],
+    modules: tuple[Path, ...],
     check: bool,
     output: str | None,
     seconds: float | None,
@@ -71,7 +73,7 @@ def recalc(
             raise MechsheetError(Fault(say("--check compares with the stored values, which know nothing of --set")))
         if ranges or output is not None:
             raise MechsheetError(Fault(say("--check compares: it goes without --print and -o")))
-        _check(workbooks(files), gate, seconds, as_json)
+        _check(workbooks(files), gate, modules, seconds, as_json)
         return
     if gate.given():
         raise MechsheetError(Fault(say("{names}: only with --check", names=", ".join(gate.given()))))
@@ -80,18 +82,24 @@ def recalc(
             Fault(say("{count} workbooks: one at a time is recalculated, several only with --check", count=len(files)))
         )
     with limited(seconds, readable_name(files[0])):
-        _recalculate(files[0], settings, ranges, output, as_json, gate.strict)
+        _recalculate(files[0], settings, ranges, modules, output, as_json, gate.strict)
 
 
 def _recalculate(
-    workbook: Path, settings: tuple[str, ...], ranges: tuple[str, ...], output: str | None, as_json: bool, strict: bool
+    workbook: Path,
+    settings: tuple[str, ...],
+    ranges: tuple[str, ...],
+    modules: tuple[Path, ...],
+    output: str | None,
+    as_json: bool,
+    strict: bool,
 ) -> None:
     """Set, compute, print, write."""
     from mechsheet.library.recalculation import recalc as recalculate
 
     with progress(workbook.name) as tell:
         tell("recalculating")
-        result = recalculate(workbook, settings_of(settings))
+        result = recalculate(workbook, settings_of(settings), modules)
     areas = [result.area(text) for text in ranges]
     if output is not None:
         file = output_file(output, workbook.name, (workbook,) if names_folder(output) else ())
@@ -110,13 +118,13 @@ def _recalculate(
         sys.exit(1)
 
 
-def _check(files: Sequence[Path], gate: Gate, seconds: float | None, as_json: bool) -> None:
+def _check(files: Sequence[Path], gate: Gate, modules: Sequence[Path], seconds: float | None, as_json: bool) -> None:
     """The stored values of each file."""
     from mechsheet.checking.remark_lines import stored_lines
 
     rules, baseline = gate.rules(), gate.accepted()
     faults: list[Fault] = []
-    reports = of_each(files, faults, lambda file, tell: _judged(file, tell, rules, baseline), seconds)
+    reports = of_each(files, faults, lambda file, tell: _judged(file, tell, rules, baseline, modules), seconds)
     for report in reports:
         assert report.stored is not None
         head = f"{report.file}: " if len(files) > 1 else ""
@@ -129,14 +137,16 @@ def _check(files: Sequence[Path], gate: Gate, seconds: float | None, as_json: bo
     concluded(gate, reports, baseline, faults)
 
 
-def _judged(file: Path, tell: Callable[[str], None], rules: Rules, baseline: Baseline | None) -> Report:
+def _judged(
+    file: Path, tell: Callable[[str], None], rules: Rules, baseline: Baseline | None, modules: Sequence[Path]
+) -> Report:
     from livesheet.formats import read
     from mechsheet.checking import Report
     from mechsheet.checking.stored import judge_stored
     from mechsheet.library.routines import with_routines
 
     tell("recalculating")
-    stored, _ = judge_stored(with_routines(read(file)), rules)
+    stored, _ = judge_stored(with_routines(read(file), modules), rules)
     if baseline is not None:
         stored = baseline.accept(file, stored)
     return Report(readable_name(file), (stored.comparison(),), stored=stored)

@@ -111,12 +111,13 @@ class Audit:
         }
 
 
-def audit(book: str | Path, mechanism: Mechanism, assembly: str = "") -> Audit:
+def audit(book: str | Path, mechanism: Mechanism, assembly: str = "", functions: Sequence[str | Path] = ()) -> Audit:
     """Find in a workbook that somebody made by hand the quantities that a description asks for, and the faults.
 
     book       .xlsx, .xlsm, .ods, .ots, .xls, laid out in any way
     mechanism  what it should be: `mechsheet.load(...)`; its dimensions are only what the sheet does not give itself
     assembly   "any": another assembly than the description's sketch is right, too
+    functions  modules in Basic (.bas) whose functions the workbook calls
 
     The rows are the workbook's own; of a description with [exercise] they are to be those that it asks for.
     Raises WorkbookError where the file cannot be read, or holds no table of this mechanism.
@@ -124,7 +125,8 @@ def audit(book: str | Path, mechanism: Mechanism, assembly: str = "") -> Audit:
     path = Path(book)
     asks = mechanism.exercise is not None
     shown = readable_name(path)
-    return audited(upright(read(path)), mechanism, asked_of(mechanism), shown, assembly == "any", all_rows=asks)
+    work = upright(read(path), modules=[Path(file) for file in functions])
+    return audited(work, mechanism, asked_of(mechanism), shown, assembly == "any", all_rows=asks)
 
 
 def audited(

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from pathlib import Path
 from typing import TypeAlias
 
 import numpy as np
@@ -329,10 +330,10 @@ def _minus(block: Block, other: Block) -> Iterator[Block]:
             yield Block(row, col, last_row - row, last_col - col, formula)
 
 
-def upright(book: Book, to_the_right: bool | None = None) -> Work:
+def upright(book: Book, to_the_right: bool | None = None, modules: Sequence[Path] = ()) -> Work:
     """A workbook as strips, in the direction in which most of its formulas were filled, if none is said; routines of the
-    text are known."""
-    book = with_routines(book)
+    text are known, and functions of modules in Basic."""
+    book = with_routines(book, modules)
     remarks = [str(fault) for fault in _told(book.remarks)] + _numbers_with_commas(book)
     keys: dict[Node, int] = {}
     blocks: list[tuple[str, Block, int]] = []  # sheet, block, number of its formula as seen from A1

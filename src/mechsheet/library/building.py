@@ -20,13 +20,15 @@ if TYPE_CHECKING:
     from mechsheet.compiled import Compiled
 
 FORMATS = ("xlsx", "ods")
-FUNCTIONS = ("basic", "lambda")
+FUNCTIONS = ("basic", "lambda", "vba")
 """Extra workbooks whose tables call functions of their own."""
+MODULE_BESIDE = "bas"
+"""The module beside the one of these that calls VBA."""
 
 
 @dataclass(frozen=True, slots=True)
 class Target:
-    """A file to be written; `form` is one of FORMATS, or of FUNCTIONS for an extra one."""
+    """A file to be written; `form` is one of FORMATS, of FUNCTIONS for an extra one, or MODULE_BESIDE."""
 
     path: Path
     form: str
@@ -66,7 +68,8 @@ def build(
                a name without an ending. In a folder the file is called as the description's, or by the mechanism's name when
                that came from no file. The folder is made when it is not there yet (but not its parents)
     formats    "xlsx", "ods", or several; "xlsx" without it
-    functions  extra files: "basic" (`NAME-basic.ods`, needs macros), "lambda" (`NAME-lambda.xlsx`, needs Excel 365)
+    functions  extra files: "basic" (`NAME-basic.ods`, needs macros), "lambda" (`NAME-lambda.xlsx`, needs Excel 365),
+               "vba" (`NAME-vba.xlsx`, and `NAME-vba.bas` to import)
     layout     "sheets" or "page" (all on one sheet), in place of the description's own
     tolerance  with bands of all outputs and summaries, where the description asks for none
     force      also over a file that is not a workbook as `build` wrote it: somebody's work may be in it
@@ -103,6 +106,7 @@ def targets(
         from mechsheet.exporting.functions.workbooks import FORMS
 
         found += [Target(_ending(stem, FORMS[form].suffix), form) for form in extra]
+        found += [Target(_ending(stem, "-vba.bas"), MODULE_BESIDE) for form in extra if form == "vba"]
     return found
 
 
@@ -124,7 +128,13 @@ def refuse_edited(wanted: Iterable[Target]) -> None:
     for target in wanted:
         path = target.path
         try:
-            if is_stream(path) or not path.is_file() or path.stat().st_size == 0 or is_untouched(path):
+            if (
+                target.form == MODULE_BESIDE
+                or is_stream(path)
+                or not path.is_file()
+                or path.stat().st_size == 0
+                or is_untouched(path)
+            ):
                 continue
             message = say("is not as build wrote it (somebody has saved changes, or it is another file): left as it is")
         except (OSError, ValueError) as error:
@@ -145,11 +155,17 @@ def write_all(compiled: Compiled, wanted: Sequence[Target], output: str | Path =
     folder = f"{output}/" if is_folder(output) else output
     with folder_ready(folder):
         for target in wanted:
-            if target.form in FUNCTIONS:
-                from livesheet.evaluation import computed
-                from mechsheet.exporting.functions.workbooks import functions_workbook
+            if target.form == MODULE_BESIDE:
+                from livesheet.replacing import replace_file
+                from mechsheet.exporting.functions.workbooks import functions_workbook, module_beside
 
-                write(computed(functions_workbook(compiled, target.form)), target.path)
+                replace_file(target.path, module_beside(functions_workbook(compiled, "vba")))
+            elif target.form in FUNCTIONS:
+                from livesheet.evaluation import computed
+                from mechsheet.exporting.functions.workbooks import functions_workbook, without_module
+
+                found = computed(functions_workbook(compiled, target.form))
+                write(without_module(found) if target.form == "vba" else found, target.path)
             else:
                 write(compiled.workbook, target.path, target.form)
     return [target.path for target in wanted]

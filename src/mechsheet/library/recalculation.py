@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -96,11 +96,12 @@ def json_value(value: Scalar) -> object:
     return str(value) if isinstance(value, ErrorValue) else value
 
 
-def recalc(path: str | Path, settings: Mapping[str, Any] | None = None) -> Result:
+def recalc(path: str | Path, settings: Mapping[str, Any] | None = None, functions: Sequence[str | Path] = ()) -> Result:
     """Read a workbook, set inputs (`{"a_1": 65}` by defined name, or `{"Sheet!B2": 65}`), and compute every formula.
 
     Numbers may be of any type, numpy's too. Values given as texts are taken as typed into a cell: `65`, `TRUE`, `'65` (a
     text), anything else a text; but a cell that holds a number in the file takes a number only, or what has a `'` before it.
+    `functions`: modules in Basic (.bas) whose functions the workbook calls.
     What cannot be computed as it is meant is in `remarks`. Raises WorkbookError: not a workbook, an unknown name, a cell
     that is computed itself, a value that the cell cannot take.
     """
@@ -109,7 +110,7 @@ def recalc(path: str | Path, settings: Mapping[str, Any] | None = None) -> Resul
     from mechsheet.library.routines import with_routines
 
     path = Path(path)
-    book = with_routines(read(path))
+    book = with_routines(read(path), [Path(file) for file in functions])
     changes: dict[Place, Scalar] = {}
     faults: list[Fault] = []
     for name, value in (settings or {}).items():

@@ -10,9 +10,10 @@ from __future__ import annotations
 import itertools
 import math
 import unicodedata
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Sequence
 from copy import copy
 from functools import cache
+from pathlib import Path
 
 from livesheet.diagnostics import Fault
 from livesheet.engine import evaluate
@@ -30,8 +31,15 @@ SAME = 1e-5
 MOST_COMPARED = 50
 
 
-def with_routines(book: Book) -> Book:
-    """The book with the routines that its formulas call and that nothing in it defines, and a remark that says which."""
+def with_routines(book: Book, modules: Sequence[Path] = ()) -> Book:
+    """The book with the routines that its formulas call and that nothing in it defines, and a remark that says which.
+
+    modules  files in Basic that define functions for it
+    """
+    if modules:
+        from mechsheet.library.own_functions import with_modules
+
+        book = with_modules(book, modules)
     defined = {folded(one.name) for one in book.names}
     called = {name for sheet in book.sheets for name in _called(sheet) if folded(name) not in defined}
     known = {name: language for name in sorted(called) if (language := _language(name)) is not None}

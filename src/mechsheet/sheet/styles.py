@@ -30,7 +30,7 @@ HEAD = Style(
 )
 HEAD_LEFT = replace(HEAD, name="mechsheet head left", align="left")
 FORMULA_TEXT = Style(
-    "mechsheet formula text", italic=True, size=7, color=QUIET, align="left", valign="top", wrap=True,
+    "mechsheet formula text", italic=True, size=9, color=QUIET, align="left", valign="top", wrap=True,
     border="thin", border_color="E5E7EB",  # neighbours would read as one
 )  # fmt: skip
 SYMBOL = Style("mechsheet symbol", color=INK, align="left", border="thin", border_color=RULE)

@@ -43,9 +43,9 @@ def label_lines(text: str, columns: float) -> int:
     return lines
 
 
-def height_of(lines: int) -> float:
-    """Pixels of a row whose label takes so many lines."""
-    return float(ROW_HEIGHT + (lines - 1) * FURTHER)
+def height_of(lines: int, one: int = ROW_HEIGHT) -> float:
+    """Pixels of a row whose label takes so many lines; `one` of a row with one line."""
+    return float(one + (lines - 1) * FURTHER)
 
 
 def _pixels(text: str) -> float:

@@ -22,7 +22,8 @@ from mechsheet.checking.cells import compare_cells
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
 from mechsheet.kinematics.equations import RATES
-from mechsheet.sheet.page.paper import ACROSS, Paper, on_paper, pixels
+from mechsheet.sheet.page.paper import ACROSS, DOWN, NARROW, SEVERAL, cut_down, on_paper, pixels
+from mechsheet.sheet.page.plan import ROW_HEIGHT
 from mechsheet.sheet.plan import VALUE
 from office_macros import Job, with_macros
 from published.printed_numbers import dimensions, table
@@ -333,27 +334,53 @@ def test_drawing_stays_in_its_window(name):
                 assert all(isinstance(cell, float) and abs(cell) <= 1.001 for cell in cells), (series.name, cells)
 
 
-@pytest.mark.parametrize("name", ["quick-return-slider", "slider-crank", "four-bar"])
+@pytest.mark.parametrize("name", ["quick-return-slider", "slider-crank", "four-bar", "fivelink", "jansen"])
 def test_it_can_be_read_on_paper(name):
-    """Side by side on as many sheets of A4 as letters of 10 points need to be 4 high; no chart lies across two of them."""
-    sheet = Page(text_of(name)).sheet
-    setup = sheet.print_setup
+    """Letters of 10 points are at least 6.5 high, on one sheet of A4 or on several; no chart lies across two of them."""
+    page = Page(text_of(name))
+    sheet, setup = page.sheet, page.sheet.print_setup
     widths = {col: pixels(column.width) for column in sheet.columns for col in range(column.first, column.last + 1)}
-    edges = [0, *accumulate(widths[col] for col in range(setup.area.last_col + 1))]
-    begins = [edges[col] for col in (0, *setup.page_at, -1)]
-    scale = setup.scale / 100 or ACROSS / edges[-1]
-    assert scale >= 0.4
-    assert (setup.fit_width, setup.page_at != ()) in ((1, False), (0, True))
-    assert max(after - before for before, after in pairwise(begins)) * scale <= ACROSS + 1
+    across = [0, *accumulate(widths[col] for col in range(setup.area.last_col + 1))]
+    heights = dict(sheet.row_heights)
+    down = [0.0, *accumulate(heights.get(row, ROW_HEIGHT) for row in range(setup.area.last_row + 1))]
+    if not setup.scale:
+        assert (setup.fit_width, setup.fit_height, setup.page_at, setup.row_at) == (1, 1, (), ())
+        assert min(ACROSS / across[-1], DOWN / down[-1]) >= 0.65
+    else:
+        assert (setup.fit_width, setup.fit_height) == (0, 0)
+        assert setup.scale >= 65
+    columns = [across[col] for col in (0, *setup.page_at, -1)]
+    rows = [down[row] for row in (0, *setup.row_at, -1)]
+    if setup.scale:
+        assert max(after - before for before, after in pairwise(columns)) * setup.scale / 100 <= ACROSS + 1
+        assert max(after - before for before, after in pairwise(rows[1:])) * setup.scale / 100 <= DOWN + 1
+    table = [after - before for before, after in pairwise([row for row in setup.row_at if row >= page.plan.at.first])]
+    assert all(count >= 5 for count in table)
     for chart in sheet.charts:
-        left = edges[chart.anchor.col] + chart.anchor.dx
-        assert any(begin <= left and left + chart.anchor.width <= end for begin, end in pairwise(begins)), chart.title
+        left, top = across[chart.anchor.col] + chart.anchor.dx, down[chart.anchor.row] + chart.anchor.dy
+        assert any(begin <= left and left + chart.anchor.width <= end for begin, end in pairwise(columns)), chart.title
+        assert any(begin <= top and top + chart.anchor.height <= end for begin, end in pairwise(rows)), chart.title
 
 
 def test_a_chart_that_would_be_cut_begins_on_the_next_sheet_of_paper():
-    found = on_paper([10.0] * 40, 500, 300, [400] * 6)
-    assert (len(found.begins), found.moved > 0) == (1, True)
-    assert on_paper([10.0] * 20, 500, 300, [400, 400]) == Paper((300, 712))
+    tall = cut_down({0: 60.0, 1: 400.0}, 1, 2, 80, 17)
+    found = on_paper([10.0] * 40, tall, 60, 300, 1, 6)
+    edges = [sum(pixels(10.0 if col < 40 else NARROW) for col in range(begin)) for begin in found.begins]
+    assert edges
+    assert not any(box.x < edge < box.right for box in found.charts for edge in edges)
+    low = cut_down({0: 60.0, 1: 400.0}, 1, 2, 20, 17)
+    assert on_paper([10.0] * 12, low, 60, 300, 1, 1).scale == 0
+
+
+@pytest.mark.parametrize("rows", [25, 30, 73, 100, 361])
+@pytest.mark.parametrize("above", [300.0, 700.0, 1300.0])
+def test_no_sheet_of_paper_has_two_rows(above, rows):
+    down = cut_down({0: 50.0, 1: above, 2: 60.0}, 2, 3, rows, 17)
+    edges = [3, *(row for row in down.rows if row > 3), 3 + rows]
+    counts = [after - before for before, after in pairwise(edges)]
+    assert sum(counts) == rows
+    assert min(counts) >= 5 or not down.rows
+    assert max(counts) * 17 * SEVERAL <= DOWN
 
 
 def test_helpers_are_folded_away():

@@ -47,7 +47,12 @@ class TableRows:
         self.covered = {place for area in self.spans.values() for place in _places(area)} - self.spans.keys()
         heading = sheet.print_setup.repeat_rows
         self.heading = None if heading is None else Area(heading[0], 0, heading[1], 0)
-        areas = rules.areas + ([self.heading] if self.heading else [])
+        self.begins = frozenset(sheet.print_setup.row_at)
+        areas = (
+            rules.areas
+            + ([self.heading] if self.heading else [])
+            + [Area(row, 0, row, 0) for row in sorted(self.begins)]
+        )
         self.bands = list(bands(sheet, areas, extras.places))
         self.edges = sorted({edge for area in rules.areas for edge in (area.first_col, area.last_col + 1)})
         used = [cell.col + 1 for band in self.bands for cell in band.cells] + self.edges
@@ -57,7 +62,7 @@ class TableRows:
     def _enter_styles(self) -> None:
         self.styles.row(None)
         for band in self.bands:
-            self.styles.row(self.heights.get(band.first))
+            self.styles.row(self.heights.get(band.first), band.first in self.begins)
             for cell in band.cells:
                 self._look(cell.style, band.first, cell.col)
             for fill in band.fills:
@@ -100,7 +105,7 @@ class TableRows:
             columns += [(col, self._formulas(fill, col, band)) for col in range(fill.col, fill.col + fill.cols)]
         columns.sort(key=lambda column: column[0])
         count = band.last - band.first
-        height = self.styles.row(self.heights.get(band.first))
+        height = self.styles.row(self.heights.get(band.first), band.first in self.begins)
         pieces = [[f'<table:table-row table:style-name="{height}">'] * count]
         next_col = 0
         for col, texts in columns:

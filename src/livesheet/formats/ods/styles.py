@@ -48,7 +48,7 @@ class OdsStyles:
         self._cells: dict[tuple[Style, tuple[str, ...]], str] = {}
         self._conditional: dict[Style, str] = {}
         self._columns: dict[tuple[float, bool], str] = {}
-        self._rows: dict[float | None, str] = {}
+        self._rows: dict[tuple[float | None, bool], str] = {}
 
     def cell(self, style: Style, maps: tuple[str, ...] = ()) -> str:
         """The name of the automatic style of a cell; `maps` are its <style:map> elements. "" is the default."""
@@ -69,9 +69,9 @@ class OdsStyles:
         """The name of a column's style; the width is in pixels."""
         return self._columns.setdefault((width, begins_page), f"co{len(self._columns) + 1}")
 
-    def row(self, height: float | None) -> str:
+    def row(self, height: float | None, begins_page: bool = False) -> str:
         """The name of a row's style; the height is in pixels, None is as high as its content."""
-        return self._rows.setdefault(height, f"ro{len(self._rows) + 1}")
+        return self._rows.setdefault((height, begins_page), f"ro{len(self._rows) + 1}")
 
     def _number(self, code: str) -> str:
         return self._formats.setdefault(code, f"N{len(self._formats) + 1}")
@@ -112,11 +112,11 @@ class OdsStyles:
             f' style:column-width="{points(width)}"/></style:style>'
             for (width, page), name in self._columns.items()
         ]
-        for height, name in self._rows.items():
+        for (height, page), name in self._rows.items():
             free = "true" if height is None else "false"
             parts.append(
                 f'<style:style style:name="{name}" style:family="table-row"><style:table-row-properties'
-                f' style:row-height="{points(ROW_PIXELS if height is None else height)}"'
+                f'{BEGINS_PAGE if page else ""} style:row-height="{points(ROW_PIXELS if height is None else height)}"'
                 f' style:use-optimal-row-height="{free}"/></style:style>'
             )
         parts += [number_style(name, code) for code, name in self._formats.items()]

@@ -73,6 +73,8 @@ def _print_setup(page: DataWorksheet, setup: PrintSetup) -> None:
         page.fit_to_pages(setup.fit_width, setup.fit_height)
     if setup.page_at:
         page.set_v_pagebreaks(list(setup.page_at))
+    if setup.row_at:
+        page.set_h_pagebreaks(list(setup.row_at))
     if setup.repeat_rows:
         page.repeat_rows(*setup.repeat_rows)
     if setup.repeat_cols:

@@ -1,4 +1,5 @@
-"""Workbooks whose tables call functions: LAMBDA names in an .xlsx, Basic in an .ods. Extra files beside the default one.
+"""Workbooks whose tables call functions: LAMBDA names in an .xlsx, Basic in an .ods, VBA in a module beside an .xlsx (Excel
+keeps no macros in that). Extra files beside the default one.
 
 They are the default workbook with other formulas in its two-way tables, a sheet that lists the functions and calls each over
 the sweep beside the table of positions, and a line on the first sheet that says what the file needs.
@@ -65,16 +66,23 @@ class Form:
     tried: bool = False
 
 
-FORMS = {form.name: form for form in (Form("basic", "-basic.ods", tried=True), Form("lambda", "-lambda.xlsx"))}
+FORMS = {
+    form.name: form
+    for form in (
+        Form("basic", "-basic.ods", tried=True),
+        Form("lambda", "-lambda.xlsx"),
+        Form("vba", "-vba.xlsx", tried=True),
+    )
+}
 """Name of the option -> form."""
 
 
 def functions_workbook(compiled: Compiled, form: str) -> Workbook:
     """The workbook, its formulas without values yet; its plan is the default one's.
 
-    An engine computes functions as LAMBDA in both forms.
+    An engine computes functions as LAMBDA in all forms.
 
-    form  "basic" or "lambda"
+    form  "basic", "lambda" or "vba"
     Raises MechanismError when the mechanism cannot be solved.
     """
     compiled = in_sheets(compiled)
@@ -85,9 +93,19 @@ def functions_workbook(compiled: Compiled, form: str) -> Workbook:
     source = Source(compiled)
     taken = {folded(name.name) for name in compiled.layout.names}
     functions = functions_of(source, compiled.mechanism.language, taken)
-    names = function_names(functions) if form == "basic" else {function.key: function.name for function in functions}
+    names = function_names(functions) if form != "lambda" else {function.key: function.name for function in functions}
     work = _Work(compiled, source, form, {function.key: function for function in functions}, names)
     return with_typed_constants(work.workbook(compiled.layout))
+
+
+def module_beside(workbook: Workbook) -> bytes:
+    """The module of a workbook of the form "vba", for Excel to import: ASCII, lines ended as Windows does."""
+    return workbook.modules[0].text.replace("\n", "\r\n").encode("ascii")
+
+
+def without_module(workbook: Workbook) -> Workbook:
+    """The same, computed already, as it is written where its module is a file beside it."""
+    return replace(workbook, functions=(), modules=())
 
 
 def in_sheets(compiled: Compiled) -> Compiled:
@@ -138,9 +156,10 @@ class _Work:
             its_title = _free_title(LESSON_TITLE, sheets, language)
             sheets.insert(self.tables_from, lesson_sheet(plan, self.source, chain, self.names, its_title))
         modules: tuple[Module, ...] = ()
-        if self.form == "basic":
+        if self.form != "lambda":
             opening = introduction(self.source, tuple(functions), language)
-            modules = (Module(MODULE, module(functions, opening, "", language)),)
+            name = MODULE if self.form == "vba" else ""
+            modules = (Module(MODULE, module(functions, opening, name, language)),)
         named = named_functions(functions, self.names, self.mode_cell if self.form == "lambda" else None, self.taken)
         return replace(workbook, sheets=tuple(sheets), functions=named, modules=modules)
 
@@ -167,7 +186,10 @@ class _Work:
         if not form.tried:
             return replace(sheet, cells=(*sheet.cells, Cell(NEEDS_ROW, 0, needs, NEEDS)))
         tried = Call("ISNUMBER", (self.checked(Call(self.names["length"], (Number(3.0), Number(4.0)))),))
-        line = Call("IF", (tried, Text(words(language, f"function.{form.name}.works")), Text(needs)))
+        line = Call(
+            "IF",
+            (tried, Text(words(language, f"function.{form.name}.works", name=self.plan.mechanism.name)), Text(needs)),
+        )
         rule = Conditional(Area(NEEDS_ROW, 0, NEEDS_ROW, 0), Call("NOT", (tried,)), warning)
         return replace(
             sheet,

@@ -15,7 +15,7 @@ from typing import Literal
 import numpy as np
 
 from livesheet import portable
-from livesheet.workbook import Anchor, Area, Axis, Chart, Column, Dash, PrintSetup, Series, SeriesRef, Sheet
+from livesheet.workbook import Anchor, Area, Axis, Chart, Column, Dash, Series, SeriesRef, Sheet
 from mechsheet.kinematics.equations import CAM, JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, Mechanism, rate_symbols
@@ -23,26 +23,21 @@ from mechsheet.shapes.points import remarkable_points
 from mechsheet.sheet import styles
 from mechsheet.sheet.columns.bands import HIGH, LOW, part_of
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
-from mechsheet.sheet.plan import CHARTS, VALUE, VERDICT_ROW, Plan
+from mechsheet.sheet.plan import CHARTS, VALUE, Plan
+from mechsheet.sheet.printing import CHARTS_DOWN, first_setup
 from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.symbols import plain
 
 GAP = 12
-ROWS_OF_ONE_PAGE = 64
-"""So many rows on one page, lying, have letters that can still be read."""
-WIDE_AS_A_PAGE, SMALLEST = 60, 40
-"""Percent: two charts side by side are as wide as an upright page, in LibreOffice's wider columns too; letters below the
-other are not read."""
-ROWS_OF_AN_UPRIGHT_PAGE = 78
-"""Rows on an upright page at that size."""
-READABLE = 50
-"""Percent: a sheet that is a page less at that size, or a larger one, is printed so."""
 HEIGHT = 230
 """Pixels of a chart of curves, in which numbers on the axes have room."""
 
 COLUMN_WIDTH, COLUMN_CHARACTERS = 80, 10.7
-"""Pixels of a row and of a column beside the blocks, by which charts are placed: both are set, not left to a program."""
+"""Pixels and characters of a column beside the blocks, by which charts are placed: set, not left to a program."""
+
+PAGE_COLUMNS = math.ceil((2 * SIZE + GAP) / COLUMN_WIDTH)
+"""So many columns take two charts side by side: an upright page."""
 
 FIRST_ROW = 3
 """The row of the drawing, under the scroll bar."""
@@ -349,7 +344,9 @@ def driver_axis(plan: Plan, symbol: str, ends: Ends = (None, None)) -> Axis:
 
 
 def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing) -> tuple[Chart, ...]:
-    """The drawing under the scroll bar, the other charts beside and below it in two columns."""
+    """The drawing under the scroll bar, the other charts beside and below it in two columns, as many as a page takes; what
+    has no room there stands to the right of it, on a page of its own.
+    """
     curves = {
         request: curve_chart(
             plan, request, lambda symbol: _at_position(plan, drawing, symbol), (SIZE, HEIGHT),
@@ -363,9 +360,13 @@ def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing) ->
     paths = [drawing.paths[request] for request in requests if not (request.y or request.profile)]
     heights = [SIZE + GAP, 0]
     placed = [_placed(drawing.chart, 0, 0)]
+    page = 0
     for chart in (*left, *curves.values(), *paths):
         side = 0 if chart in left or (chart not in right and heights[0] <= heights[1]) else 1
-        placed.append(_placed(chart, side * (SIZE + GAP), heights[side]))
+        if heights[side] + chart.anchor.height > CHARTS_DOWN:
+            page, heights = page + 1, [0, 0]
+            side = int(chart in right)
+        placed.append(_placed(chart, page * PAGE_COLUMNS * COLUMN_WIDTH + side * (SIZE + GAP), heights[side]))
         heights[side] += chart.anchor.height + GAP
     return tuple(placed)
 
@@ -382,18 +383,8 @@ def with_room(sheet: Sheet) -> Sheet:
     last = max(chart.anchor.row + math.ceil(chart.anchor.height / ROW_HEIGHT) + 1 for chart in sheet.charts)
     given = {row for row, _ in sheet.row_heights}
     heights = tuple((row, float(ROW_HEIGHT)) for row in range(last + 1) if row not in given)
-    columns = Column(CHARTS, CHARTS + math.ceil((2 * SIZE + GAP) / COLUMN_WIDTH), COLUMN_CHARACTERS)
-    sheet = replace(sheet, row_heights=sheet.row_heights + heights, columns=(*sheet.columns, columns))
-    rows = max(row for row, _ in sheet.row_heights) + 1
-    rows += math.ceil(sum(height - ROW_HEIGHT for row, height in sheet.row_heights if row > VERDICT_ROW) / ROW_HEIGHT)
-    return sheet if rows <= ROWS_OF_ONE_PAGE else replace(sheet, print_setup=_on_pages(sheet, rows, last))
-
-
-def _on_pages(sheet: Sheet, rows: int, charts_end: int) -> PrintSetup:
-    """Of a sheet that is too long for one page: upright, what is read first, the charts on a page of their own behind it."""
-    scale = max(SMALLEST, min(WIDE_AS_A_PAGE, WIDE_AS_A_PAGE * ROWS_OF_AN_UPRIGHT_PAGE // charts_end))
-    pages = math.ceil(rows * scale / (WIDE_AS_A_PAGE * ROWS_OF_AN_UPRIGHT_PAGE))
-    fewer = WIDE_AS_A_PAGE * ROWS_OF_AN_UPRIGHT_PAGE * (pages - 1) // rows
-    scale = fewer if READABLE <= fewer < scale else scale
-    area = Area(0, 0, rows - 1, CHARTS + math.ceil((2 * SIZE + GAP) / COLUMN_WIDTH) - 1)
-    return replace(sheet.print_setup, landscape=False, scale=scale, page_at=(CHARTS,), area=area)
+    pages = 1 + max((chart.anchor.col - CHARTS) // PAGE_COLUMNS for chart in sheet.charts)
+    starts = [CHARTS + page * PAGE_COLUMNS for page in range(pages)]
+    columns = tuple(Column(start, start + PAGE_COLUMNS - 1, COLUMN_CHARACTERS) for start in starts)
+    sheet = replace(sheet, row_heights=sheet.row_heights + heights, columns=(*sheet.columns, *columns))
+    return replace(sheet, print_setup=first_setup(sheet, starts, starts[-1] + PAGE_COLUMNS - 1))

@@ -17,7 +17,8 @@ from mechsheet.sheet.degrees import degrees_together
 from mechsheet.sheet.drawing.drawing import caption, chart_of, letters_in, square_chart
 from mechsheet.sheet.drawing.frames import FIRST, NAME, NUMBER_STYLE, Page
 from mechsheet.sheet.drawing.listed import Listed
-from mechsheet.sheet.page.plan import CHART_HEIGHT, PagePlan
+from mechsheet.sheet.page.paper import CHART_HEIGHT
+from mechsheet.sheet.page.plan import PagePlan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -26,24 +27,24 @@ from mechsheet.sheet.drawing.charts import STEPS, chart_requests, curve_chart
 from mechsheet.sheet.first.mechanism import position_controls
 from mechsheet.sheet.layout import description_sheet, properties_of
 from mechsheet.sheet.page.drawing import PageDrawing
-from mechsheet.sheet.page.paper import GAP, NARROW, Paper, on_paper, pixels
-from mechsheet.sheet.page.plan import CHART_HEIGHT, FIRST_ROW, PagePlan, plan_page
+from mechsheet.sheet.page.paper import CHART_HEIGHT, CHART_WIDTH, GAP, NARROW, Box, cut_down, on_paper, pixels
+from mechsheet.sheet.page.plan import FIRST_ROW, ROW_HEIGHT, PagePlan, plan_page
 from mechsheet.sheet.page.reading import MEANING
 from mechsheet.sheet.page.table import Table, note_last
 from mechsheet.sheet.page.top import LAST, UNIT, VALUE, Top
 from mechsheet.sheet.plan import VERDICT_ROW
 from mechsheet.sheet.shown import shown_unit
-from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.symbols import plain
 
 TOP_WIDTHS = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0)
 """Least widths of the columns over which the top stands, in characters."""
 
-CHART_WIDTH = 420
-"""Pixels of a chart of curves."""
+ABOVE_NOTE, NOTE_LINE, BELOW_NOTE, NOTE_CHARACTERS = 8.0, 15.0, 6.0, 1.1
+"""Heights of the empty row above the note, of a line of it, and of what it leaves free [pixels]; characters of it in a
+character's width."""
 
-NOTE_LINE, NOTE_CHARACTERS = 15.0, 1.1
-"""Height of a line of the note [pixels], and characters of it in a character's width."""
+CHARTS_ROW, CHARTS_BELOW = 2, 4
+"""The row where the drawing and the first charts begin, and so many pixels below its upper end."""
 
 VERDICT_HEIGHT, TITLE_HEIGHT, HEAD_HEIGHT = 34.0, 28.0, 24.0
 
@@ -61,24 +62,25 @@ def _page(plan: PagePlan) -> Sheet:
     top = Top(plan, sum(map(pixels, widths[MEANING : LAST + 1])))
     requests = [request for request in chart_requests(plan) if request.y and _has_columns(plan, request)]
     own = [request for request in chart_requests(plan) if (request.hodographs or request.profile) and plan.drawn]
-    squares = [CHART_HEIGHT] * (len(own) + plan.drawn)
     note_lines = math.ceil(len(_note(table)) / (NOTE_CHARACTERS * sum(widths[: note_last(plan) + 1])))
     heights = {row: float(ROW_HEIGHT) for row in range(2, plan.at.first)}
     heights |= top.heights | {
-        0: TITLE_HEIGHT, VERDICT_ROW: VERDICT_HEIGHT, plan.note_row: NOTE_LINE * (note_lines + 1) - 8,
-        plan.symbol_row: HEAD_HEIGHT, plan.symbol_row + 1: table.formula_height,
+        0: TITLE_HEIGHT, VERDICT_ROW: VERDICT_HEIGHT, plan.note_row - 1: ABOVE_NOTE,
+        plan.note_row: NOTE_LINE * note_lines + BELOW_NOTE, plan.symbol_row: HEAD_HEIGHT,
+        plan.symbol_row + 1: table.formula_height,
     }  # fmt: skip
-    height = sum(heights.values()) + ROW_HEIGHT * plan.rows
-    paper = on_paper(widths, height, _left(widths), [*squares, *([CHART_WIDTH] * len(requests))])
-    right = _charts_right(widths, len(requests) + len(squares), paper.moved)
+    down = cut_down(heights, plan.note_row, plan.at.first, plan.rows, ROW_HEIGHT)
+    above = math.ceil(sum(heights[row] for row in range(CHARTS_ROW))) + CHARTS_BELOW
+    paper = on_paper(widths, down, above, _left(widths), len(own) + plan.drawn, len(requests))
+    right = max(len(widths), _columns_to(widths, max((box.right for box in paper.charts), default=0)))
     drawing = PageDrawing(plan, right + 1, _charted(requests)) if plan.drawn else None
     framed = [drawing.square(request) for request in own] if drawing else []
-    charts = _placed(plan, widths, requests, drawing, framed, paper)
+    charts = _placed(plan, widths, heights, requests, drawing, framed, paper.charts)
     columns = [Column(col, col, width) for col, width in enumerate(widths)]
     # a column that begins a sheet of paper stands by itself
     starts = [len(widths), *(col for col in paper.begins if col > len(widths)), right + 1]
     columns += [Column(col, end - 1, NARROW) for col, end in pairwise(starts) if col < end]
-    last = max(plan.status_column, _columns_to(widths, paper.charts[-1] + charts[-1].anchor.width) - 1 if charts else 0)
+    last = max(plan.status_column, right - 1)
     return Sheet(
         plan.main,
         (*top.cells, *table.cells, *(drawing.cells if drawing else ())),
@@ -99,8 +101,10 @@ def _page(plan: PagePlan) -> Sheet:
             repeat_rows=(plan.symbol_row, plan.symbol_row),
             area=Area(0, 0, plan.at.last, last),
             fit_width=0 if paper.scale else 1,
+            fit_height=0 if paper.scale else 1,
             scale=paper.scale,
             page_at=paper.begins,
+            row_at=paper.rows,
         ),
     )
 
@@ -118,11 +122,6 @@ def _widths(table: Table) -> list[float]:
 def _left(widths: list[float]) -> int:
     """Where the charts begin: beside the top."""
     return sum(map(pixels, widths[: LAST + 1])) + GAP
-
-
-def _charts_right(widths: list[float], count: int, moved: int) -> int:
-    """The first column to the right of the charts, and of the table."""
-    return max(len(widths), _columns_to(widths, _left(widths) - GAP + count * (CHART_WIDTH + GAP) + moved))
 
 
 def _columns_to(widths: list[float], wanted: int) -> int:
@@ -148,21 +147,27 @@ def _charted(requests: list[ChartRequest]) -> list[str]:
 def _placed(
     plan: PagePlan,
     widths: list[float],
+    heights: Mapping[int, float],
     requests: list[ChartRequest],
     drawing: PageDrawing | None,
     framed: list[Chart],
-    paper: Paper,
+    boxes: Sequence[Box],
 ) -> tuple[Chart, ...]:
-    """The drawing beside the dimensions, what has a frame of its own and curves beside it."""
+    """The drawing, what has a frame of its own, and curves, each in its box."""
     charts = [drawing.chart, *framed] if drawing else []
     charts += [_curves(plan, request, drawing) for request in requests]
     found = []
-    for chart, dx in zip(charts, paper.charts, strict=True):
-        col = 0
+    for chart, box in zip(charts, boxes, strict=True):
+        col, dx = 0, box.x
         while dx >= (wide := pixels(widths[col] if col < len(widths) else NARROW)):
             dx -= wide
             col += 1
-        found.append(replace(chart, anchor=replace(chart.anchor, row=2, col=col, dx=dx, dy=4)))
+        row, dy = CHARTS_ROW, box.y + CHARTS_BELOW
+        while dy >= (high := int(heights.get(row, ROW_HEIGHT))):
+            dy -= high
+            row += 1
+        anchor = Anchor(row, col, box.width, box.height, dx=dx, dy=dy)
+        found.append(replace(chart, anchor=anchor))
     return tuple(found)
 
 
@@ -189,5 +194,5 @@ def _controls(plan: PagePlan) -> tuple[Control, ...]:
     """The scroll bar under the drawing."""
     if not plan.drawn or plan.rows < 2:
         return ()
-    below = Anchor(2 + CHART_HEIGHT // ROW_HEIGHT, LAST + 1, CHART_HEIGHT, 18, dx=GAP, dy=8)
+    below = Anchor(CHARTS_ROW + CHART_HEIGHT // ROW_HEIGHT, LAST + 1, CHART_HEIGHT, 18, dx=GAP, dy=8)
     return position_controls(plan, below, VALUE, UNIT)

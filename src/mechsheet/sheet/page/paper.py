@@ -3,27 +3,33 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-NARROW = 10.0
-"""Width of a column beside the table, in characters."""
+NARROW = 9.3
+"""Width of a column beside the table, in characters: with a gap, six are as wide as a chart of curves."""
 
-ACROSS, DOWN = 1007, 650
-"""Pixels across A4, landscape, and down it, at full size."""
+ACROSS, DOWN = 1007, 660
+"""Pixels across A4, landscape, and down it to the footer, at full size."""
 
-LEAST_SCALE = 0.43
-"""Printed smaller, table and charts stand on more sheets of paper side by side."""
+ONE_SHEET = 0.66
+"""Where all is printed at least so large, it stands on one sheet of paper: letters of 10 points are 6.6 high."""
 
-SURE = 0.94
+SEVERAL = 0.7
+"""As large it is printed where it takes several."""
+
+SURE = 0.97
 """Of the paper so much is used where the scale is given: programs round the widths of columns, each its own way."""
 
-MORE = 1.02
-"""So much wider is a sheet of paper taken until the charts that are moved to the next one have room."""
+FEWEST_ROWS = 5
+"""With fewer rows of it on the first sheet of paper, the table begins on the next one."""
 
 GAP = 12
 """Pixels between charts."""
+
+CHART_WIDTH, CHART_HEIGHT, LEAST_HEIGHT = 408, 304, 240
+"""Pixels of a chart of curves; where several stand below one another they may be less high. The drawing is a square."""
 
 
 def pixels(width: float) -> int:
@@ -32,72 +38,132 @@ def pixels(width: float) -> int:
 
 
 @dataclass(frozen=True, slots=True)
-class Paper:
-    """Where charts stand [pixels from the left], how far the last one was moved, and how all is printed.
+class Box:
+    """Where a chart stands [pixels from the left, and below the first of them], and how large it is."""
 
-    begins  columns that begin a sheet of paper;  scale  percent, 0 where one sheet of paper is as wide as all
+    x: int
+    y: int
+    width: int
+    height: int
+
+    @property
+    def right(self) -> int:
+        """Where it ends."""
+        return self.x + self.width
+
+
+@dataclass(frozen=True, slots=True)
+class Paper:
+    """Where charts stand, and how all is printed.
+
+    begins, rows  columns and rows that begin a sheet of paper;  scale  percent, 0 where all stands on one sheet of paper
     """
 
-    charts: tuple[int, ...]
-    moved: int = 0
+    charts: tuple[Box, ...]
     begins: tuple[int, ...] = ()
+    rows: tuple[int, ...] = ()
     scale: int = 0
 
 
-def on_paper(widths: Sequence[float], height: float, left: int, charts: Sequence[int]) -> Paper:
-    """Charts of these widths side by side from `left` on, above the table of columns of `widths` [characters].
+def on_paper(widths: Sequence[float], down: Down, top: int, left: int, squares: int, curves: int) -> Paper:
+    """The drawing and other squares beside each other from `left` on, then charts of curves.
 
-    Where it takes several sheets of paper, a chart that would be cut begins on the next one, and all is as large as it can
-    be without taking more sheets down: `height` is that of all rows. Lengths in pixels.
+    widths  of the table's columns [characters]
+    top     height of the rows above the charts [pixels]
+
+    Curves stand above the table as far as it reaches, and below one another to the right of it. Where all takes several
+    sheets of paper, a chart that would be cut begins on the next one.
     """
     table = sum(map(pixels, widths))
-    total = max(table, left + sum(chart + GAP for chart in charts))
-    sheets = math.ceil(LEAST_SCALE * total / ACROSS)
-    if sheets == 1:
-        return Paper(_placed(left, charts, ()))
-    wide = total / sheets
-    while True:
-        edges, places = _cut(widths, wide, left, charts)
-        end = max(table, places[-1] + charts[-1] if charts else 0)
-        if len(edges) < sheets and end - edges[-1][1] <= wide:
-            break
-        wide *= MORE
-    bounds = [0, *(edge for _, edge in edges), end + pixels(NARROW)]  # to the end of the last column
+    boxes = _beside(table, left, squares, curves, down.height - top)
+    right = max([table, *(box.right for box in boxes)]) + GAP
+    if min(ACROSS / right, DOWN / down.height) >= ONE_SHEET:
+        return Paper(boxes)
+    boxes = _beside(table, left, squares, curves, down.first - top)
+    edges, boxes = _cut(widths, SURE * ACROSS / SEVERAL, boxes)
+    right = max([table, *(box.right for box in boxes)])
+    bounds = [0, *(edge for _, edge in edges), right + pixels(NARROW)]  # to the end of the last column
     widest = max(after - before for before, after in pairwise(bounds))
-    down = math.ceil(LEAST_SCALE * height / DOWN)
-    scale = SURE * min(ACROSS / widest, max(down * DOWN / height, LEAST_SCALE))
-    return Paper(
-        places, places[-1] - _placed(left, charts, ())[-1] if charts else 0, tuple(col for col, _ in edges),
-        int(100 * scale),
-    )  # fmt: skip
+    scale = min(SEVERAL, SURE * ACROSS / widest)
+    return Paper(boxes, tuple(col for col, _ in edges), down.rows, int(100 * scale))
 
 
-def _cut(
-    widths: Sequence[float], wide: float, left: int, charts: Sequence[int]
-) -> tuple[list[tuple[int, int]], tuple[int, ...]]:
-    """The columns that begin the second sheet of paper and further ones, with their left edges; the places of the charts."""
+@dataclass(frozen=True, slots=True)
+class Down:
+    """Where rows are cut when all takes several sheets of paper: how high all rows are, and those of the first sheet of
+    paper [pixels]; `rows` begin the other ones."""
+
+    height: int
+    first: int
+    rows: tuple[int, ...]
+
+
+def cut_down(heights: Mapping[int, float], heading: int, table: int, rows: int, row: int) -> Down:
+    """The table on sheets of paper with about as many rows each.
+
+    heights  of the rows above the table [pixels];  row: of those of the table
+    heading  the row where what goes with the table begins;  table: its first row of `rows`
+    """
+    above = math.ceil(sum(heights.values()))
+    height, page = above + rows * row, math.floor(SURE * DOWN / SEVERAL)
+    if height <= page:
+        return Down(height, height, ())
+    begins = math.ceil(sum(high for at, high in heights.items() if at < heading))
+    fitting = max(0, (page - above) // row)
+    each = max(1, (page - (above - begins)) // row)
+    if fitting < FEWEST_ROWS or math.ceil(rows / each) <= math.ceil((rows - fitting) / each):
+        return Down(height, min(begins, page), (heading, *_evenly(table, rows, each)))
+    return Down(height, above + fitting * row, (table + fitting, *_evenly(table + fitting, rows - fitting, each)))
+
+
+def _evenly(first: int, rows: int, most: int) -> tuple[int, ...]:
+    """The rows that begin a further sheet of paper, where each has at most so many."""
+    each = math.ceil(rows / math.ceil(rows / most))
+    return tuple(range(first + each, first + rows, each))
+
+
+def _beside(table: int, left: int, squares: int, curves: int, room: int) -> tuple[Box, ...]:
+    """Squares in a row, curves behind them as far as the table reaches, the others below one another beside it."""
+    boxes = [Box(left + at * (CHART_HEIGHT + GAP), 0, CHART_HEIGHT, CHART_HEIGHT) for at in range(squares)]
+    end = boxes[-1].right + GAP if boxes else left
+    above = min(curves, max(0, (table - end + GAP) // (CHART_WIDTH + GAP)))
+    boxes += [Box(end + at * (CHART_WIDTH + GAP), 0, CHART_WIDTH, CHART_HEIGHT) for at in range(above)]
+    if curves == above:
+        return tuple(boxes)
+    most = max(1, (room + GAP) // (LEAST_HEIGHT + GAP))
+    stacks = math.ceil((curves - above) / most)
+    each = math.ceil((curves - above) / stacks)
+    height = min(CHART_HEIGHT, (room + GAP) // each - GAP)
+    behind = max((box.right for box in boxes), default=left - GAP) + GAP
+    x = behind if each == 1 else max(table + GAP, behind)
+    for number in range(curves - above):
+        stack, place = divmod(number, each)
+        boxes.append(Box(x + stack * (CHART_WIDTH + GAP), place * (height + GAP), CHART_WIDTH, height))
+    return tuple(boxes)
+
+
+def _cut(widths: Sequence[float], wide: float, boxes: Sequence[Box]) -> tuple[list[tuple[int, int]], tuple[Box, ...]]:
+    """The columns that begin the second sheet of paper and further ones, with their left edges; the charts, none cut."""
     edges: list[tuple[int, int]] = []
-    end = max(sum(map(pixels, widths)), _placed(left, charts, ())[-1] + charts[-1] if charts else 0)
+    table = sum(map(pixels, widths))
+    placed = tuple(boxes)
     begun = reached = col = 0
-    while reached < end:
+    while reached < max([table, *(box.right for box in placed)]):
         column = pixels(widths[col] if col < len(widths) else NARROW)
         if reached + column - begun > wide:
             edges.append((col, reached))
             begun = reached
-            places = _placed(left, charts, [edge for _, edge in edges])
-            end = max(end, places[-1] + charts[-1] if charts else 0)
+            placed = _moved(placed, reached)
         reached += column
         col += 1
-    return edges, _placed(left, charts, [edge for _, edge in edges])
+    return edges, placed
 
 
-def _placed(left: int, charts: Sequence[int], edges: Sequence[int]) -> tuple[int, ...]:
-    """Where the charts begin, one beside the other, none of them across an edge."""
-
-    def behind(place: int, chart: int) -> int:
-        return max((edge + GAP for edge in edges if place < edge < place + chart), default=place)
-
-    places: list[int] = []
-    for chart in charts:
-        places.append(behind(places[-1] + charts[len(places) - 1] + GAP if places else left, chart))
-    return tuple(places)
+def _moved(boxes: Sequence[Box], edge: int) -> tuple[Box, ...]:
+    """The charts, with those that an edge would cut, and what stands right of these, moved behind it."""
+    cut = [box.x for box in boxes if box.x < edge + GAP and box.right > edge]
+    if not cut:
+        return tuple(boxes)
+    first = min(cut)
+    by = edge + GAP - first
+    return tuple(Box(box.x + by, box.y, box.width, box.height) if box.x >= first else box for box in boxes)

@@ -24,16 +24,16 @@ from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
+from mechsheet.sheet.page.paper import CHART_HEIGHT
 from mechsheet.sheet.places import Places
 from mechsheet.sheet.plan import SHEETS, SPARE, UNIT, VERDICT_ROW, Block, Named, Plan, TableColumn
-from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.catalogue import words
 
 FIRST_ROW = 3
 """The row of the first dimension: its value is $B$4, as in the text."""
 
-CHART_HEIGHT = 320
-"""Pixels of the drawing, which is square, and of the charts beside it."""
+ROW_HEIGHT = 17
+"""Pixels of a row of the page: lower than elsewhere, so that dimensions and table stand on one sheet of paper."""
 
 CHART_ROWS = CHART_HEIGHT // ROW_HEIGHT + 2
 """Rows beside the top that the charts take, with the scroll bar below the drawing."""

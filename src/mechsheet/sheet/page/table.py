@@ -28,13 +28,14 @@ from mechsheet.sheet.table.positions import (
 )
 from mechsheet.sheet.table.status import first_open, links_of, undetermined, while_inputs_can_be
 
-NARROWEST, WIDEST = 10.0, 26.0
+NARROWEST, WIDEST = 9.0, 26.0
 """Widths of columns in characters."""
 
-STATUS_WIDTH = 14.0
-NOTE_COLUMNS = 12
-CHARACTERS, LINE, MOST_LINES = 1.65, 12.0, 4
-"""Small characters in a character's width, the height of such a line [pixels], and the lines before a column widens."""
+STATUS_WIDTH = 13.0
+NOTE_COLUMNS = 13
+CHARACTERS, LINE, MOST_LINES, LEFT_FREE = 1.28, 15.0, 3, 0.3
+"""Slanted characters in a character's width, the height of such a line [pixels], the lines before a column widens, and what
+they leave free where they are broken [lines]."""
 
 
 class Table(Cells):
@@ -77,13 +78,14 @@ class Table(Cells):
         if column.kind == "status":
             return STATUS_WIDTH
         length = len(plain_text(self.mathematics[column.col]))
-        return max(NARROWEST, min(WIDEST, length / (CHARACTERS * (MOST_LINES - 1))))
+        wanted = length / (CHARACTERS * (MOST_LINES - LEFT_FREE))
+        return max(NARROWEST, min(WIDEST, math.ceil(10 * wanted) / 10))
 
     @property
     def formula_height(self) -> float:
         """Height of the row of formulas [pixels]."""
         lines = [
-            math.ceil(0.3 + len(plain_text(self.mathematics[col])) / (CHARACTERS * width))
+            math.ceil(LEFT_FREE + len(plain_text(self.mathematics[col])) / (CHARACTERS * width))
             for col, width in enumerate(self.widths)
         ]
         return LINE * max(2, *lines)

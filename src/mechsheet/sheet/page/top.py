@@ -17,7 +17,7 @@ from mechsheet.sheet.findings.title import title_levels, title_words
 from mechsheet.sheet.first.blocks import value_style
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion
-from mechsheet.sheet.page.plan import PagePlan
+from mechsheet.sheet.page.plan import ROW_HEIGHT, PagePlan
 from mechsheet.sheet.page.reading import MEANING, PageReading
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula
@@ -67,7 +67,7 @@ class Top(Cells):
             lines = label_lines(meaning, self.room)
             self.put(row, MEANING, meaning, styles.LABEL if lines == 1 else styles.LABEL_LINES)
             if lines > 1:
-                self.heights[row] = height_of(lines)
+                self.heights[row] = height_of(lines, ROW_HEIGHT)
         else:
             self.formula(row, MEANING, meaning, styles.LABEL_SAID)
         for col in range(MEANING + 1, LAST + 1):

@@ -23,7 +23,6 @@ from livesheet.workbook import (
     Content,
     Fill,
     Merge,
-    PrintSetup,
     Rich,
     Sheet,
     Style,
@@ -40,6 +39,7 @@ from mechsheet.sheet.driving import by_time, driver_after, rows_before, time_aft
 from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
+from mechsheet.sheet.printing import ROW, table_setup
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.status import status, while_inputs_can_be
@@ -47,20 +47,18 @@ from mechsheet.units import DEG, Unit
 from mechsheet.units import NUMBER as NUMBER_UNIT
 
 GROUP_ROW, SYMBOL_ROW, FORMULA_ROW = range(HEADING_ROWS)
-COLUMNS_OF_A_PAGE = 19
-"""Columns that are still readable on one page of A4, landscape."""
-
-CHARACTERS_OF_A_LINE = 15
+CHARACTERS_OF_A_LINE = 14
 """So many of the small characters of a formula stand in a line of a column of width 11."""
 
-LINE = 9.5
+LINE, SYMBOL_HEIGHT = 14.5, 30.0
+"""Pixels of a line of formulas, and of the row of symbols."""
+
 STEP = 1e-4
 """Of what is usual of a quantity: numbers step by no more, and by no less than a tenth of it."""
 MOST_PLACES = 7
 """Decimals of what is no length: more do not fit a column."""
-"""Height of such a line."""
 
-FEWEST_LINES, MOST_LINES = 4, 12
+FEWEST_LINES, MOST_LINES = 3, 8
 """Lines of the row of formulas; a longer one makes its column wider."""
 
 
@@ -97,17 +95,14 @@ def positions_sheet(plan: Plan) -> Sheet:
         tuple(cells),
         tuple(fills),
         columns=tuple(Column(col, col, width, level=int(plan.columns[col].inner)) for col, width in widths.items()),
-        row_heights=((SYMBOL_ROW, 30.0), (FORMULA_ROW, formula_height(said, widths))),
+        row_heights=((SYMBOL_ROW, SYMBOL_HEIGHT), (FORMULA_ROW, formula_height(said, widths))),
         merges=tuple(merges),
         conditionals=_conditionals(Area(first, 0, last, count - 1), plan.text("status.ok")),
         comments=tuple(comments),
         freeze=(HEADING_ROWS, STATUS + 1),
         selected=(first, DRIVER),
-        print_setup=PrintSetup(
-            fit_width=1 + count // COLUMNS_OF_A_PAGE,
-            repeat_rows=(0, HEADING_ROWS - 1),
-            repeat_cols=(NUMBER, DRIVER),
-            footer=plan.footer,
+        print_setup=table_setup(
+            list(widths.values()), head_height(said, widths), first, plan.rows, (NUMBER, DRIVER), plan.footer
         ),
         tab_color="2E8B57",
     )
@@ -192,7 +187,8 @@ def column_unit(plan: Plan, column: TableColumn) -> str:
     if column.equation is None:
         return plan.mechanism.shown(plan.mechanism.given_unit(column.symbol) or NUMBER_UNIT).text
     unit = column.equation.unit
-    return plan.mechanism.shown(unit.internal if column.inner else unit).text
+    inside = column.inner and not plan.at.spots[column.symbol].degrees
+    return plan.mechanism.shown(unit.internal if inside else unit).text
 
 
 def mathematics(plan: Plan, column: TableColumn) -> Rich | str:
@@ -219,6 +215,11 @@ def formula_height(said: Mapping[int, Rich | str], widths: Mapping[int, float]) 
         1 + math.ceil(len(plain_text(text)) / (CHARACTERS_OF_A_LINE * widths[col] / 11.0)) for col, text in said.items()
     )
     return LINE * max(FEWEST_LINES, min(MOST_LINES, max(lines)))
+
+
+def head_height(said: Mapping[int, Rich | str], widths: Mapping[int, float]) -> float:
+    """Of the whole heading over the columns of a table [pixels]."""
+    return ROW + SYMBOL_HEIGHT + formula_height(said, widths)
 
 
 def style_of(plan: Plan, column: TableColumn) -> Style:

@@ -8,21 +8,23 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from livesheet.formula.nodes import CellRef, Node, Symbol
-from livesheet.workbook import Area, Cell, Column, Comment, Conditional, Fill, Merge, PrintSetup, Rich, Sheet
+from livesheet.workbook import Area, Cell, Column, Comment, Conditional, Fill, Merge, Rich, Sheet
 from mechsheet.sheet import styles
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, RATES_DRIVER, RATES_STATUS, Plan, TableColumn
+from mechsheet.sheet.printing import table_setup
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import (
-    COLUMNS_OF_A_PAGE,
     FORMULA_ROW,
     GROUP_ROW,
+    SYMBOL_HEIGHT,
     SYMBOL_ROW,
     column_fills,
     formula_height,
     group_headings,
     group_title,
+    head_height,
     heading,
     mathematics,
     style_of,
@@ -68,17 +70,14 @@ def sheet_beside(
         (*cells, *headings),
         tuple(fills),
         columns=tuple(Column(col, col, width, level=int(col in inner)) for col, width in widths.items()),
-        row_heights=((SYMBOL_ROW, 30.0), (FORMULA_ROW, formula_height(said, widths))),
+        row_heights=((SYMBOL_ROW, SYMBOL_HEIGHT), (FORMULA_ROW, formula_height(said, widths))),
         merges=tuple(merges),
         conditionals=(_missing(plan, Area(first, 0, plan.at.last, last)),),
         comments=tuple(comments),
         freeze=(HEADING_ROWS, RATES_STATUS + 1),
         selected=(first, RATES_STATUS + 1),
-        print_setup=PrintSetup(
-            fit_width=1 + last // COLUMNS_OF_A_PAGE,
-            repeat_rows=(0, HEADING_ROWS - 1),
-            repeat_cols=(RATES_DRIVER, RATES_STATUS),
-            footer=plan.footer,
+        print_setup=table_setup(
+            list(widths.values()), head_height(said, widths), first, rows, (RATES_DRIVER, RATES_STATUS), plan.footer
         ),
         tab_color=tab_color,
     )
@@ -128,7 +127,7 @@ def determinants(plan: Plan) -> dict[int, str]:
     return {
         equation.group: equation.symbol
         for equation in plan.equations.equations.columns
-        if equation.role == "coefficient" and equation.exists
+        if equation.role == "coefficient" and equation.exists and equation.group > 0
     }
 
 
