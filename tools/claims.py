@@ -7,7 +7,8 @@ python tools/claims.py --wrong FILE                          wrong claims are wr
 python tools/claims.py --again FILE                          only these settings
 
 Each mechanism is built once; then its dimensions, start, step and modes are typed anew, the engine recalculates, and every
-line is held against a search (`tests/sheet/first/claims.py`). `--check` asks `mechsheet check` of the same values, too: its
+line is held against a search (`tests/sheet/findings/claims.py`). `--check` asks `mechsheet check` of the same values, too:
+its
 own search against the sheet's cells. Prints how many claims of each kind are wrong; --table puts them into docs/proof.md.
 """
 
@@ -26,7 +27,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
-sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests" / "sheet" / "first"), str(ROOT / "src")]
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests" / "sheet" / "findings"), str(ROOT / "src")]
 
 from claimed import Sheets, named_sheets, settings_of  # noqa: E402
 from claims import Claims, judge, judge_typed  # noqa: E402

@@ -17,7 +17,7 @@ from mechsheet.description.own_cells import own_cell
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import Scope
-from mechsheet.model import Cam, Cartesian, Dimension, Joint, Link, Place, Polar, Quantity
+from mechsheet.model import Cam, Cartesian, Dimension, Joint, Link, Place, Polar, Quantity, touched_by
 from mechsheet.units import unit_of
 
 USUAL_OF_SLIDE, USUAL_OF_ROCKER = 30.0, 45.0
@@ -117,7 +117,7 @@ class _Start:
 
     def node(self) -> Node | None:
         """The displacement or angle; None where the base circle alone does not say it."""
-        touching = next((link for link in self.links[1:] if self.cam.point in link.points), None)
+        touching = touched_by(self.cam, self.links)
         where = self.ground.points.get(self.cam.center)
         center = None if where is None else _place(where)
         own = None if touching is None else _place(touching.points[self.cam.point])

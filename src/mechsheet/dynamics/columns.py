@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
 from livesheet.formula.vectors import Vector, size
 from livesheet.said import Words
 from mechsheet.kinematics.cell_lengths import CellLengths
-from mechsheet.kinematics.equations import RATES, ForceKind
+from mechsheet.kinematics.equations import RATES, Condition, ForceKind
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.coefficients import asked
 from mechsheet.model import Dynamics, torque_unit
@@ -81,12 +83,19 @@ class Columns:
         return self.written(self._free(name), node, unit, label, kind)
 
     def written(
-        self, name: str, node: Node, unit: Unit, label: Words, kind: ForceKind, longest: int = LONGEST
+        self,
+        name: str,
+        node: Node,
+        unit: Unit,
+        label: Words,
+        kind: ForceKind,
+        longest: int = LONGEST,
+        exists: Sequence[Condition] = (),
     ) -> Symbol:
         """A column that people read, whatever it is."""
         node = self.lengths.split(node, lambda part: self._define(self._reserve("part"), part, unit, label), longest)
         self.lengths.own.add(name)
-        return self.ledger.define(name, node, unit, label, "force", force=kind)
+        return self.ledger.define(name, node, unit, label, "force", exists, force=kind)
 
     def joint_force(self, name: str, vector: Vector, label: Words) -> Vector:
         """The parts of a pin's force, and its magnitude."""

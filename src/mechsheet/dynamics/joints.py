@@ -249,9 +249,11 @@ class Joints:
     # --- a cam ------------------------------------------------------------------------------------------------
 
     def pressed(self, contact: Contact, value: Node) -> tuple[Node, Vector]:
-        """N, with which the cam presses on its follower, which hands it on to the cam; its column, the force over it."""
+        """N, with which the cam presses on a link, which hands it on to the cam; its column, the force over it."""
         words = {"one": self._words(contact.cam), "other": self._words(contact.link)}
         value = self.columns.written(CONTACT, value, self.columns.force, phrase("contact_force", **words), "normal")
         force = self.columns.pair(CONTACT, times(value, contact.normal), self.columns.force, "slide_force", **words)
         self.acting.hang(contact.cam, Force(negative(force), contact.at))
+        if not contact.direct:  # else it is what the driven joint would do, and counted there
+            self.acting.hang(contact.link, Force(force, contact.at))
         return value, force

@@ -8,7 +8,8 @@ direction of a line, n = J d, D what the rates of the dyad are divided by. X is 
     RPR  force along n of the carrier on the other: N = (M1(P) + M2(Q))/D
     PRP  f1 = -S1.d1, f2 = S2.d2, X = (f1 d2_y - f2 d1_y, f2 d1_x - f1 d2_x)/D
     RPP  force along n2 of 2 on 1: N = -(S2.d1)/D
-    cam  force along its normal n on the follower: N = -(S.P')/(n.P'), a prime by the follower's variable
+    cam  force along its normal n on the follower: N = -(S.P')/(n.P'), a prime by the follower's variable; where other links
+         lie between, S.P' is the work of all that acts on any link, and N is known before all else
 
 What hangs on a pin besides is counted to the body that the pin was solved with. Source: the equilibrium of each assembly;
 Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, chapters 13 and 15.
@@ -40,6 +41,7 @@ from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.preload import write_preload
 from mechsheet.dynamics.teeth import Teeth
+from mechsheet.dynamics.work import own_works
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.cam import Contact
@@ -70,6 +72,8 @@ class Reactions:
         efforts: dict[str, str] = {}
         ledger = self.poses.ledger
         ledger.group = len(self.found.order.groups)
+        if self.contact is not None and not self.contact.direct:
+            self._press(self.contact, self._work(self.contact))
         for step in reversed(self.found.order.steps):
             if isinstance(step, Drive) and self.contact is not None and step.symbol == self.contact.follower:
                 self._pressed(step, self.contact)
@@ -101,7 +105,11 @@ class Reactions:
                 continue
             drive = self.found.order.pair(assembly)
             self._refuse_shared_pin(group, drive)
-            if len(assembly) == 2:
+            if len(assembly) != 2:
+                continue
+            if self.contact is not None and drive.symbol == self.contact.follower:
+                self._let_go(drive, *self._all_on(drive.moving, self._place_of(drive)), on_known=False)
+            else:
                 efforts[drive.symbol] = self._effort(drive, on_known=False)
 
     # --- sums over an assembly --------------------------------------------------------------------------------
@@ -298,21 +306,43 @@ class Reactions:
         couples = self.joints.couples.get(moving, [])
         return total, al.total([self.acting.moment(moving, at), al.mul(self.columns.metre, arms), *couples])
 
+    # --- a cam ------------------------------------------------------------------------------------------------
+
+    def _work(self, contact: Contact) -> Node:
+        """What all that acts does, in forces, while the follower's variable grows and the cam stands."""
+        works, turnings = own_works(self.acting, self.poses.mechanism, contact.moved, contact.turned)
+        return al.total([*works, *(over(turning, self.columns.metre) for turning in turnings)])
+
+    def _press(self, contact: Contact, work: Node) -> Vector:
+        """N, which balances the work; the force over its column."""
+        value, force = self.joints.pressed(contact, al.neg(over(work, contact.lever)))
+        write_preload(self.acting, contact, value)
+        return force
+
     def _pressed(self, drive: Drive, contact: Contact) -> None:
         """The force of a cam on its follower, where a drive's effort would be; what is left for the follower's joint."""
-        moving, joint, at = drive.moving, drive.joint, self._place_of(drive)
-        if contact.moved is None:
-            message = say("the cam presses on a link that its motion does not move directly: no forces yet")
-            hint = say("take masses and loads away, or let the roller or the face be on what [driver] names")
-            raise MechanismError(Fault(message, key="cam", hint=hint))
-        total, moment = self._all_on(moving, at)
-        work = over(moment, self.columns.metre) if isinstance(joint, Pin) else dot(total, contact.moved)
-        lever = dot(contact.normal, contact.moved)
-        value, force = self.joints.pressed(contact, al.neg(over(work, lever)))
-        write_preload(self.acting, contact, drive, value, lever)
-        rest = negative(plus(total, force))
+        joint, at = drive.joint, self._place_of(drive)
+        total, moment = self._all_on(drive.moving, at)
+        if contact.direct:
+            work = (
+                over(moment, self.columns.metre)
+                if isinstance(joint, Pin)
+                else dot(total, contact.moved(contact.link, at))
+            )
+            force = self._press(contact, work)
+            total = plus(total, force)
+            moment = al.add(moment, al.mul(self.columns.metre, cross(minus(contact.at, at), force)))
+        self._let_go(drive, total, moment, on_known=True)
+
+    def _let_go(self, drive: Drive, total: Vector, moment: Node, on_known: bool) -> None:
+        """The joint of what a cam moves, which holds but does not drive; arguments as `_all_on` has them, and `_effort`."""
+        joint, base = drive.joint, drive.base
         if isinstance(joint, Pin):
-            self.joints.outer(joint.point, moving, rest)
-        else:
-            turning = al.add(moment, al.mul(self.columns.metre, cross(minus(contact.at, at), force)))
-            self.joints.guiding_slide(joint, moving, rest, al.neg(turning))
+            if on_known:
+                self.joints.outer(joint.point, drive.moving, negative(total))
+            else:
+                self.joints.inner_of_pair(joint.point, base, drive.moving, total)
+            return
+        if on_known and base != self.poses.mechanism.ground.name:
+            self.acting.hang(base, Force(total, self._place_of(drive)), moment)
+        self.joints.guiding_slide(joint, drive.moving, negative(total), al.neg(moment))

@@ -9,17 +9,39 @@ Source: d'Alembert's principle; Soeylemez, Mechanisms, chapter 5.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
+from livesheet.formula.vectors import Vector
 from mechsheet.dynamics.acting import ActingForces
 from mechsheet.kinematics.build_equations import Found
+from mechsheet.model import Mechanism
 from mechsheet.units import Unit
 from mechsheet.words.equations import phrase
 
 LONGEST = 4000
 """Characters of the formula; Excel takes 8192."""
+
+
+def own_works(
+    acting: ActingForces,
+    mechanism: Mechanism,
+    moved: Callable[[str, Vector], Vector],
+    turned: Callable[[str], Node],
+) -> tuple[list[Node], list[Node]]:
+    """What weights, forces of inertia, loads and springs do, and what couples do: their terms.
+
+    moved   how the place of a link moves that is at some coordinates;  turned  how a link turns
+    """
+    works: list[Node] = []
+    turnings: list[Node] = []
+    for link in mechanism.links[1:]:
+        own = acting.of(link.name)
+        for force in own.forces[: own.own[0]]:
+            works += [al.mul(part, way) for part, way in zip(force.vector, moved(link.name, force.at), strict=True)]
+        turnings += [al.mul(couple, turned(link.name)) for couple in own.couples[: own.own[1]]]
+    return works, turnings
 
 
 def effort_by_work(acting: ActingForces, found: Found, efforts: Mapping[str, str]) -> None:
@@ -32,17 +54,10 @@ def effort_by_work(acting: ActingForces, found: Found, efforts: Mapping[str, str
     motions, columns = found.rates.by_driver, acting.columns
     if motions is None:
         raise ValueError("virtual work needs influence coefficients")
-    works: list[Node] = []
-    turnings: list[Node] = []
-    for link in found.poses.mechanism.links[1:]:
-        own = acting.of(link.name)
-        forces, couples = own.forces[: own.own[0]], own.couples[: own.own[1]]
-        for force in forces:
-            moved = motions.motion[link.name](force.at).first
-            works += [al.mul(part, way) for part, way in zip(force.vector, moved, strict=True)]
-        turning = motions.turning[link.name].first
-        turnings += [al.mul(couple, turning) for couple in couples]
     mechanism = found.poses.mechanism
+    works, turnings = own_works(
+        acting, mechanism, lambda link, at: motions.motion[link](at).first, lambda link: motions.turning[link].first
+    )
     effort = efforts[mechanism.driver.symbol]
     for driver in mechanism.drivers:
         if driver.symbol not in efforts:  # a cam moves it

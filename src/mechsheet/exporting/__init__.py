@@ -42,7 +42,8 @@ def export(
     to      a kind: one of `KINDS`
     path    the file; or a folder (an existing one, or a name that ends with a slash), in which the file is called as the
             description's; the present folder by default. With `frames`, the folder for the files
-    at      for kinds that show one position: the driver's value in its own unit; by default the first that exists
+    at      for kinds that show one position: the driver's value in its own unit; by default one in which
+            the loads act, else the first that exists
     frames  for kinds that draw: so many positions, evenly spread over the sweep, one file each
 
     Raises MechsheetError for another kind or an option that the kind does not take, MechanismError when the mechanism

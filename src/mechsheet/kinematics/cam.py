@@ -16,6 +16,7 @@ Source: R. L. Norton, Cam Design and Manufacturing Handbook, chapter 7; the supp
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
@@ -26,9 +27,10 @@ from mechsheet.kinematics.equations import CAM, Condition, Role
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.kinematics.poses import Poses
+from mechsheet.kinematics.rates.by_follower import ByFollower
 from mechsheet.kinematics.rates.motions import Motions, PointRate
 from mechsheet.kinematics.rates.rate_columns import RateColumns
-from mechsheet.model import Cam, FurtherDriver
+from mechsheet.model import Cam, FurtherDriver, Link, touched_by
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
@@ -36,7 +38,12 @@ STRAIGHT = 1e-9
 """A curvature below this part of one over the largest length is that of a straight line, which has no radius."""
 
 RESTING = 1e-9
-"""A point that moves by less than this part of the largest length in a radian shows no direction."""
+"""A point that moves by less than this part of the largest length in a radian of the follower, or by less than this part
+of the follower's way, shows no direction."""
+
+
+SELF_LOCKED = 1e-5
+"""A cosine of the pressure angle below this is that of a force that cannot move what it presses on; as at a dead centre."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +52,10 @@ class Contact:
 
     cam, link  its link, and the one that it presses on, at `at` along `normal`, out of the cam
     follower  the variable of what the cam's motion drives
-    moved   how that place moves with the follower's variable; None where other links lie between
+    direct  whether that drives the link on the ground; else other links lie between
+    lever   how far the force goes along the normal with that variable: no number in rows in which it could not move it
+    least   what moves by less with that variable counts as standing
+    moved   how the place of a link moves with that variable that is at some coordinates;  turned: how a link turns
     """
 
     cam: str
@@ -53,27 +63,35 @@ class Contact:
     follower: str
     at: Vector
     normal: Vector
-    moved: Vector | None
+    direct: bool
+    lever: Node
+    least: Node
+    moved: Callable[[str, Vector], Vector]
+    turned: Callable[[str], Node]
 
 
 def write_cam(poses: Poses, motions: Motions, columns: RateColumns) -> Contact | None:
     """Write the cam's columns down, behind those of rates; where it presses, None where there is no cam."""
     cam, follower = poses.mechanism.cam, poses.mechanism.follower
-    if cam is None or follower is None:
+    touched = None if cam is None else touched_by(cam, poses.mechanism.links)
+    if cam is None or follower is None or touched is None:
         return None
     group, poses.ledger.group = poses.ledger.group, CAM
-    contact = _Writer(cam, follower, poses, motions, columns).write()
+    contact = _Writer(cam, follower, touched, poses, motions, columns).write()
     poses.ledger.group = group
     return contact
 
 
 class _Writer:
-    def __init__(self, cam: Cam, follower: FurtherDriver, poses: Poses, motions: Motions, columns: RateColumns) -> None:
+    def __init__(
+        self, cam: Cam, follower: FurtherDriver, touched: Link, poses: Poses, motions: Motions, columns: RateColumns
+    ) -> None:
         self.follower = follower
         self.cam, self.poses, self.motions, self.columns = cam, poses, motions, columns
         self.ledger: Ledger = poses.ledger
         self.phi = Symbol(poses.mechanism.driver.symbol)
-        self.touching = next(link for link in poses.mechanism.links[1:] if cam.point in link.points)
+        self.touching = touched
+        self.by_follower = ByFollower(follower, motions, columns)
 
     def write(self) -> Contact:
         """The columns of a roller, or those of a face."""
@@ -94,11 +112,12 @@ class _Writer:
         part = al.div(al.as_node(radius), long)
         self._curve("pitch", place)
         self._curve("cam", place if al.is_zero(part) else minus(place, times(part, outwards)))
-        self._alpha(tangent)
+        way = self._way(self.poses.xy[self.cam.point])
+        self._alpha(self._sense(al.neg(dot(way, tangent))), cross(way, tangent), way)
         there = Condition(Call("ABS", (al.mul(kappa, self.ledger.size()),)), Number(STRAIGHT))
         self._define("rho", al.sub(al.div(al.ONE, kappa), al.as_node(radius)), LENGTH, there)
         x, y = (over(part, long) for part in outwards)
-        return self._contact(self.poses.xy[self.cam.point], (x, y))
+        return self._contact(self.poses.xy[self.cam.point], (x, y), way)
 
     def _face(self, place: Vector, moved: PointRate) -> Contact:
         link = self.cam.follower
@@ -118,7 +137,8 @@ class _Writer:
             *(() if al.value_of(turned_by) is not None else (there,)),
         )
         touched = self._curve("cam", plus(place, times(contact, along)))
-        self._alpha_of_face(contact, along, normal)
+        way = self._way(plus(self.poses.xy[self.cam.point], times(contact, along)))
+        self._alpha(self._sense(dot(way, along)), dot(way, normal), way)
         second = al.sub(
             al.sub(dot(moved.second, normal), al.mul(al.square(turning.first), across)),
             al.add(al.mul(turning.second, forth), al.mul(al.mul(al.TWO, turning.first), dot(moved.first, along))),
@@ -128,37 +148,51 @@ class _Writer:
         )
         outside = Call("SIGN", (across,))
         self._define("rho", al.mul(outside, al.add(across, bent)), LENGTH)
-        return self._contact(plus(touched, self.poses.xy[self.cam.center]), times(outside, normal))
+        return self._contact(plus(touched, self.poses.xy[self.cam.center]), times(outside, normal), way)
 
-    def _contact(self, at: Vector, normal: Vector) -> Contact:
-        return Contact(self.cam.link, self.touching.name, self.follower.symbol, at, normal, self._moved(at))
+    def _contact(self, at: Vector, normal: Vector, way: Vector) -> Contact:
+        link, variable = self.touching.name, self.follower.symbol
+        lever, direct = dot(normal, way), self._moved_directly(at) is not None
+        if not direct and self.poses.mechanism.dynamics is not None:
+            pushes = Condition(Call("ABS", (lever,)), al.mul(Number(SELF_LOCKED), size(way)))
+            lever = self._inner("lever", lever, self._unit_of_way(), exists=(pushes,))
+        turned = self.by_follower.of_angle
+        return Contact(self.cam.link, link, variable, at, normal, direct, lever, self._resting(), self._moved, turned)
 
     # --- how the follower presses ----------------------------------------------------------------------------------
 
-    def _alpha(self, tangent: Vector) -> None:
-        """Of a roller: between the normal and the way in which its centre moves."""
-        way, exists = self._way(self.poses.xy[self.cam.point])
-        tangens = al.div(self._sense(al.neg(dot(way, tangent))), cross(way, tangent))
-        self._define("alpha", Call("ATAN", (tangens,)), ANGLE, *exists)
+    def _alpha(self, aside: Node, forth: Node, way: Vector) -> None:
+        """Between the normal and the way in which the place that is touched moves: that of a roller is its centre."""
+        exists: tuple[Condition, ...] = ()
+        if self._moved_directly(self.poses.xy[self.cam.point]) is None:
+            exists = (Condition(size(way), self._resting()),)
+        self._define("alpha", Call("ATAN", (al.div(aside, forth),)), ANGLE, *exists)
 
-    def _alpha_of_face(self, contact: Node, along: Vector, normal: Vector) -> None:
-        place = plus(self.poses.xy[self.cam.point], times(contact, along))
-        way, exists = self._way(place)
-        self._define("alpha", Call("ATAN", (al.div(self._sense(dot(way, along)), dot(way, normal)),)), ANGLE, *exists)
+    def _way(self, at: Vector) -> Vector:
+        """The direction in which the place moves that is touched at these coordinates.
 
-    def _way(self, at: Vector) -> tuple[Vector, tuple[Condition, ...]]:
-        """The direction in which a place of the follower at these coordinates moves, and when there is one.
-
-        Of a slide or a rocker on the ground it is that of the joint, at rest, too.
+        It is the way that goes with the follower's variable, so that a dwell has one, too. Of a slide or a rocker on the
+        ground it is that of the joint; where other links lie between there may be none in their dead centre.
         """
-        found = self._moved(at)
-        if found is not None:
-            return found, ()
-        moved = self.motions.motion[self.touching.name](at).first
-        return moved, (Condition(size(moved), al.mul(Number(RESTING), self.ledger.size())),)
+        direct = self._moved_directly(at)
+        if direct is not None:
+            return direct
+        return self._vector("V", self.by_follower.of_place(self.touching.name, at), self._unit_of_way())
 
-    def _moved(self, at: Vector) -> Vector | None:
-        """How that place moves with the follower's variable; None where that does not drive it on the ground."""
+    def _resting(self) -> Node:
+        """What moves by less with the follower's variable shows no direction."""
+        return Number(RESTING) if self.follower.joint else al.mul(Number(RESTING), self.ledger.size())
+
+    def _unit_of_way(self) -> Unit:
+        return NUMBER if self.follower.joint else LENGTH
+
+    def _moved(self, link: str, at: Vector) -> Vector:
+        """How the place of a link moves with the follower's variable that is at some coordinates."""
+        found = self._moved_directly(at) if link == self.touching.name else None
+        return self.by_follower.of_place(link, at) if found is None else found
+
+    def _moved_directly(self, at: Vector) -> Vector | None:
+        """Of the link that is touched; None where that variable does not drive it on the ground."""
         mechanism, follower, touching = self.poses.mechanism, self.follower, self.touching.name
         ground = mechanism.ground
         joint = next((one for one in mechanism.joints if one.name == follower.joint), None)
@@ -187,18 +221,18 @@ class _Writer:
         self._define(f"{name}.y", al.sub(al.mul(y, c), al.mul(x, s)), LENGTH)
         return x, y
 
-    def _vector(self, name: str, vector: Vector) -> Vector:
+    def _vector(self, name: str, vector: Vector, unit: Unit = LENGTH) -> Vector:
         """Both parts in columns of their own where they are no short sums."""
-        found = [self._inner(f"{name}_{axis}", part, LENGTH, axis) for axis, part in zip("xy", vector, strict=True)]
+        found = [self._inner(f"{name}_{axis}", part, unit, axis) for axis, part in zip("xy", vector, strict=True)]
         return found[0], found[1]
 
-    def _inner(self, name: str, node: Node, unit: Unit, axis: str = "") -> Node:
+    def _inner(self, name: str, node: Node, unit: Unit, axis: str = "", exists: tuple[Condition, ...] = ()) -> Node:
         if al.is_simple(node):
             return node
         key = name.rstrip("_xy").rstrip("'")
         label = phrase(f"cam_{key}", axis=axis)
         return self._written(
-            self.ledger.reserve(name.replace("'", "_d"), numbered=False), node, unit, label, "coefficient"
+            self.ledger.reserve(name.replace("'", "_d"), numbered=False), node, unit, label, "coefficient", *exists
         )
 
     def _define(self, name: str, node: Node, unit: Unit, *exists: Condition) -> Symbol:

@@ -40,6 +40,7 @@ from .mechanism import (
     inertia_label,
     inertia_unit,
     torque_unit,
+    touched_by,
 )
 from .symbols import (
     ENERGY,
@@ -123,4 +124,5 @@ __all__ = [
     "pair_symbol",
     "rate_symbols",
     "torque_unit",
+    "touched_by",
 ]

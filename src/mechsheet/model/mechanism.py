@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
@@ -101,6 +101,13 @@ class Link:
     def rate_symbols(self) -> tuple[str, str]:
         """`omega13`, `alpha13`: its angular velocity and acceleration."""
         return rate_symbols(self.angle_symbol, True)
+
+
+def touched_by(cam: Cam, links: Sequence[Link]) -> Link | None:
+    """The link that a cam touches, of all links, the ground first: that of its face, or the first that has the roller's
+    centre; None where none does."""
+    moving = (link for link in links[1:] if cam.point in link.points and cam.follower in ("", link.name))
+    return next(moving, None)
 
 
 @dataclass(frozen=True, slots=True)

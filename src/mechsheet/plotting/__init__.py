@@ -34,7 +34,8 @@ def plot(
     .pdf         a report of one to three pages: the mechanism at true scale in its worst position, or at `at`, its
                  dimensions, what can be said of it, curves, the largest forces
 
-    at        in the driver's unit (degrees, radians or the length unit); without it, the first position that exists
+    at        in the driver's unit (degrees, radians or the length unit); without it, one in which the loads act, else the
+              first that exists
     language  "en", "tr" or that of another catalogue; without it, the description's
     vectors   draw velocities, accelerations and joint forces as arrows, each kind with a scale bar
 

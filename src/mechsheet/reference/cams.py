@@ -13,14 +13,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..model import Cam, FurtherDriver, Mechanism, Quantity
+from ..model import Cam, FurtherDriver, Mechanism, Quantity, touched_by
 from .expressions import number
 from .geometry import Array
-from .rates import rates
+from .rates import by_prescribed, rates
 from .solution import Solution
 
 _REST = 1e-9
-"""A point that moves by less than this part of the size in a radian shows no direction."""
+"""A point that moves by less than this part of the size in a radian of the follower, or of the follower's way, shows no
+direction."""
 
 _STRAIGHT = 1e-9
 """A curvature below this part of one over the size is that of a straight line."""
@@ -71,7 +72,7 @@ def _of_roller(
     normal = 1j * sense * first / np.abs(first)
     outline = z - radius * normal
     rho = np.where(np.abs(kappa) * solution.size < _STRAIGHT, np.nan, 1.0 / kappa - radius)
-    way = _way(solution, cam, known, z / turn)
+    way = _way(solution, cam, z / turn)
     columns = {
         "pitch.x": z.real, "pitch.y": z.imag, "cam.x": outline.real, "cam.y": outline.imag, "kappa": kappa, "rho": rho,
         "alpha": sense * _between(way, normal / turn),
@@ -102,7 +103,7 @@ def _of_face(
     moved = _solved(n, n1, np.zeros_like(p), p2 - (np.conj(n2) * point).real)
     rho = (moved * np.conj(1j * n)).real / turning
     contact = ((point - z) * np.conj(-1j * n)).real
-    way = _way(solution, cam, known, point / turn)
+    way = _way(solution, cam, point / turn)
     columns = {
         "cam.x": point.real, "cam.y": point.imag, "contact": contact, "rho": rho * np.sign(p),
         "alpha": sense * _between(way, n / turn),
@@ -117,12 +118,12 @@ def _solved(n: Plane, n1: Plane, p: Array, p1: Array) -> Plane:
     return _complex(np.stack([x, y], axis=1))
 
 
-def _way(solution: Solution, cam: Cam, known: dict[str, tuple[Array, Array]], place: Plane) -> Plane:
-    """The direction in which the follower moves a place of its own, seen from the cam's centre."""
+def _way(solution: Solution, cam: Cam, place: Plane) -> Plane:
+    """The direction in which the follower moves a place of its own, seen from the cam's centre: at a dwell, too."""
     mechanism = solution.mechanism
     moved = mechanism.follower
-    touching = next(link for link in mechanism.links[1:] if cam.point in link.points)
-    assert moved is not None
+    touching = touched_by(cam, mechanism.links)
+    assert moved is not None and touching is not None
     line = _line(mechanism, moved, touching.name)
     if line is not None:
         return np.full(len(place), np.exp(1j * number(line, solution.dimensions)))
@@ -131,10 +132,16 @@ def _way(solution: Solution, cam: Cam, known: dict[str, tuple[Array, Array]], pl
     if moved.link == touching.name and moved.relative_to == ground.name:
         pivot = next(point for point in touching.points if point in ground.points)
         return np.asarray(1j * (place + center - _complex(solution.points[pivot])))
-    point = next(iter(touching.points))
-    arm = place + center - _complex(solution.points[point])
-    way = known[f"{point}.x"][0] + 1j * known[f"{point}.y"][0] + 1j * known[touching.angle_symbol][0] * arm
-    return np.where(np.abs(way) < _REST * solution.size, np.complex128(np.nan), way)
+    built, rows = solution.system, np.flatnonzero(solution.exists)
+    column = built.prescribed[mechanism.drivers.index(moved)]
+    moves = by_prescribed(built, solution.state[rows], column)
+    first, pose = built.column(touching.name), solution.poses[touching.name]
+    way = np.full(len(place), np.complex128(np.nan))
+    scale = 1.0 if moved.joint else built.scale
+    x, y, turn = (moves[:, first + part] for part in range(3))
+    arm = (place + center - _complex(pose))[rows]
+    way[rows] = (x + 1j * y) * scale + 1j * turn * arm / (built.scale if moved.joint else 1.0)
+    return np.where(np.abs(way) < _REST * (1.0 if moved.joint else solution.size), np.complex128(np.nan), way)
 
 
 def _line(mechanism: Mechanism, moved: FurtherDriver, touching: str) -> Quantity | None:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from livesheet.formula.nodes import Binary, Node, Number
 
-from ..model import CONTACT, Cam, Dynamics, Link, Mechanism, Place, Spring, pair_symbol
+from ..model import CONTACT, Cam, Dynamics, Link, Mechanism, Place, Spring, pair_symbol, touched_by
 from .cams import profile
 from .expressions import column as over_rows
 from .expressions import number
@@ -27,6 +27,9 @@ from .rates import by_time, gradients, of_poses, solved
 from .solution import Solution, reached
 from .system import Equation, System, residual
 from .teeth import Contact, along_poses, tooth_forces
+
+_UNSTRETCHED = 1e-9
+"""A spring whose preload presses cam and follower together by less than this part of itself does not hold them."""
 
 
 def forces(solution: Solution) -> dict[str, Array]:
@@ -39,14 +42,22 @@ def forces(solution: Solution) -> dict[str, Array]:
         return {}
     found = _held(solution, dynamics)
     if CONTACT in found:
-        touched = _touched(solution.mechanism)
-        springs = [
-            spring for spring in dynamics.springs
-            if {name for name, _ in spring.ends} == {solution.mechanism.ground.name, touched}
-        ]  # fmt: skip
+        springs = _pressing_springs(solution.mechanism, dynamics)
         for spring in springs if len(springs) == 1 else ():
             found[spring.hold] = _holding(solution, dynamics, spring, found[CONTACT])
     return found
+
+
+def _pressing_springs(mechanism: Mechanism, dynamics: Dynamics) -> list[Spring]:
+    """Those between the ground and what the cam touches; where there are none, all that are not at the cam."""
+    at_cam = [spring for spring in dynamics.springs if mechanism.cam and _is_at(spring, mechanism.cam.link)]
+    near = {mechanism.ground.name, _touched(mechanism)}
+    found = [spring for spring in dynamics.springs if {name for name, _ in spring.ends} == near]
+    return found or [spring for spring in dynamics.springs if spring not in at_cam]
+
+
+def _is_at(spring: Spring, link: str) -> bool:
+    return any(name == link for name, _ in spring.ends)
 
 
 def _holding(solution: Solution, dynamics: Dynamics, spring: Spring, pressed: Array) -> Array:
@@ -55,8 +66,10 @@ def _holding(solution: Solution, dynamics: Dynamics, spring: Spring, pressed: Ar
     longer = replace(spring, free_length=Binary("+", spring.free_length, Number(by)))
     springs = tuple(longer if each is spring else each for each in dynamics.springs)
     other = _held(solution, replace(dynamics, springs=springs))[CONTACT]
-    own = number(spring.free_length, solution.dimensions)
-    return own - pressed * by / (other - pressed)
+    own, stiff = (number(node, solution.dimensions) for node in (spring.free_length, spring.stiffness))
+    bears = np.abs(other - pressed) > _UNSTRETCHED * abs(stiff) * by
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.where(bears, own - pressed * by / (other - pressed), np.nan)
 
 
 def _held(solution: Solution, dynamics: Dynamics) -> dict[str, Array]:
@@ -107,7 +120,8 @@ def _pressing(applied: Applied, cam: Cam) -> Contact:
 
 def _touched(mechanism: Mechanism) -> str:
     """The link on which a cam presses."""
-    return next(link.name for link in mechanism.links[1:] if mechanism.cam and mechanism.cam.point in link.points)
+    touched = None if mechanism.cam is None else touched_by(mechanism.cam, mechanism.links)
+    return "" if touched is None else touched.name
 
 
 def _is_tie(equation: Equation) -> bool:

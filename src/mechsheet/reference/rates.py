@@ -122,6 +122,17 @@ def of_poses(built: System, state: Array, driver: Array) -> tuple[Array, Array]:
     return first, second
 
 
+def by_prescribed(built: System, state: Array, column: int) -> Array:
+    """First derivatives (m, columns) of the state by one of its prescribed columns, while all else that is driven stands."""
+    equations = [equation for block in built.blocks for equation in block.equations]
+    unknown = [column for block in built.blocks for column in block.columns]
+    first = np.zeros_like(state)
+    first[:, column] = 1.0
+    whole, _ = gradients(equations, state, first)
+    first[:, unknown] = solved(whole[:, :, unknown], -whole[:, :, [column]])
+    return first
+
+
 def solved(matrix: Array, right: Array) -> Array:
     """The solutions (m, k) of m systems of equations; NaN where one is singular to the last digit."""
     try:

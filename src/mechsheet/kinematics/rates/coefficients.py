@@ -209,11 +209,13 @@ class _Writer:
         self.shown: set[Node] = {al.ZERO, al.ONE}
         self.ledger.group = 0
         self.motions = Motions(poses, order, self.names)
-        self.pairs = {drive: Motions(poses, order, self.names, drive) for drive in _clustered(order)}
+        self.pairs: dict[Drive, Motions] = {}
 
     def write(self) -> Written:
         self._driver()
         self._further_drivers()
+        clustered = _clustered(self.order)  # of which some may be further drivers
+        self.pairs = {drive: Motions(self.poses, self.order, self.names, drive) for drive in clustered}
         for step in self.order.steps:
             match step:
                 case Drive():

@@ -49,6 +49,11 @@ class RateColumns:
         name = length + {1: "", 2: "²"}.get(abs(power), f"^{abs(power)}")
         return Unit("number", name if power > 0 else f"1/{name}")
 
+    def per_length(self, unit: Unit) -> Unit:
+        """The unit of such a quantity divided by a length; where lengths have none it is the same."""
+        powers = range(-2, 4) if self.mechanism.length_unit else ()
+        return next((self.unit(power - 1) for power in powers if self.unit(power).text == unit.text), unit)
+
     def within(self, node: Node, base: str, unit: Unit, label: Words) -> Node:
         """A sum of which no cell holds more than can be read: its first terms stand in a column of their own."""
         return self.cells.split(node, lambda part: self.define(base, part, unit, label))

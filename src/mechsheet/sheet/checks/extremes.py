@@ -37,6 +37,7 @@ from mechsheet.sheet.checks.one_extreme import (
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.checks.search_rules import BRACKET, PROBES
 from mechsheet.sheet.checks.search_table import (
+    COLUMN,
     DRIVER_COL,
     KNOWN,
     LABEL,
@@ -45,7 +46,6 @@ from mechsheet.sheet.checks.search_table import (
     SENSE,
     SIDE,
     SearchTable,
-    whole,
 )
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.columns.bands import band_of_constant
@@ -154,7 +154,13 @@ class Extremes:
         table.put(ABOUT_ROW, 0, plan.text("extremes.about"), styles.SUBTITLE)
         for column in table.columns:
             table.put(HEAD_ROW, column.col, heading(plan, column), styles.HEAD)
-        for col, key in ((NEAR, "near"), (SENSE, "sense"), (PLACE_COL, "row"), (table.value_col, "value")):
+        for col, key in (
+            (COLUMN, "column"),
+            (NEAR, "near"),
+            (SENSE, "sense"),
+            (PLACE_COL, "row"),
+            (table.value_col, "value"),
+        ):
             table.put(HEAD_ROW, col, plan.text(f"extremes.{key}"), styles.HEAD)
         self._whole()
         table.work(self.whole_row, FINE, "fine", fine=self._inputs_are_fine())
@@ -191,7 +197,7 @@ class Extremes:
             tuple(table.cells),
             tuple(table.fills),
             columns=(
-                Column(LABEL, LABEL, 16), Column(NEAR, SIDE, 7), Column(KNOWN, PLACE_COL, 10),
+                Column(LABEL, LABEL, 16), Column(COLUMN, SIDE, 7), Column(KNOWN, PLACE_COL, 10),
                 Column(DRIVER_COL, table.side + COLUMNS, 11),
             ),
             row_heights=((TITLE_ROW, 26.0), (HEAD_ROW, 30.0)),
@@ -298,10 +304,10 @@ class Extremes:
         least = plan.checked.least[number].whole()
         table.put(row, LABEL, plan.text("extremes.gap", number=number), styles.LABEL)
         here = table.work(row, HERE, "IF(COUNT(least)=0,NA(),MATCH(MIN(least),least,0))", least=least)
-        begin: dict[str, Node] = {"near": here, "sense": al.ONE}
+        begin: dict[str, Node] = {"column": table.number_of(symbol), "near": here, "sense": al.ONE}
         for name, step in (("left", "-1"), ("middle", ""), ("right", "+1")):
             begin[name] = formula(f"here{step}", here=here)
-            begin[f"f_{name}"] = formula(f"INDEX(margins,{name})", margins=whole(symbol))
+            begin[f"f_{name}"] = table.in_row(symbol, row, Symbol(name))
         self.searches.search(row, begin)
         table.lay(row, PROBES, [symbol])
         self.searches.value(row, symbol)

@@ -1,7 +1,8 @@
 """Do velocities and accelerations fit the links? Both ways round each group must give its closing point the same ones.
 
 Measured from points, velocities and accelerations, not by the equations that these were found from. As a length: the
-difference over the angular velocities in it (their squares and the angular accelerations).
+difference over the angular velocities in it (their squares and the angular accelerations). What a cam moves rests at
+times, where all of these are 0 or rounding, as each program has it: there it is over a small part of the cam's own.
 """
 
 from __future__ import annotations
@@ -16,6 +17,9 @@ from mechsheet.sheet.geometry import largest_length
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.units import ANGLE, LENGTH, Unit
+
+RESTING = 1e-9
+"""What turns by less than this part of the cam's speed rests: all that is left of it is rounding."""
 
 Column: TypeAlias = tuple[Literal["velocity", "acceleration"], int, Node]
 
@@ -48,11 +52,20 @@ def _columns(
     turning = {name: _turning(plan, name, known[name]) for name in rates}
     scale = al.total(formula(size, rate=turning[name]) for name in speeds)
     scale = al.total([scale, *(Call("ABS", (turning[name],)) for name in rates if name not in speeds)])
+    if plan.mechanism.segments is not None:
+        scale = formula("MAX(scale,rest*cam)", scale=scale, rest=RESTING, cam=_of_cam(plan, what))
     whole = [plan.at.bind(formula("ABS(part)/(scale)", part=part, scale=scale), sheet, row) for part in parts]
     return [
         (what, number, formula('IFERROR(most,"")', most=Call("MAX", tuple(chunk)) if len(chunk) > 1 else chunk[0]))
         for chunk in chunks_of(whole)
     ]
+
+
+def _of_cam(plan: Plan, what: Literal["velocity", "acceleration"]) -> Node:
+    speed, acceleration = (Symbol(name) for name in plan.mechanism.driver_rates)
+    if what == "velocity":
+        return formula("ABS(speed)", speed=speed)
+    return formula("(speed^2+ABS(acceleration))", speed=speed, acceleration=acceleration)
 
 
 def _rates(plan: Plan) -> dict[str, Unit]:

@@ -102,14 +102,21 @@ class Limits:
                 table.heads(row - 1, KNOWN, (*rules.CROSSING, "share"))
             self._limit(number, row, stretches)
 
+    def _number(self, row: int, key: str, number: int) -> None:
+        """The number of a stretch or a limit, which the formulas beside it read, shown with what it is the number of."""
+        before, _, after = self.plan.text(f"extremes.{key}", number=0).partition("0")
+        shown = "0".join(f'"{words}"' if words else "" for words in (before, after))
+        self.table.put(row, LABEL, float(number), styles.numbered(styles.LABEL, shown))
+
     def _stretch(self, number: int, stretches: CellRef) -> None:
         """Rows of a stretch, and its ends: the limits beside them, where there are."""
         table, row = self.table, self.stretch_rows[number - 1]
-        begun = self.plan.checked.begun.whole()
-        first = table.work(row, FIRST_ROW, 'IF(stretches<number,"",MATCH(number,begun,0))',
-                            stretches=stretches, number=number, begun=begun)  # fmt: skip
-        last = table.work(row, LAST_ROW, 'IF(stretches<number,"",first+COUNTIFS(begun,number,said,ok)-1)',
-                           stretches=stretches, number=number, first=first, begun=begun,
+        self._number(row, "stretch", number)
+        begun, nth = self.plan.checked.begun.whole(), CellRef(row, LABEL, False, True)
+        first = table.work(row, FIRST_ROW, 'IF(stretches<nth,"",MATCH(nth,begun,0))',
+                            stretches=stretches, nth=nth, begun=begun)  # fmt: skip
+        last = table.work(row, LAST_ROW, 'IF(stretches<nth,"",first+COUNTIFS(begun,nth,said,ok)-1)',
+                           stretches=stretches, nth=nth, first=first, begun=begun,
                            said=self.plan.places.status.whole(), ok=self.plan.ok)  # fmt: skip
         ends = [formula("ROUND(INDEX(drivers,row),2)", drivers=Symbol(ALL + self.plan.mechanism.driver.symbol), row=edge)
                 for edge in (first, last)]  # fmt: skip
@@ -137,9 +144,9 @@ class Limits:
     def _limit(self, number: int, row: int, stretches: CellRef) -> None:
         """One limit: the row that closes beside it, the one that does not, and where between them the least margin is 0."""
         table, plan = self.table, self.plan
-        table.put(row, LABEL, plan.text("extremes.limit", number=number), styles.LABEL)
+        self._number(row, "limit", number)
         # in order: beginning and end of each stretch; the first is none when the sweep begins inside
-        place = table.work(row, PLACE, "number+IF(first=1,1,0)", number=number,
+        place = table.work(row, PLACE, "number+IF(first=1,1,0)", number=CellRef(row, LABEL, False, True),
                            first=table.fixed(self.stretch_rows[0], FIRST_ROW))  # fmt: skip
         first, last = (table.down(self.stretch_rows[0], work, rules.STRETCHES) for work in (FIRST_ROW, LAST_ROW))
         inside = table.work(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 from livesheet.formula import algebra as al
@@ -16,6 +16,7 @@ from mechsheet.sheet.checks import search_rules as rules
 from mechsheet.sheet.checks.boundless import in_row, may_grow, seen_by_rates, unsigned_divisor
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, TO, Limits
 from mechsheet.sheet.checks.search_table import (
+    COLUMN,
     KNOWN,
     LABEL,
     LIMIT,
@@ -127,7 +128,7 @@ class Searches:
         """What the probes have found: where there is no position, nothing better than what is known."""
         table = self.table
         known = CellRef(row, KNOWN + rules.BRACKET.index("f_middle"), False, True)
-        value = formula("IFERROR(cell,known)", cell=table.quantity(row, symbol), known=known)
+        value = formula("IFERROR(cell,known)", cell=table.probed(symbol, row, row), known=known)
         table.fill(row, table.value_col, value, rules.PROBES)
 
     def known(self, row: int, name: str) -> CellRef:
@@ -167,14 +168,14 @@ class Searches:
         table.put(row + 1, LABEL, plan.text(f"extremes.{sought.way}"), styles.LABEL)
         self._best_row(sought)
         if plan.rows_only:
+            table.fill(row, COLUMN, table.number_of(symbol))
             if sought.way == "max":
                 table.work(row, WRAPS, "0")
             self._result_of_rows(sought)
             return
         self._wraps(sought)
         here = table.work(row, HERE, "here", here=self._begun_from(sought))
-        value = formula("INDEX(column,here)", column=whole(symbol), here=here)
-        self.search(row, self._begin(sought, value))
+        self.search(row, self._begin(sought, table.in_row(symbol, row, here)))
         table.lay(row, rules.PROBES, [symbol])
         self.value(row, symbol)
         self._result(sought)
@@ -185,30 +186,32 @@ class Searches:
 
     def _best_row(self, sought: Sought) -> None:
         """The best value of all rows that close, of no more stretches than are looked at, and the first row that has it."""
-        table, row, column = self.table, sought.row, whole(sought.symbol)
+        table, row, symbol = self.table, sought.row, sought.symbol
         said, stretches = self.plan.places.status.whole(), self.plan.searched.count.cell
-        bests = Call(f"{sought.way.upper()}IFS", (column, said, Text(self.plan.ok)))
+        bests = Call(f"{sought.way.upper()}IFS", (table.in_rows(symbol, row), said, Text(self.plan.ok)))
+        begin = self._read(sought)["first"]
         best = table.work(
             row, OF_ROWS, "IF(OR(stretches=0,stretches>most),NA(),bests)", stretches=stretches, most=rules.STRETCHES,
             bests=bests,
         )  # fmt: skip
         table.work(
-            row, BEST, "begin-1+MATCH(best,INDEX(column,begin):INDEX(column,rows),0)", begin=self._read(sought)["first"],
-            rows=table.rows, best=best, column=column,
+            row, BEST, "begin-1+MATCH(best,from_begin,0)", begin=begin, best=best,
+            from_begin=table.in_rows(symbol, row, begin),
         )  # fmt: skip
 
     def _begin(self, sought: Sought, value: Node) -> dict[str, Node]:
         """What the first row knows: the best row (or the end of the stretch, where that is better) and its neighbours."""
-        table, row, column = self.table, sought.row, whole(sought.symbol)
-        begin: dict[str, Node] = {"sense": al.number(1.0 if sought.way == "min" else -1.0)}
+        table, row, symbol = self.table, sought.row, sought.symbol
+        sense = al.number(1.0 if sought.way == "min" else -1.0)
+        begin: dict[str, Node] = {"column": table.number_of(symbol), "sense": sense}
         known = self._read(sought) | {"value": value}
         if not self.ends:
             for name, tree in (("left", rules.LOWER), ("right", rules.UPPER)):
                 begin[name] = with_symbols(tree, known | {"start": known["here"]})
-                begin[f"f_{name}"] = self._at_place(column, known | {"place": begin[name]})
+                begin[f"f_{name}"] = self._at_place(sought, known | {"place": begin[name]})
             return begin | {"near": known["here"], "middle": known["here"], "f_middle": value}
         for name, work, at in zip(("at_low", "at_high"), (AT_LOW, AT_HIGH), self.ends.values(), strict=True):
-            cell = replace(table.quantity(at, sought.symbol), row_abs=True)
+            cell = table.probed(symbol, row, at, anchored=True)
             known[name] = table.work(row, work, "IFERROR(cell,value)", cell=cell, value=value)
         for name, work, tree in (
             ("start", START, rules.START),
@@ -217,13 +220,12 @@ class Searches:
         ):
             known[name] = table.work(row, work, "place", place=with_symbols(tree, known))
         for name in ("lower", "upper"):
-            known[f"of_{name}"] = self._at_place(column, known | {"place": known[name]})
+            known[f"of_{name}"] = self._at_place(sought, known | {"place": known[name]})
         return begin | {name: with_symbols(tree, known) for name, tree in rules.BEGUN.items()}
 
-    @staticmethod
-    def _at_place(column: Node, known: Mapping[str, Node]) -> Node:
-        """The value of a column in a row beside the one from which a search begins."""
-        return formula("INDEX(column,row_there)", column=column, row_there=with_symbols(rules.ROW_AT, known))
+    def _at_place(self, sought: Sought, known: Mapping[str, Node]) -> Node:
+        """The value in a row beside the one from which a search begins."""
+        return self.table.in_row(sought.symbol, sought.row, with_symbols(rules.ROW_AT, known))
 
     def _begun_from(self, sought: Sought) -> Node:
         """The row from which the search begins: the best one, or, where that is the motion's first or last, another one
@@ -254,15 +256,14 @@ class Searches:
     def _wraps(self, sought: Sought) -> None:
         """Whether the ends of the rows are neighbours: what the whole sheet says, or 0 where something is missing or the
         quantity does not come back."""
-        plan, row, symbol = self.plan, sought.row, sought.symbol
+        plan, table, row, symbol = self.plan, self.table, sought.row, sought.symbol
         if sought.way == "min":
-            self.table.work(row, WRAPS, "wraps", wraps=self.table.near(self.opposite(sought).row, WRAPS))
+            table.work(row, WRAPS, "wraps", wraps=table.near(self.opposite(sought).row, WRAPS))
             return
-        spot = plan.at.spots[symbol]
-        ends = [CellRef(at, spot.col, True, True, spot.sheet) for at in (plan.at.first, plan.at.last)]
+        start, end = (table.in_row(symbol, row, place) for place in (al.ONE, table.rows))
         unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
-        meet = ends_meet(plan, symbol, unit, whole(symbol), (ends[0], ends[1]))
-        self.table.work(row, WRAPS, "wraps", wraps=with_symbols(rules.WRAPS, self._read(sought) | {"meet": meet}))
+        meet = ends_meet(plan, symbol, unit, table.in_rows(symbol, row), (start, end))
+        table.work(row, WRAPS, "wraps", wraps=with_symbols(rules.WRAPS, self._read(sought) | {"meet": meet}))
 
     def _around(self, sought: Sought) -> Node:
         """Whether probes go on beyond the last row, into the first: never by a motion law, whose rows end in time."""
@@ -374,7 +375,7 @@ class Searches:
             known["middle"] = table.work(row, MIDDLE, "row", row=with_symbols(boundless.MIDDLE, known))
             before, after = (with_symbols(tree, known) for tree in boundless.NEIGHBOURS)
             places, divisor = (before, known["middle"], after), unsigned_divisor(plan, symbol)
-            of_rows = [formula("INDEX(column,number)", column=whole(symbol), number=place) for place in places]
+            of_rows = [table.in_row(symbol, row, place) for place in places]
             if divisor is not None:
                 signs = [in_row(plan, divisor, place) for place in places]
                 for at in (0, 2):

@@ -11,7 +11,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
-from livesheet.formula.nodes import Call, CellRef, Node, Previous, RangeRef, Symbol, transform, with_symbols
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Previous, RangeRef, Symbol, transform, with_symbols
 from livesheet.workbook import Cell, Content, Fill, Style
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
@@ -21,20 +22,20 @@ from mechsheet.sheet.plan import NUMBER, STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import cell_formula, style_of
 
-LABEL, NEAR, SENSE, LIMIT, SIDE = range(5)
-"""The first columns: in words what is sought; near which row angles are taken; 1 or -1 where the smallest or the largest
-value is sought; from which limit, and on which side of it, places are counted by roots."""
+LABEL, COLUMN, NEAR, SENSE, LIMIT, SIDE = range(6)
+"""The first columns: in words what is sought; in which column of its table; near which row angles are taken; 1 or -1 where
+the smallest or the largest value is sought; from which limit, and on which side of it, places are counted by roots."""
 
-KNOWN = 5
+KNOWN = SIDE + 1
 """The first of six columns of what a row knows."""
 
-VERTEX_COL, PROBE_COL, PLACE_COL = 11, 12, 13
+VERTEX_COL, PROBE_COL, PLACE_COL = range(KNOWN + 6, KNOWN + 9)
 """Where the parabola has its vertex (of a limit: on which part of the way the probe is), the probe, its place in rows."""
 
 DECIMALS = 6
 """Of places and of what is known of them."""
 
-DRIVER_COL = 14
+DRIVER_COL = PLACE_COL + 1
 """The driver's value there; the table's columns follow."""
 
 
@@ -80,6 +81,42 @@ class SearchTable:
     def quantity(self, row: int, symbol: str) -> CellRef:
         """What a probe has found of a quantity, as people read it."""
         return CellRef(row, self.at.spots[symbol].col, False, True)
+
+    # --- the quantity of a search -----------------------------------------------------------------------------
+    # Which one it is stands in a cell, as its column among those of its table: so all searches have the same formulas.
+
+    def number_of(self, symbol: str) -> Node:
+        """In which column of its table a quantity stands, counted from the first that is filled down here."""
+        return formula("COLUMNS(columns)", columns=self._columns(self._table_of(symbol)[0], symbol))
+
+    def in_row(self, sought: str, row: int, place: Node) -> Node:
+        """What its table has of the quantity whose search begins in a row, in the row `place` of the table, from 1."""
+        table, number = self._columns(*self._table_of(sought)), CellRef(row, COLUMN, False, True)
+        return formula("INDEX(table,place,number)", table=table, place=place, number=number)
+
+    def in_rows(self, sought: str, row: int, first: Node = al.ONE) -> Node:
+        """The same in all rows of the table, or from one on.
+
+        `INDEX(table,0,number)` would be all of them, but gnumeric knows no row 0.
+        """
+        return Binary(":", *(self.in_row(sought, row, place) for place in (first, self.rows)))
+
+    def probed(self, sought: str, row: int, probe: int, anchored: bool = False) -> Node:
+        """What another row here has found of the quantity whose column a row says."""
+        ends = (CellRef(probe, self.at.spots[each].col, anchored, True) for each in self._table_of(sought))
+        return formula("INDEX(probes,1,number)", probes=RangeRef(*ends), number=CellRef(row, COLUMN, False, True))
+
+    def _columns(self, first: str, last: str) -> RangeRef:
+        """Columns of a table, from one to another, as formulas here read them."""
+        start, end = (self.plan.at.column(each, self.title) for each in (first, last))
+        return RangeRef(start.start, end.end)
+
+    def _table_of(self, symbol: str) -> tuple[str, str]:
+        """The first and the last column of a quantity's table that stand side by side here as they do there."""
+        there = self.plan.at.spots
+        away = {each.symbol: (there[each.symbol].sheet, there[each.symbol].col - each.col) for each in self.columns}
+        together = [each.symbol for each in self.columns if away[each.symbol] == away[symbol]]
+        return together[0], together[-1]
 
     def down(self, row: int, work: int, count: int) -> RangeRef:
         """Cells below each other, wherever they are read."""
@@ -130,7 +167,7 @@ class SearchTable:
         here, above = at(1), {f"{name}_above": cell for name, cell in at(0).items()}
         for name, col in [(name, columns[name]) for name in names]:
             self._down(row, col, count, first[name], with_symbols(rules[name], at(0)), at(0))
-        for name, col in (("near", NEAR), ("sense", SENSE), ("limit", LIMIT), ("side", SIDE)):
+        for name, col in (("column", COLUMN), ("near", NEAR), ("sense", SENSE), ("limit", LIMIT), ("side", SIDE)):
             if name in first:
                 self._down(row, col, count, first[name], CellRef(row, col, False, True), at(0))
         for col, (name, tree) in probing.items():

@@ -24,7 +24,7 @@ from mechsheet.sheet.drawing.frames import (
     FIRST,
     HIDDEN_AXIS,
     NAME,
-    NUMBER,
+    PART,
     SWEEP,
     Page,
     stride_of,
@@ -109,7 +109,7 @@ def chart_of(plan: Plan, series: Sequence[Series], size: int) -> Chart:
 
 
 def _sheet(page: Page) -> Sheet:
-    columns = [Column(NAME, NAME, 26.0), Column(FIRST, NUMBER, 12.0), Column(NUMBER + 1, NUMBER + 1, 3.0)]
+    columns = [Column(NAME, NAME, 26.0), Column(FIRST, PART, 12.0), Column(PART + 1, PART + 1, 3.0)]
     if page.col > SWEEP:
         columns.append(Column(SWEEP, page.col - 1, 11.0))
     return Sheet(

@@ -28,10 +28,10 @@ from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 
-NAME, FIRST, SECOND, CHART_X, CHART_Y, SIXTH, SEVENTH, EIGHTH, NINTH, NUMBER = range(10)
-"""Columns: what it is, its own numbers, and its place in the chart; five more where there is more to say."""
+NAME, FIRST, SECOND, CHART_X, CHART_Y, SIXTH, SEVENTH, EIGHTH, NINTH, NUMBER, PART = range(11)
+"""Columns: what it is, its own numbers, and its place in the chart; six more where there is more to say."""
 
-SWEEP = NUMBER + 2
+SWEEP = PART + 2
 """First of the columns that follow the table of positions."""
 
 SAMPLES = 721
@@ -91,7 +91,7 @@ class Page:
         """A heading across the columns, after an empty row."""
         self.row += 1
         self.put(NAME, title, styles.SECTION)
-        for col in range(FIRST, NUMBER + 1):
+        for col in range(FIRST, PART + 1):
             head = heads[col - FIRST] if col - FIRST < len(heads) else ""
             self.put(col, head or None, styles.SECTION)
         self.row += 1
@@ -307,7 +307,7 @@ def write_frame(
     sizes = []
     for name, (low, high) in (("x", x), ("y", y)):
         page.put(NAME, name)
-        a, b = page.formula(FIRST, low), page.formula(SECOND, high)
+        a, b = near(page.formula(FIRST, low)), near(page.formula(SECOND, high))
         middles.append(page.formula(CHART_Y, al.div(al.add(a, b), al.TWO)))
         sizes.append(al.sub(b, a))
         page.row += 1
@@ -326,6 +326,11 @@ def write_frame(
     return Frame(middles[0], middles[1], half, series)
 
 
+def near(cell: CellRef) -> CellRef:
+    """The cell as formulas read it that are the same in every frame: so many rows above."""
+    return replace(cell, row_abs=False)
+
+
 def longest_bar(room: Node) -> Node:
     """The largest of 1, 2 and 5 times a power of ten that a scale bar has room for."""
     each = [formula("10^INT(LOG10(room/count))", room=room, count=count) for count in (2, 5)]
@@ -334,9 +339,9 @@ def longest_bar(room: Node) -> Node:
 
 def _scale_bar(page: Page, half: CellRef, unit: str) -> tuple[Series, ...]:
     """A bar of 1, 2 or 5 times a power of ten, at most half the half side long; its length is the label."""
-    text = page.plan.text
+    text, half = page.plan.text, near(half)
     page.put(NAME, text("drawing.bar"))
-    length = page.formula(FIRST, longest_bar(al.div(half, al.TWO)))
+    length = near(page.formula(FIRST, longest_bar(al.div(half, al.TWO))))
     page.row += 1
     page.put(NAME, text("drawing.bar.label"))
     rounded = formula("ROUND(length,12)", length=length)  # gnumeric computes with more digits and would show them

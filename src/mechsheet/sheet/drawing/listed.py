@@ -13,12 +13,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 
 import numpy as np
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, Symbol, Unary, symbols, transform, walk
-from livesheet.formula.vectors import NOWHERE, Vector, minus, times, together
+from livesheet.formula.vectors import NOWHERE, Vector, minus, plus, times, together
 from livesheet.workbook import Rich, Series, SeriesRef
 from mechsheet.shapes.colors import INK
 from mechsheet.shapes.forms import (
@@ -55,6 +56,7 @@ from mechsheet.sheet.drawing.frames import (
     NINTH,
     NUMBER,
     NUMBER_STYLE,
+    PART,
     SECOND,
     SEVENTH,
     SIXTH,
@@ -127,6 +129,7 @@ class Listed:
         self.page, self.found, self._letters = page, found, letters
         self.known: dict[Node, Node] = {}
         self._numbers: dict[tuple[Vector, Vector, Vector, Node | None], int] = {}
+        self._ends: dict[Vector, int] = {}
         self.points: dict[str, PointCells] = {}
         self._rows: dict[int, tuple[int, int]] = {}
         self._inside: dict[int, int] = {}
@@ -303,9 +306,9 @@ class Listed:
             "y",
             "X",
             "Y",
-            *(text(f"drawing.{key}") for key in ("along.x", "along.y", "across.x", "across.y")),
+            *(text(f"drawing.{key}") for key in ("along.x", "along.y", "across.x", "across.y", "number", "size")),
         ]
-        page.section(text("drawing.places"), [*heads, text("drawing.number")])
+        page.section(text("drawing.places"), heads)
         self.first_place = page.row
         for point in self._marked:
             row = page.row
@@ -333,9 +336,12 @@ class Listed:
         named = [by_origin.get((each.at, each.size)) or self._place(each.at, each.text, size=each.size)
                  for each in self.found.names]  # fmt: skip
         self.last_place = page.row - 1
-        for col, row, chart in ((CHART_X, FIRST, self.frame.chart_x), (CHART_Y, SECOND, self.frame.chart_y)):
-            node = chart(page.cell(row, self.first_place, anchored=False))
-            self._filled(col, node, self.first_place, self.last_place)
+        for sized, run in groupby(enumerate(self._numbers, self.first_place), lambda each: each[1][-1] is not None):
+            rows = [row for row, _ in run]
+            part = page.cell(PART, rows[0], anchored=False) if sized else None
+            for col, own, chart in ((CHART_X, FIRST, self.frame.chart_x), (CHART_Y, SECOND, self.frame.chart_y)):
+                node = self._if_large(chart(page.cell(own, rows[0], anchored=False)), part)
+                self._filled(col, node, rows[0], rows[-1])
         return found, named
 
     def _rings(self, plate: Shape) -> Iterator[_Corner]:
@@ -357,32 +363,50 @@ class Listed:
     def _place(
         self, at: Vector, name: Rich | str, vectors: Sequence[Vector] = (NOWHERE, NOWHERE), size: Node | None = None
     ) -> int:  # fmt: skip
-        """The number of a place, in a row of its own where there is none yet."""
+        """The number of a place, in a row of its own where there is none yet.
+
+        Where the tip of an arrow begins at the end of its shaft, it is found from the row of that.
+        """
         page = self.page
         along, across = vectors
         key = at, along, across, size
-        if key not in self._numbers:
-            self._numbers[key] = number = len(self._numbers) + 1
-            page.put(NAME, name, styles.LABEL if isinstance(name, str) else styles.SYMBOL)
-            for col, node in zip((FIRST, SECOND), at, strict=True):
-                cell = page.formula(col, self._if_large(node, size))
-                if isinstance(node, Symbol):
+        if key in self._numbers:
+            return self._numbers[key]
+        self._numbers[key] = number = len(self._numbers) + 1
+        page.put(NAME, name, styles.LABEL if isinstance(name, str) else styles.SYMBOL)
+        part = None if size is None else self._part(size)
+        shaft = self._ends.get(at)
+        for col, way, node in zip((FIRST, SECOND), (SIXTH, SEVENTH), at, strict=True):
+            if shaft is None:
+                place = _as_beside(self.bound(node), page.cell(col))
+            else:
+                place = al.add(*(_as_beside(page.cell(each, shaft, anchored=False)) for each in (col, way)))
+            cell = page.formula(col, place)
+            if isinstance(node, Symbol):
+                self.known.setdefault(node, replace(cell, row_abs=False))
+        for col, node in zip((SIXTH, SEVENTH, EIGHTH, NINTH), (*along, *across), strict=True):
+            if not al.is_zero(node):
+                cell = page.formula(col, self._if_large(self.bound(node), part))
+                if not isinstance(node, Symbol) and al.value_of(node) is None:
                     self.known.setdefault(node, replace(cell, row_abs=False))
-            for col, node in zip((SIXTH, SEVENTH, EIGHTH, NINTH), (*along, *across), strict=True):
-                if not al.is_zero(node):
-                    cell = page.formula(col, self._if_large(node, size))
-                    if not isinstance(node, Symbol) and al.value_of(node) is None:
-                        self.known.setdefault(node, replace(cell, row_abs=False))
-            page.put(NUMBER, float(number), styles.decimals(styles.INNER, 0))
-            page.row += 1
-        return self._numbers[key]
+        if size is not None and along != NOWHERE:
+            self._ends.setdefault(plus(at, along), page.row)
+        page.put(NUMBER, float(number), styles.decimals(styles.INNER, 0))
+        page.row += 1
+        return number
 
-    def _if_large(self, node: Node, size: Node | None) -> Node:
-        """A tree at the position shown; of an arrow #N/A while it is too small to be drawn."""
-        bound = self.bound(node)
-        if size is None:
-            return bound
-        return formula("IF(size<least,NA(),bound)", size=self.bound(size), least=LEAST, bound=bound)
+    def _part(self, size: Node) -> CellRef:
+        """The cell of a place that says which part an arrow is of the largest; the tip has that of its shaft, above it."""
+        page = self.page
+        part = self.bound(size)
+        if len(self._numbers) > 1 and [*self._numbers][-2][-1] == size:
+            part = page.cell(PART, page.row - 1, anchored=False)
+        return replace(page.formula(PART, part), row_abs=False)
+
+    @staticmethod
+    def _if_large(node: Node, part: Node | None) -> Node:
+        """What an arrow needs: #N/A while it is too small to be drawn."""
+        return node if part is None else formula("IF(part<least,NA(),node)", part=part, least=LEAST, node=node)
 
     def _filled(self, col: int, node: Node, first: int, last: int) -> None:
         row, self.page.row = self.page.row, first
@@ -568,6 +592,14 @@ class Listed:
         bar = Series(text("drawing.bar"), x, y, line=scale.color, width=2.0, in_legend=False)
         at = page.reference(page.row - 1, CHART_X), page.reference(page.row - 1, CHART_Y)
         return [bar, Series(page.named(label), *at, show_name=True, label_side="right", in_legend=False)]
+
+
+def _as_beside(node: Node, own: CellRef | None = None) -> Node:
+    """A reference as the column beside has it, where it is in the column of the formula's `own` cell, or the column is known
+    to go with it."""
+    if not isinstance(node, CellRef) or node.sheet is not None or node.row_abs or (own and own.col != node.col):
+        return node
+    return replace(node, col_abs=False)
 
 
 def _point_at(at: Vector) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Text, transform
 from livesheet.workbook import Area, Conditional, Merge
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.checks import Checks
@@ -75,6 +75,17 @@ def _write(writer: Writer, on: Reading, row: int, line: Line) -> None:
     writer.conditionals.extend(line.rules)
 
 
+def _beside(node: Node, row: int, sheet: str) -> Node:
+    """A formula that reads the cells of its own row as every line reads its own: so equal tests are equal formulas."""
+
+    def change(part: Node) -> Node:
+        if isinstance(part, CellRef) and part.row == row and part.sheet in (None, sheet):
+            return replace(part, row_abs=False)
+        return part
+
+    return transform(node, change)
+
+
 def _write_marks(writer: Writer, on: Reading, lines: dict[int, Line]) -> None:
     """Beside each line that is red or amber a mark; under the line under the title which the first of them is, and
     where: it may be far below."""
@@ -83,7 +94,8 @@ def _write_marks(writer: Writer, on: Reading, lines: dict[int, Line]) -> None:
         for level in reversed(line.levels):
             mark = formula("IF(test,level,mark)", test=level.test, level=MARKS[level.kind], mark=mark)
         if line.levels:
-            writer.formula(row, MEANING + 1, formula('IFERROR(mark,"")', mark=mark), styles.MARK)
+            beside = _beside(formula('IFERROR(mark,"")', mark=mark), row, writer.plan.main)
+            writer.formula(row, MEANING + 1, beside, styles.MARK)
     rows = list(lines)
     column, symbols = (
         RangeRef(CellRef(rows[0], col, True, True), CellRef(rows[-1], col, True, True)) for col in (MEANING + 1, SYMBOL)

@@ -127,7 +127,7 @@ def determinants(plan: Plan) -> dict[int, str]:
     return {
         equation.group: equation.symbol
         for equation in plan.equations.equations.columns
-        if equation.role == "coefficient" and equation.exists
+        if equation.role == "coefficient" and equation.exists and equation.group > 0
     }
 
 
