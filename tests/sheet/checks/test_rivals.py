@@ -153,3 +153,13 @@ def test_a_table_marks_such_a_cell(a2, sure):
         each for each in sheet.fills if each.row == helper.row and each.col <= helper.col < each.col + each.cols
     )
     assert fill.value(helper.row, helper.col) == sure
+
+
+def test_the_row_of_a_turn_later_that_has_the_first_ones_value():
+    """The quickest return is beside 360°, where the row has the first one's value to 15 digits: the search goes on from
+    there, not from the first row, beside which there is less."""
+    text = template_text("six-link-dwell").replace("stop = 360", "stop = 380")
+    found, words = shown(loads(text), "back")
+    truth = float(np.min(compiled_of(loads(text.replace("step = 10", "step = 0.25"))).values["omega16"]))
+    assert found == pytest.approx(truth, rel=1e-5)
+    assert not words.endswith(SAID)

@@ -248,9 +248,10 @@ class Searches:
             for end, next_, third in ((y[1], y[2], y[3]), (y[rows], y[rows - 1], y[rows - 2]))
         )
         return formula(
-            "IFERROR(IF(AND(wraps=0,IF(best=1,at_first,at_last)),MATCH(other,column,0),best),best)",
+            "IFERROR(IF(AND(wraps=0,IF(best=1,at_first,at_last)),"
+            "IF(best=1,2+MATCH(other,later,0),MATCH(other,earlier,0)),best),best)",
             wraps=known["wraps"], best=known["best"], at_first=at_first, at_last=at_last, other=other,
-            column=whole(sought.symbol),
+            later=later, earlier=earlier,
         )  # fmt: skip
 
     def _wraps(self, sought: Sought) -> None:

@@ -83,7 +83,7 @@ class SearchTable:
         return CellRef(row, self.at.spots[symbol].col, False, True)
 
     # --- the quantity of a search -----------------------------------------------------------------------------
-    # Which one it is stands in a cell, as its column among those of its table: so all searches have the same formulas.
+    # Which one it is stands in a cell, as its column among those of its table: so the formulas of searches are alike.
 
     def number_of(self, symbol: str) -> Node:
         """In which column of its table a quantity stands, counted from the first that is filled down here."""
