@@ -6,6 +6,7 @@ book, which the engine computes in one go; everything else stands in it as numbe
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import cast
@@ -27,6 +28,7 @@ from livesheet.formula.nodes import (
     TableRef,
     children,
     rebuilt,
+    walk,
 )
 from mechsheet.homework.expected_values import Array
 from mechsheet.homework.formula_strips import Place
@@ -36,6 +38,8 @@ from mechsheet.library.routines import routine_names
 MOST_AT_ONCE = 1500
 OF_ONE = 600
 """What a candidate costs besides its cells, in cells."""
+OF_NODE = 20
+"""What each node of a function that it calls costs, in cells: one of a textbook's routines has some hundred."""
 PLACED = frozenset(("OFFSET", "INDIRECT", "CELL", "FORMULATEXT"))
 TURNED = frozenset(
     ("ROW", "COLUMN", "INDEX", "VLOOKUP", "HLOOKUP", "MATCH", "LOOKUP", "ROWS", "COLUMNS", "TRANSPOSE", "MMULT")
@@ -74,24 +78,39 @@ class Trial:
     def columns(self, number: int, candidates: Sequence[Node], goals: Sequence[Series]) -> list[Array]:
         """For each goal an array (candidates, rows): its numbers with each candidate in place of a strip's bound formula.
 
+        NaN stands for candidates for which nothing is left to be spent.
+
         Raises UntriableError.
         """
-        found = [
-            self._columns(number, candidates[first : first + MOST_AT_ONCE], goals)
-            for first in range(0, len(candidates), MOST_AT_ONCE)
-        ]
-        return [np.concatenate([part[index] for part in found]) for index in range(len(goals))]
-
-    def _columns(self, number: int, candidates: Sequence[Node], goals: Sequence[Series]) -> list[Array]:
-        work = self.graph.work
-        last = {strip for goal in goals for strip in goal.strips(work)}
+        last = {strip for goal in goals for strip in goal.strips(self.graph.work)}
         affected = self.graph.below({number}) & (self.graph.above(last) | {number})
-        cells = sum(work.strips[index].length for index in affected)
-        self.effort.spend(len(candidates) * (OF_ONE + cells))
-        book = _Book(self.graph, affected, len(candidates))
-        book.candidates(number, candidates)
-        book.follow(affected - {number})
-        return book.computed(goals)
+        cells = sum(self.graph.work.strips[index].length for index in affected)
+        one = (
+            OF_ONE + cells + OF_NODE * self._called(candidates[0])
+        )  # all are changes of one formula, and about as long
+        found = [np.full((len(candidates), goal.rows), np.nan) for goal in goals]
+        first = 0
+        while first < len(candidates) and not self.effort.spent:
+            end = min(len(candidates), first + MOST_AT_ONCE, first + math.ceil(self.effort.left / one))
+            self.effort.spend((end - first) * one)
+            book = _Book(self.graph, affected, end - first)
+            book.candidates(number, candidates[first:end])
+            book.follow(affected - {number})
+            for numbers, part in zip(found, book.computed(goals), strict=True):
+                numbers[first:end] = part
+            first = end
+        return found
+
+    def _called(self, formula: Node) -> int:
+        """How many nodes the functions have that a formula calls by name, and those that they call."""
+        bodies = {each.name.casefold(): each.formula for each in routine_names(self.graph.work.book)}
+        nodes, rest = 0, [formula]
+        while rest:
+            for part in walk(rest.pop()):
+                nodes += 1
+                if isinstance(part, Call) and part.name.casefold() in bodies:
+                    rest.append(bodies.pop(part.name.casefold()))
+        return nodes - sum(1 for _ in walk(formula))
 
 
 @dataclass
