@@ -60,6 +60,7 @@ EXACT = frozenset(
         "ROUNDUP",
         "ROW",
         "ROWS",
+        "SEARCH",
         "SIGN",
         "SQRT",
         "SUM",

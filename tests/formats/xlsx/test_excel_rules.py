@@ -61,7 +61,7 @@ DAMAGE = [
     ("sizes", SHEET, r'<col min="2"', '<col min="1"'),
     ("sizes", SHEET, r' ht="[^"]*"', ' ht="410"'),
     ("sizes", SHEET, r"<oddFooter>", "<oddFooter>" + "x" * 256),
-    ("sizes", SHEET, r'paperSize="9"', 'paperSize="9" scale="9"'),
+    ("sizes", SHEET, r'paperSize="9" scale="\d+"', 'paperSize="9" scale="9"'),
     ("styles", STYLES, r'<fonts count="\d+"', '<fonts count="1"'),
     ("styles", STYLES, r'(<cellXfs.*?)fontId="\d+"', r'\1fontId="99"'),
     ("styles", STYLES, r'numFmtId="164" formatCode', 'numFmtId="14" formatCode'),

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Sequence
 
 from mechsheet.description.text.index import Path, Spot, key_text
 from mechsheet.description.text.measured import home, measured
@@ -51,8 +52,7 @@ def with_value(source: Source, path: Path, value: str) -> Source:
     table = source.spots.get(tuple(around))
     line = f"{key_text(str(key))} = {value}"
     if table is None:
-        head = ".".join(key_text(str(part)) for part in around)
-        return parse(f"{source.text.rstrip(chr(10))}\n\n[{head}]\n{line}\n", source.file)
+        return _with_header(source, around, line)
     if table.how == "header":
         return _replaced(source, table.end, table.end, f"\n{line}")
     if table.how == "inline":
@@ -61,6 +61,12 @@ def with_value(source: Source, path: Path, value: str) -> Source:
         old = source.text[table.start : table.end]
         return _replaced(source, table.start, table.end, f"{{ value = {old}, {line} }}")
     return _beside(source, tuple(around), line)
+
+
+def _with_header(source: Source, around: Sequence[str | int], line: str) -> Source:
+    """A table of its own, below all others, with its first key."""
+    head = ".".join(key_text(str(part)) for part in around)
+    return parse(f"{source.text.rstrip(chr(10))}\n\n[{head}]\n{line}\n", source.file)
 
 
 def _with_its_unit(source: Source, path: Path, spot: Spot, value: str) -> str:
@@ -88,8 +94,13 @@ def _inline_end(text: str, table: Spot, line: str) -> tuple[int, int, str]:
 
 
 def _beside(source: Source, around: Path, line: str) -> Source:
-    """A further key of a table that dotted keys make (`a2.value = 30`): a line below the one that begins it."""
+    """A further key of a table that dotted keys make (`a2.value = 30`): a line below the one that begins it.
+
+    One that has but tables of its own (`[[driver.segments]]`) gets a head.
+    """
     inside = [spot for path, spot in source.spots.items() if path[:-1] == around and spot.how == "value"]
+    if not inside:
+        return _with_header(source, around, line)
     first = min(inside, key=lambda spot: spot.start)
     start = source.text.rfind("\n", 0, first.start) + 1
     before = source.text[start : first.start]

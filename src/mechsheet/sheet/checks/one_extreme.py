@@ -128,7 +128,7 @@ class Searches:
         """What the probes have found: where there is no position, nothing better than what is known."""
         table = self.table
         known = CellRef(row, KNOWN + rules.BRACKET.index("f_middle"), False, True)
-        value = formula("IFERROR(cell,known)", cell=table.probed(symbol, row, row), known=known)
+        value = formula("IFERROR(cell,known)", cell=table.probed(symbol, row), known=known)
         table.fill(row, table.value_col, value, rules.PROBES)
 
     def known(self, row: int, name: str) -> CellRef:
@@ -211,7 +211,7 @@ class Searches:
                 begin[f"f_{name}"] = self._at_place(sought, known | {"place": begin[name]})
             return begin | {"near": known["here"], "middle": known["here"], "f_middle": value}
         for name, work, at in zip(("at_low", "at_high"), (AT_LOW, AT_HIGH), self.ends.values(), strict=True):
-            cell = table.probed(symbol, row, at, anchored=True)
+            cell = table.probed(symbol, at, anchored=True)
             known[name] = table.work(row, work, "IFERROR(cell,value)", cell=cell, value=value)
         for name, work, tree in (
             ("start", START, rules.START),

@@ -101,10 +101,9 @@ class SearchTable:
         """
         return Binary(":", *(self.in_row(sought, row, place) for place in (first, self.rows)))
 
-    def probed(self, sought: str, row: int, probe: int, anchored: bool = False) -> Node:
-        """What another row here has found of the quantity whose column a row says."""
-        ends = (CellRef(probe, self.at.spots[each].col, anchored, True) for each in self._table_of(sought))
-        return formula("INDEX(probes,1,number)", probes=RangeRef(*ends), number=CellRef(row, COLUMN, False, True))
+    def probed(self, sought: str, probe: int, anchored: bool = False) -> Node:
+        """What a row here has found of a quantity: by its cell, as a column inserted into the table is not here."""
+        return CellRef(probe, self.at.spots[sought].col, anchored, True)
 
     def _columns(self, first: str, last: str) -> RangeRef:
         """Columns of a table, from one to another, as formulas here read them."""
