@@ -15,7 +15,7 @@ from livesheet.formula.nodes import Scalar
 from mechsheet.sheet.plan import LEGEND_ROW, SYMBOL, VALUE, VERDICT_ROW
 from mechsheet.words.catalogue import LANGUAGES, words
 
-_CLOSES = ("verdict.line.all", "verdict.line.one", "verdict.line.closes")
+_CLOSES = ("verdict.line.all", "verdict.line.one", "verdict.line.closes", "verdict.rows.all", "verdict.rows.some")
 """How a line begins that is not red."""
 
 _BEGUN = "verdict.same_assembly.begun"
