@@ -249,9 +249,9 @@ class Searches:
         )
         return formula(
             "IFERROR(IF(AND(wraps=0,IF(best=1,at_first,at_last)),"
-            "IF(best=1,2+MATCH(other,later,0),MATCH(other,earlier,0)),best),best)",
+            "IF(best=1,ROWS(head)-1+MATCH(other,later,0),MATCH(other,earlier,0)),best),best)",
             wraps=known["wraps"], best=known["best"], at_first=at_first, at_last=at_last, other=other,
-            later=later, earlier=earlier,
+            later=later, earlier=earlier, head=RangeRef(y[1], y[3]),
         )  # fmt: skip
 
     def _wraps(self, sought: Sought) -> None:
