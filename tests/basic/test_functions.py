@@ -268,3 +268,27 @@ def test_what_the_book_defines_itself_stays(tmp_path):
     book = builder.build()
     book.names = [DefinedName("Boy", parse_formula("LAMBDA(x,y,x*y)"))]
     assert evaluate(with_modules(book, [module])).get("S", 0, 0) == 18.0
+
+
+HOSTILE = {
+    "parentheses": "f = " + "(" * 100 + "x" + ")" * 100,
+    "signs": "f = " + "-" * 100 + "x",
+    "not": "f = " + "Not " * 100 + "x",
+    "a sum": "f = " + " + ".join(["x"] * 5000),
+    "blocks": "If x > 1 Then\n" * 2000 + "f = 1\n" + "End If\n" * 2000,
+    "in one line": "If x > 1 Then " * 200 + "f = 1",
+    "branches": "If x > 1 Then\n" + "ElseIf x > 2 Then\nf = 1\n" * 2000 + "End If",
+    "behind each other": "If x > 1 Then f = f + 1\n" * 3000,
+    "ways": "".join(f"L{n}:\nIf x > {n} Then GoTo L{n + 1}\nIf x < -{n} Then GoTo L{n + 2}\n" for n in range(18))
+    + "L18:\nL19:\nf = 1",
+}
+
+
+@pytest.mark.parametrize("body", HOSTILE.values(), ids=HOSTILE)
+def test_a_function_that_is_made_to_be_too_much_is_left_out_and_said(body):
+    text = f"Function f(x)\n{body}\nEnd Function\nFunction g(x)\ng = x + 1\nEnd Function\n"
+    functions, faults = functions_in(text)
+    names, further = lambdas(functions)
+    assert [name.name for name in names] == ["g"]
+    (fault,) = [*faults, *further]
+    assert "the function f is left out" in fault.message

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from ..formula.functions import FUNCTIONS
 from ..formula.nodes import Binary, Boolean, Call, ErrorValue, Node, Number, Symbol, Text, Unary
+from ..said import say
 
 _TOKEN = re.compile(
     r"""\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?)[#!&%@]?
@@ -31,8 +32,21 @@ _ERROR_NAMES = {
 _COMPARED = ("=", "<>", "<", ">", "<=", ">=")
 
 
+MOST_NESTED = 30
+"""Levels within each other: of parentheses and signs of an expression, of blocks of a function. People write fewer, and each
+is some calls deep."""
+
+MOST_TOKENS = 600
+"""Of an expression: a sum is as deep a tree as it has terms."""
+
+
 class NotReadError(Exception):
     """What stands there is none of what is read."""
+
+
+def too_deep() -> NotReadError:
+    """The error of levels within each other."""
+    return NotReadError(say("what is nested deeper than {most} levels", most=MOST_NESTED))
 
 
 class Token(NamedTuple):
@@ -65,6 +79,8 @@ def whole(node: Node) -> Node:
 
 def expression(listed: list[Token]) -> Node:
     """The tree of an expression. Raises NotReadError."""
+    if len(listed) > MOST_TOKENS:
+        raise NotReadError(say("an expression of more than {most} words and signs", most=MOST_TOKENS))
     parser = _Parser(listed)
     node = parser.implied(0)
     if parser.listed:
@@ -77,6 +93,7 @@ class _Parser:
 
     def __init__(self, listed: list[Token]) -> None:
         self.listed = list(listed)
+        self.depth = 0
 
     def at(self, *texts: str) -> bool:
         return bool(self.listed) and self.listed[0].kind != "text" and self.listed[0].text in texts
@@ -85,6 +102,12 @@ class _Parser:
         if not self.listed:
             raise NotReadError("…")
         return self.listed.pop(0)
+
+    def deeper(self) -> None:
+        """One level more, up to the limit."""
+        self.depth += 1
+        if self.depth > MOST_NESTED:
+            raise too_deep()
 
     def expect(self, text: str) -> None:
         if not self.at(text):
@@ -95,7 +118,10 @@ class _Parser:
         """Operators of two sides: or, and, not, comparisons, + -, Mod, \\, * /."""
         if level == 2 and self.at("not"):
             self.take()
-            return Call("NOT", (self.implied(2),))
+            self.deeper()
+            node: Node = Call("NOT", (self.implied(2),))
+            self.depth -= 1
+            return node
         if level == len(_LEVELS):
             return self.signed()
         left = self.implied(level + 1)
@@ -105,11 +131,16 @@ class _Parser:
         return left
 
     def signed(self) -> Node:
+        """An operand with its signs; what stands in parentheses comes by here, too."""
+        self.deeper()
         if self.at("-", "+"):
             sign = self.take().text
             node = self.signed()
-            return Unary("-", node) if sign == "-" else node
-        return self.power()
+            node = Unary("-", node) if sign == "-" else node
+        else:
+            node = self.power()
+        self.depth -= 1
+        return node
 
     def power(self) -> Node:
         left = self.operand()

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 
 from ..diagnostics import Fault
 from ..formula.nodes import Call, Node, Number, Symbol
-from ..said import say
-from .expressions import NotReadError, Token, expression, tokens
+from ..said import reason, say
+from .expressions import MOST_NESTED, NotReadError, Token, expression, tokens, too_deep
 from .statements import Assign, Do, Exit, For, Function, GoTo, If, Label, OnError, Parameter, Statement, Statements
 
 _HEAD = re.compile(r"(?:(?:public|private|friend)\s+)?function\s+(\w+)[%&!#@]?\s*\((.*)\)(?:\s+as\s+(\w+))?$", re.I)
@@ -151,23 +151,32 @@ class _Body:
     constants: dict[str, Node]
     kept: set[str]
     whole: set[str] = field(default_factory=set)
+    depth: int = 0
 
     def block(self, ends: tuple[str, ...]) -> Statements:
         """Statements up to one that begins with one of the words, which is left."""
+        self.deeper()
         found: list[Statement] = []
         while self.lines:
             number, line = self.lines[0]
             word = line.split()[0].lower()
             if word in ends or " ".join(line.lower().split()[:2]) in ends:
-                return tuple(found)
+                break
             self.lines.pop(0)
             try:
                 found += self.statement(number, line, word)
             except NotReadError as error:
-                raise _LineError(number, str(error) or line) from None
-        if ends:
+                raise _LineError(number, reason(error) or line) from None
+        if ends and not self.lines:
             raise NotReadError(ends[-1])
+        self.depth -= 1
         return tuple(found)
+
+    def deeper(self) -> None:
+        """One level more of blocks within each other, up to the limit."""
+        self.depth += 1
+        if self.depth > MOST_NESTED:
+            raise too_deep()
 
     def statement(self, number: int, line: str, word: str) -> list[Statement]:
         """What a line says, with the lines that belong to it."""
@@ -252,10 +261,12 @@ class _Body:
 
     def in_line(self, text: str) -> Statements:
         """Statements behind Then or Else in one line."""
+        self.deeper()
         found: list[Statement] = []
         for part in _parted(text, ":"):
             if part.strip():
                 found += self.statement(0, part.strip(), part.split()[0].lower())
+        self.depth -= 1
         return tuple(found)
 
     def counted(self, listed: list[Token]) -> For:

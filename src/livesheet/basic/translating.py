@@ -14,8 +14,8 @@ from ..diagnostics import Fault
 from ..formula.book import DefinedName
 from ..formula.functions import FUNCTIONS
 from ..formula.nodes import Apply, Binary, Boolean, Call, ErrorValue, Local, Node, Number, Symbol, transform, walk
-from ..said import say
-from .expressions import whole
+from ..said import reason, say
+from .expressions import NotReadError, whole
 from .statements import Assign, Do, Exit, For, Function, GoTo, If, Label, OnError, Statements
 
 Values = Mapping[str, Node]
@@ -27,8 +27,11 @@ FAILED = ErrorValue("#VALUE!")
 """What Excel shows where a function breaks off."""
 
 
-class _NotReadError(Exception):
-    """The name of what cannot be said in formulas."""
+MOST_DEEP = 60
+"""Conditions and loops one behind or within the other: each is some calls deep, in the formula too."""
+
+MOST_BLOCKS = 3000
+"""Blocks that are written down for a function: what follows a GoTo is written at each, so a few may ask for millions."""
 
 
 def lambdas(functions: Sequence[Function], source: str = "") -> tuple[list[DefinedName], list[Fault]]:
@@ -39,8 +42,10 @@ def lambdas(functions: Sequence[Function], source: str = "") -> tuple[list[Defin
     for function in functions:
         try:
             found.append(DefinedName(function.name, _Writer(function, own).formula()))
-        except _NotReadError as error:
-            message = say("the function {name} is left out: {found} is not read", name=function.name, found=str(error))
+        except NotReadError as error:
+            message = say(
+                "the function {name} is left out: {found} is not read", name=function.name, found=reason(error)
+            )
             faults.append(Fault(message, file=source, line=function.line, about="routine"))
     return found, faults
 
@@ -72,6 +77,7 @@ class _Writer:
         self.function, self.own = function, own
         self.result = function.name.lower()
         self.count = 0
+        self.depth = self.blocks = 0
 
     def formula(self) -> Node:
         """The LAMBDA."""
@@ -98,6 +104,21 @@ class _Writer:
 
     def block(self, statements: Statements, place: int, values: Values, around: _Around) -> Node:
         """What the statements from a place on give, with all that follows them."""
+        self.blocks += 1
+        if self.blocks > MOST_BLOCKS:
+            raise NotReadError(say("a function that goes so many ways"))
+        self.deeper()
+        found = self._block(statements, place, values, around)
+        self.depth -= 1
+        return found
+
+    def deeper(self) -> None:
+        """One condition or loop more, up to the limit."""
+        self.depth += 1
+        if self.depth > MOST_DEEP:
+            raise NotReadError(say("more than {most} conditions and loops behind each other", most=MOST_DEEP))
+
+    def _block(self, statements: Statements, place: int, values: Values, around: _Around) -> Node:
         pairs: list[tuple[Local, Node]] = []
         checked: list[Node] = []
         while place < len(statements) and isinstance(statements[place], Assign):
@@ -147,14 +168,14 @@ class _Writer:
                 return self.block(
                     statements, place + 1, values, _Around(around.follow, around.leave, label, around.gone)
                 )
-        raise _NotReadError(type(statement).__name__)
+        raise NotReadError(type(statement).__name__)
 
     def gone_to(self, label: str, values: Values, around: _Around) -> Node:
         """All from a label of the function on."""
         body = self.function.body
         at = next((at for at, each in enumerate(body) if isinstance(each, Label) and each.name == label), None)
         if at is None or label in around.gone:
-            raise _NotReadError(f"GoTo {label}")
+            raise NotReadError(f"GoTo {label}")
         return self.block(body, at, values, _Around(self.end, {}, "", around.gone | {label}))
 
     def failed(self, values: Values, around: _Around) -> Node:
@@ -190,7 +211,9 @@ class _Writer:
         condition, body = branches[0]
         local = self.fresh("condition")
         taken = self.block(body, 0, values, around)
+        self.deeper()
         other = self.chosen(branches[1:], otherwise, values, around)
+        self.depth -= 1
         asked = Call("IF", (local, taken, other))
         guarded = Call("IF", (Call("ISERROR", (local,)), self.failed(values, around), asked))
         return Call("LET", (local, self.bound(condition, values), guarded))
@@ -264,7 +287,7 @@ class _Writer:
                     self.refuse_changed(self.own[name], expression)
                     return Call(self.own[name].name, args)
                 case Call(name) if name not in FUNCTIONS:
-                    raise _NotReadError(name)
+                    raise NotReadError(name)
             return part
 
         return transform(expression, change)
@@ -277,7 +300,7 @@ class _Writer:
             if isinstance(part, Call) and part.name == called.name.lower():
                 for at in changing:
                     if at < len(part.args) and isinstance(part.args[at], Symbol):
-                        raise _NotReadError(called.parameters[at].name)
+                        raise NotReadError(called.parameters[at].name)
 
 
 def _cell_by_cell(body: Node) -> Node:

@@ -7,41 +7,31 @@ is in internal units. The reader has parsed it and checked that it names only di
 
 from .asked import EXTREME, Condition, Exercise, Need, Objective, Range, Study, Synthesis, TaskPlace, Tolerances, Vary
 from .cams import CONTACT, HALF, LAWS_THAT_LEAP, PIECE, SEGMENT_LAWS, TAU, WAVE, Cam, Segment, Segments
+from .loads import Dynamics, Load, Mass, Spring, energy_unit, inertia_label, inertia_unit, torque_unit
 from .mechanism import (
     LAWS,
     PRESSURE,
-    Cartesian,
     ChartRequest,
     Dimension,
-    Distances,
     Driver,
-    Dynamics,
     Ends,
     FurtherDriver,
     Gear,
     Joint,
     Law,
     Link,
-    Load,
-    Mass,
     Mechanism,
     Output,
-    Place,
-    Polar,
     Rack,
     Redundant,
     Relation,
     Sketch,
     Solution,
-    Spring,
     Summary,
     TableRequest,
-    energy_unit,
-    inertia_label,
-    inertia_unit,
-    torque_unit,
     touched_by,
 )
+from .places import Cartesian, Distances, Place, Polar
 from .symbols import (
     ENERGY,
     GROUND,
