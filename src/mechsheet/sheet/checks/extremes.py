@@ -304,7 +304,8 @@ class Extremes:
         least = plan.checked.least[number].whole()
         table.put(row, LABEL, plan.text("extremes.gap", number=number), styles.LABEL)
         here = table.work(row, HERE, "IF(COUNT(least)=0,NA(),MATCH(MIN(least),least,0))", least=least)
-        begin: dict[str, Node] = {"column": table.number_of(symbol), "near": here, "sense": al.ONE}
+        table.fill(row, COLUMN, table.number_of(symbol))
+        begin: dict[str, Node] = {"near": here, "sense": al.ONE}
         for name, step in (("left", "-1"), ("middle", ""), ("right", "+1")):
             begin[name] = formula(f"here{step}", here=here)
             begin[f"f_{name}"] = table.in_row(symbol, row, Symbol(name))

@@ -167,8 +167,8 @@ class Searches:
         table.put(row, LABEL, name, styles.LABEL)
         table.put(row + 1, LABEL, plan.text(f"extremes.{sought.way}"), styles.LABEL)
         self._best_row(sought)
+        table.fill(row, COLUMN, table.number_of(symbol))
         if plan.rows_only:
-            table.fill(row, COLUMN, table.number_of(symbol))
             if sought.way == "max":
                 table.work(row, WRAPS, "0")
             self._result_of_rows(sought)
@@ -203,7 +203,7 @@ class Searches:
         """What the first row knows: the best row (or the end of the stretch, where that is better) and its neighbours."""
         table, row, symbol = self.table, sought.row, sought.symbol
         sense = al.number(1.0 if sought.way == "min" else -1.0)
-        begin: dict[str, Node] = {"column": table.number_of(symbol), "sense": sense}
+        begin: dict[str, Node] = {"sense": sense}
         known = self._read(sought) | {"value": value}
         if not self.ends:
             for name, tree in (("left", rules.LOWER), ("right", rules.UPPER)):

@@ -166,7 +166,7 @@ class SearchTable:
         here, above = at(1), {f"{name}_above": cell for name, cell in at(0).items()}
         for name, col in [(name, columns[name]) for name in names]:
             self._down(row, col, count, first[name], with_symbols(rules[name], at(0)), at(0))
-        for name, col in (("column", COLUMN), ("near", NEAR), ("sense", SENSE), ("limit", LIMIT), ("side", SIDE)):
+        for name, col in (("near", NEAR), ("sense", SENSE), ("limit", LIMIT), ("side", SIDE)):
             if name in first:
                 self._down(row, col, count, first[name], CellRef(row, col, False, True), at(0))
         for col, (name, tree) in probing.items():
