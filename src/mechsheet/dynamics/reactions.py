@@ -310,7 +310,7 @@ class Reactions:
 
     def _work(self, contact: Contact) -> Node:
         """What all that acts does, in forces, while the follower's variable grows and the cam stands."""
-        works, turnings = own_works(self.acting, self.poses.mechanism, contact.moved, contact.turned)
+        works, turnings = own_works(self.acting, contact.moved, contact.turned)
         return al.total([*works, *(over(turning, self.columns.metre) for turning in turnings)])
 
     def _press(self, contact: Contact, work: Node) -> Vector:

@@ -16,7 +16,6 @@ from livesheet.formula.nodes import Node, Symbol
 from livesheet.formula.vectors import Vector
 from mechsheet.dynamics.acting import ActingForces
 from mechsheet.kinematics.build_equations import Found
-from mechsheet.model import Mechanism
 from mechsheet.units import Unit
 from mechsheet.words.equations import phrase
 
@@ -26,7 +25,6 @@ LONGEST = 4000
 
 def own_works(
     acting: ActingForces,
-    mechanism: Mechanism,
     moved: Callable[[str, Vector], Vector],
     turned: Callable[[str], Node],
 ) -> tuple[list[Node], list[Node]]:
@@ -36,7 +34,7 @@ def own_works(
     """
     works: list[Node] = []
     turnings: list[Node] = []
-    for link in mechanism.links[1:]:
+    for link in acting.poses.mechanism.links[1:]:
         own = acting.of(link.name)
         for force in own.forces[: own.own[0]]:
             works += [al.mul(part, way) for part, way in zip(force.vector, moved(link.name, force.at), strict=True)]
@@ -56,7 +54,7 @@ def effort_by_work(acting: ActingForces, found: Found, efforts: Mapping[str, str
         raise ValueError("virtual work needs influence coefficients")
     mechanism = found.poses.mechanism
     works, turnings = own_works(
-        acting, mechanism, lambda link, at: motions.motion[link](at).first, lambda link: motions.turning[link].first
+        acting, lambda link, at: motions.motion[link](at).first, lambda link: motions.turning[link].first
     )
     effort = efforts[mechanism.driver.symbol]
     for driver in mechanism.drivers:
