@@ -33,7 +33,7 @@ from mechsheet.sheet.transmission import POOR
 
 ROOT = Path(__file__).parent.parent
 DOCS = ROOT / "docs"
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path.append(str(ROOT / "tools"))
 import reference  # noqa: E402
 
 BLOCK = re.compile(r"```toml\n(.*?)```", re.DOTALL)

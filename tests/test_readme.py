@@ -12,7 +12,7 @@ from chosen import IN_CI
 from mechsheet.cli import main
 
 ROOT = Path(__file__).parent.parent
-sys.path.insert(0, str(ROOT / "tools"))
+sys.path.append(str(ROOT / "tools"))
 from documented import PAGES, commands  # noqa: E402
 
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
