@@ -97,7 +97,7 @@ def crossed(boxes: Boxes, lines: Lines) -> Array:
     way_x, way_y = half[line].T
     across = np.abs(offset_x[box, line] * way_y - offset_y[box, line] * way_x)
     meets = across <= room[0][box, line] * np.abs(way_y) + room[1][box, line] * np.abs(way_x)
-    return np.bincount(box[meets], minlength=len(boxes.middles))
+    return np.asarray(np.bincount(box[meets], minlength=len(boxes.middles)))
 
 
 def covered(boxes: Boxes, others: Boxes) -> Array:
@@ -107,7 +107,7 @@ def covered(boxes: Boxes, others: Boxes) -> Array:
         < boxes.halves[:, None, axis] + others.halves[:, axis]
         for axis in (0, 1)
     )
-    return np.count_nonzero(beside & above, axis=1)
+    return np.asarray(np.count_nonzero(beside & above, axis=1))
 
 
 class Sheet:
