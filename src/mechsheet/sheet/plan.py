@@ -179,7 +179,7 @@ class Plan:
         return {each.quantity: Banded(each.quantity, tuple(each.by)) for each in self.sensitivities.of}
 
     @cached_property
-    def band_places(self) -> dict[str, int]:
+    def band_decimals(self) -> dict[str, int]:
         """By quantity with a band: the decimals of which the last is the band's first digit, in most rows."""
         found = {}
         for name, column in sizes(self.mechanism, self.sensitivities, self.equations, self.nominal).items():

@@ -111,7 +111,7 @@ def test_decimals_follow_the_band():
     """100.8 +- 0.1: no digit that the tolerances cannot hold."""
     compiled = Compiled(slider('["stroke", "C.x"]'))
     plan = compiled.plan
-    assert plan.band_places["s14"] == 1
+    assert plan.band_decimals["s14"] == 1
     sheet = compiled.workbook.sheet(plan.main)
     row = plan.blocks["summary"].rows["stroke"]
     (value,) = (fill for fill in sheet.fills if (fill.row, fill.col) == (row, 1))

@@ -74,7 +74,7 @@ class InputEnd(Finding):
             end = driver_at(on.plan, (stretch.begin if first else stretch.end).cell)
         value = formula("IF(stretches=0,NA(),value)", stretches=count, value=end)
         words = self._words(on, count) if first else Text("")
-        return Line(on.text("input") if first else "", value, words, on.driver.unit.text, on.driver_places())
+        return Line(on.text("input") if first else "", value, words, on.driver.unit.text, on.driver_decimals())
 
     def _words(self, on: Reading, count: Node) -> Node:
         everywhere = formula("AND(count=rows,whole>0,passes=0)", count=on.value("rows_closed"), rows=on.of_rows,
