@@ -144,7 +144,7 @@ def _driver(driver: Driver, parts: Parts, reading: Reading) -> dict[str, Any]:
 def _dimensions(parts: Parts, language: str) -> list[dict[str, Any]]:
     found = []
     for dim in parts.dimensions:
-        if dim.place or dim.symbol not in parts.numbers:
+        if dim.path or dim.symbol not in parts.numbers:
             continue
         found.append(
             {
@@ -182,7 +182,7 @@ def _cells(reading: Reading, language: Language) -> list[dict[str, Any]]:
             value = dim.shown if dim.shown is not None else dim.unit.to_shown(dim.value)
             found.append(
                 {
-                    "place": dotted(dim.place),
+                    "place": dotted(dim.path),
                     "symbol": dim.symbol,
                     "value": value,
                     "unit": dim.unit.text,

@@ -492,7 +492,7 @@ def _note_lengths(poses: Poses) -> None:
     for link in poses.mechanism.links[1:]:
         pins = [point for point, bodies in poses.graph.pins if link.name in bodies]
         wrong = given.get(poses.places[link.name].note_length(*pins)) if len(pins) == 2 else None
-        if wrong is not None and not wrong.place:
+        if wrong is not None and not wrong.path:
             message = say(
                 "{symbol} is the length of {link} from {start} to {end}: it must be greater than 0, not {value:.12g}",
                 symbol=wrong.symbol, link=link.name, start=pins[0], end=pins[1], value=wrong.value,

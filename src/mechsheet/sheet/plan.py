@@ -340,6 +340,6 @@ def block_of(dim: Dimension) -> str:
     what has a sheet of its own."""
     places = {"driver": "motion", "flywheel": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
     places |= {"joints": "gears", "drivers": "drivers", "synthesis": "synthesis", "cam": "cam"}
-    if dim.place[1:2] == ("segments",):
+    if dim.path[1:2] == ("segments",):
         return "cam"
-    return places[str(dim.place[0])] if dim.place else ""
+    return places[str(dim.path[0])] if dim.path else ""

@@ -170,9 +170,7 @@ def test_a_template_with_tolerances_has_the_bands_that_its_first_lines_promise(t
 def all_toleranced(name):
     """A template with a tolerance at every input and a band of its last angle or displacement."""
     mechanism = load(TEMPLATES / f"{name}.toml")
-    dimensions = tuple(
-        dim if dim.derived or dim.place else replace(dim, tolerance=0.05) for dim in mechanism.dimensions
-    )
+    dimensions = tuple(dim if dim.derived or dim.path else replace(dim, tolerance=0.05) for dim in mechanism.dimensions)
     if mechanism.bands is not None:
         return replace(mechanism, dimensions=dimensions)
     compiled = Compiled(mechanism)

@@ -169,7 +169,7 @@ class _Reader:
         scope.symbols.claim(symbol, what, path, hint)
         shown = value if isinstance(value, float) else None
         written = given if isinstance(given, str) else ""
-        self.cells.append(Dimension(symbol, value, unit, shown=shown, written=written, place=path))
+        self.cells.append(Dimension(symbol, value, unit, shown=shown, written=written, path=path))
         return Symbol(symbol)
 
     def _own_place(self, value: Any, names: tuple[str, str], path: Path, link: Link) -> Place:

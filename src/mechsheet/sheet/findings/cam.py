@@ -66,7 +66,7 @@ class PressureAngle(Finding):
         return Line(
             rich("alpha"), formula(shown, x=formula("MAX(ABS(high),ABS(low))", high=high, low=low)),
             on.where_it_closes(words), unit.text, decimals_of_kind(on.plan, "angle"),
-            place=formula("IF(ABS(high)>=ABS(low),place,other)", high=high, low=low, place=at_high, other=at_low),
+            occurs=formula("IF(ABS(high)>=ABS(low),place,other)", high=high, low=low, place=at_high, other=at_low),
             levels=(look("value>limit", value=value, limit=limit), good("value<=limit", value=value, limit=limit)),
         )  # fmt: skip
 
@@ -103,7 +103,8 @@ class LeastRadius(Finding):
         words = formula("IF(IFERROR(value<=0,FALSE),undercut,fine)&doubt", value=value, fine=fine, undercut=undercut,
                         doubt=doubt)  # fmt: skip
         return Line(
-            rich("rho"), least, on.where_it_closes(words), plan.mechanism.length_unit, decimals_of_kind(plan, "length"), place=place,
+            rich("rho"), least, on.where_it_closes(words), plan.mechanism.length_unit, decimals_of_kind(plan, "length"),
+            occurs=place,
             levels=(bad("value<=0", value=value), good("value>0", value=value)),
         )  # fmt: skip
 
@@ -123,7 +124,7 @@ class ContactForce(Finding):
         words = formula("IF(value<0,lifts,stays)&doubt", value=value, lifts=lifts, stays=on.text(f"{self.key}.stays"),
                         doubt=on.doubt(CONTACT, "min"))  # fmt: skip
         return Line(
-            rich(CONTACT), least, on.where_it_closes(words), unit.text, decimals_of_unit(on.plan, unit), place=place,
+            rich(CONTACT), least, on.where_it_closes(words), unit.text, decimals_of_unit(on.plan, unit), occurs=place,
             levels=(bad("value<0", value=value), good("value>=0", value=value)),
         )  # fmt: skip
 
@@ -215,7 +216,8 @@ class LargestRate(Finding):
         unit = plan.equations.of(symbol).unit
         place = on.driver_in_row("IFERROR(MATCH(value,all,0),MATCH(-value,all,0))", value=rows, all=column)
         return Line(
-            rich(symbol), largest, on.where_it_closes(words), shown_unit(plan, symbol), decimals_of_unit(plan, unit), place=place
+            rich(symbol), largest, on.where_it_closes(words), shown_unit(plan, symbol), decimals_of_unit(plan, unit),
+            occurs=place,
         )  # fmt: skip
 
     def _largest(self, part: Segment) -> Node:

@@ -99,7 +99,7 @@ class LargestGap(Finding):
         some = ",".join(f"said={name}" for name in wrong)
         return Line(
             on.text("gap"), on.checks.worst("gap"), words, plan.mechanism.length_unit, SMALL,
-            place=formula('IFERROR(place,"")', place=on.checks.worst_at("gap")),
+            occurs=formula('IFERROR(place,"")', place=on.checks.worst_at("gap")),
             levels=(bad(f"OR({some})", said=said, **wrong), good("said=closed", said=said, closed=closed)),
         )  # fmt: skip
 

@@ -35,7 +35,7 @@ class LargestEffort(Finding):
         unit = on.plan.equations.of(effort).unit
         return Line(
             rich(effort), on.checks.worst("effort"), on.where_it_closes(on.text(self.key)), unit.text,
-            decimals_of_unit(on.plan, unit), place=formula('IFERROR(place,"")', place=on.checks.worst_at("effort")),
+            decimals_of_unit(on.plan, unit), occurs=formula('IFERROR(place,"")', place=on.checks.worst_at("effort")),
         )  # fmt: skip
 
 
@@ -53,7 +53,7 @@ class LargestForce(Finding):
         return Line(
             on.text(self.key), on.checks.worst("force"), on.where_it_closes(joined(on.text(f"{self.key}.words"), *names)),
             plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else "", decimals_of_kind(plan, "force"),
-            place=formula('IFERROR(place,"")', place=on.checks.worst_at("force")),
+            occurs=formula('IFERROR(place,"")', place=on.checks.worst_at("force")),
         )  # fmt: skip
 
 

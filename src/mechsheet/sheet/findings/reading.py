@@ -158,7 +158,7 @@ class Reading(ABC):
         """The smallest or the largest value of a quantity, as its column has it."""
 
     @abstractmethod
-    def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
+    def occurs_at_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
         """The driver's value where what follows from a quantity is least, which the finding's cell shows. It is the smaller
         of two, `folded`: where the quantity is smallest, and where it is largest."""
 
@@ -224,7 +224,7 @@ class SheetReading(Reading):
     def column_extreme(self, way: Way, symbol: str) -> Node:
         return self.found.extremes[way, symbol].value.cell
 
-    def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
+    def occurs_at_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
         low, high = (self.found.extremes[way, symbol].occurs.cell for way in ("min", "max"))
         return formula("IF(one<=other+1E-6,place,elsewhere)", one=folded[0], other=folded[1], place=low, elsewhere=high)
 

@@ -116,7 +116,7 @@ class PageReading(Reading):
     def driver_in_row(self, row: str, **holes: Node) -> Node:
         return formula(f'IFERROR(INDEX(drivers,{row}),"")', drivers=self.drivers, **holes)
 
-    def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
+    def occurs_at_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
         low, high = (self.column_extreme(way, symbol) for way in ("min", "max"))
         row = "MATCH(IF(cell=other,high,low),column,0)"
         if folded[0] == low:  # the cell itself is in the column, or what is missing to a straight angle
