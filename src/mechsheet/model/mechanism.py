@@ -14,7 +14,7 @@ from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 from .asked import Exercise, Study, Synthesis, Tolerances
 from .cams import Cam, Segments
 from .loads import Dynamics
-from .places import Place
+from .points import GivenPoint
 from .symbols import TIME, Quantity, rate_symbols
 from .takes import Take
 
@@ -61,7 +61,7 @@ class Link:
 
     name: str
     number: int
-    points: Mapping[str, Place]
+    points: Mapping[str, GivenPoint]
     label: Words | None = None
 
     @property

@@ -15,7 +15,7 @@ from mechsheet.compiled import Compiled
 from mechsheet.homework.classroom.cam import cam_lines, sign_of
 from mechsheet.homework.classroom.directions import Direction, Directions
 from mechsheet.kinematics.equations import FORCES
-from mechsheet.model import Cartesian, Dimension, Distances, Gear, Joint, Link, Place, Polar, Quantity, Rack
+from mechsheet.model import Cartesian, Dimension, Distances, Gear, GivenPoint, Joint, Link, Polar, Quantity, Rack
 from mechsheet.sheet.mathematics import Part, written
 from mechsheet.units import DEG
 from mechsheet.words.catalogue import words
@@ -207,7 +207,7 @@ class Statement:
                 return [NEXT, (f"{centre} = {at}", "")] if isinstance(at, str) else self._place(link, centre, at)
         return []
 
-    def _place(self, link: Link, name: str, place: Place) -> Line:
+    def _place(self, link: Link, name: str, place: GivenPoint) -> Line:
         return self._distances(name, place) if isinstance(place, Distances) else self._point(link, name, place)
 
     def _defined(self, symbol: str, unit: str, formula: Node, label: str) -> Rich:

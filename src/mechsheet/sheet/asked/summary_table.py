@@ -205,9 +205,11 @@ class Helpers:
         if not take.ways:
             return self._line("result", "value", self.shown, value=take.over(self._of_rows))
         wraps = self._wraps()
-        style = self.shown if take.place else self.style
+        style = self.shown if take.occurs_with else self.style
         found = {part: self._extreme(way, wraps, style) for part, way in WAYS.items() if part in take.parts}
-        return found.get(take.place) or self._line("result", "value", self.shown, value=take.over(found.__getitem__))
+        return found.get(take.occurs_with) or self._line(
+            "result", "value", self.shown, value=take.over(found.__getitem__)
+        )
 
     def _of_rows(self, part: str) -> Node:
         """A part that the rows alone decide."""

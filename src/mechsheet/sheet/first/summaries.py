@@ -137,7 +137,7 @@ def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
         value, where = (formula("INDEX(column,row)", column=each, row=row) for each in (column, drivers))
         return value, where
 
-    place = summary.take.place
+    place = summary.take.occurs_with
     return summary.take.over(lambda part: found(part)[0]), found(place)[1] if place else None
 
 
