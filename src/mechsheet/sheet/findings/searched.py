@@ -86,7 +86,7 @@ class SearchedMotion:
         """So much of its range a number may be off."""
         return ABOUT if self.says(key, "about") else EXACT
 
-    def place_allowed(self) -> float:
+    def allowed_where(self) -> float:
         """By how much a limit may be off."""
         part = 1.0 if self.search.doubtful or self.says("limits", "within") else EXACT
         return max(part * abs(self.search.step) * self.driver_scale, 1e-9)
