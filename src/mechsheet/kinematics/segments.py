@@ -77,7 +77,10 @@ class _OfRow:
 
 
 def _halves(motion: Segments, tau: Symbol, ledger: Ledger) -> dict[str, Node]:
-    """What laws that are made of pieces read; nothing where there are none."""
+    """What laws that are made of pieces read; nothing where there are none.
+
+    Which half it is decides alone: in the middle, whose derivatives are those of the first half, no MIN may take the other.
+    """
     if not {WAVE, HALF, PIECE} & {name for each in motion.parts for way in each.way for name in symbols(way)}:
         return {}
 
@@ -85,11 +88,12 @@ def _halves(motion: Segments, tau: Symbol, ledger: Ledger) -> dict[str, Node]:
         return Call("IF", (Binary(">", nearer, Number(part + MEETING)), al.ONE, al.ZERO))
 
     half = Call("IF", (Binary(">", tau, Number(0.5 + MEETING)), al.ONE, al.ZERO))
-    nearer = Call("MIN", (tau, al.sub(al.ONE, tau)))
+    later = ledger.column("q", half, NUMBER, phrase("segment_half"))
+    nearer = Call("IF", (Binary("=", later, al.ONE), al.sub(al.ONE, tau), tau))
     piece = al.total([al.ONE, beyond(EIGHTH), beyond(MOST_RISING)])
     wave = al.mul(al.mul(Number(4.0), al.PI), nearer)
     return {
-        HALF: ledger.column("q", half, NUMBER, phrase("segment_half")),
+        HALF: later,
         PIECE: ledger.column("p", piece, NUMBER, phrase("segment_piece")),
         WAVE: ledger.column("w", wave, NUMBER, phrase("segment_wave")),
     }

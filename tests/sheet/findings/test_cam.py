@@ -162,7 +162,7 @@ def test_factors_of_all_laws_are_those_of_their_formulas():
         found = sweep(mechanism, solve(mechanism), {"phi": np.radians(np.linspace(0, 90, 20001)[:-1])})
         for ending, power, factor in zip(("d", "dd", "ddd"), (1, 2, 3), factors, strict=True):
             largest = np.max(np.abs(found[f"s.{ending}"])) * (math.pi / 2) ** power / 20
-            assert largest == pytest.approx(factor, rel=1e-3, abs=1e-9), (law, ending)
+            assert largest == pytest.approx(factor, rel=1e-5, abs=1e-9), (law, ending)
 
 
 @pytest.mark.parametrize(
