@@ -11,10 +11,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
+import numpy as np
+
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, with_symbols
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.model import HALF, PIECE, TAU, WAVE, FurtherDriver, Segments
+from mechsheet.kinematics.numeric import Array, value
+from mechsheet.model import HALF, PIECE, TAU, WAVE, FurtherDriver, Segment, Segments
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
@@ -97,6 +100,15 @@ def _halves(motion: Segments, tau: Symbol, ledger: Ledger) -> dict[str, Node]:
         PIECE: ledger.column("p", piece, NUMBER, phrase("segment_piece")),
         WAVE: ledger.column("w", wave, NUMBER, phrase("segment_wave")),
     }
+
+
+def ways_over(part: Segment, tau: Array) -> list[Array]:
+    """f, f', f'' and f''' of a segment's law at parts of it, as numbers."""
+    half = tau > 0.5
+    nearer = np.where(half, 1.0 - tau, tau)
+    piece = 1.0 + (nearer > EIGHTH) + (nearer > MOST_RISING)
+    known = {TAU: tau, HALF: half * 1.0, PIECE: piece, WAVE: 4.0 * np.pi * nearer}
+    return [np.broadcast_to(np.asarray(value(way, known), float), tau.shape) for way in part.way]
 
 
 def _power(over: Node, order: int) -> Node:

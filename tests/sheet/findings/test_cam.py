@@ -48,6 +48,16 @@ def test_undercut_face_and_the_base_circle_that_would_do():
     assert number > 0 and not words.startswith("undercut")
 
 
+def test_a_knife_edge_is_a_roller_without_radius():
+    """The search of `check` says the same: it has a position in every row, and the radius is that of the pitch curve."""
+    mechanism = load(TEMPLATES / "cam-slide.toml", Overrides({"rr": "0"}))
+    assert line(mechanism, "inputs") == (0, "all hold possible values")
+    fine = sweep(mechanism, solve(mechanism), {"phi": np.radians(np.arange(0, 360, 0.05))})
+    assert line(mechanism, "least_rho")[0] == pytest.approx(1 / np.max(fine["kappa"]), rel=1e-5)
+    text = (TEMPLATES / "cam-slide.toml").read_text(encoding="utf-8").replace('radius = "rr"', "radius = 0")
+    assert line(loads(text), "inputs")[0] == 0  # the radius has a cell of its own
+
+
 def test_undercut_roller():
     number, words = line(load(TEMPLATES / "cam-slide.toml", Overrides({"rb": "5", "rr": "30"})), "least_rho")
     assert number <= 0 and words == "undercut: this profile cannot be made"

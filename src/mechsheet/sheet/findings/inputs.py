@@ -102,7 +102,9 @@ def inputs_of(plan: Plan) -> list[Input]:
         of_ties = dim.place[:1] in (("joints",), ("drivers",), ("cam",)) or dim.place[1:2] == ("segments",)
         if isinstance(dim.value, float) and (not dim.place or of_ties or dim.symbol in of_law):
             kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
-            if dim.place[-1:] in (("ratio",), ("radius",)):
+            if (
+                dim.place[-1:] in (("ratio",), ("radius",)) and dim.place[0] != "cam"
+            ):  # whose roller may be a knife edge
                 kind = "step"  # not 0
             spot = plan.at.spots[dim.symbol]
             found.append(Input(spot, plain(dim.symbol), kind, spot.row))
