@@ -7,6 +7,7 @@ import pytest
 from edited import TEMPLATES, edited, laid_out, saved
 from placed import places_of
 
+import random_cams
 from livesheet.diagnostics import WorkbookError
 from livesheet.engine import compile_book
 from livesheet.evaluation import book_of
@@ -214,3 +215,15 @@ def test_wrong_words_of_a_cam_are_found(key, words, layout, col):
     found = against_search(book_of(compiled.layout), values, compiled.plan, "cam-valve")
     assert not found.agrees
     assert f"({key})" in found.where
+
+
+@pytest.mark.cases(3)
+@pytest.mark.parametrize("seed", range(60))
+def test_random_cams_say_what_the_search_finds(seed):
+    """All laws, leaps of the acceleration, knife edges, springs; on sheets, and on a page."""
+    text = random_cams.cam(seed)
+    mechanism = loads(random_cams.loaded(text) if seed % 2 else text)
+    for layout in ("sheets", "page"):
+        compiled = Compiled(replace(mechanism, layout=layout))
+        found = against_search(book_of(compiled.layout), compiled.cells.values(), compiled.plan, "cam")
+        assert found.agrees, (layout, found)

@@ -79,6 +79,25 @@ def test_leaps():
     )  # fmt: skip
 
 
+@pytest.mark.slow
+def test_a_motion_that_ends_leaps_where_it_stops():
+    """It stands still before it begins and after it ends."""
+    text = (TEMPLATES / "cam-slide.toml").read_text(encoding="utf-8").split("[[driver.segments]]")[0]
+    text = text.replace("step = 5", "step = 5\nclosed = false")
+    text += '[[driver.segments]]\nlaw = "uniform"\nover = 90\nby = "h1"\n'
+    text += '[cam]\ncenter = "O"\nbase_radius = "rb"\nroller = { point = "C", radius = "rr" }\n'
+    assert line(loads(text), "velocity_leaps") == (
+        2, "infinite acceleration: the velocity leaps at 0° (uniform) 90° (uniform)",
+    )  # fmt: skip
+
+
+def test_beside_leaps_of_the_acceleration_an_extreme_is_about_right():
+    """The least force is just before 360 degrees, where the parabolic rise begins again: no probe lies so near."""
+    text = (TEMPLATES / "cam-valve.toml").read_text(encoding="utf-8")
+    assert not line(loads(text), "contact_force")[1].endswith("(about)")
+    assert line(loads(text.replace("modified sine", "parabolic")), "contact_force")[1].endswith("(about)")
+
+
 def test_outputs_summaries_and_charts_read_the_cams_columns_without_a_speed():
     text = (
         (TEMPLATES / "cam-slide.toml")

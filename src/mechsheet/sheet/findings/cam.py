@@ -417,7 +417,8 @@ def _extremes(motion: SearchedMotion, key: str, symbol: str) -> tuple[Extremes |
     And by how much a number of them may be off: one that is about right by what lies between the rows, too.
     """
     search, rows_only = motion.search, motion.page or motion.says(key, "rows.only")
-    if symbol not in search.at or not (rows_only or motion.sure) or motion.says(key, "beyond"):
+    elsewhere = motion.says(key, "beyond") or motion.says(key, "boundless")
+    if symbol not in search.at or elsewhere or not (rows_only or motion.sure):
         return None, 0.0
     of_rows, found = search.extremes(symbol, rows_only=True), search.extremes(symbol, rows_only=rows_only)
     if found is None or of_rows is None or not found[2] - found[0] <= POLE * max(of_rows[2] - of_rows[0], SAME):
