@@ -14,7 +14,7 @@ from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import Mechanism, Sketch
-from mechsheet.reference.geometry import places
+from mechsheet.reference.geometry import points_in_links
 from random_mechanisms import Body, Grower
 
 NOISE = 0.05
@@ -114,7 +114,7 @@ def case_of(mechanism: Mechanism, seed: int, noise: float = NOISE) -> Case | Non
     random = np.random.default_rng([31, seed])
     numbers = reference.dimension_values(mechanism)
     first = float(reference.driver_values(mechanism, numbers)[0])
-    located = places(mechanism, numbers)
+    located = points_in_links(mechanism, numbers)
     found = [_points(poses, located) for poses in reference.assemblies(mechanism, None, first)]
     drawn = {
         name: tuple(number(part, numbers) for part in place)

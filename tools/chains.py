@@ -19,7 +19,8 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).parent.parent
-sys.path[:0] = [str(ROOT / "src"), *(str(ROOT / "tests" / name) for name in (".", "sheet", "sheet/table", "dynamics"))]
+TESTS = (".", "sheet", "sheet/table", "dynamics", "reference")
+sys.path[:0] = [str(ROOT / "src"), *(str(ROOT / "tests" / name) for name in TESTS)]
 
 from test_chains import mechanism_of, worst_of  # noqa: E402
 from test_start_table import judged, text_of  # noqa: E402

@@ -27,15 +27,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
-sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests" / "sheet" / "findings"), str(ROOT / "src")]
+TESTS = (".", "sheet", "sheet/findings")
+sys.path[:0] = [*(str(ROOT / "tests" / name) for name in TESTS), str(ROOT / "src")]
 
 from claimed import Sheets, named_sheets, settings_of  # noqa: E402
 from claims import Claims, judge, judge_typed  # noqa: E402
 
 from chosen import LISTED, but  # noqa: E402
+from livesheet.diagnostics import WorkbookError  # noqa: E402
 from mechsheet.checking.programs import answers_to_all  # noqa: E402
 from mechsheet.checking.searched.against_search import against_search  # noqa: E402
-from mechsheet.diagnostics import WorkbookError  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "proof.md"
 Inputs = dict[str, float]

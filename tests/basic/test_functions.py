@@ -186,7 +186,9 @@ def test_what_is_not_read_is_left_out_and_told():
     ("F = A(1)", True), ("Dim q(3)\nF = 1", True), ("F = Rnd()", True), ("Set F = x", True), ("GoTo Up\nUp:\nF = x", False),
     ("Up:\nF = x\nGoTo Up", True), ("While F < x\nF = F + 1\nWend", False), ("Select Case x\nEnd Select", True),
     ("F = Application.WorksheetFunction.Atan2(1, x)", False), ('F = "a" & x', True), ("Static n\nF = n", True),
-    ("Dim d#, n%\nd# = 2.5: n% = d#\nF = n", False), ("F = x:Dim e", False),
+    ("Dim d#, n%\nd# = 2.5: n% = d#\nF = n", False), ("F = x:Dim e", False), ("F = 1 + Not x", True),
+    ("F = +x - -(+2)", False),
+    ("F = Sqr(x", True),
 ])  # fmt: skip
 def test_each_thing_is_read_or_refused(body, refused):
     names, faults = names_of(f"Function F(x)\n{body}\nEnd Function\n")

@@ -6,7 +6,7 @@ import pytest
 import mechsheet
 from chosen import part
 from judging import judged
-from mechsheet.checking.conditioning import excused
+from mechsheet.checking.excuses.columns import given_by_rounding
 from mechsheet.description import loads
 from mechsheet.reference import solve, variables
 
@@ -90,14 +90,14 @@ def test_what_rounding_excuses_and_what_not(formula, row, value, right):
     found = variables(solution)
     ours = found["q"].copy()
     ours[row] = value
-    assert excused(solution, found, "q", ours, 1.0)[row] == right
+    assert given_by_rounding(solution, found, "q", ours, 1.0)[row] == right
 
 
-def test_rows_that_do_not_exist_are_never_excused():
+def test_rows_that_do_not_exist_are_never_given_by_rounding():
     solution = solve(with_output("1/sin(theta12)", HEAD.replace("B0 = [70, 0]", "B0 = [110, 0]")))
     missing = np.flatnonzero(~solution.exists)
     assert len(missing)
-    assert not excused(solution, variables(solution), "q", np.full(25, 5.0), 1.0)[missing].any()
+    assert not given_by_rounding(solution, variables(solution), "q", np.full(25, 5.0), 1.0)[missing].any()
 
 
 IN_LINE = [(30, 32.3, 62.3), (92.3, 30, 62.3), (0.1, 0.2, 0.3), (33.3, 29, 62.3), (12.1, 50.2, 62.3), (70, 7.7, 62.3)]

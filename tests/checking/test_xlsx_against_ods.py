@@ -21,8 +21,8 @@ from livesheet.formula.book import BookBuilder
 from livesheet.formula.nodes import Unary
 from livesheet.formula.parser import parse_formula
 from mechsheet.checking import check, with_twins
+from mechsheet.checking.excuses.cells import EqualRows
 from mechsheet.checking.inputs import Inputs, OfTheLast
-from mechsheet.checking.lookup_ties import names_an_equal_row
 from mechsheet.checking.report import difference
 from mechsheet.checking.xlsx_against_ods import compare_twins
 from mechsheet.cli import main
@@ -219,11 +219,11 @@ class TestCellsThatSayWhere:
     )
     def test_rows(self, book, sought, theirs, right):
         formula = parse_formula(f'IFERROR(INDEX(A1:A5,MATCH({sought},B1:B5,0)),"")')
-        assert names_an_equal_row(formula, "S", evaluate(book), theirs, 1.0) is right
+        assert EqualRows(evaluate(book), 1.0).has(formula, "S", theirs) is right
 
     def test_other_formulas(self, book):
         for text in ("INDEX(A1:A5,2)", "MATCH(C1,B1:B5,0)", "A2"):
-            assert not names_an_equal_row(parse_formula(text), "S", evaluate(book), 30.0, 1.0)
+            assert not EqualRows(evaluate(book), 1.0).has(parse_formula(text), "S", 30.0)
 
 
 def test_numbers_in_texts_are_numbers():

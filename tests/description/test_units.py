@@ -152,7 +152,7 @@ def test_a_product_without_its_sign_is_no_unit():
 def test_a_displacement_has_a_speed_in_lengths():
     source = mechsheet.template("cylinder-boom").text
     source = source.replace("[driver]", '[driver]\nspeed = "0.05 m/s"')
-    (speed,) = [dim for dim in mechsheet.loads(source).dimensions if dim.place == ("driver", "speed")]
+    (speed,) = [dim for dim in mechsheet.loads(source).dimensions if dim.path == ("driver", "speed")]
     assert (speed.shown, speed.unit.text) == (50.0, "mm/s")
 
 

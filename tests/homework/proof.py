@@ -57,7 +57,7 @@ def other_inputs(mechanism: Mechanism, draw: random.Random) -> Mechanism:
 def _changed(mechanism: Mechanism, draw: random.Random) -> Mechanism:
     values = {}
     for dim in mechanism.dimensions:
-        if not (dim.derived or dim.place) and isinstance(dim.value, float):
+        if not (dim.derived or dim.path) and isinstance(dim.value, float):
             shown = float(dim.unit.to_shown(dim.value))
             moved = shown and dim.unit.kind in ("length", "angle")
             values[dim.symbol] = round(shown * (1 + draw.uniform(-0.01, 0.01)), 4) if moved else shown

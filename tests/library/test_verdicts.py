@@ -72,6 +72,4 @@ def test_it_has_a_cell_and_what_is_typed_there_comes_back(tmp_path):
 
 def test_in_turkish():
     linkage = mechsheet.loads(of().text, language="tr")
-    assert verdict(told(linkage)).endswith(
-        "; atalet momentleri düzgün dönmeyen şu uzuvlar için verilmedi, 0 alındı: biyel"
-    )
+    assert verdict(told(linkage)).endswith("; atalet momentleri verilmedi, 0 alındı; düzgün dönmeyen uzuvlar: biyel")

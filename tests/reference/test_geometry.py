@@ -8,7 +8,7 @@ from livesheet.formula.parser import parse_description
 from mechsheet.diagnostics import MechanismError
 from mechsheet.model import Dimension, Distances, Driver, Link
 from mechsheet.reference import dimension_values, driver_values
-from mechsheet.reference.geometry import link_places, places, size
+from mechsheet.reference.geometry import link_points, points_in_links, size
 from mechsheet.units import DEG, unit_of
 
 
@@ -75,7 +75,7 @@ def test_values_one_by_one():
 def test_point_by_distances():
     four_bar = read("four-bar", EXAMPLES)
     numbers = dimension_values(four_bar)
-    coupler = places(four_bar, numbers)["coupler"]
+    coupler = points_in_links(four_bar, numbers)["coupler"]
     assert np.hypot(*coupler["C"]) == pytest.approx(126.6, rel=1e-15)
     assert np.hypot(*(coupler["C"] - coupler["B"])) == pytest.approx(84.1, rel=1e-15)
     assert np.degrees(np.arctan2(coupler["C"][1], coupler["C"][0])) == pytest.approx(35.538, abs=5e-4)
@@ -83,9 +83,9 @@ def test_point_by_distances():
 
 def test_point_by_distances_that_do_not_meet():
     link = Link("l", 2, {"C": Distances("A", 1.0, "B", 1.0, "right"), **read("drag-link").links[2].points})
-    assert np.isnan(link_places(link, {"a3": 3.5})["C"]).all()
-    assert link_places(link, {"a3": 2.0})["C"] == pytest.approx([1.0, 0.0])
-    assert link_places(link, {"a3": 1.2})["C"] == pytest.approx([0.6, -0.8])
+    assert np.isnan(link_points(link, {"a3": 3.5})["C"]).all()
+    assert link_points(link, {"a3": 2.0})["C"] == pytest.approx([1.0, 0.0])
+    assert link_points(link, {"a3": 1.2})["C"] == pytest.approx([0.6, -0.8])
 
 
 def test_points_in_a_circle():
@@ -99,7 +99,7 @@ def test_points_in_a_circle():
         },
     )
     with pytest.raises(MechanismError, match="circle"):
-        link_places(link, {})
+        link_points(link, {})
 
 
 def test_size():

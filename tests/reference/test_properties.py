@@ -13,7 +13,7 @@ from mechsheet.description import loads
 from mechsheet.model import Cartesian, Mechanism, Sketch
 from mechsheet.reference import dimension_values, driver_values, residuals, solve, variables, worst
 from mechsheet.reference.expressions import number
-from mechsheet.reference.geometry import places, through
+from mechsheet.reference.geometry import points_in_links, through
 from random_mechanisms import Grower
 
 pytestmark = pytest.mark.slow
@@ -28,7 +28,7 @@ SEEDS = st.builds(
 def plain(m: Mechanism) -> Mechanism:
     """The same with every quantity a number, and without dimensions."""
     values = dimension_values(m)
-    located = places(m, values)
+    located = points_in_links(m, values)
     links = tuple(
         replace(a, points={p: Cartesian(*map(float, xy)) for p, xy in located[a.name].items()}) for a in m.links
     )

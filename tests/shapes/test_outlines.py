@@ -6,7 +6,7 @@ import pytest
 
 from livesheet.formula.nodes import Symbol
 from mechsheet.model import Cartesian, Distances, Link, Polar
-from mechsheet.shapes.outlines import corners, number_places
+from mechsheet.shapes.outlines import corners, number_points
 
 ENDS = {"A": Cartesian(1.0, 2.0), "B": Polar(Symbol("r"), 0.4)}
 
@@ -15,7 +15,7 @@ ENDS = {"A": Cartesian(1.0, 2.0), "B": Polar(Symbol("r"), 0.4)}
 @pytest.mark.parametrize(("b", "c"), [(4.0, 3.5), (3.5, 4.0), (2.0, 5.0)])
 def test_a_point_by_two_distances_is_as_far_from_both_as_given(b, c, side):
     link = Link("plate", 3, {"C": Distances("A", b, "B", c, side), **ENDS})
-    places = number_places(link, {"r": 5.0})
+    places = number_points(link, {"r": 5.0})
     assert list(places) == ["C", "A", "B"]
     assert places["B"] == pytest.approx((5 * math.cos(0.4), 5 * math.sin(0.4)))
     (ax, ay), (bx, by), (cx, cy) = (places[name] for name in "ABC")
@@ -28,7 +28,7 @@ def test_distances_that_do_not_meet_leave_the_point_on_the_line():
     link = Link(
         "plate", 3, {"A": Cartesian(0.0, 0.0), "B": Cartesian(10.0, 0.0), "C": Distances("A", 2, "B", 3, "left")}
     )
-    x, y = number_places(link, {})["C"]
+    x, y = number_points(link, {})["C"]
     assert (x, y) == pytest.approx(((4 - 9 + 100) / 20, 0.0))
 
 

@@ -44,25 +44,19 @@ def _long(series):
 
 
 def measured(pdf):
-    """Width and height of what is drawn in the colour, in pixels."""
-    command = [
-        "pdftoppm",
-        "-r",
-        str(RESOLUTION),
-        "-f",
-        "1",
-        "-l",
-        "1",
-        "-singlefile",
-        str(pdf),
-        str(pdf.with_suffix("")),
-    ]
-    subprocess.run(command, check=True)
-    head, rest = pdf.with_suffix(".ppm").read_bytes().split(b"\n255\n", 1)
+    """Width and height of what is drawn in the colour, in pixels, on the one page where it is: charts print beside cells."""
+    subprocess.run(["pdftoppm", "-r", str(RESOLUTION), str(pdf), str(pdf.with_suffix(""))], check=True)
+    boxes = [box for page in sorted(pdf.parent.glob(f"{pdf.stem}-*.ppm")) if (box := _inked(page)) is not None]
+    assert len(boxes) == 1, f"{pdf.stem}: the path is on {len(boxes)} pages"
+    return boxes[0]
+
+
+def _inked(page):
+    head, rest = page.read_bytes().split(b"\n255\n", 1)
     width, height = map(int, head.split()[1:3])
     pixels = np.frombuffer(rest, np.uint8).reshape(height, width, 3).astype(int)
     ys, xs = np.nonzero((pixels[..., 0] > 200) & (pixels[..., 1] < 128) & (pixels[..., 2] > 200))
-    return np.ptp(xs) + 1, np.ptp(ys) + 1
+    return (np.ptp(xs) + 1, np.ptp(ys) + 1) if len(xs) else None
 
 
 STATES = {"circle": (200.0, 100.0), "ellipse": (200.0, 50.0), "larger": (700.0, 350.0)}

@@ -9,7 +9,7 @@ from laid import template_text
 from livesheet.engine.texts.number_formats import formatted
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
-from mechsheet.sheet.table.positions import places_of
+from mechsheet.sheet.table.positions import decimals_of_unit
 from mechsheet.units import Unit
 
 
@@ -48,8 +48,8 @@ def test_decimals_are_those_that_say_something():
     plan = Compiled(loads(template_text("four-bar"), overrides=Overrides(rows="3"))).plan
     assert plan.size == 126.6
     units = {"mm": "length", "mm²": "number", "1/mm": "number", "1/mm²": "number", "1": "number"}
-    assert [places_of(plan, Unit(kind, name)) for name, kind in units.items()] == [2, 0, 7, 7, 4]
+    assert [decimals_of_unit(plan, Unit(kind, name)) for name, kind in units.items()] == [2, 0, 7, 7, 4]
     plan.pace = 100.0  # a fast driver: accelerations of 1e6 mm/s²
-    assert [places_of(plan, Unit("length", "mm", per=per)) for per in (1, 2)] == [0, 0]
+    assert [decimals_of_unit(plan, Unit("length", "mm", per=per)) for per in (1, 2)] == [0, 0]
     plan.pace = 0.01
-    assert [places_of(plan, Unit("length", "mm", per=per)) for per in (1, 2)] == [4, 6]
+    assert [decimals_of_unit(plan, Unit("length", "mm", per=per)) for per in (1, 2)] == [4, 6]

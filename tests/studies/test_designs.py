@@ -45,7 +45,7 @@ TEMPLATES = (
 def around(template):
     """A study of small changes of the first inputs of a template."""
     plain = study_of("", template)
-    inputs = [dim for dim in plain.dimensions if isinstance(dim.value, float) and not dim.place and dim.value][:3]
+    inputs = [dim for dim in plain.dimensions if isinstance(dim.value, float) and not dim.path and dim.value][:3]
     spans = []
     for dim in inputs:
         values = [repr(round(dim.unit.to_shown(dim.value) * part, 6)) for part in (0.98, 1.0, 1.01)]

@@ -78,7 +78,7 @@ def test_written_as_promised(name):
     assert all(line.startswith("#") for line in lines if line)
     assert any("Source:" in line for line in lines)
     assert any("What to look at:" in line for line in lines)
-    dimensions = [dim for dim in mechanism.dimensions if not dim.place]  # masses and loads say themselves what they are
+    dimensions = [dim for dim in mechanism.dimensions if not dim.path]  # masses and loads say themselves what they are
     links = [
         link for link in mechanism.links[1:] if link.name not in LINKS
     ]  # a cam that segments bring along has no label
@@ -326,7 +326,7 @@ def test_foot_paths_are_closed_and_flat_below(name, foot):
 
 def test_jansen_has_the_published_lengths():
     found, given = positions("jansen"), dims("jansen")
-    assert len([dim for dim in described("jansen").dimensions if not dim.place]) == 13
+    assert len([dim for dim in described("jansen").dimensions if not dim.path]) == 13
     bars = {
         "b": "YW",
         "c": "YU",

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
 
+from ..diagnostics import FormulaError
+from ..formula.dialects import COMPARISONS, MATHEMATICS, Dialect
 from ..formula.functions import FUNCTIONS
-from ..formula.nodes import Binary, Boolean, Call, ErrorValue, Node, Number, Symbol, Text, Unary
+from ..formula.lexer import Token
+from ..formula.nodes import Binary, Boolean, Call, ErrorValue, Node, Number, Symbol, Text
+from ..formula.precedence import Parser
 from ..said import say
 
 _TOKEN = re.compile(
     r"""\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?)[#!&%@]?
-    | (?P<text>"(?:[^"]|"")*") | (?P<name>[^\W\d]\w*)[%&!\#@$]? | (?P<op><>|<=|>=|:=|[-+*/\\^=<>&(),.]))""",
+    | (?P<text>"(?:[^"]|"")*") | (?P<name>[^\W\d]\w*)[%&!\#@$]? | (?P<op><>|<=|>=|:=|[-+*/\\^=<>&.])
+    | (?P<open>\() | (?P<close>\)) | (?P<separator>,))""",
     re.VERBOSE,
 )
 _SAME = {
@@ -29,8 +33,17 @@ _ERROR_NAMES = {
     "xlerrnull": 2000, "xlerrdiv0": 2007, "xlerrvalue": 2015, "xlerrref": 2023, "xlerrname": 2029, "xlerrnum": 2036,
     "xlerrna": 2042,
 }  # fmt: skip
-_COMPARED = ("=", "<>", "<", ">", "<=", ">=")
 
+_NOT = 5
+"""How strongly Not binds: less than comparisons, more than And."""
+
+_READ = Dialect(
+    "basic", {"or": 1, "xor": 1, "and": 3, **COMPARISONS, **MATHEMATICS, "mod": 32, "\\": 34}, prefix=45, postfix=0
+)
+"""As Excel reads it; what we write has parentheses where LibreOffice reads it otherwise."""
+
+_OPERATORS = ("or", "xor", "and", "not", "mod")
+"""Those that are words."""
 
 MOST_NESTED = 30
 """Levels within each other: of parentheses and signs of an expression, of blocks of a function. People write fewer, and each
@@ -49,15 +62,8 @@ def too_deep() -> NotReadError:
     return NotReadError(say("what is nested deeper than {most} levels", most=MOST_NESTED))
 
 
-class Token(NamedTuple):
-    """kind: number, text, name or op; names in small letters."""
-
-    kind: str
-    text: str
-
-
 def tokens(text: str) -> list[Token]:
-    """The tokens of a statement."""
+    """The tokens of a statement, names in small letters; signs and operators that are words are of kind "op"."""
     found: list[Token] = []
     place, text = 0, text.strip()
     while place < len(text):
@@ -65,7 +71,8 @@ def tokens(text: str) -> list[Token]:
         if match is None:
             raise NotReadError(text[place:])
         kind = str(match.lastgroup)
-        found.append(Token(kind, match[kind] if kind == "text" else match[kind].lower()))
+        read = match[kind] if kind == "text" else match[kind].lower()
+        found.append(Token("op" if read in _OPERATORS else kind, read, place + 1))
         place = match.end()
     return found
 
@@ -81,75 +88,41 @@ def expression(listed: list[Token]) -> Node:
     """The tree of an expression. Raises NotReadError."""
     if len(listed) > MOST_TOKENS:
         raise NotReadError(say("an expression of more than {most} words and signs", most=MOST_TOKENS))
-    parser = _Parser(listed)
-    node = parser.implied(0)
-    if parser.listed:
-        raise NotReadError(parser.listed[0].text)
-    return node
+    parser = _Parser("", _READ, [*listed, Token("end", "", 0)])
+    try:
+        return parser.parse()
+    except FormulaError:
+        raise NotReadError(parser.next.text or "…") from None
 
 
-class _Parser:
-    """Tokens that are left; one method for each strength of operators, the weakest first."""
-
-    def __init__(self, listed: list[Token]) -> None:
-        self.listed = list(listed)
-        self.depth = 0
-
-    def at(self, *texts: str) -> bool:
-        return bool(self.listed) and self.listed[0].kind != "text" and self.listed[0].text in texts
-
-    def take(self) -> Token:
-        if not self.listed:
-            raise NotReadError("…")
-        return self.listed.pop(0)
+class _Parser(Parser):
+    """Not is an operator with one side; a call may be of a function of Basic, of the module or of spreadsheets."""
 
     def deeper(self) -> None:
-        """One level more, up to the limit."""
         self.depth += 1
         if self.depth > MOST_NESTED:
             raise too_deep()
 
-    def expect(self, text: str) -> None:
-        if not self.at(text):
-            raise NotReadError(self.listed[0].text if self.listed else text)
-        self.take()
-
-    def implied(self, level: int) -> Node:
-        """Operators of two sides: or, and, not, comparisons, + -, Mod, \\, * /."""
-        if level == 2 and self.at("not"):
-            self.take()
-            self.deeper()
-            node: Node = Call("NOT", (self.implied(2),))
-            self.depth -= 1
-            return node
-        if level == len(_LEVELS):
-            return self.signed()
-        left = self.implied(level + 1)
-        while self.at(*_LEVELS[level]):
-            op = self.take().text
-            left = _two_sided(op, left, self.implied(level + 1))
-        return left
+    def expression(self, minimum: int) -> Node:
+        if self.next.text == "not" and minimum > _NOT:
+            raise NotReadError(self.next.text)
+        return super().expression(minimum)
 
     def signed(self) -> Node:
-        """An operand with its signs; what stands in parentheses comes by here, too."""
+        if self.next.text != "not":
+            return super().signed()
+        self.take()
         self.deeper()
-        if self.at("-", "+"):
-            sign = self.take().text
-            node = self.signed()
-            node = Unary("-", node) if sign == "-" else node
-        else:
-            node = self.power()
+        node = Call("NOT", (self.expression(_NOT),))
         self.depth -= 1
         return node
 
-    def power(self) -> Node:
-        left = self.operand()
-        while self.at("^"):
-            self.take()
-            left = Binary("^", left, self.signed() if self.at("-", "+") else self.operand())
-        return left
+    def combine(self, op: str, left: Node, right: Node) -> Node:
+        return _two_sided(op, left, right)
 
     def operand(self) -> Node:
+        if self.next.kind == "open":
+            return self.parenthesised()
         token = self.take()
         match token.kind:
             case "number":
@@ -158,38 +131,24 @@ class _Parser:
                 return Text(token.text[1:-1].replace('""', '"'))
             case "name":
                 return self.named(token.text)
-        if token.text != "(":
-            raise NotReadError(token.text)
-        node = self.implied(0)
-        self.expect(")")
-        return node
+        raise NotReadError(token.text or "…")
 
     def named(self, name: str) -> Node:
         """A variable, a call, or a function of Excel's that Basic reaches through its object."""
         if name in ("true", "false"):
             return Boolean(name == "true")
         of_program = False
-        while self.at("."):
+        while self.next.kind == "op" and self.next.text == ".":
             if name not in ("worksheetfunction", "application", "math", "vba"):
                 raise NotReadError(f"{name}.")
             of_program = of_program or name in ("worksheetfunction", "application")
             self.take()
             name = self.take().text
-        if not self.at("("):
-            if of_program:
-                return _of_program(name, ())
-            return Symbol(name)
-        self.take()
-        args: list[Node] = []
-        while not self.at(")"):
-            args.append(self.implied(0))
-            if not self.at(")"):
-                self.expect(",")
-        self.take()
-        return _of_program(name, tuple(args)) if of_program else _called(name, tuple(args))
-
-
-_LEVELS = (("or", "xor"), ("and",), _COMPARED, ("+", "-"), ("mod",), ("\\",), ("*", "/"))
+        called = self.next.kind == "open"
+        args = self.arguments() if called else ()
+        if of_program:
+            return _of_program(name, args)
+        return _called(name, args) if called else Symbol(name)
 
 
 def _two_sided(op: str, left: Node, right: Node) -> Node:

@@ -7,9 +7,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from ..diagnostics import Fault
+from ..formula.lexer import Token
 from ..formula.nodes import Call, Node, Number, Symbol
 from ..said import reason, say
-from .expressions import MOST_NESTED, NotReadError, Token, expression, tokens, too_deep
+from .expressions import MOST_NESTED, NotReadError, expression, tokens, too_deep
 from .statements import Assign, Do, Exit, For, Function, GoTo, If, Label, OnError, Parameter, Statement, Statements
 
 _HEAD = re.compile(r"(?:(?:public|private|friend)\s+)?function\s+(\w+)[%&!#@]?\s*\((.*)\)(?:\s+as\s+(\w+))?$", re.I)

@@ -73,11 +73,7 @@ class _DescriptionParser(Parser):
         if token.kind == "number":
             return Number(number_value(self.text, self.take()))
         if token.kind == "open":
-            self.take()
-            self.deeper()
-            inside = self.expression(0)
-            self.close()
-            return inside
+            return self.parenthesised()
         if token.kind != "name":
             raise self.unexpected(say('a number, a name, a function or "("'))
         self.take()
@@ -90,15 +86,7 @@ class _DescriptionParser(Parser):
         return Symbol(token.text)
 
     def function(self, name: Token) -> Node:
-        self.take()
-        self.deeper()
-        args: list[Node] = []
-        if self.next.kind != "close":
-            args.append(self.expression(0))
-            while self.next.kind == "separator":
-                self.take()
-                args.append(self.expression(0))
-        self.close()
+        args = list(self.arguments())
         if name.text not in _ALLOWED:
             self.unknown(name)
             return Call(name.text, tuple(args))

@@ -17,10 +17,11 @@ class Parser(ABC):
 
     spaces: ClassVar[bool] = False
 
-    def __init__(self, text: str, dialect: Dialect) -> None:
+    def __init__(self, text: str, dialect: Dialect, tokens: list[Token] | None = None) -> None:
         self.text = text
         self.dialect = dialect
-        self.tokens = [t for t in tokenise(text, dialect.name) if self.spaces or t.kind != "space"]
+        listed = tokenise(text, dialect.name) if tokens is None else tokens
+        self.tokens = [t for t in listed if self.spaces or t.kind != "space"]
         self.place = 0
         self.next = self.tokens[0]
         self.depth = 0
@@ -114,6 +115,33 @@ class Parser(ABC):
     @abstractmethod
     def operand(self) -> Node:
         """What an operator works on; each dialect has its own."""
+
+    def parenthesised(self) -> Node:
+        """What stands in parentheses."""
+        self.take()
+        self.deeper()
+        inside = self.expression(0)
+        self.close()
+        return inside
+
+    def arguments(self) -> tuple[Node, ...]:
+        """The arguments of a call, with their parentheses."""
+        self.skip_space()
+        self.take()
+        self.deeper()
+        self.skip_space()
+        args: list[Node] = []
+        if self.next.kind != "close":
+            args.append(self.argument())
+            while self.next.kind == "separator":
+                self.take()
+                args.append(self.argument())
+        self.close()
+        return tuple(args)
+
+    def argument(self) -> Node:
+        """One of them."""
+        return self.expression(0)
 
     def skip_space(self) -> None:
         """On to the next token that is no space."""

@@ -150,21 +150,6 @@ class SheetParser(Parser):
             return Boolean(name == "TRUE")
         return Call(name, args)
 
-    def arguments(self) -> tuple[Node, ...]:
-        """The arguments of a call, with their parentheses."""
-        self.skip_space()
-        self.take()
-        self.deeper()
-        self.skip_space()
-        args: list[Node] = []
-        if self.next.kind != "close":
-            args.append(self.argument())
-            while self.next.kind == "separator":
-                self.take()
-                args.append(self.argument())
-        self.close()
-        return tuple(args)
-
     def argument(self) -> Node:
         """An argument, or that it is missing."""
         self.skip_space()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,16 +17,14 @@ from livesheet.formula.references import cell_address
 from livesheet.said import say
 from mechsheet import reference
 from mechsheet.checking.bands import compare_bands
-from mechsheet.checking.conditioning import excused
 from mechsheet.checking.driver_tables import compare_tables
-from mechsheet.checking.inputs import Array, Inputs, OfTheLast, inputs_in
-from mechsheet.checking.nearness import CLOSED, DEAD_CENTRE, apart_of
-from mechsheet.checking.report import TOLERANCE, Comparison, Tally
-from mechsheet.checking.steepness import EDGE, Steepness
+from mechsheet.checking.excuses.columns import DEAD_CENTRE, Rows, apart_from, apart_of, closed_rows
+from mechsheet.checking.excuses.rates import EDGE, Steepness
+from mechsheet.checking.inputs import Inputs, OfTheLast, inputs_in, numbers_in
+from mechsheet.checking.report import Array, Comparison, Tally
 from mechsheet.checking.typed import changed, equations_as_typed, typed, with_listed_rates
 from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.diagnostics import MechanismError
-from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.newton.lost_assembly import LEAP
 from mechsheet.kinematics.numeric import value
@@ -80,7 +79,7 @@ def _compare_rows(book: Book, values: Any, plan: Plan, inputs: Inputs, tally: Ta
                 _expect_nothing(plan, tally, symbol, _column(plan, values, symbol), mask)
         return [NOWHERE]
     solution = _SOLUTIONS.of(plan, inputs, lambda: _solved(mechanism, inputs, start))
-    beyond = np.zeros(plan.rows, dtype=bool)
+    nowhere = beyond = np.zeros(plan.rows, dtype=bool)
     if plan.newton and equations is not None:
         solution, beyond = _reached(solution, as_typed, equations, inputs.given[mechanism.driver.symbol])
     known = _Known(plan, values)
@@ -88,16 +87,19 @@ def _compare_rows(book: Book, values: Any, plan: Plan, inputs: Inputs, tally: Ta
     ours = {symbol: known[symbol] for symbol in _judged(plan)}
     theirs = _theirs(solution, ours, plan.efforts)
     placed = {symbol: known[symbol] for symbol in theirs if symbol in plan.at.spots or symbol in plan.plain}
-    closed = _closed_rows(mechanism, solution, ours | placed, beyond)
+    closed = closed_rows(mechanism, solution, ours | placed, beyond)
     _judge_status(plan, tally, opened, solution.exists | (beyond & closed & ~opened[EVERY]))
     elsewhere = beyond & closed & _elsewhere(plan, ours, theirs, solution.size)
     for symbol, column in ours.items():
         if symbol == ENERGY:
-            _compare_energy(plan, tally, column, theirs, solution, steep)
+            apart = steep.energy_apart(column, solution, theirs)
         elif steep.concerns(symbol):
-            _compare_rate(plan, tally, symbol, column, theirs, solution, steep, elsewhere)
+            apart = steep.apart(symbol, column, solution, theirs, elsewhere)
         else:
-            _compare_column(plan, tally, symbol, column, theirs, solution, closed, opened.get(symbol), beyond)
+            rows = Rows(~opened.get(symbol, nowhere), closed, beyond)
+            apart = apart_from(plan, symbol, column, solution, theirs, rows, turns=True)
+        address = partial(_address, plan, plan.at.spots[symbol])
+        tally.note_column(symbol, apart, address, column, np.asarray(theirs[symbol], float))
     if plan.bands and book.sheet(plan.at.titles["tolerance"]) is not None:  # that it is missing is told as an edit
         _compare_bands(plan, tally, values, as_typed, inputs, start)
     return []
@@ -232,24 +234,7 @@ def _column(plan: Plan, values: Any, symbol: str) -> Array:
         cell = values.get(spot.sheet, spot.row, spot.col)
         number = cell if isinstance(cell, float) else math.nan
         return np.full(plan.rows, math.radians(number) if spot.degrees else number)
-    cells = values.column(spot.sheet, spot.col, plan.at.first, plan.at.last)
-    found = np.array([cell if isinstance(cell, float) else math.nan for cell in cells], dtype=float)
-    return np.radians(found) if spot.degrees else found
-
-
-def _closed_rows(
-    mechanism: Mechanism, solution: Any, ours: Mapping[str, Array], beyond: NDArray[np.bool_]
-) -> NDArray[np.bool_]:
-    """Rows in which our positions close every loop to rounding: there a larger difference is a dead centre's uncertainty.
-
-    Of rows `beyond`, in which a group may stand in another assembly and those after it come apart, what is shown counts.
-    """
-    found = reference.residuals(mechanism, solution.dimensions, ours)
-    worst, _ = reference.worst(found)
-    shown = np.nan_to_num(np.abs(np.stack(np.broadcast_arrays(*found.values()))), nan=0.0).max(axis=0)
-    worst = np.where(beyond, shown, np.nan_to_num(worst, nan=math.inf))
-    closed: NDArray[np.bool_] = worst < CLOSED * max(solution.size, 1e-300)
-    return closed
+    return numbers_in(values, spot.sheet, spot.col, plan.at.first, plan.at.last, spot.degrees)
 
 
 def _elsewhere(plan: Plan, ours: Mapping[str, Array], theirs: Mapping[str, Array], size: float) -> NDArray[np.bool_]:
@@ -259,80 +244,6 @@ def _elsewhere(plan: Plan, ours: Mapping[str, Array], theirs: Mapping[str, Array
         turns = plan.equations.of(symbol).unit.kind == "angle"
         found |= apart_of(ours[symbol], np.asarray(theirs[symbol], float), turns, max(size, 1e-300)) > DEAD_CENTRE
     return found
-
-
-def _compare_column(
-    plan: Plan,
-    tally: Tally,
-    symbol: str,
-    ours: Array,
-    found: Mapping[str, Array],
-    solution: reference.Solution,
-    closed: NDArray[np.bool_],
-    opened: NDArray[np.bool_] | None,
-    beyond: NDArray[np.bool_],
-) -> None:
-    theirs = np.asarray(found[symbol], float)
-    output = next((out for out in plan.mechanism.outputs if out.symbol == symbol), None)
-    own = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
-    unit, is_angle = own.kind, own.kind == "angle" and not own.per
-    of_length = unit == "length" or (output is None and symbol not in plan.mechanism.given_by_row)
-    scale = solution.size if of_length else 1.0
-    apart = apart_of(ours, theirs, is_angle, scale if of_length else np.maximum(1.0, np.abs(theirs)))
-    fine = np.isnan(ours) & np.isnan(theirs)
-    # in a row that does not exist, the sheet goes on with what does not depend on the group that comes apart
-    fine |= ~solution.exists & (np.isnan(ours) | (np.isnan(theirs) & (True if opened is None else ~opened)))
-    apart = np.where(fine, 0.0, np.where(np.isnan(apart), math.inf, apart))
-    at_dead_centre = closed & ((apart <= DEAD_CENTRE) | beyond)
-    apart = np.where(at_dead_centre, np.minimum(apart, TOLERANCE), apart)
-    if output is not None and (apart > TOLERANCE).any():
-        steep = (apart > TOLERANCE) & excused(solution, found, symbol, ours, 1.0 if is_angle else scale)
-        apart = np.where(steep, 0.0, apart)
-    _note_worst(plan, tally, symbol, apart, ours, theirs)
-
-
-def _compare_rate(
-    plan: Plan,
-    tally: Tally,
-    symbol: str,
-    ours: Array,
-    found: Mapping[str, Array],
-    solution: reference.Solution,
-    steep: Steepness,
-    elsewhere: NDArray[np.bool_],
-) -> None:
-    """A velocity or an acceleration, or an output of them: beside a dead centre it grows, and loses digits.
-
-    elsewhere  rows in which sheet and reference stand in two assemblies, both right: nothing can be compared
-    """
-    theirs = np.asarray(found[symbol], float)
-    with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
-        apart = np.abs(ours - theirs) / (steep.scale(symbol, solution, found) + np.abs(theirs)) * steep.sine**2
-    missing = np.isnan(ours)
-    fine = missing & (~solution.exists | np.isnan(theirs) | (steep.sine < DEAD * (1 + EDGE)))
-    fine |= ~solution.exists | elsewhere  # what does not depend on the group that comes apart goes on
-    fine |= ~missing & (ours == theirs)
-    wrong = np.isnan(apart) | (~missing & (steep.sine < DEAD * (1 - EDGE)) & steep.at_all(symbol))
-    apart = np.where(fine, 0.0, np.where(wrong, math.inf, apart))
-    _note_worst(plan, tally, symbol, apart, ours, theirs)
-
-
-def _compare_energy(
-    plan: Plan, tally: Tally, ours: Array, found: Mapping[str, Array], solution: reference.Solution, steep: Steepness
-) -> None:
-    """The flywheel's energy: a sum over rows, measured by the largest torque over a radian."""
-    theirs, largest = found[ENERGY], steep.scale(plan.efforts[0], solution, found)
-    apart = np.abs(ours - theirs) / np.max(largest) * np.min(steep.sine) ** 2
-    apart = np.where(np.isnan(ours) & np.isnan(theirs), 0.0, np.where(np.isnan(apart), math.inf, apart))
-    _note_worst(plan, tally, ENERGY, apart, ours, theirs)
-
-
-def _note_worst(plan: Plan, tally: Tally, symbol: str, apart: Array, ours: Array, theirs: Array) -> None:
-    """Count a column, and note the row where the two are farthest apart."""
-    tally.cells += len(apart) - 1
-    row = int(np.argmax(apart))
-    where = f"{_address(plan, plan.at.spots[symbol], row)} ({symbol}, row {row})"
-    tally.note(float(apart[row]), where, float(ours[row]), float(theirs[row]))
 
 
 def _reached(

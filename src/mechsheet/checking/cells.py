@@ -10,7 +10,7 @@ from typing import Any, Literal
 from livesheet.formula.book import Book
 from livesheet.formula.nodes import ErrorValue, Scalar, shifted
 from livesheet.formula.references import cell_address
-from mechsheet.checking.lookup_ties import names_an_equal_row
+from mechsheet.checking.excuses.cells import EqualRows
 from mechsheet.checking.report import Comparison, Tally, difference
 from mechsheet.checking.rules import Rules, ignored_in
 from mechsheet.kinematics.lengths import is_length
@@ -65,6 +65,7 @@ def compare_cells(
     """
     angles, rules = angles or Angles(), rules or Rules()
     ignored = ignored_in(book, rules.ignore)
+    equal = EqualRows(values, angles.size)
     tally = Tally(judge, tolerance=rules.relative)
     number = -1
     for sheet in book.sheets:
@@ -84,11 +85,9 @@ def compare_cells(
                     apart = difference(value, other, scale, period)
                     if what == "error" and isinstance(value, ErrorValue) == isinstance(other, ErrorValue):
                         apart = 0.0
-                    if apart > rules.relative and _is_near(value, other, rules.absolute):
-                        apart = 0.0
                     if apart > rules.relative:
                         formula = shifted(block.formula, row - block.row, col - block.col)
-                        if names_an_equal_row(formula, sheet.title, values, other, angles.size):
+                        if _is_near(value, other, rules.absolute) or equal.has(formula, sheet.title, other):
                             apart = 0.0
                     if apart > tally.worst or apart > rules.relative:
                         tally.note(apart, cell_address(sheet.title, row, col), value, other)

@@ -13,16 +13,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from livesheet.formula.book import Book
 from livesheet.formula.references import cell_address
 from mechsheet import reference
-from mechsheet.checking.conditioning import excused
 from mechsheet.checking.edited.expected import functions_in
-from mechsheet.checking.inputs import Array, Inputs, OfTheLast
-from mechsheet.checking.nearness import CLOSED, DEAD_CENTRE, apart_of
-from mechsheet.checking.report import TOLERANCE, Tally
+from mechsheet.checking.excuses.columns import Mask, Rows, apart_from, apart_of, closed_rows, scale_of
+from mechsheet.checking.inputs import Inputs, OfTheLast, numbers_in
+from mechsheet.checking.report import Array, Tally
 from mechsheet.checking.typed import changed, equations_as_typed, typed
 from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.kinematics.equations import Equations
@@ -33,8 +31,6 @@ from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.asked.summary_table import SummaryTable
 from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW, Table
 from mechsheet.sheet.plan import Plan
-
-Mask = NDArray[np.bool_]
 
 NEAR_DEAD_CENTRE = 1e-5
 """Below this part of the largest distance between a group's assemblies rounding may move a position by more than the
@@ -127,9 +123,7 @@ class _Judge:
 
     def _shown(self, col: int, degrees: bool) -> Array:
         """A column of the sheet in internal units, NaN where it holds no number."""
-        cells = self.values.column(self.table.title, col, FIRST, self.table.last)
-        found = np.array([cell if isinstance(cell, float) else math.nan for cell in cells], dtype=float)
-        return np.radians(found) if degrees else found
+        return numbers_in(self.values, self.table.title, col, FIRST, self.table.last, degrees)
 
     def _turns(self, index: int, angle: str, across: int) -> Callable[[Array], Array]:
         """What takes an angle into the turns in which the cells have it; `index`: that of its block of helpers."""
@@ -167,11 +161,8 @@ class _Judge:
         return self.table.request.value in {closes, *readers(self.plan.equations, {closes})}
 
     def _note(self, across: int, apart: Array, ours: Array, theirs: Array) -> None:
-        """Count a column, and note the row where the two are farthest apart."""
-        self.tally.cells += len(apart) - 1
-        row = int(np.argmax(apart))
-        where = f"{cell_address(self.table.title, FIRST + row, 1 + across)} ({self.table.request.value}, row {row})"
-        self.tally.note(float(apart[row]), where, float(ours[row]), float(theirs[row]))
+        address = lambda row: cell_address(self.table.title, FIRST + row, 1 + across)  # noqa: E731
+        self.tally.note_column(self.table.request.value, apart, address, ours, theirs)
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,28 +183,13 @@ class _Part:
 
     def compared(self, ours: Array) -> tuple[Array, Array]:
         """How far the cells are from the reference, and what that has."""
-        plan, solution, symbol = self.judge.plan, self.solution, self.judge.table.request.value
-        found = self._found()
+        plan, symbol, found = self.judge.plan, self.judge.table.request.value, self._found()
         theirs = np.asarray(found[symbol], float)
-        output = any(output.symbol == symbol for output in plan.mechanism.outputs)
-        unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
-        of_length = unit.kind == "length" or not (output or unit.kind == "angle")
-        scale: float | Array = 1.0 if unit.kind == "angle" else np.maximum(1.0, np.abs(theirs))
-        scale = solution.size if of_length else scale
-        apart = apart_of(ours, theirs, False, scale)
-        missing, unknown = np.isnan(ours), np.isnan(theirs)
-        # in a row that does not exist, the sheet goes on with what does not depend on the group that comes apart
-        goes_on = unknown & ~self.opened & ~self.closes
-        fine = (missing & unknown) | (~solution.exists & (missing | goes_on))
-        apart = np.where(fine, 0.0, np.where(np.isnan(apart), math.inf, apart))
-        uncertain = self._closed(found) & (apart <= DEAD_CENTRE)
-        with np.errstate(invalid="ignore"):
-            uncertain &= self.dead | (apart_of(self.guide[symbol], theirs, False, scale) > SPREAD)
-        apart = np.where(uncertain, np.minimum(apart, TOLERANCE), apart)
-        if output and (apart > TOLERANCE).any():
-            steep = excused(solution, found, symbol, ours, solution.size if of_length else 1.0)
-            apart = np.where((apart > TOLERANCE) & steep, 0.0, apart)
-        return apart, theirs
+        scale, *_ = scale_of(plan, symbol, self.solution)
+        spread = apart_of(self.guide[symbol], theirs, False, scale or np.maximum(1.0, np.abs(theirs)))
+        closed = closed_rows(plan.mechanism, self.solution, {**found, **self.guide}) & (self.dead | (spread > SPREAD))
+        rows = Rows(~self.opened & ~self.closes, closed)
+        return apart_from(plan, symbol, ours, self.solution, found, rows, turns=False), theirs
 
     def _found(self) -> dict[str, Array]:
         """The reference's variables and outputs, each run of rows in the turn in which the sheet begins it."""
@@ -224,14 +200,6 @@ class _Part:
                 turns[first:end] = turns[first]
             found[angle] = found[angle] + math.tau * np.nan_to_num(turns)
         return found | reference.outputs(self.solution, found)
-
-    def _closed(self, found: Mapping[str, Array]) -> Mask:
-        """Rows in which the equations' positions close every loop to rounding."""
-        mechanism = self.judge.plan.mechanism
-        residuals = reference.residuals(mechanism, self.solution.dimensions, {**found, **self.guide})
-        missed, _ = reference.worst(residuals)
-        closed: Mask = np.nan_to_num(missed, nan=math.inf) < CLOSED * max(self.solution.size, 1e-300)
-        return closed
 
 
 @dataclass(frozen=True, slots=True)

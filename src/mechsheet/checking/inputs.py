@@ -14,7 +14,7 @@ from livesheet.diagnostics import Fault, MissingSheetError, WorkbookError
 from livesheet.formula.book import Book
 from livesheet.formula.references import cell_address
 from livesheet.said import say
-from mechsheet.checking.report import text_of
+from mechsheet.checking.report import Array, text_of
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.kinematics.dimensions import dimension_values
@@ -23,8 +23,6 @@ from mechsheet.kinematics.points_in_link import number as place_number
 from mechsheet.sheet.layout import DESCRIPTION_MARK
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
-
-Array = NDArray[np.float64]
 
 
 def description_in(book: Book) -> str | None:
@@ -67,6 +65,13 @@ class Inputs:
 
 
 Found = TypeVar("Found")
+
+
+def numbers_in(values: Any, sheet: str, col: int, first: int, last: int, degrees: bool = False) -> Array:
+    """The numbers in rows of a column, NaN where there is none; those of `degrees` in radians."""
+    cells = values.column(sheet, col, first, last)
+    found = np.array([cell if isinstance(cell, float) else math.nan for cell in cells], dtype=float)
+    return np.radians(found) if degrees else found
 
 
 class OfTheLast(Generic[Found]):
@@ -205,8 +210,7 @@ def _given(
         found = {}
         for symbol in (driver.symbol, *mechanism.given_by_row):
             spot = plan.at.spots[symbol]
-            cells = values.column(spot.sheet, spot.col, plan.at.first, plan.at.last)
-            found[symbol] = np.array([cell if isinstance(cell, float) else math.nan for cell in cells])
+            found[symbol] = numbers_in(values, spot.sheet, spot.col, plan.at.first, plan.at.last)
     else:
         start = _of_sweep(plan, values, "start", dimensions)
         step = _of_sweep(plan, values, "step", dimensions)

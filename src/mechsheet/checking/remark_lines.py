@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 MOST_LINES = 50
 """Most notes and most groups of differences that are printed; --json has all of them."""
 
-MOST_PLACES = 4
+MOST_DECIMALS = 4
 """Places that are named of one note."""
 
 _KINDS = {
@@ -53,10 +53,10 @@ def remark_line(fault: Fault, places: list[str]) -> Said:
 
 def _first(places: Sequence[str]) -> str:
     """`Plan!C2, Plan!D4 and 3 more`."""
-    named = ", ".join(places[:MOST_PLACES])
-    if len(places) <= MOST_PLACES:
+    named = ", ".join(places[:MOST_DECIMALS])
+    if len(places) <= MOST_DECIMALS:
         return named
-    return say("{places} and {count} more", places=named, count=len(places) - MOST_PLACES)
+    return say("{places} and {count} more", places=named, count=len(places) - MOST_DECIMALS)
 
 
 def cell_text(value: object) -> str:

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from livesheet.formula.nodes import ErrorValue, Scalar
 from livesheet.said import say, say_count
@@ -13,6 +17,8 @@ from livesheet.said import say, say_count
 if TYPE_CHECKING:
     from livesheet.diagnostics import Fault
     from mechsheet.checking.stored import Stored
+
+Array = NDArray[np.float64]
 
 TOLERANCE = 1e-9
 """Largest difference that counts as agreement: of lengths as a part of the mechanism's size, of angles in radians."""
@@ -171,6 +177,12 @@ class Tally:
         if difference > self.worst:
             self.worst, self.where = difference, where
             self.ours, self.theirs = text_of(ours), text_of(theirs)
+
+    def note_column(self, symbol: str, apart: Array, address: Callable[[int], str], ours: Array, theirs: Array) -> None:
+        """Count a column, and note the row where the two are farthest apart; `address`: the cell in a row."""
+        self.cells += len(apart) - 1
+        row = int(np.argmax(apart))
+        self.note(float(apart[row]), f"{address(row)} ({symbol}, row {row})", float(ours[row]), float(theirs[row]))
 
     def result(self) -> Comparison:
         """The finished comparison."""

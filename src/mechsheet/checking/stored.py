@@ -20,8 +20,8 @@ from livesheet.formula.nodes import Binary, Call, ErrorValue, Node, Scalar, Unar
 from livesheet.formula.printer import print_formula
 from livesheet.formula.references import cell_address
 from livesheet.said import say
+from mechsheet.checking.excuses.cells import Rounding
 from mechsheet.checking.report import Comparison, text_of, texts_apart
-from mechsheet.checking.rounding import Rounding
 from mechsheet.checking.rules import Ignored, Rules, ignored_in, unmeant
 from mechsheet.checking.tracing import Suspect, explained
 

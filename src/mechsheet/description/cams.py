@@ -17,7 +17,7 @@ from mechsheet.description.own_cells import own_cell
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import Scope
-from mechsheet.model import Cam, Cartesian, Dimension, Joint, Link, Place, Polar, Quantity, touched_by
+from mechsheet.model import Cam, Cartesian, Dimension, GivenPoint, Joint, Link, Polar, Quantity, touched_by
 from mechsheet.units import unit_of
 
 USUAL_OF_SLIDE, USUAL_OF_ROCKER = 30.0, 45.0
@@ -203,7 +203,7 @@ class _Start:
         return True
 
 
-def _place(place: Place) -> Vector | None:
+def _place(place: GivenPoint) -> Vector | None:
     match place:
         case Cartesian(x, y):
             return al.as_node(x), al.as_node(y)

@@ -13,7 +13,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import REPORTED, Scope, Space, circle_message, cycles, words
 from mechsheet.description.text.index import Path
-from mechsheet.model import GROUND, Cartesian, Distances, Joint, Link, Place, Polar
+from mechsheet.model import GROUND, Cartesian, Distances, GivenPoint, Joint, Link, Polar
 
 _ROUNDING = 1e-9
 """Distances may miss each other by this part of their size and count as meeting (a point on the line between two)."""
@@ -103,7 +103,7 @@ def read(data: dict[str, Any], links: tuple[Link, ...], scope: Scope) -> tuple[L
     return tuple(result)
 
 
-def place(value: Any, path: Path, scope: Scope) -> Place:
+def place(value: Any, path: Path, scope: Scope) -> GivenPoint:
     """A place in a link's frame in any of the three ways of writing it."""
     if isinstance(value, list):
         x, y = pair(value, path, scope)
@@ -124,7 +124,7 @@ def pair(value: list[Any], path: Path, scope: Scope) -> tuple[Any, Any]:
     return scope.quantity(value[0], LENGTH, (*path, 0)), scope.quantity(value[1], LENGTH, (*path, 1))
 
 
-def _check_distances(places: Mapping[str, Place], points: dict[str, Any], path: Path, scope: Scope) -> None:
+def _check_distances(places: Mapping[str, GivenPoint], points: dict[str, Any], path: Path, scope: Scope) -> None:
     """Points given by distances: the two others exist, no circles, and a triangle with these sides exists."""
     needs: dict[str, Iterable[str]] = {}
     for name, place in places.items():
@@ -148,7 +148,7 @@ def _check_distances(places: Mapping[str, Place], points: dict[str, Any], path: 
 
 
 def _coordinates(
-    place: Place, where: Mapping[str, tuple[float, float]], path: Path, scope: Scope
+    place: GivenPoint, where: Mapping[str, tuple[float, float]], path: Path, scope: Scope
 ) -> tuple[float, float]:
     """Where a point lies in its frame; (nan, nan) when that is not known."""
     match place:

@@ -29,5 +29,5 @@ def own_cell(
         return Symbol("")  # which has no value
     scope.symbols.claim(symbol, what, path, say("rename it: the {what} has a cell of that name", what=say(what)))
     scope.numbers[symbol] = quantity
-    cells.append(Dimension(symbol, quantity, unit, shown=float(given), place=path))
+    cells.append(Dimension(symbol, quantity, unit, shown=float(given), path=path))
     return Symbol(symbol)

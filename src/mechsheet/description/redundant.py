@@ -21,7 +21,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import listed
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
-from mechsheet.model import Cartesian, Distances, Joint, Link, Place, Polar, Quantity, Redundant
+from mechsheet.model import Cartesian, Distances, GivenPoint, Joint, Link, Polar, Quantity, Redundant
 
 
 def read(
@@ -81,7 +81,7 @@ def _slot(link: Link, links: Sequence[Link], joints: Sequence[Joint], ends: Ends
     return Joint(symbol, "pin-slot", owner, link.name, second, first, angle, 0.0, symbol)
 
 
-def _direction(start: Place, end: Place, scope: Scope) -> Quantity:
+def _direction(start: GivenPoint, end: GivenPoint, scope: Scope) -> Quantity:
     """Of the way from one place to the other, in the link's frame."""
     if isinstance(end, Polar) and isinstance(start, Cartesian) and start.x == start.y == 0.0:
         return end.angle
@@ -94,7 +94,7 @@ def _direction(start: Place, end: Place, scope: Scope) -> Quantity:
     return al.atan2(x, y)
 
 
-def _parts(place: Place) -> tuple[Node, Node]:
+def _parts(place: GivenPoint) -> tuple[Node, Node]:
     match place:
         case Cartesian(x, y):
             return al.as_node(x), al.as_node(y)

@@ -21,7 +21,7 @@ def cells_of(reading: Reading) -> list[Dimension]:
     if reading.compiled is None:
         return []
     named = reading.compiled.mechanism.dimensions
-    there = [dim for dim in named if dim.place and dim.place[0] != "synthesis"]  # a task is another matter
+    there = [dim for dim in named if dim.path and dim.path[0] != "synthesis"]  # a task is another matter
     return [dim for dim in there if isinstance(dim.value, float) and not dim.written]
 
 
@@ -62,9 +62,9 @@ def typed_in_cell(reading: Reading, name: str, value: str) -> str:
     if source is None:
         return reading.text
     for dim in cells_of(reading):
-        if dotted(dim.place) == name:
+        if dotted(dim.path) == name:
             text = number_in_unit(source, value, dim.unit.text)
-            place = dim.place if (*dim.place, "value") not in source.spots else (*dim.place, "value")
+            place = dim.path if (*dim.path, "value") not in source.spots else (*dim.path, "value")
             return with_value(source, place, text).text
     unit = first_speed(reading)
     if name == dotted(SPEED) and unit is not None:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from livesheet.formula.nodes import Symbol
 from mechsheet.description.parts import Parts
 from mechsheet.description.text.index import Path
-from mechsheet.drawing_page.positions import Point, Pose, line_of, local_places
+from mechsheet.drawing_page.positions import Point, Pose, line_of, local_points
 from mechsheet.drawing_page.reading import followed, read_by_guide, reads_of
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.points_in_link import number
@@ -26,11 +26,11 @@ from mechsheet.model import (
     Cartesian,
     Distances,
     Driver,
+    GivenPoint,
     Joint,
     Label,
     Link,
     Mechanism,
-    Place,
     Polar,
     Quantity,
 )
@@ -131,7 +131,7 @@ class _Task:
     def _first_place(self) -> Point:
         """Where the point was: as the first link that has it lies."""
         for link in self.parts.links_at(self.moved):
-            own = local_places(link, self.parts.numbers)[self.moved]
+            own = local_points(link, self.parts.numbers)[self.moved]
             if all(map(math.isfinite, own)):
                 return self.before[link.name].of(own)
         return self.places[self.moved]
@@ -153,7 +153,7 @@ class _Task:
         path: Path = ("links", link.name, "points", self.moved)
         return replace(link, points={**link.points, self.moved: self._place(link.points[self.moved], path)})
 
-    def _place(self, place: Place, path: Path) -> Place:
+    def _place(self, place: GivenPoint, path: Path) -> GivenPoint:
         match place:
             case Cartesian(x, y):
                 return Cartesian(self._named(x, (*path, 0)), self._named(y, (*path, 1)))
@@ -195,7 +195,7 @@ class _Task:
         poses = self._poses(len(names), x)
         found: list[float] = []
         for link in self.links:
-            own = local_places(link, values)
+            own = local_points(link, values)
             for point in link.points if link.name in poses else (self.moved,):
                 there, wanted = poses.get(link.name, Pose()).of(own[point]), self.places[point]
                 found += [there[0] - wanted[0], there[1] - wanted[1]]

@@ -20,7 +20,7 @@ from mechsheet.description.parts import Parts
 from mechsheet.description.text.measured import METRES
 from mechsheet.description.text.source import dotted
 from mechsheet.drawing_page.cells import SPEED, cells_of, first_speed, own_units
-from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_positions, line_of, local_places
+from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_positions, line_of, local_points
 from mechsheet.drawing_page.reading import Reading, fault_entry
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Equations
@@ -144,7 +144,7 @@ def _driver(driver: Driver, parts: Parts, reading: Reading) -> dict[str, Any]:
 def _dimensions(parts: Parts, language: str) -> list[dict[str, Any]]:
     found = []
     for dim in parts.dimensions:
-        if dim.place or dim.symbol not in parts.numbers:
+        if dim.path or dim.symbol not in parts.numbers:
             continue
         found.append(
             {
@@ -182,7 +182,7 @@ def _cells(reading: Reading, language: Language) -> list[dict[str, Any]]:
             value = dim.shown if dim.shown is not None else dim.unit.to_shown(dim.value)
             found.append(
                 {
-                    "place": dotted(dim.place),
+                    "place": dotted(dim.path),
                     "symbol": dim.symbol,
                     "value": value,
                     "unit": dim.unit.text,
@@ -300,7 +300,7 @@ def _moving(compiled: Compiled, at: float | None, language: Language, velocities
     size = largest_length(mechanism, dimension_values(mechanism)) or 1.0
     digits = max(0, DIGITS - math.floor(math.log10(size)))
     names = dict.fromkeys(point for link in mechanism.links for point in link.points)
-    fixed = local_places(mechanism.ground, dimension_values(mechanism))
+    fixed = local_points(mechanism.ground, dimension_values(mechanism))
     points = {
         name: [[_rounded(fixed[name][0], digits)], [_rounded(fixed[name][1], digits)]]
         if name in fixed

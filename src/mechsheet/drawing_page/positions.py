@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from mechsheet.description.parts import Parts
-from mechsheet.kinematics.points_in_link import number, number_places
+from mechsheet.kinematics.points_in_link import number, number_points
 from mechsheet.model import Joint, Link
 
 Point = tuple[float, float]
@@ -31,10 +31,10 @@ class Pose:
         return self.x + own[0] * c - own[1] * s, self.y + own[0] * s + own[1] * c
 
 
-def local_places(link: Link, numbers: Mapping[str, float]) -> dict[str, Point]:
+def local_points(link: Link, numbers: Mapping[str, float]) -> dict[str, Point]:
     """The places of a link's points in its own frame; (nan, nan) where a fault hides them."""
     try:
-        return number_places(link, numbers)
+        return number_points(link, numbers)
     except (KeyError, ArithmeticError, ValueError):
         return dict.fromkeys(link.points, (math.nan, math.nan))
 
@@ -46,7 +46,7 @@ def drawn_positions(parts: Parts, held: Mapping[str, Point]) -> dict[str, Point]
     """
     found: dict[str, Point] = {}
     if parts.links:
-        found |= _finite(local_places(parts.links[0], parts.numbers))
+        found |= _finite(local_points(parts.links[0], parts.numbers))
     for point, place in parts.sketch.points.items():
         if point not in found:
             found |= _finite({point: (_number(place[0], parts), _number(place[1], parts))})
@@ -74,7 +74,7 @@ def _best_known_first(links: list[Link], found: Mapping[str, Point]) -> list[Lin
 
 def _complete(link: Link, parts: Parts, found: dict[str, Point], held: Mapping[str, Point]) -> None:
     """Places for the points of a link that have none: as the link lies with those that have."""
-    own = local_places(link, parts.numbers)
+    own = local_points(link, parts.numbers)
     missing = [point for point in link.points if point not in found]
     if not missing:
         return
@@ -111,7 +111,7 @@ def drawn_pose(link: Link, parts: Parts, places: Mapping[str, Point]) -> Pose:
     """Where a link lies that is drawn by its points alone."""
     if link is parts.links[0]:
         return Pose()
-    own = local_places(link, parts.numbers)
+    own = local_points(link, parts.numbers)
     names = [point for point in link.points if point in places and math.isfinite(own[point][0])]
     return placed([own[point] for point in names], [places[point] for point in names])
 
@@ -137,7 +137,7 @@ def _turned(pose: Pose, turn: float, parts: Parts, name: str, places: Mapping[st
     link = parts.link(name)
     if link is None or not math.isfinite(turn):
         return pose
-    own = {point: place for point, place in local_places(link, parts.numbers).items() if point in places}
+    own = {point: place for point, place in local_points(link, parts.numbers).items() if point in places}
     return next((turned(turn, place, places[point]) for point, place in own.items()), Pose(turn, pose.x, pose.y))
 
 

@@ -18,11 +18,10 @@ from livesheet.said import Words
 from mechsheet.dynamics.columns import LONGEST, Columns
 from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.equations import Condition
-from mechsheet.kinematics.points_in_link import LinkPlaces, cartesian
+from mechsheet.kinematics.points_in_link import PointsInLink, cartesian
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Motions
-from mechsheet.model import Dynamics, Link, Load, Mass, Spring, center_symbol
-from mechsheet.model import Place as GivenPlace
+from mechsheet.model import Dynamics, GivenPoint, Link, Load, Mass, Spring, center_symbol
 from mechsheet.units import LENGTH, Unit
 from mechsheet.words.equations import body_words, link_words, phrase
 
@@ -259,13 +258,13 @@ class ActingForces:
 
     # ---- places
 
-    def place(self, link: Link, given: str | GivenPlace, name: str, label: Words) -> Vector:
+    def place(self, link: Link, given: str | GivenPoint, name: str, label: Words) -> Vector:
         """Coordinates of a point, or of a place in a link's frame."""
         if isinstance(given, str):
             return self.poses.xy[given]
-        own = LinkPlaces(Link(link.name, link.number, {**link.points, name: given}, link.label), self.poses.ledger)
+        own = PointsInLink(Link(link.name, link.number, {**link.points, name: given}, link.label), self.poses.ledger)
         pose = self.poses.known[link.name]
-        way = own.place(name) - pose.base
+        way = own.point(name) - pose.base
         if not pose.base.is_zero and self.poses.ledger.is_constant(al.add(way.u, way.v)):
             # in cells of its own: each of the two is read twice
             words = phrase("way_in_link", point=name, link=link_words(link))

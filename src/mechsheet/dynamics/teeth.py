@@ -123,7 +123,7 @@ class Teeth:
     def _one_axis(self, gear: Gear) -> bool:
         """Whether the wheels have one axis, or turn alike: then there is no pitch point."""
         places = [
-            self.poses.own_place(gear.arm, axis_of(self.graph, wheel, gear.arm)) for wheel in (gear.link, gear.on)
+            self.poses.own_point(gear.arm, axis_of(self.graph, wheel, gear.arm)) for wheel in (gear.link, gear.on)
         ]
         way = places[0] - places[1]
         number = self.poses.ledger.number

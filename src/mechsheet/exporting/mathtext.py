@@ -12,7 +12,7 @@ from livesheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol
 from livesheet.formula.printer import number_text, print_formula
 from mechsheet.exporting.position import Position
 from mechsheet.kinematics.closures import Vector
-from mechsheet.sheet.table.positions import decimals_of, places
+from mechsheet.sheet.table.positions import decimals_of, decimals_of_kind
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.catalogue import Language, words
 from mechsheet.words.symbols import GREEK, parts
@@ -23,7 +23,7 @@ RAW = "#"
 RATIO = "ratio"
 """What has no unit and lies between -1 and 1: sines and cosines in a table."""
 
-RATIO_PLACES = 4
+RATIO_DECIMALS = 4
 DIGITS = 6
 """Of a number without a unit (an area): significant digits."""
 
@@ -119,7 +119,7 @@ class Pen:
         self.language: Language = position.plan.language
         self.angle_unit = position.plan.mechanism.angle_unit
         self.units = _units(position)
-        self.places = {kind: _places(position, kind) for kind in ("length", "angle")} | {RATIO: RATIO_PLACES}
+        self.decimals = {kind: _decimals(position, kind) for kind in ("length", "angle")} | {RATIO: RATIO_DECIMALS}
 
     # --- with symbols -----------------------------------------------------------------------------------------
 
@@ -187,7 +187,7 @@ class Pen:
         """A number with the decimals of its kind; one without a unit with a few significant digits."""
         if math.isnan(value):
             return r"\text{–}"
-        text = f"{value:.{self.places[kind]}f}" if kind in self.places else f"{value:.{DIGITS}g}"
+        text = f"{value:.{self.decimals[kind]}f}" if kind in self.decimals else f"{value:.{DIGITS}g}"
         if float(text) == 0:
             text = text.removeprefix("-")
         mantissa, _, exponent = text.partition("e")
@@ -220,14 +220,14 @@ def _units(position: Position) -> dict[str, Unit]:
     return units | {symbol: mechanism.given_unit(symbol) or NUMBER for symbol in given}
 
 
-def _places(position: Position, kind: str) -> int:
+def _decimals(position: Position, kind: str) -> int:
     """Decimals that the tolerances justify: of angles by the tolerances of angles, where there are any."""
     mechanism = position.plan.mechanism
     own = mechanism.angle_unit
     tolerances = [dim.tolerance for dim in mechanism.dimensions if dim.tolerance and dim.unit == own]
     if kind == "angle" and tolerances:
         return decimals_of(min(tolerances))
-    return places(position.plan, kind)
+    return decimals_of_kind(position.plan, kind)
 
 
 def _half_turns(node: Node, is_angle: bool) -> Node:

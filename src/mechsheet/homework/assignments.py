@@ -79,9 +79,7 @@ def modes_of(truth: Truth, equations: Equations) -> dict[str, int]:
     """The assembly modes of the equations with which the links stand as they do in a truth."""
     modes = [group.mode for group in equations.groups if group.mode]
     row = np.flatnonzero(truth.exists)[:SAMPLE]
-    given = {
-        dim.symbol: np.array([truth.dimensions[dim.symbol]]) for dim in truth.mechanism.dimensions if not dim.place
-    }
+    given = {dim.symbol: np.array([truth.dimensions[dim.symbol]]) for dim in truth.mechanism.dimensions if not dim.path}
     angles = [link.angle_symbol for link in truth.mechanism.links[1:] if link.angle_symbol in truth.columns]
     best: tuple[float, dict[str, int]] = (math.inf, {})
     for signs in itertools.product((1, -1), repeat=len(modes)):

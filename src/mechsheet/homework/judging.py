@@ -356,7 +356,7 @@ def _found_once(mechanism: Mechanism) -> Mechanism:
     """A mechanism with dimensions found from a task, as numbers: a sheet may have them typed, as they were found."""
     given = reference.dimension_values(mechanism)
     found = tuple(
-        dim if dim.place or isinstance(dim.value, float) else replace(dim, value=given[dim.symbol], written="")
+        dim if dim.path or isinstance(dim.value, float) else replace(dim, value=given[dim.symbol], written="")
         for dim in mechanism.dimensions
     )
     return replace(mechanism, dimensions=found)

@@ -131,7 +131,7 @@ def _make(mechanism: Mechanism) -> object:
 def _in_table(
     name: str, mechanism: Mechanism, equations: Equations, table: Table, decisive: Sequence[str]
 ) -> Recognised | None:
-    geometric = [dim for dim in mechanism.dimensions if not dim.derived and not dim.place]
+    geometric = [dim for dim in mechanism.dimensions if not dim.derived and not dim.path]
     called = _called(mechanism, table)
     for factor, offset in ways(table.graph.work, table.run, mechanism, False):
         for inputs in _inputs(mechanism, equations, table, geometric, decisive, called, factor):
@@ -173,7 +173,7 @@ def deciding(mechanism: Mechanism) -> tuple[str, ...]:
         read.add(symbol)
         if not isinstance(dim.value, float):
             waiting += symbols(dim.value)
-    return tuple(symbol for symbol, dim in by_symbol.items() if symbol in read and not dim.derived and not dim.place)
+    return tuple(symbol for symbol, dim in by_symbol.items() if symbol in read and not dim.derived and not dim.path)
 
 
 def _read(part: object) -> list[str]:
@@ -243,7 +243,7 @@ def _proven(
         proven = _lasting(found, agreeing, [symbol for symbol in decisive if symbol in values])
         if proven:
             known = set(values) | set(zero)
-            missing = [d.symbol for d in mechanism.dimensions if not (d.derived or d.place or d.symbol in known)]
+            missing = [d.symbol for d in mechanism.dimensions if not (d.derived or d.path or d.symbol in known)]
             return Recognised(name, found, tuple(proven), tuple(missing))
     return None
 
@@ -258,7 +258,7 @@ def in_proportion(mechanism: Mechanism, values: Mapping[str, float]) -> Mechanis
     def value(dim: Dimension) -> Dimension:
         if dim.symbol in values:
             return replace(dim, value=values[dim.symbol], shown=None)
-        if dim.symbol not in lengths or dim.place:
+        if dim.symbol not in lengths or dim.path:
             return dim
         near = [symbol for symbol in known if symbol in _of_link(mechanism, dim.symbol)]
         ratio = abs(values[near[0]] / given[near[0]]) if near else whole
@@ -346,7 +346,7 @@ def settings_of(known: Recognised) -> dict[str, str]:
     found = {
         dim.symbol: f"{round(float(dim.unit.to_shown(truth.dimensions[dim.symbol])), 10):.15g}"
         for dim in truth.mechanism.dimensions
-        if not dim.derived and not dim.place
+        if not dim.derived and not dim.path
     }
     return found | {mode: f"{sign:.0f}" for mode, sign in modes_of(truth, solve(truth.mechanism)).items()}
 

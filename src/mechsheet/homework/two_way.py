@@ -51,7 +51,7 @@ def with_setting(
         return
     known = {one.symbol for one in inputs}
     for dim in dims:
-        if dim.symbol not in known and not (dim.place or dim.derived):
+        if dim.symbol not in known and not (dim.path or dim.derived):
             yield (*inputs, Input(dim.symbol, next(iter(settings)), power if dim.unit.kind == "length" else 1.0, False))
 
 

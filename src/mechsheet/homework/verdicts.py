@@ -400,7 +400,7 @@ def _led(found: Understanding, series: Series) -> bool:
 def _depends(found: Understanding, symbol: str) -> bool:
     """Whether a quantity has other values with other dimensions."""
     base = found.truth
-    inputs = [dim.symbol for dim in found.mechanism.dimensions if not (dim.derived or dim.place)]
+    inputs = [dim.symbol for dim in found.mechanism.dimensions if not (dim.derived or dim.path)]
     for part in STEPS if inputs else ():  # the dimensions of a task are found all at once
         changed = {
             symbol: base.dimensions[symbol] * (1 + part * RETYPED[number % 2]) for number, symbol in enumerate(inputs)
@@ -464,6 +464,6 @@ def typed_dimensions(found: Understanding, finding: Finding) -> tuple[str, ...]:
         value = abs(found.truth.dimensions[dim.symbol])
         factors = (1.0, math.pi / 180) if dim.unit.kind == "angle" else (1.0,)
         there = any(abs(factor * number - value) <= 1e-9 * value for number in numbers for factor in factors)
-        if not dim.place and dim.symbol not in given and there:
+        if not dim.path and dim.symbol not in given and there:
             result.append(dim.symbol)
     return tuple(result)

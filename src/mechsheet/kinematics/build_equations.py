@@ -471,7 +471,7 @@ def _in_pair(poses: Poses, drive: Drive) -> Member:
     """Where the moving side of a driven joint is in the frame of the other."""
     if isinstance(drive.joint, Pin):
         point = drive.joint.point
-        base, own = poses.own_place(drive.base, point), poses.own_place(drive.moving, point)
+        base, own = poses.own_point(drive.base, point), poses.own_point(drive.moving, point)
         return member(poses.turn_of(drive), base, own)
     joint = drive.joint.joint
     line = angle_of(joint.angle)
@@ -479,7 +479,7 @@ def _in_pair(poses: Poses, drive: Drive) -> Member:
     start = poses.through(joint)
     end = cartesian(Symbol(drive.symbol), al.ZERO) if start.is_zero and line == Angle() else start + cartesian(*along)
     turn = line + angle_of(joint.orientation)
-    return member(turn, end, poses.own_place(drive.moving, joint.point))
+    return member(turn, end, poses.own_point(drive.moving, joint.point))
 
 
 def _note_lengths(poses: Poses) -> None:
@@ -491,8 +491,8 @@ def _note_lengths(poses: Poses) -> None:
     faults = []
     for link in poses.mechanism.links[1:]:
         pins = [point for point, bodies in poses.graph.pins if link.name in bodies]
-        wrong = given.get(poses.places[link.name].note_length(*pins)) if len(pins) == 2 else None
-        if wrong is not None and not wrong.place:
+        wrong = given.get(poses.points[link.name].note_length(*pins)) if len(pins) == 2 else None
+        if wrong is not None and not wrong.path:
             message = say(
                 "{symbol} is the length of {link} from {start} to {end}: it must be greater than 0, not {value:.12g}",
                 symbol=wrong.symbol, link=link.name, start=pins[0], end=pins[1], value=wrong.value,

@@ -35,7 +35,7 @@ def largest_given(mechanism: Mechanism) -> Node:
 
 def is_length(dimension: Dimension) -> bool:
     """True for a dimension in the length unit, mass centres and loaded places apart."""
-    return dimension.unit.kind == "length" and not dimension.unit.per and not dimension.place
+    return dimension.unit.kind == "length" and not dimension.unit.per and not dimension.path
 
 
 def largest_length(mechanism: Mechanism, dimensions: Mapping[str, float]) -> float:

@@ -18,7 +18,7 @@ from livesheet.formula.nodes import Binary, Node, Number, Symbol, Unary
 from mechsheet.kinematics.assur import Contact, Dyad, Pin, Step, bodies_of
 from mechsheet.kinematics.closures import NO_LOOP, Loop, Vector
 from mechsheet.kinematics.newton.chains import Chain
-from mechsheet.kinematics.points_in_link import Place, angle_of
+from mechsheet.kinematics.points_in_link import PointInLink, angle_of
 from mechsheet.kinematics.poses import Poses
 
 
@@ -135,15 +135,15 @@ def _vectors(poses: Poses, angle: Angle, step: _Step) -> list[tuple[int, Vector]
 def _located(poses: Poses, body: str, angle: Angle, contact: Contact) -> list[tuple[int, Vector]]:
     """From the body's origin to a joint's point."""
     if isinstance(contact, Pin):
-        return _parts(poses.own_place(body, contact.point), angle)
+        return _parts(poses.own_point(body, contact.point), angle)
     joint = contact.joint
     if body == contact.body:
-        return _parts(poses.own_place(body, joint.point), angle)
+        return _parts(poses.own_point(body, joint.point), angle)
     displacement = _signed(Symbol(joint.symbol), angle + angle_of(joint.angle))
     return [*_parts(poses.through(joint), angle), displacement]
 
 
-def _parts(place: Place, angle: Angle) -> list[tuple[int, Vector]]:
+def _parts(place: PointInLink, angle: Angle) -> list[tuple[int, Vector]]:
     """A place as one vector where it has a length and a direction, else as its two coordinates."""
     if place.is_zero:
         return []

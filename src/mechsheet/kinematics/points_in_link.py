@@ -18,8 +18,7 @@ from livesheet.formula.scalar import evaluate
 from livesheet.said import Words
 from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.model import Cartesian, Distances, Link, Polar, Quantity
-from mechsheet.model import Place as LinkPlace
+from mechsheet.model import Cartesian, Distances, GivenPoint, Link, Polar, Quantity
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import link_words, phrase
 
@@ -37,7 +36,7 @@ def number(quantity: Quantity, dimensions: Mapping[str, float]) -> float:
     return quantity if isinstance(quantity, float | int) else evaluate(quantity, dimensions)
 
 
-def number_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Point]:
+def number_points(link: Link, dimensions: Mapping[str, float]) -> dict[str, Point]:
     """(u, v) of every point of a link in its own frame, in the order of the description.
 
     dimensions  by symbol, in internal units
@@ -49,14 +48,14 @@ def number_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Poin
 
     def locate(point: str) -> Point:
         if point not in found:
-            found[point] = _number_place(link.points[point], dimensions, locate)
+            found[point] = _number_point(link.points[point], dimensions, locate)
         return found[point]
 
     return {point: locate(point) for point in link.points}
 
 
-def _number_place(place: LinkPlace, dimensions: Mapping[str, float], locate: Callable[[str], Point]) -> Point:
-    match place:
+def _number_point(given: GivenPoint, dimensions: Mapping[str, float], locate: Callable[[str], Point]) -> Point:
+    match given:
         case Cartesian(x, y):
             return number(x, dimensions), number(y, dimensions)
         case Polar(r, angle):
@@ -73,7 +72,7 @@ def _number_place(place: LinkPlace, dimensions: Mapping[str, float], locate: Cal
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class PointInLink:
     """A place (or a difference of two) in a link's frame: (u, v), and as (r, angle) where that is simple (r may be < 0)."""
 
     u: Node
@@ -85,18 +84,18 @@ class Place:
         """True for the frame's origin."""
         return al.is_zero(self.u) and al.is_zero(self.v)
 
-    def __neg__(self) -> Place:
+    def __neg__(self) -> PointInLink:
         polar = (self.polar[0], self.polar[1] + Angle(degrees=180)) if self.polar else None
-        return Place(al.neg(self.u), al.neg(self.v), polar)
+        return PointInLink(al.neg(self.u), al.neg(self.v), polar)
 
-    def __sub__(self, other: Place) -> Place:
+    def __sub__(self, other: PointInLink) -> PointInLink:
         if other.is_zero:
             return self
         if self.is_zero:
             return -other
         return cartesian(al.sub(self.u, other.u), al.sub(self.v, other.v))
 
-    def __add__(self, other: Place) -> Place:
+    def __add__(self, other: PointInLink) -> PointInLink:
         return self - (-other)
 
     def turned(self, angle: Angle) -> tuple[Node, Node]:
@@ -111,57 +110,57 @@ class Place:
         )
 
 
-ORIGIN = Place(al.ZERO, al.ZERO)
+ORIGIN = PointInLink(al.ZERO, al.ZERO)
 
 
-def cartesian(u: Node, v: Node) -> Place:
+def cartesian(u: Node, v: Node) -> PointInLink:
     """The place (u, v); on an axis it is polar as well."""
     if al.is_zero(v):
-        return Place(u, v, (u, Angle()))
+        return PointInLink(u, v, (u, Angle()))
     if al.is_zero(u):
-        return Place(u, v, (v, Angle(degrees=90)))
-    return Place(u, v)
+        return PointInLink(u, v, (v, Angle(degrees=90)))
+    return PointInLink(u, v)
 
 
-def polar(r: Node, angle: Angle) -> Place:
+def polar(r: Node, angle: Angle) -> PointInLink:
     """The place at distance r in the direction `angle`."""
-    return Place(al.mul(r, al.cos(angle)), al.mul(r, al.sin(angle)), (r, angle))
+    return PointInLink(al.mul(r, al.cos(angle)), al.mul(r, al.sin(angle)), (r, angle))
 
 
-class LinkPlaces:
+class PointsInLink:
     """The places of a link's points; the constants they need are written into the ledger."""
 
     def __init__(self, link: Link, ledger: Ledger) -> None:
         self.link = link
         self.words = link_words(link)
         self.ledger = ledger
-        self._places: dict[str, Place] = {}
-        self._offsets: dict[str, Place] = {}
+        self._points: dict[str, PointInLink] = {}
+        self._offsets: dict[str, PointInLink] = {}
         self._lengths: dict[frozenset[str], Node] = {}
 
-    def place(self, point: str) -> Place:
+    def point(self, point: str) -> PointInLink:
         """The place of a point."""
-        if point not in self._places:
+        if point not in self._points:
             given = self.link.points[point]
             match given:
                 case Cartesian(x, y):
-                    self._places[point] = cartesian(al.as_node(x), al.as_node(y))
+                    self._points[point] = cartesian(al.as_node(x), al.as_node(y))
                 case Polar(r, angle):
                     label = phrase("direction_in_link", point=point, link=self.words)
                     hoisted = self.ledger.hoist_angle(f"beta_{point}", angle_of(angle), label)
-                    self._places[point] = polar(al.as_node(r), hoisted)
+                    self._points[point] = polar(al.as_node(r), hoisted)
                 case Distances():
-                    self._places[point] = self._from_distances(point, given)
-        return self._places[point]
+                    self._points[point] = self._from_distances(point, given)
+        return self._points[point]
 
-    def way(self, start: str, end: str) -> Place:
+    def way(self, start: str, end: str) -> PointInLink:
         """The vector from one point to another; a point given by distances lies at its offset from the first of them."""
         for point, base in ((end, start), (start, end)):
             given = self.link.points[point]
             if isinstance(given, Distances) and given.first == base:
-                self.place(point)
+                self.point(point)
                 return self._offsets[point] if point == end else -self._offsets[point]
-        return self.place(end) - self.place(start)
+        return self.point(end) - self.point(start)
 
     def note_length(self, start: str, end: str) -> str:
         """The two points are joints, and the link has no others: where a dimension is their distance, it is a length.
@@ -180,7 +179,7 @@ class LinkPlaces:
         """The distance of two points where the description gives it as such."""
         return self._lengths.get(frozenset((first, second)))
 
-    def _from_distances(self, point: str, given: Distances) -> Place:
+    def _from_distances(self, point: str, given: Distances) -> PointInLink:
         """By the law of cosines: from the first point, turned from the line to the second by the angle between them."""
         ledger, n = self.ledger, self.link.number
         b, c = al.as_node(given.first_distance), al.as_node(given.second_distance)
@@ -199,7 +198,7 @@ class LinkPlaces:
         turned = Angle(gamma) if given.side == "left" else Angle(al.neg(gamma))
         offset = polar(b, line + turned)
         self._offsets[point] = offset
-        start = self.place(given.first)
+        start = self.point(given.first)
         if start.is_zero:
             return offset
         # in cells of its own: places that are given by this one would repeat its formula, and theirs in turn
@@ -209,7 +208,7 @@ class LinkPlaces:
         return cartesian(u, v)
 
 
-def arm(places: LinkPlaces, start: str, end: str) -> tuple[Node, Angle]:
+def arm(places: PointsInLink, start: str, end: str) -> tuple[Node, Angle]:
     """Length (> 0) and direction, in the link's frame, of the arm from one point of a link to another."""
     name = f"{start}{end}"
     return arm_of(
@@ -221,7 +220,7 @@ def arm(places: LinkPlaces, start: str, end: str) -> tuple[Node, Angle]:
     )
 
 
-def arm_of(ledger: Ledger, way: Place, known: Node | None, name: str, label: Words) -> tuple[Node, Angle]:
+def arm_of(ledger: Ledger, way: PointInLink, known: Node | None, name: str, label: Words) -> tuple[Node, Angle]:
     """Length (> 0) and direction of a vector in a link's frame."""
     if way.polar:
         r, angle = way.polar

@@ -21,7 +21,7 @@ from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.gear_relations import Tied, solved_for
 from mechsheet.kinematics.graph import Graph, Slide
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.kinematics.points_in_link import ORIGIN, LinkPlaces, Place, angle_of, arm_of, cartesian
+from mechsheet.kinematics.points_in_link import ORIGIN, PointInLink, PointsInLink, angle_of, arm_of, cartesian
 from mechsheet.model import Joint, Link, Mechanism
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import body_words, link_words, listed, phrase
@@ -34,7 +34,7 @@ class Pose:
     """A solved body: its angle, and one of its points (its place in the body, its coordinates)."""
 
     angle: Angle
-    base: Place
+    base: PointInLink
     x: Node
     y: Node
 
@@ -47,7 +47,7 @@ class Member:
     """
 
     angle: Angle
-    origin: Place
+    origin: PointInLink
     pin: str = ""
 
 
@@ -64,7 +64,7 @@ class Guide:
     delta: Angle
     sign: int
     angle: Angle
-    moving: Place
+    moving: PointInLink
     symbol: str
 
 
@@ -83,7 +83,7 @@ class Poses:
         self.graph = graph
         self.ledger = ledger
         self.links = {link.name: link for link in mechanism.links}
-        self.places = {link.name: LinkPlaces(link, ledger) for link in mechanism.links}
+        self.points = {link.name: PointsInLink(link, ledger) for link in mechanism.links}
         self.members: dict[str, Member] = dict.fromkeys(graph.bodies, STILL)
         self.known: dict[str, Pose] = {}
         self.xy: dict[str, tuple[Node, Node]] = {}
@@ -97,7 +97,7 @@ class Poses:
     def _ground(self, ground: Link) -> None:
         self.known[ground.name] = Pose(Angle(), ORIGIN, al.ZERO, al.ZERO)
         for point in ground.points:
-            place = self.places[ground.name].place(point)
+            place = self.points[ground.name].point(point)
             coordinates = []
             for axis, node in (("x", place.u), ("y", place.v)):
                 label = phrase("fixed_point", point=point, axis=axis)
@@ -105,19 +105,19 @@ class Poses:
                 coordinates.append(node if al.is_simple(node) else symbol)
             self.xy[point] = (coordinates[0], coordinates[1])
 
-    # --- places in the frame of an assembly -------------------------------------------------------------------
+    # --- points in the frame of an assembly -------------------------------------------------------------------
 
-    def own_place(self, body: str, point: str) -> Place:
-        """Place of a point in its body's own frame (a block's only point is its origin)."""
-        return ORIGIN if body in self.graph.blocks else self.places[body].place(point)
+    def own_point(self, body: str, point: str) -> PointInLink:
+        """Where a point is in its body's own frame (a block's only point is its origin)."""
+        return ORIGIN if body in self.graph.blocks else self.points[body].point(point)
 
-    def through(self, joint: Joint) -> Place:
+    def through(self, joint: Joint) -> PointInLink:
         """The point of `on` that a joint's line passes, in `on`'s own frame."""
         if isinstance(joint.through, str):
-            return self.own_place(joint.on, joint.through)
+            return self.own_point(joint.on, joint.through)
         return cartesian(al.as_node(joint.through[0]), al.as_node(joint.through[1]))
 
-    def in_assembly(self, body: str, place: Place, name: str) -> Place:
+    def in_assembly(self, body: str, place: PointInLink, name: str) -> PointInLink:
         """A place of a body in its assembly's frame; for a body that moves in it, columns of its coordinates."""
         member = self.members[body]
         if member.angle == Angle() and member.origin.is_zero:
@@ -130,19 +130,19 @@ class Poses:
         v = self.ledger.hoist(f"v_{name}", al.add(member.origin.v, y), LENGTH, label)
         return cartesian(u, v)
 
-    def place(self, assembly: Assembly, point: str) -> Place:
-        """Place of a point in the assembly's frame."""
+    def point(self, assembly: Assembly, point: str) -> PointInLink:
+        """Where a point is in the assembly's frame."""
         body = next(body for body in assembly if point in self.graph.points[body])
-        return self.in_assembly(body, self.own_place(body, point), point)
+        return self.in_assembly(body, self.own_point(body, point), point)
 
     def arm(self, assembly: Assembly, start: str, end: str) -> tuple[Node, Angle]:
         """Length (> 0) and direction in the assembly's frame of the arm from one of its points to another."""
         known = way = None
         for body in assembly:
-            if body in self.places and {start, end} <= set(self.graph.points[body]):
-                known = self.places[body].known_length(start, end)
-                way = self.places[body].way(start, end) if self.members[body] == STILL else None
-        way = way or self.place(assembly, end) - self.place(assembly, start)
+            if body in self.points and {start, end} <= set(self.graph.points[body]):
+                known = self.points[body].known_length(start, end)
+                way = self.points[body].way(start, end) if self.members[body] == STILL else None
+        way = way or self.point(assembly, end) - self.point(assembly, start)
         label = phrase("length_in_link", start=start, end=end, link=self.name(assembly))
         return arm_of(self.ledger, way, known, f"{start}{end}", label)
 
@@ -171,7 +171,7 @@ class Poses:
             return
         point = drive.joint.point
         turn = self.known[drive.base].angle + self.turn_of(drive)
-        self.fix((drive.moving,), turn, self.own_place(drive.moving, point), *self.xy[point])
+        self.fix((drive.moving,), turn, self.own_point(drive.moving, point), *self.xy[point])
 
     def _along(self, slide: Slide, body: str, displacement: Node) -> None:
         """Solve a body on the guide of a known one, at a known displacement."""
@@ -192,7 +192,7 @@ class Poses:
                 self.displacement(held.variable, found[held.variable])
                 self._along(held.at, held.body, Symbol(held.variable))
             else:
-                place = self.own_place(held.body, held.at)
+                place = self.own_point(held.body, held.at)
                 self.fix((held.body,), Angle(found[held.variable]), place, *self.xy[held.at])
         self.turned.clear()
 
@@ -226,7 +226,7 @@ class Poses:
 
     # --- what is solved ---------------------------------------------------------------------------------------
 
-    def at(self, body: str, place: Place, name: str) -> tuple[Node, Node]:
+    def at(self, body: str, place: PointInLink, name: str) -> tuple[Node, Node]:
         """Coordinates of a place (in the body's own frame) of a solved body."""
         pose = self.known[body]
         x, y = (place - pose.base).turned(pose.angle)
@@ -247,7 +247,7 @@ class Poses:
             angle = delta + angle_of(joint.orientation)
             through = self.xy.get(joint.through) if isinstance(joint.through, str) else None
             x, y = through or self.at(slide.on, self.through(joint), "guide")
-            moving, sign = self.own_place(inside, joint.point), 1
+            moving, sign = self.own_point(inside, joint.point), 1
         else:
             delta = solved.angle - angle_of(joint.orientation)
             angle = delta - angle_of(joint.angle)
@@ -262,7 +262,7 @@ class Poses:
         """The pose of a solved link's frame, and its points in it."""
         pose = self.known[name]
         x, y = pose.base.turned(pose.angle)
-        places = {point: self.own_place(name, point) for point in self.graph.points[name]}
+        places = {point: self.own_point(name, point) for point in self.graph.points[name]}
         return LinkPose(
             pose.angle.expression(),
             al.sub(pose.x, x),
@@ -270,7 +270,7 @@ class Poses:
             {point: (place.u, place.v) for point, place in places.items()},
         )
 
-    def fix(self, assembly: Assembly, angle: Angle, base: Place, x: Node, y: Node) -> None:
+    def fix(self, assembly: Assembly, angle: Angle, base: PointInLink, x: Node, y: Node) -> None:
         """The assembly's pose is found: write down its angles and the points that were not known yet."""
         for body in assembly:
             member = self.members[body]
@@ -280,7 +280,7 @@ class Poses:
             if member.pin:
                 for before in assembly[: assembly.index(body)]:
                     self._points(before)
-                self.known[body] = Pose(own, self.own_place(body, member.pin), *self.xy[member.pin])
+                self.known[body] = Pose(own, self.own_point(body, member.pin), *self.xy[member.pin])
                 continue
             origin_x, origin_y = (member.origin - base).turned(angle)
             if member.origin == base:
@@ -317,16 +317,16 @@ class Poses:
 
     def _points(self, body: str) -> None:
         """Write down the points of a body that are not known yet, its origin first: from there the others read best."""
-        for point in sorted(self.graph.points[body], key=lambda point: not self.own_place(body, point).is_zero):
+        for point in sorted(self.graph.points[body], key=lambda point: not self.own_point(body, point).is_zero):
             met = point in self.xy and point in self.to_close
             if point not in self.xy:
                 self._point(body, point)
-            if self.own_place(body, point).is_zero and not met:
+            if self.own_point(body, point).is_zero and not met:
                 self.known[body] = Pose(self.known[body].angle, ORIGIN, *self.xy[point])
 
     def _point(self, body: str, point: str) -> None:
         pose = self.known[body]
-        x, y = (self.own_place(body, point) - pose.base).turned(pose.angle)
+        x, y = (self.own_point(body, point) - pose.base).turned(pose.angle)
         found = []
         for axis, base, part in (("x", pose.x, x), ("y", pose.y, y)):
             label = phrase("coordinate", point=point, axis=axis)

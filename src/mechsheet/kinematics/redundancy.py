@@ -25,7 +25,7 @@ from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.lengths import extent
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.points_in_link import number, number_places
+from mechsheet.kinematics.points_in_link import number, number_points
 from mechsheet.kinematics.sketched import assemblies
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Joint, Link, Mechanism, Rack, Sketch
@@ -204,7 +204,7 @@ def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
     dimensions = dimension_values(mechanism)
     if isinstance(part, Link):
         first, second = _shared(mechanism, part)
-        places = number_places(part, dimensions)
+        places = number_points(part, dimensions)
         (x, y), (x2, y2) = places[first], places[second]
         length = portable.hypot(x2 - x, y2 - y)
         apart = portable.hypot(
@@ -212,7 +212,7 @@ def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
         )
         return np.asarray(np.abs(apart - length))
     on = next(link for link in mechanism.links if link.name == part.on)
-    base = number_places(on, dimensions)
+    base = number_points(on, dimensions)
     u, v = base[part.through] if isinstance(part.through, str) else (number(x, dimensions) for x in part.through)
     theta = _angle(mechanism, on, values)
     # From a point of the link whose place is known; the ground's own frame needs none.

@@ -37,7 +37,7 @@ def values_of(mechanism: Mechanism) -> list[Value]:
         numbers |= dict.fromkeys((*task.results.values(), *task.taken), math.nan)
     exact = {} if task is None else {name: task.results[result] for name, result in task.taken.items()}
     shown = {symbol: _value(mechanism, dim, exact.get(symbol, symbol), numbers) for symbol, dim in own.items()}
-    names = [dim.symbol for dim in mechanism.dimensions if dim.place[:1] != ("synthesis",)]
+    names = [dim.symbol for dim in mechanism.dimensions if dim.path[:1] != ("synthesis",)]
     if task is None:
         return [shown[name] for name in names]
     of_task = [symbol for symbol in (*task.inputs, *task.steps) if symbol not in exact.values()]

@@ -31,7 +31,7 @@ from .mechanism import (
     TableRequest,
     touched_by,
 )
-from .places import Cartesian, Distances, Place, Polar
+from .points import Cartesian, Distances, GivenPoint, Polar
 from .symbols import (
     ENERGY,
     GROUND,
@@ -76,6 +76,7 @@ __all__ = [
     "Exercise",
     "FurtherDriver",
     "Gear",
+    "GivenPoint",
     "Joint",
     "Label",
     "Law",
@@ -86,7 +87,6 @@ __all__ = [
     "Need",
     "Objective",
     "Output",
-    "Place",
     "Polar",
     "Quantity",
     "Rack",

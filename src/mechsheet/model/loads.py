@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from livesheet.formula.nodes import Node
 
-from .places import Place
+from .points import GivenPoint
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +21,7 @@ class Mass:
 
     link: str
     mass: Node | None
-    center: str | Place
+    center: str | GivenPoint
     inertia: Node | None
     assumed: bool = False
 
@@ -38,7 +38,7 @@ class Load:
     name: str
     order: int
     link: str
-    point: str | Place = ""
+    point: str | GivenPoint = ""
     force: tuple[Node, Node] | None = None
     torque: Node | None = None
     in_link: bool = False

@@ -14,7 +14,7 @@ from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 from .asked import Exercise, Study, Synthesis, Tolerances
 from .cams import Cam, Segments
 from .loads import Dynamics
-from .places import Place
+from .points import GivenPoint
 from .symbols import TIME, Quantity, rate_symbols
 from .takes import Take
 
@@ -29,7 +29,7 @@ class Dimension:
     tolerance  in the unit shown
     shown      a plain number as the description wrote it, in its unit (30 for 30 degrees), else None
     written    the expression of a derived dimension as the description wrote it, else ""
-    place      where the description gives one that is not among its dimensions: ("driver", "speed"),
+    path       where the description gives one that is not among its dimensions: ("driver", "speed"),
                ("driver", "motion", "duration"), ("links", "crank", "mass"), ("loads", 0, "force", 1),
                ("synthesis", "theta", 1) of a task, ("synthesis",) of a step of its solution; () for its own
     """
@@ -42,12 +42,12 @@ class Dimension:
     tolerance: float | None = None
     shown: float | None = None
     written: str = ""
-    place: tuple[str | int, ...] = ()
+    path: tuple[str | int, ...] = ()
 
     @property
     def driver_key(self) -> str:
         """The key of the driver that gives it: "speed", "acceleration", "duration" …; "" for any other."""
-        return str(self.place[-1]) if self.place[:1] == ("driver",) else ""
+        return str(self.path[-1]) if self.path[:1] == ("driver",) else ""
 
     @property
     def derived(self) -> bool:
@@ -61,7 +61,7 @@ class Link:
 
     name: str
     number: int
-    points: Mapping[str, Place]
+    points: Mapping[str, GivenPoint]
     label: Words | None = None
 
     @property
@@ -459,7 +459,7 @@ class Mechanism:
     @property
     def flywheel(self) -> Dimension | None:
         """The coefficient of fluctuation that a flywheel must keep; None where no flywheel is asked for."""
-        return next((dim for dim in self.dimensions if dim.place[:1] == ("flywheel",)), None)
+        return next((dim for dim in self.dimensions if dim.path[:1] == ("flywheel",)), None)
 
     @property
     def driver_rates(self) -> tuple[str, str]:

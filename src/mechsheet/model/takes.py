@@ -60,8 +60,8 @@ class Take:
         return tuple(way for part, way in WAYS.items() if part in self.parts)
 
     @property
-    def place(self) -> str:
-        """The part whose place is the take's own; "" where it has none, as a mean or a range."""
+    def occurs_with(self) -> str:
+        """The part that occurs where the take does; "" where it has none, as a mean or a range."""
         return self.value.name if isinstance(self.value, Symbol) and self.value.name != "mean" else ""
 
     @property

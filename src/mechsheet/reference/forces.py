@@ -18,11 +18,11 @@ from numpy.typing import NDArray
 
 from livesheet.formula.nodes import Binary, Node, Number
 
-from ..model import CONTACT, Cam, Dynamics, Link, Mechanism, Place, Spring, pair_symbol, touched_by
+from ..model import CONTACT, Cam, Dynamics, GivenPoint, Link, Mechanism, Spring, pair_symbol, touched_by
 from .cams import profile
 from .expressions import column as over_rows
 from .expressions import number
-from .geometry import ROUNDING, Array, link_places
+from .geometry import ROUNDING, Array, link_points
 from .rates import by_time, gradients, of_poses, solved
 from .solution import Solution, reached
 from .system import Equation, System, residual
@@ -208,13 +208,13 @@ class Applied:
         """Of an expression, row by row."""
         return over_rows(node, self.known, len(self.rows))
 
-    def place(self, link: str, given: str | Place) -> tuple[Equation, Equation]:
+    def place(self, link: str, given: str | GivenPoint) -> tuple[Equation, Equation]:
         """The coordinates of a place of a link, as conditions whose residuals they are."""
         own = self.links[link]
         if isinstance(given, str):
-            spot = self.built.places[link][given]
+            spot = self.built.points[link][given]
         else:
-            spot = link_places(replace(own, points={**own.points, "": given}), self.solution.dimensions)[""]
+            spot = link_points(replace(own, points={**own.points, "": given}), self.solution.dimensions)[""]
         body, place = self.built.bodies[link], self.built.local(link, spot)
         return Equation("meet x", body, 0, place), Equation("meet y", body, 0, place)
 

@@ -1,4 +1,4 @@
-"""Numbers of a mechanism: dimensions, driver values, and places of points in their links' frames."""
+"""Numbers of a mechanism: dimensions, driver values, and points in their links' frames."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from livesheet.formula.nodes import symbols
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 
-from ..model import Cartesian, Distances, Joint, Link, Mechanism, Place, Polar
+from ..model import Cartesian, Distances, GivenPoint, Joint, Link, Mechanism, Polar
 from .driving import by_law
 from .expressions import number
 
 Array: TypeAlias = NDArray[np.float64]
-Places: TypeAlias = Mapping[str, Mapping[str, Array]]
+PointsByLink: TypeAlias = Mapping[str, Mapping[str, Array]]
 """Link name → point name → (x, y) in the link's frame."""
 
 STEP_TOLERANCE = 1e-9
@@ -106,12 +106,12 @@ def driver_values(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Arra
     return np.asarray(start + np.arange(int(np.floor(steps + STEP_TOLERANCE)) + 1) * step)
 
 
-def places(mechanism: Mechanism, dimensions: Mapping[str, float]) -> dict[str, dict[str, Array]]:
+def points_in_links(mechanism: Mechanism, dimensions: Mapping[str, float]) -> dict[str, dict[str, Array]]:
     """Every point of every link in the link's own frame; NaN where its distances make no triangle."""
-    return {link.name: link_places(link, dimensions) for link in mechanism.links}
+    return {link.name: link_points(link, dimensions) for link in mechanism.links}
 
 
-def link_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Array]:
+def link_points(link: Link, dimensions: Mapping[str, float]) -> dict[str, Array]:
     """Points of one link in its frame. Raises MechanismError when points are given by each other in a circle."""
     found: dict[str, Array] = {}
 
@@ -121,7 +121,7 @@ def link_places(link: Link, dimensions: Mapping[str, float]) -> dict[str, Array]
                 say('points of "{name}" in a circle: {names}', name=link.name, names=" → ".join((*asked, point)))
             )
         if point not in found:
-            place: Place = link.points[point]
+            place: GivenPoint = link.points[point]
             match place:
                 case Cartesian(x, y):
                     found[point] = np.array([number(x, dimensions), number(y, dimensions)])
@@ -160,7 +160,7 @@ def _by_distances(p: Array, from_p: float, q: Array, from_q: float, side: float)
     return np.asarray(p + along * unit + across * np.array([-unit[1], unit[0]]))
 
 
-def through(joint: Joint, located: Places, dimensions: Mapping[str, float]) -> Array:
+def through(joint: Joint, located: PointsByLink, dimensions: Mapping[str, float]) -> Array:
     """The point of `on`'s frame that a sliding joint's line passes."""
     if isinstance(joint.through, str):
         return located[joint.on][joint.through]
@@ -172,7 +172,7 @@ def size(mechanism: Mechanism, dimensions: Mapping[str, float]) -> float:
 
     A mechanism without any length has the largest displacement that drives it, or 1.
     """
-    located = places(mechanism, dimensions)
+    located = points_in_links(mechanism, dimensions)
     marks = {name: list(points.values()) for name, points in located.items()}
     for joint in mechanism.joints:
         marks[joint.on].append(through(joint, located, dimensions))

@@ -167,14 +167,14 @@ def _quantities(built: System, mechanism: Mechanism) -> dict[str, Equation]:
     for link in mechanism.links[1:]:
         found[link.angle_symbol] = Equation("angle", built.bodies[link.name], 0)
     for joint in mechanism.joints:
-        line = built.local(joint.on, geometry.through(joint, built.places, built.dimensions))
-        pin = built.local(joint.link, built.places[joint.link][joint.point])
+        line = built.local(joint.on, geometry.through(joint, built.points, built.dimensions))
+        pin = built.local(joint.link, built.points[joint.link][joint.point])
         angle = number(joint.angle, built.dimensions)
         found[joint.symbol] = Equation(
             "displacement", built.bodies[joint.link], built.bodies[joint.on], pin, line, angle
         )
     for point, owner in owners.items():
-        spot = built.local(owner, built.places[owner][point])
+        spot = built.local(owner, built.points[owner][point])
         found[f"{point}.x"] = Equation("meet x", built.bodies[owner], 0, spot)
         found[f"{point}.y"] = Equation("meet y", built.bodies[owner], 0, spot)
     return found

@@ -32,7 +32,7 @@ def residuals(
     Angles are compared modulo a turn. Rows with NaN have NaN. Raises KeyError when a variable is missing.
     """
     numbers = geometry.dimension_values(mechanism, dimensions)
-    located = geometry.places(mechanism, numbers)
+    located = geometry.points_in_links(mechanism, numbers)
     size = geometry.size(mechanism, numbers)
     judge = _Judge(mechanism, numbers, located, {name: np.asarray(v) for name, v in variables.items()}, size)
     found: dict[str, Array] = {}
@@ -66,7 +66,7 @@ class _Judge:
         self,
         mechanism: Mechanism,
         numbers: Mapping[str, float],
-        located: geometry.Places,
+        located: geometry.PointsByLink,
         variables: Mapping[str, Array],
         size: float,
     ) -> None:

@@ -162,7 +162,7 @@ class Sketched:
             along = displacement(self.system, joint, states, self._owner(joint.point))
             return np.asarray((along - entry.target[0]) ** 2)
         if entry.kind == "point":
-            place = point_places(self.system, self._owner(entry.name), entry.name, states)
+            place = point_positions(self.system, self._owner(entry.name), entry.name, states)
             return np.asarray(np.sum((place - np.array(entry.target)) ** 2, axis=1))
         if entry.kind == "side":
             return self._off_side(entry, states)
@@ -177,9 +177,9 @@ class Sketched:
         crank, coupler, rocker = (
             next(k for k in self.system.mechanism.links if k.name == n) for n in entry.name.split(" ")
         )
-        a = point_places(self.system, crank.name, _shared(crank, coupler)[0], states)
-        b = point_places(self.system, rocker.name, _shared(coupler, rocker)[0], states)
-        b0 = point_places(self.system, rocker.name, _shared(rocker, self.system.mechanism.ground)[0], states)
+        a = point_positions(self.system, crank.name, _shared(crank, coupler)[0], states)
+        b = point_positions(self.system, rocker.name, _shared(coupler, rocker)[0], states)
+        b0 = point_positions(self.system, rocker.name, _shared(rocker, self.system.mechanism.ground)[0], states)
         way, arm = b0 - a, b - a
         return np.asarray(((way[:, 0] * arm[:, 1] - way[:, 1] * arm[:, 0]) * entry.target[0] < 0).astype(float))
 
@@ -216,10 +216,10 @@ def _deciding_blocks(system: System) -> list[int]:
     return done
 
 
-def point_places(system: System, link: str, point: str, states: Array) -> Array:
+def point_positions(system: System, link: str, point: str, states: Array) -> Array:
     """Places (m, 2) of a link's point, in the system's own lengths from its own origin."""
     first = system.column(link)
-    x, y = system.places[link][point] / system.scale
+    x, y = system.points[link][point] / system.scale
     return _moved(system, first, states, x, y)
 
 
@@ -233,9 +233,9 @@ def _moved(system: System, first: int, states: Array, x: float, y: float) -> Arr
 def displacement(system: System, joint: Joint, states: Array, link: str = "") -> Array:
     """Displacement (m,) of a sliding joint, in the system's own lengths; `link` is another link that has its point."""
     first = system.column(joint.on)
-    x, y = geometry.through(joint, system.places, system.dimensions) / system.scale
+    x, y = geometry.through(joint, system.points, system.dimensions) / system.scale
     theta = states[:, first + 2]
     line = _moved(system, first, states, x, y)
     direction = theta + number(joint.angle, system.dimensions)
-    away = point_places(system, link or joint.link, joint.point, states) - line
+    away = point_positions(system, link or joint.link, joint.point, states) - line
     return np.asarray(np.cos(direction) * away[:, 0] + np.sin(direction) * away[:, 1])

@@ -11,7 +11,7 @@ from ..model import Mechanism
 from . import geometry
 from .branches import Mask
 from .geometry import Array
-from .sketch import displacement, point_places
+from .sketch import displacement, point_positions
 from .system import System, residual
 
 
@@ -116,7 +116,7 @@ def _places(built: System, state: Array) -> tuple[dict[str, Array], dict[str, Ar
     mechanism = built.mechanism
     owners = {point: link.name for link in reversed(mechanism.links) for point in link.points}
     points = {
-        point: point_places(built, owners[point], point, state) * built.scale + built.origin
+        point: point_positions(built, owners[point], point, state) * built.scale + built.origin
         for point in dict.fromkeys(p for link in mechanism.links for p in link.points)
     }
     slides = {joint.symbol: displacement(built, joint, state) * built.scale for joint in mechanism.joints}

@@ -64,7 +64,7 @@ class Equation:
 class Block:
     """Equations solved together for the state's `columns`.
 
-    coordinates  columns of all places that its equations read
+    coordinates  columns of all points that its equations read
     slots   for each equation the pairs (slot of its gradient, position in `columns`)
     reach   length of the lever that each unknown angle turns here, 1 for a coordinate: dividing a column of the Jacobian
             by it makes short links count like long ones
@@ -108,7 +108,7 @@ class System:
 
     mechanism: Mechanism
     dimensions: Mapping[str, float]
-    places: geometry.Places
+    points: geometry.PointsByLink
     bodies: Mapping[str, int]
     blocks: tuple[Block, ...]
     columns: int
@@ -141,7 +141,7 @@ def system(mechanism: Mechanism, dimensions: Mapping[str, float]) -> System:
 
     Raises MechanismError when there are not as many conditions as unknowns, or when they fall on the wrong links.
     """
-    located = geometry.places(mechanism, dimensions)
+    located = geometry.points_in_links(mechanism, dimensions)
     bodies = {link.name: i for i, link in enumerate(mechanism.links)}
     size = geometry.size(mechanism, dimensions)
     scale = 2.0 ** round(math.log2(size))  # a power of two: dividing by it rounds nothing
@@ -167,7 +167,7 @@ def system(mechanism: Mechanism, dimensions: Mapping[str, float]) -> System:
     return System(
         mechanism=mechanism,
         dimensions=dimensions,
-        places=located,
+        points=located,
         bodies=bodies,
         blocks=tuple(_block([equations[i] for i in rows], columns) for rows, columns in parts),
         columns=3 * count + len(mechanism.drivers),
@@ -181,7 +181,7 @@ def system(mechanism: Mechanism, dimensions: Mapping[str, float]) -> System:
     )
 
 
-def _origin(mechanism: Mechanism, dimensions: Mapping[str, float], located: geometry.Places) -> Array:
+def _origin(mechanism: Mechanism, dimensions: Mapping[str, float], located: geometry.PointsByLink) -> Array:
     """A place in the middle of what is fixed: counted from there, a far-off ground costs no digits."""
     ground = mechanism.ground.name
     shared = {p for link in mechanism.links[1:] for p in link.points}
@@ -203,7 +203,7 @@ class _Builder:
         self,
         mechanism: Mechanism,
         dimensions: Mapping[str, float],
-        located: geometry.Places,
+        located: geometry.PointsByLink,
         bodies: Mapping[str, int],
         scale: float,
         origin: Array,

@@ -22,6 +22,7 @@ from mechsheet.model import (
     Cartesian,
     Distances,
     Dynamics,
+    GivenPoint,
     Link,
     Load,
     Mass,
@@ -32,7 +33,6 @@ from mechsheet.model import (
     pair_symbol,
     torque_unit,
 )
-from mechsheet.model import Place as GivenPlace
 from mechsheet.shapes.colors import ACCELERATION, FORCE, INK, SPRING, VELOCITY
 from mechsheet.shapes.described import Described
 from mechsheet.shapes.forms import (
@@ -144,7 +144,7 @@ def loaded_points(known: Described) -> tuple[str, ...]:
     return tuple(dict.fromkeys(point for _, point in ends if point in known.ground.points))
 
 
-def _place(known: Described, link: Link, given: str | GivenPlace) -> Vector:
+def _place(known: Described, link: Link, given: str | GivenPoint) -> Vector:
     """A point of a link, or a place in its frame."""
     if isinstance(given, str):
         return place_of(given or next(iter(link.points)))
@@ -154,7 +154,7 @@ def _place(known: Described, link: Link, given: str | GivenPlace) -> Vector:
     return together([(pose.x, pose.y), times(u, ahead), times(v, turned(ahead))])
 
 
-def _in_link(known: Described, link: Link, given: GivenPlace) -> Vector:
+def _in_link(known: Described, link: Link, given: GivenPoint) -> Vector:
     """A place in the frame of its link."""
     match given:
         case Cartesian(x, y):

@@ -56,7 +56,8 @@ class Boxes:
 
     def near(self, at: Array, reach: Array) -> Boxes:
         """Those that come so near to a place."""
-        there = (np.abs(self.middles - at) <= self.halves + reach).all(axis=1)
+        beside, above = (np.abs(self.middles - at) <= self.halves + reach).T
+        there = beside & above
         return Boxes(self.middles[there], self.halves[there])
 
 
@@ -71,7 +72,8 @@ class Lines:
     def near(self, at: Array, reach: Array) -> Lines:
         """Those that come so near to a place."""
         middle, half = (self.starts + self.ends) / 2, np.abs(self.ends - self.starts) / 2 + self.widths[:, None]
-        there = (np.abs(middle - at) <= half + reach).all(axis=1)
+        beside, above = (np.abs(middle - at) <= half + reach).T
+        there = beside & above
         return Lines(self.starts[there], self.ends[there], self.widths[there])
 
 
@@ -83,22 +85,29 @@ def half_box(text: str, size: float) -> Array:
 
 
 def crossed(boxes: Boxes, lines: Lines) -> Array:
-    """How many lines each box meets: a line and a box are apart where one of three directions parts them."""
+    """How many lines each box meets: a line and a box are apart where one of three directions parts them.
+
+    Few are as near as that in x and in y; across the line only these are looked at.
+    """
     middle, half = (lines.starts + lines.ends) / 2, (lines.ends - lines.starts) / 2
-    away = np.abs(boxes.middles[:, None, :] - middle[None])
-    room = boxes.halves[:, None, :] + lines.widths[None, :, None]
-    meets = (away <= room + np.abs(half)[None]).all(axis=2)
-    offset = boxes.middles[:, None, :] - middle[None]
-    across = np.abs(offset[..., 0] * half[:, 1] - offset[..., 1] * half[:, 0])
-    return np.asarray(
-        (meets & (across <= room[..., 0] * np.abs(half[:, 1]) + room[..., 1] * np.abs(half[:, 0]))).sum(axis=1)
-    )
+    offset_x, offset_y = (boxes.middles[:, None, axis] - middle[:, axis] for axis in (0, 1))
+    room = [boxes.halves[:, None, axis] + lines.widths for axis in (0, 1)]
+    near_x, near_y = (room[axis] + np.abs(half[:, axis]) for axis in (0, 1))
+    box, line = np.nonzero((np.abs(offset_x) <= near_x) & (np.abs(offset_y) <= near_y))
+    way_x, way_y = half[line].T
+    across = np.abs(offset_x[box, line] * way_y - offset_y[box, line] * way_x)
+    meets = across <= room[0][box, line] * np.abs(way_y) + room[1][box, line] * np.abs(way_x)
+    return np.asarray(np.bincount(box[meets], minlength=len(boxes.middles)))
 
 
 def covered(boxes: Boxes, others: Boxes) -> Array:
     """How many other boxes each box meets."""
-    away = np.abs(boxes.middles[:, None, :] - others.middles[None])
-    return np.asarray((away < boxes.halves[:, None, :] + others.halves[None]).all(axis=2).sum(axis=1))
+    beside, above = (
+        np.abs(boxes.middles[:, None, axis] - others.middles[:, axis])
+        < boxes.halves[:, None, axis] + others.halves[:, axis]
+        for axis in (0, 1)
+    )
+    return np.asarray(np.count_nonzero(beside & above, axis=1))
 
 
 class Sheet:

@@ -9,7 +9,7 @@ from livesheet import portable
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Node, Symbol
-from mechsheet.kinematics.points_in_link import angle_of, cartesian, number_places
+from mechsheet.kinematics.points_in_link import angle_of, cartesian, number_points
 from mechsheet.model import Joint, Link, Mechanism
 
 
@@ -17,7 +17,7 @@ def corners(link: Link, dimensions: Mapping[str, float]) -> tuple[str, ...]:
     """The link's points in the order in which its outline passes them: around their middle."""
     if len(link.points) <= 3:
         return tuple(link.points)
-    places = number_places(link, dimensions)
+    places = number_points(link, dimensions)
     x = math.fsum(place[0] for place in places.values()) / len(places)
     y = math.fsum(place[1] for place in places.values()) / len(places)
     return tuple(sorted(places, key=lambda point: portable.arctan2(places[point][1] - y, places[point][0] - x)))

@@ -52,6 +52,9 @@ from mechsheet.words.symbols import plain
 FITTED = 8
 """How often a window is made larger for arrows, which grow with it, each time by less than half as much."""
 
+CORNERS = 16
+"""An outline of more corners, a traced one for example, is coarser inside, where names are the only ones to ask."""
+
 NAMELESS = 6
 """So many rings in a plate leave no room for a name."""
 
@@ -419,7 +422,9 @@ def _filled(stroke: Stroke) -> Stroke:
     """A plate with its inside as lines, since no name stands on it."""
     if not stroke.border or len(stroke.points) < 4:
         return stroke
-    return replace(stroke, points=rings(stroke.points, NAMELESS))
+    corners = stroke.points[: -1 : math.ceil((len(stroke.points) - 1) / CORNERS)]
+    inside = rings(np.vstack([corners, corners[:1]]), NAMELESS)
+    return replace(stroke, points=np.vstack([stroke.points, inside[len(corners) :]]))
 
 
 def in_digits(amount: float, digits: int = 3) -> str:

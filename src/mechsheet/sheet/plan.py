@@ -179,7 +179,7 @@ class Plan:
         return {each.quantity: Banded(each.quantity, tuple(each.by)) for each in self.sensitivities.of}
 
     @cached_property
-    def band_places(self) -> dict[str, int]:
+    def band_decimals(self) -> dict[str, int]:
         """By quantity with a band: the decimals of which the last is the band's first digit, in most rows."""
         found = {}
         for name, column in sizes(self.mechanism, self.sensitivities, self.equations, self.nominal).items():
@@ -340,6 +340,6 @@ def block_of(dim: Dimension) -> str:
     what has a sheet of its own."""
     places = {"driver": "motion", "flywheel": "motion", "links": "masses", "dynamics": "masses", "loads": "loads"}
     places |= {"joints": "gears", "drivers": "drivers", "synthesis": "synthesis", "cam": "cam"}
-    if dim.place[1:2] == ("segments",):
+    if dim.path[1:2] == ("segments",):
         return "cam"
-    return places[str(dim.place[0])] if dim.place else ""
+    return places[str(dim.path[0])] if dim.path else ""

@@ -82,7 +82,7 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
 def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
     mechanism = plan.mechanism
     order = {symbol: index for index, symbol in enumerate(dimension_order(mechanism))}
-    own = [dim for dim in mechanism.dimensions if not dim.place]
+    own = [dim for dim in mechanism.dimensions if not dim.path]
     found = {} if mechanism.synthesis is None else mechanism.synthesis.taken
     inputs = [dim for dim in own if not dim.derived or dim.symbol in found]
     derived = sorted((dim for dim in own if dim not in inputs), key=lambda dim: order[dim.symbol])

@@ -101,7 +101,7 @@ class Writer:
         value = self.task.given[place]
         label = step_words(words or str(place[0]), **parts)
         shown = unit.written(value)
-        self.dimensions.append(Dimension(symbol, value, unit, label, shown=shown, place=(*PLACE, *place)))
+        self.dimensions.append(Dimension(symbol, value, unit, label, shown=shown, path=(*PLACE, *place)))
         self.inputs[place] = symbol
         if place[0] in self.task.positive:
             self.positive.append(symbol)
@@ -138,7 +138,7 @@ class Writer:
     def rounding(self, symbol: str) -> Dimension:
         """What lengths are rounded to."""
         value = self.task.given["round",]
-        return Dimension(symbol, value, self.units.length, step_words("round"), shown=value, place=(*PLACE, "round"))
+        return Dimension(symbol, value, self.units.length, step_words("round"), shown=value, path=(*PLACE, "round"))
 
     def _derived(
         self, symbol: str, node: Node, unit: Unit, words: str, needs: str, parts: Mapping[str, object]
@@ -146,7 +146,7 @@ class Writer:
         if needs:
             node = where(self.parsed(needs), node)
             self._reason(symbol, words)
-        self.dimensions.append(Dimension(symbol, node, unit, step_words(words, **parts), place=PLACE))
+        self.dimensions.append(Dimension(symbol, node, unit, step_words(words, **parts), path=PLACE))
         self.steps.append(symbol)
 
     def _reason(self, symbol: str, words: str) -> None:

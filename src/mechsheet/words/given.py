@@ -11,7 +11,7 @@ from mechsheet.words.symbols import plain
 
 def given_words(mechanism: Mechanism, language: Language, dim: Dimension) -> str:
     """What a dimension is that the description gives elsewhere than among its dimensions; "" for one of these."""
-    match dim.place:
+    match dim.path:
         case ():
             return ""
         case ("driver", "motion", "duration"):

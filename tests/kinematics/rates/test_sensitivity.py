@@ -42,7 +42,7 @@ def with_tolerances(mechanism, tolerance=0.1):
     return replace(
         mechanism,
         dimensions=tuple(
-            dim if dim.derived or dim.place else replace(dim, tolerance=tolerance) for dim in mechanism.dimensions
+            dim if dim.derived or dim.path else replace(dim, tolerance=tolerance) for dim in mechanism.dimensions
         ),
     )
 

@@ -21,7 +21,7 @@ from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import TURN, Search
-from mechsheet.reference.geometry import link_places
+from mechsheet.reference.geometry import link_points
 from mechsheet.sheet import styles
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import MEANING, VALUE
@@ -177,7 +177,7 @@ class Truth(Search):
         it has with the others, against the places of these in the link, as the reference reads them."""
         found = []
         for each in self.mechanism.redundant:
-            own = link_places(each.link, self.dimensions)
+            own = link_points(each.link, self.dimensions)
             pins = {
                 point: np.stack(self._pin(point), axis=-1)
                 for point in own
@@ -192,7 +192,7 @@ class Truth(Search):
     def _pin(self, point):
         """(x, y) in all rows of a point that another link has too."""
         if point in self.mechanism.ground.points:
-            x, y = link_places(self.mechanism.ground, self.dimensions)[point]
+            x, y = link_points(self.mechanism.ground, self.dimensions)[point]
             return np.full(self.rows, x), np.full(self.rows, y)
         return self.in_rows(f"{point}.x"), self.in_rows(f"{point}.y")
 

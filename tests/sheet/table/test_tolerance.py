@@ -111,7 +111,7 @@ def test_decimals_follow_the_band():
     """100.8 +- 0.1: no digit that the tolerances cannot hold."""
     compiled = Compiled(slider('["stroke", "C.x"]'))
     plan = compiled.plan
-    assert plan.band_places["s14"] == 1
+    assert plan.band_decimals["s14"] == 1
     sheet = compiled.workbook.sheet(plan.main)
     row = plan.blocks["summary"].rows["stroke"]
     (value,) = (fill for fill in sheet.fills if (fill.row, fill.col) == (row, 1))
@@ -170,9 +170,7 @@ def test_a_template_with_tolerances_has_the_bands_that_its_first_lines_promise(t
 def all_toleranced(name):
     """A template with a tolerance at every input and a band of its last angle or displacement."""
     mechanism = load(TEMPLATES / f"{name}.toml")
-    dimensions = tuple(
-        dim if dim.derived or dim.place else replace(dim, tolerance=0.05) for dim in mechanism.dimensions
-    )
+    dimensions = tuple(dim if dim.derived or dim.path else replace(dim, tolerance=0.05) for dim in mechanism.dimensions)
     if mechanism.bands is not None:
         return replace(mechanism, dimensions=dimensions)
     compiled = Compiled(mechanism)

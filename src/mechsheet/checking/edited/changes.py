@@ -116,7 +116,7 @@ def input_places(expected: Expected) -> Iterator[tuple[Key, tuple[str, int, int]
     """Every input that a description keeps, and its cell: not the position shown."""
     plan = expected.plan
     mechanism = plan.mechanism
-    keys = {dim.symbol: dim.place for dim in mechanism.dimensions if dim.place and not dim.derived}
+    keys = {dim.symbol: dim.path for dim in mechanism.dimensions if dim.path and not dim.derived}
     found = {} if mechanism.synthesis is None else mechanism.synthesis.taken
     for symbol, given in keys.items():
         spot = plan.at.spots[symbol]

@@ -169,6 +169,6 @@ def expected_of(judged: SearchedMotion, summary: Summary) -> Expected | None:
     unit = 1.0 if angle else search.size
     return Expected(
         of_motion, of_rows, of_all * scale, ROUNDED * unit * scale,
-        TURN * scale if angle and take.place else 0.0,
+        TURN * scale if angle and take.occurs_with else 0.0,
         whole, judged.sure and (whole or not angle or len(search.row_stretches) == 1),
     )  # fmt: skip

@@ -73,7 +73,7 @@ def declare(found: Found, scope: Scope) -> None:
     """Enter the names, units and values of the task's inputs and steps; a step that has no value stays without."""
     for dim in found.dimensions:
         hint = say("rename it: a step of the synthesis has that name") if dim.derived else say("rename it")
-        scope.symbols.claim(dim.symbol, "synthesis", dim.place, hint)
+        scope.symbols.claim(dim.symbol, "synthesis", dim.path, hint)
         scope.units[dim.symbol] = dim.unit
         scope.kinds[dim.symbol] = unit_kind(dim.unit)
         value = dim.value if isinstance(dim.value, float) else _value(dim.value, scope.numbers)

@@ -52,7 +52,7 @@ def _check_dimensions(dimensions: tuple[Dimension, ...], layout: str, scope: Sco
     if layout == "page":
         message = say("bands need a sheet of their own, which the layout page does not have")
         scope.report.at(_PATH, message, say('write layout = "sheets"'))
-    own = [dim for dim in dimensions if dim.tolerance and not dim.place]
+    own = [dim for dim in dimensions if dim.tolerance and not dim.path]
     for dim in own:
         if dim.derived:
             message = say(
@@ -60,7 +60,7 @@ def _check_dimensions(dimensions: tuple[Dimension, ...], layout: str, scope: Sco
             )
             scope.report.at(("dimensions", dim.symbol, "tolerance"), message, say("give those tolerances"))
     if not any(not dim.derived for dim in own):
-        inputs = [dim for dim in dimensions if not dim.derived and not dim.place and dim.shown is not None]
+        inputs = [dim for dim in dimensions if not dim.derived and not dim.path and dim.shown is not None]
         symbol, value = (inputs[0].symbol, inputs[0].shown) if inputs else ("a2", 40)
         hint = say(
             "write for example {symbol} = {{ value = {value:.12g}, tolerance = 0.1 }}", symbol=symbol, value=value

@@ -131,7 +131,7 @@ def _cell(symbol: str, value: Quantity, unit: Unit, written: Any, key: str) -> D
     """A cell of the motion; a plain number is an input."""
     place = ("driver", "motion", key) if key == DURATION else ("driver", key)
     shown = unit.written(value) if isinstance(value, float) else None
-    return Dimension(symbol, value, unit, shown=shown, written=written if isinstance(written, str) else "", place=place)
+    return Dimension(symbol, value, unit, shown=shown, written=written if isinstance(written, str) else "", path=place)
 
 
 def _duration(given: dict[str, Any], path: Path, scope: Scope) -> Quantity | None:

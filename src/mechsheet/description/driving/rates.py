@@ -144,7 +144,7 @@ def _unit(key: Key, driver: Driver, scope: Scope) -> Unit:
 
 def _cell(key: Key, symbol: str, value: Quantity, driver: Driver, scope: Scope, text: str = "") -> Dimension:
     shown = value if isinstance(value, float) else None
-    return Dimension(symbol, value, _unit(key, driver, scope), shown=shown, written=text, place=("driver", key))
+    return Dimension(symbol, value, _unit(key, driver, scope), shown=shown, written=text, path=("driver", key))
 
 
 def _rate(key: Key, given: Any, name: str, driver: Driver, scope: Scope) -> tuple[Node | None, tuple[Dimension, ...]]:
@@ -197,7 +197,7 @@ def _in_unit(
         key, f"driver's {key}", ("driver", key), f"rename it: the {key} in {word} has a cell of its own"
     )
     shown = Unit("label", word.replace("deg", "°").replace("^2", "²"))
-    cell = Dimension(key, value, shown, shown=value, place=("driver", key))
+    cell = Dimension(key, value, shown, shown=value, path=("driver", key))
     scope.numbers[key] = value
     tree = al.mul(Symbol(key), _FACTORS[word])
     return Symbol(name), (cell, _cell(key, name, tree, driver, scope, f"{key}*pi/{180 if 'deg' in word else 30}"))

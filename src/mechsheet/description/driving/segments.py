@@ -248,5 +248,5 @@ def _derived(symbol: str, node: Node, unit: Unit, place: Path, cells: list[Dimen
     """A cell of what follows from other dimensions."""
     scope.symbols.claim(symbol, "segment", place, say("rename it: the cam's motion has a cell of that name"))
     scope.numbers[symbol] = scope.number(node)
-    cells.append(Dimension(symbol, node, unit, place=place))
+    cells.append(Dimension(symbol, node, unit, path=place))
     return Symbol(symbol)

@@ -26,11 +26,11 @@ from mechsheet.model import (
     Dimension,
     Distances,
     Dynamics,
+    GivenPoint,
     Joint,
     Link,
     Load,
     Mass,
-    Place,
     Quantity,
     Spring,
     center_symbol,
@@ -169,10 +169,10 @@ class _Reader:
         scope.symbols.claim(symbol, what, path, hint)
         shown = value if isinstance(value, float) else None
         written = given if isinstance(given, str) else ""
-        self.cells.append(Dimension(symbol, value, unit, shown=shown, written=written, place=path))
+        self.cells.append(Dimension(symbol, value, unit, shown=shown, written=written, path=path))
         return Symbol(symbol)
 
-    def _own_place(self, value: Any, names: tuple[str, str], path: Path, link: Link) -> Place:
+    def _own_place(self, value: Any, names: tuple[str, str], path: Path, link: Link) -> GivenPoint:
         """A place in a link's frame, its plain numbers as cells."""
         unit = unit_of(self.scope.length_unit, self.scope.length_unit)
         found = read_place(value, path, self.scope)
@@ -192,7 +192,7 @@ class _Reader:
         message = say("the link {link} has no point {point}", link=quoted(link.name), point=quoted(point))
         self.scope.report.at(path, message, suggestion(point, link.points, say("points of {link}", link=link.name)))
 
-    def _spot(self, value: Any, names: tuple[str, str], path: Path, link: Link) -> str | Place:
+    def _spot(self, value: Any, names: tuple[str, str], path: Path, link: Link) -> str | GivenPoint:
         """A point of the link by name, or a place in its frame."""
         if isinstance(value, str):
             if value not in link.points:
@@ -339,7 +339,7 @@ class _Reader:
         stiffness, free, damping = (cell or al.ZERO for cell in cells)
         return Spring(name, number, (ends[0], ends[1]), stiffness, free, damping)
 
-    def _point(self, entry: dict[str, Any], name: str, path: Path, link: Link) -> str | Place:
+    def _point(self, entry: dict[str, Any], name: str, path: Path, link: Link) -> str | GivenPoint:
         if "point" in entry:
             return self._spot(entry["point"], (f"x_{name}", f"y_{name}"), (*path, "point"), link)
         if len(link.points) != 1:

@@ -52,7 +52,7 @@ def read(
         scope.report.at(path, message, say("0.2 for presses and pumps, 0.02 for machine tools, 0.003 for generators"))
     hint = say("rename it: the flywheel's has a cell of that name")
     scope.symbols.claim("fluctuation", "coefficient of fluctuation", path, hint)
-    return (Dimension("fluctuation", float(value), NUMBER, shown=float(value), place=path),)
+    return (Dimension("fluctuation", float(value), NUMBER, shown=float(value), path=path),)
 
 
 def _of_sweep(driver: Driver, links: tuple[Link, ...], scope: Scope) -> list[tuple[Said, str]]:
@@ -80,7 +80,7 @@ def _of_speed(driver: Driver, dimensions: tuple[Dimension, ...], scope: Scope) -
     """Why the speed is not constant."""
     if driver.speed is None:
         return [] if scope.moves else [(say("a flywheel needs the driver's speed"), say("write `speed` in [driver]"))]
-    cells = {dim.symbol: dim.value for dim in dimensions if dim.place[:1] == ("driver",)}
+    cells = {dim.symbol: dim.value for dim in dimensions if dim.path[:1] == ("driver",)}
     speed, acceleration = (
         cells.get(rate.name) if isinstance(rate, Symbol) else None for rate in (driver.speed, driver.acceleration)
     )

@@ -29,7 +29,7 @@ from mechsheet.drawing_page.positions import (
     drawn_poses,
     drawn_positions,
     line_of,
-    local_places,
+    local_points,
     turned,
 )
 from mechsheet.drawing_page.questions import Impossible
@@ -81,7 +81,7 @@ def drawn_now(reading: Reading, at: float | None, held: Mapping[str, Point]) -> 
         turn = float(values[link.angle_symbol][0]) if link is not parts.links[0] else 0.0
         if math.isfinite(turn) and link is not parts.links[0] and link.points:
             point = next(iter(link.points))
-            pose = turned(turn, local_places(link, parts.numbers)[point], places[point])
+            pose = turned(turn, local_points(link, parts.numbers)[point], places[point])
         poses[link.name] = pose
     return Drawn(places, poses, float(compiled.mechanism.driver.unit.written(shown)))
 

@@ -11,7 +11,7 @@ from mechsheet.description.text.index import key_text
 from mechsheet.description.text.rewrite_tables import with_table
 from mechsheet.drawing_page.editing.naming import free_link, free_symbol
 from mechsheet.drawing_page.editing.sheet import Sheet, end_of, in_frame, rounded, sketched, with_length
-from mechsheet.drawing_page.positions import Point, Pose, local_places
+from mechsheet.drawing_page.positions import Point, Pose, local_points
 from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
 from mechsheet.model import Link
 
@@ -56,7 +56,7 @@ def _along_link(sheet: Sheet, name: str, point: str) -> _Guide:
         raise Impossible("moving_link")
     if point in link.points:
         raise Impossible("pinned_there", point=point)
-    own = local_places(link, sheet.parts.numbers)
+    own = local_points(link, sheet.parts.numbers)
     first, *others = link.points
     lines = [f'through = "{first}"']
     if others:
@@ -88,7 +88,7 @@ def _through_pin(sheet: Sheet, pin: str, point: str, place: Point) -> _Guide:
 def _on_owner(sheet: Sheet, owner: Link, pin: str, place: Point) -> _Guide:
     """The line from a pin of a link to the point, as it is drawn."""
     u, v = in_frame(place, sheet.drawn.poses.get(owner.name, Pose()))
-    x, y = local_places(owner, sheet.parts.numbers)[pin]
+    x, y = local_points(owner, sheet.parts.numbers)[pin]
     angle = math.degrees(math.atan2(v - y, u - x))
     lines = [f'through = "{pin}"'] + ([f"angle = {_angle(sheet, angle)}"] if abs(angle) > 1e-3 else [])
     return _Guide(sheet, owner.name, tuple(lines))

@@ -17,7 +17,7 @@ from mechsheet.drawing_page.cells import number_in_unit, own_units
 from mechsheet.drawing_page.editing.naming import free_symbol
 from mechsheet.drawing_page.editing.remarks import noted, quoted_key, said
 from mechsheet.drawing_page.editing.sheet import Sheet, rounded, with_length
-from mechsheet.drawing_page.positions import local_places
+from mechsheet.drawing_page.positions import local_points
 from mechsheet.drawing_page.questions import Impossible, Refusal
 from mechsheet.model import Cartesian, Distances, Link, Polar
 
@@ -125,7 +125,7 @@ SHAPES: dict[str, Callable[[Sheet, Link], tuple[Sheet, Weighed]]] = {
 
 def _ends(sheet: Sheet, link: Link) -> tuple[str, str]:
     """The two points of a link that are farthest apart. Raises Impossible where it has one alone."""
-    places = local_places(link, sheet.parts.numbers)
+    places = local_points(link, sheet.parts.numbers)
     pairs = [(a, b) for a in places for b in places if a < b]
     if not pairs:
         raise Impossible("bar_ends")
@@ -136,7 +136,7 @@ def _ends(sheet: Sheet, link: Link) -> tuple[str, str]:
 
 def _own_length(sheet: Sheet, link: Link, letter: str, key: str) -> tuple[str, Source]:
     """A new length of a link, a quarter of its own size; its symbol, and the text with it."""
-    places = list(local_places(link, sheet.parts.numbers).values())
+    places = list(local_points(link, sheet.parts.numbers).values())
     size = max((math.dist(a, b) for a in places for b in places), default=0.0) or 40.0
     symbol = free_symbol(sheet.parts, f"{letter}_{link.number}")
     length = rounded(size / 4, max(0, sheet.digits - 2))

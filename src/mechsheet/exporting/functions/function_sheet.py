@@ -14,7 +14,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.words.catalogue import Phrase, words
 
 LIST_TITLE = Phrase("function.list.title")
@@ -140,7 +140,7 @@ def _table(
         angle = in_degrees(source, symbol)
         value = calls[function.key](driver)
         value = Call("DEGREES", (value,)) if angle else value
-        style = styles.decimals(styles.COLUMN, places(plan, function.routine.unit.kind))
+        style = styles.decimals(styles.COLUMN, decimals_of_kind(plan, function.routine.unit.kind))
         fills.append(Fill(FIRST, col, value, style, rows=count))
         checked = difference(plan, source, symbol, CellRef(FIRST, col), number)
         at = behind + col - 2

@@ -33,7 +33,7 @@ from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import Unit
 from mechsheet.words.catalogue import Phrase, words
 from mechsheet.words.symbols import plain
@@ -136,7 +136,7 @@ class _Lesson:
         for at, link in enumerate(self.chain, 1):
             read, shown = self.read[link.symbol], self.shown[link.symbol]
             kind = self._unit(link.symbol).kind
-            column = styles.decimals(styles.COLUMN, places(plan, kind))
+            column = styles.decimals(styles.COLUMN, decimals_of_kind(plan, kind))
             inner = styles.decimals(styles.INNER, 6)
             fills.append(self._fill(read, self._bound(link.call), column if read == shown else inner))
             if read != shown:

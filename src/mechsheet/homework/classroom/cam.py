@@ -27,9 +27,9 @@ def cam_lines(told: Statement) -> Iterator[Rich]:
     yield Rich(((told.text("cam.turns", symbol=driver.symbol, center=center, sense=sense), ""),))
     follows: dict[str, Node] = {}
     for dim in mechanism.dimensions:
-        if not isinstance(dim.value, float) and dim.place:  # a cell of the sheet, which nobody is given
+        if not isinstance(dim.value, float) and dim.path:  # a cell of the sheet, which nobody is given
             follows[dim.symbol] = with_symbols(dim.value, follows)
-    found_by_base = {dim.symbol for dim in mechanism.dimensions if dim.place == ("cam", "start")}
+    found_by_base = {dim.symbol for dim in mechanism.dimensions if dim.path == ("cam", "start")}
 
     def math(node: Node) -> list[Part]:
         return told.math(al.tidied(with_symbols(node, follows)))

@@ -211,7 +211,7 @@ def drawn(mechanism: Mechanism, people: Sequence[tuple[str, str]], seed: int) ->
     fixed = {
         symbol: float(dim.unit.to_shown(dim.value))
         for symbol, dim in given.items()
-        if isinstance(dim.value, float) and not dim.place
+        if isinstance(dim.value, float) and not dim.path
     }
     taken_by: dict[tuple[float, ...], str] = {}
     fits: dict[tuple[float, ...], bool] = {}

@@ -15,7 +15,7 @@ from mechsheet.compiled import Compiled
 from mechsheet.homework.classroom.cam import cam_lines, sign_of
 from mechsheet.homework.classroom.directions import Direction, Directions
 from mechsheet.kinematics.equations import FORCES
-from mechsheet.model import Cartesian, Dimension, Distances, Gear, Joint, Link, Place, Polar, Quantity, Rack
+from mechsheet.model import Cartesian, Dimension, Distances, Gear, GivenPoint, Joint, Link, Polar, Quantity, Rack
 from mechsheet.sheet.mathematics import Part, written
 from mechsheet.units import DEG
 from mechsheet.words.catalogue import words
@@ -58,9 +58,9 @@ class Statement:
         loads those that the asked quantities follow from."""
         values = reference.dimension_values(self.mechanism)
         for dim in self.mechanism.dimensions:
-            found = self.mechanism.synthesis is not None and not dim.written and not dim.place
-            if found or (isinstance(dim.value, float) and (not dim.place or dim.symbol in self.needed)):
-                known = dim.place[:1] not in ((), ("synthesis",)) and "center" not in dim.place
+            found = self.mechanism.synthesis is not None and not dim.written and not dim.path
+            if found or (isinstance(dim.value, float) and (not dim.path or dim.symbol in self.needed)):
+                known = dim.path[:1] not in ((), ("synthesis",)) and "center" not in dim.path
                 label = given_words(self.compiled.mechanism, self.language, dim) if known else ""
                 number = round(float(dim.unit.to_shown(values[dim.symbol])), 10)
                 yield dim, number, dim.label.of(self.language) if dim.label is not None else label
@@ -68,7 +68,7 @@ class Statement:
     def derived(self) -> Iterator[Rich]:
         """What follows from the dimensions: `rod = track - 2*arm*sin(beta)`."""
         for dim in self.mechanism.dimensions:
-            if not isinstance(dim.value, float) and not dim.place and dim.written:
+            if not isinstance(dim.value, float) and not dim.path and dim.written:
                 unit = self.mechanism.shown(dim.unit).symbol
                 yield self._defined(dim.symbol, unit, dim.value, dim.label.of(self.language) if dim.label else "")
 
@@ -207,7 +207,7 @@ class Statement:
                 return [NEXT, (f"{centre} = {at}", "")] if isinstance(at, str) else self._place(link, centre, at)
         return []
 
-    def _place(self, link: Link, name: str, place: Place) -> Line:
+    def _place(self, link: Link, name: str, place: GivenPoint) -> Line:
         return self._distances(name, place) if isinstance(place, Distances) else self._point(link, name, place)
 
     def _defined(self, symbol: str, unit: str, formula: Node, label: str) -> Rich:

@@ -98,7 +98,7 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
 
 def _pin_line(poses: Poses, assembly: tuple[str, ...], guide: Guide, pin: str) -> tuple[Node, Node]:
     """Where the pin would be at displacement 0 of the assembly's guide."""
-    x, y = (poses.place(assembly, pin) - guide.moving).turned(guide.angle)
+    x, y = (poses.point(assembly, pin) - guide.moving).turned(guide.angle)
     return al.add(guide.x, x), al.add(guide.y, y)
 
 
@@ -114,12 +114,12 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     if on_second:  # the first link's point moves on a line of the second
         delta = guide.angle + poses.members[inner.on].angle + line_turn
         angle = delta + angle_of(joint.orientation) - poses.members[inner.body].angle
-        own, fixed = poses.own_place(inner.body, joint.point), poses.through(joint)
+        own, fixed = poses.own_point(inner.body, joint.point), poses.through(joint)
         sign = 1
     else:  # a line of the first link moves on a point of the second
         delta = guide.angle + poses.members[inner.body].angle - angle_of(joint.orientation)
         angle = delta - line_turn - poses.members[inner.on].angle
-        own, fixed = poses.through(joint), poses.own_place(inner.body, joint.point)
+        own, fixed = poses.through(joint), poses.own_point(inner.body, joint.point)
         sign = -1
     delta = ledger.hoist_angle(f"delta_{joint.symbol}", delta, phrase("direction_of", what=joint.symbol))
     poses.directions[joint.symbol] = delta
@@ -127,7 +127,7 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     own = poses.in_assembly(first_body, own, "slide")
     fixed = poses.in_assembly(second_body, fixed, "guide")
     p = outer.point
-    x1, y1 = (own - poses.place(dyad.first, p)).turned(angle)
+    x1, y1 = (own - poses.point(dyad.first, p)).turned(angle)
     x2, y2 = (fixed - guide.moving).turned(guide.angle)
     xp, yp = poses.xy[p]
     e = (al.sub(al.add(xp, x1), al.add(guide.x, x2)), al.sub(al.add(yp, y1), al.add(guide.y, y2)))
@@ -136,7 +136,7 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     poses.displacement(guide.symbol, k1 if guide.sign > 0 else al.neg(k1))
     poses.displacement(joint.symbol, al.neg(k2) if sign > 0 else k2)
     poses.fix_on_guide(dyad.second, guide, Symbol(guide.symbol))
-    poses.fix(dyad.first, angle, poses.place(dyad.first, p), xp, yp)
+    poses.fix(dyad.first, angle, poses.point(dyad.first, p), xp, yp)
     symbols = f"{guide.symbol}, {joint.symbol}"
     return Solved(
         "", ONE_ASSEMBLY, closes or guide.symbol, None, (p,), (guide.symbol, joint.symbol),

@@ -52,9 +52,9 @@ def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
         )
         delta = delta - Angle(al.mul(mode, chi))
     on_angle = delta - angle_of(joint.angle) - poses.members[slide.on].angle
-    poses.fix(carrier, on_angle, poses.place(carrier, p), xp, yp)
+    poses.fix(carrier, on_angle, poses.point(carrier, p), xp, yp)
     line = poses.known[slide.on].angle + angle_of(joint.angle) + angle_of(joint.orientation)
-    poses.fix(slider, line - poses.members[slide.body].angle, poses.place(slider, q), xq, yq)
+    poses.fix(slider, line - poses.members[slide.body].angle, poses.point(slider, q), xq, yq)
     return Solved(
         mode.name,
         (
@@ -81,9 +81,9 @@ def _offsets(
     joint = slide.joint
     name = "guide"
     through = poses.in_assembly(slide.on, poses.through(joint), name)
-    start = through - poses.place(carrier, p)
-    moving = poses.in_assembly(slide.body, poses.own_place(slide.body, joint.point), f"{name}_block")
-    end = poses.place(slider, q) - moving
+    start = through - poses.point(carrier, p)
+    moving = poses.in_assembly(slide.body, poses.own_point(slide.body, joint.point), f"{name}_block")
+    end = poses.point(slider, q) - moving
     line = poses.members[slide.on].angle + angle_of(joint.angle)
     start_along, start_across = start.turned(-line)
     own = angle_of(joint.orientation) - poses.members[slide.body].angle

@@ -35,7 +35,7 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
     a, line_a = poses.arm(dyad.first, p, r)
     guide = poses.guide(slide, dyad.second)
     mode = ledger.mode()
-    offset_x, offset_y = (poses.place(dyad.second, r) - guide.moving).turned(guide.angle)
+    offset_x, offset_y = (poses.point(dyad.second, r) - guide.moving).turned(guide.angle)
     e_x = ledger.hoist(
         "e_x",
         al.sub(al.add(guide.x, offset_x), xp),
@@ -63,9 +63,9 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
     reach = al.sub(al.mul(sign, w), t)
     poses.displacement(guide.symbol, reach if guide.sign > 0 else al.neg(reach))
     to_r = guide.delta + Angle(al.add(al.mul(sign, psi), half_turn_unless(sign)))
-    poses.fix(dyad.first, to_r - line_a, poses.place(dyad.first, p), xp, yp)
+    poses.fix(dyad.first, to_r - line_a, poses.point(dyad.first, p), xp, yp)
     xr, yr = poses.xy[r]
-    poses.fix(dyad.second, guide.angle, poses.place(dyad.second, r), xr, yr)
+    poses.fix(dyad.second, guide.angle, poses.point(dyad.second, r), xr, yr)
     return Solved(
         mode.name,
         (

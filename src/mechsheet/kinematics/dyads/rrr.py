@@ -41,10 +41,10 @@ def solve_rrr(poses: Poses, dyad: Dyad) -> Solved:
         phrase("transmission_angle", name=f"{p}{r}{q}"), exists,
     )  # fmt: skip
     to_r = Angle(al.sub(phi, al.mul(mode, psi)))
-    poses.fix(dyad.second, to_r - line_b, poses.place(dyad.second, q), xq, yq)
+    poses.fix(dyad.second, to_r - line_b, poses.point(dyad.second, q), xq, yq)
     # theta13 = theta14 - mu, as the text has it, where the second link's x axis is its arm; else from the arm itself.
     second = poses.known[dyad.second[0]].angle + line_b
-    poses.fix(dyad.first, second - Angle(al.mul(mode, mu)) - line_a, poses.place(dyad.first, p), xp, yp)
+    poses.fix(dyad.first, second - Angle(al.mul(mode, mu)) - line_a, poses.point(dyad.first, p), xp, yp)
     unknowns = (poses.angle_unknown(dyad.first), poses.angle_unknown(dyad.second))
     return replace(three_pins(poses, dyad, mode, (psi, mu), (a, b, s), unknowns), transmission=mu.name)
 

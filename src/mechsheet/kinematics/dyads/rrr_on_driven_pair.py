@@ -21,7 +21,7 @@ from livesheet.formula.nodes import TriangleAngle, symbols
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads.rrr import three_pins, triangle_exists
 from mechsheet.kinematics.dyads.solved import Solved
-from mechsheet.kinematics.points_in_link import Place, arm_of, cartesian, number
+from mechsheet.kinematics.points_in_link import PointInLink, arm_of, cartesian, number
 from mechsheet.kinematics.poses import Assembly, Member, Poses
 from mechsheet.model import Sketch
 from mechsheet.units import ANGLE
@@ -37,7 +37,7 @@ def solve_within(poses: Poses, dyad: Dyad) -> Solved:
     p, q, r = dyad.pins
     a, line_a = poses.arm(dyad.first, p, r)
     b, line_b = poses.arm(dyad.second, q, r)
-    at_p, at_q = poses.place(dyad.frame, p), poses.place(dyad.frame, q)
+    at_p, at_q = poses.point(dyad.frame, p), poses.point(dyad.frame, q)
     label = phrase("length_in_link", start=p, end=q, link=poses.name(dyad.frame))
     s, line_s = arm_of(ledger, at_q - at_p, None, f"{p}{q}", label)
     mode = ledger.mode()
@@ -48,13 +48,13 @@ def solve_within(poses: Poses, dyad: Dyad) -> Solved:
     between = Angle(al.mul(mode, psi))
     if dyad.whole[0] == first:
         turned = _turn_pair(poses, dyad, (p, q), at_p, line_a - between - line_s)
-        along, corner = line_a, poses.own_place(first, r)
+        along, corner = line_a, poses.own_point(first, r)
     else:
         turned = _turn(poses, dyad.first, line_s + between - line_a, str(poses.links[first].number))
-        poses.members[first] = member(turned, at_p, poses.own_place(first, p), p)
-        along, corner = turned + line_a, poses.place(dyad.first, r)
+        poses.members[first] = member(turned, at_p, poses.own_point(first, p), p)
+        along, corner = turned + line_a, poses.point(dyad.first, r)
     turn = _turn(poses, dyad.second, along + Angle(al.mul(mode, mu)) - line_b, str(poses.links[second].number))
-    poses.members[second] = member(turn, corner, poses.own_place(second, r), r)
+    poses.members[second] = member(turn, corner, poses.own_point(second, r), r)
     return three_pins(poses, dyad, mode, (psi, mu), (a, b, s), (symbols(turned.node)[0], symbols(turn.node)[0]))
 
 
@@ -63,10 +63,10 @@ def _turn(poses: Poses, bodies: Assembly, angle: Angle, name: str) -> Angle:
     return Angle(poses.ledger.column(f"turn_{name}", angle.node, ANGLE, label), angle.degrees)
 
 
-def _turn_pair(poses: Poses, dyad: Dyad, pins: tuple[str, str], before: Place, angle: Angle) -> Angle:
+def _turn_pair(poses: Poses, dyad: Dyad, pins: tuple[str, str], before: PointInLink, angle: Angle) -> Angle:
     """The pair (and what is with it already), turned about P (`before` in its frame), from its frame to the first link's."""
     turn = _turn(poses, dyad.frame, angle, "pair")
-    at = poses.own_place(dyad.first[0], pins[0])
+    at = poses.own_point(dyad.first[0], pins[0])
     for body in dyad.frame:
         known = poses.members[body]
         origin = at
@@ -78,7 +78,7 @@ def _turn_pair(poses: Poses, dyad: Dyad, pins: tuple[str, str], before: Place, a
     return turn
 
 
-def member(turn: Angle, at: Place, own: Place, pin: str = "") -> Member:
+def member(turn: Angle, at: PointInLink, own: PointInLink, pin: str = "") -> Member:
     """The body turned by `turn` whose place `own` lies at the place `at` of the assembly's frame."""
     if own.is_zero:
         return Member(turn, at, pin)

@@ -119,7 +119,7 @@ class ChainWriter:
             else:
                 words = phrase("angle_of", link=poses.name((body,)))
             self.ledger.define(symbol, Number(0.0), ANGLE, words, "variable" if link else "intermediate")
-            poses.fix(assembly, Angle(Symbol(symbol)), poses.place(assembly, joint), *poses.xy[joint])
+            poses.fix(assembly, Angle(Symbol(symbol)), poses.point(assembly, joint), *poses.xy[joint])
         else:
             guide = poses.guide(joint, assembly)
             symbol = guide.symbol
@@ -176,7 +176,7 @@ class ChainWriter:
         inside = second.side(assembly)
         carrier = second.other(inside)
         direction = al.cos(guide.delta), al.sin(guide.delta)
-        offset = (poses.place(assembly, first) - guide.moving).turned(guide.angle - guide.delta)[1]
+        offset = (poses.point(assembly, first) - guide.moving).turned(guide.angle - guide.delta)[1]
         value = al.sub(cross(direction, minus(p, (guide.x, guide.y))), offset)
         slopes = tuple(
             cross(direction, minus(self._moves(body_p, p, each), self._moves(carrier, p, each)))
@@ -192,7 +192,7 @@ class ChainWriter:
             for assembly in (one, other)
         ]
         pose = poses.known[bodies[1]]
-        x, y = (poses.own_place(bodies[1], point) - pose.base).turned(pose.angle)
+        x, y = (poses.own_point(bodies[1], point) - pose.base).turned(pose.angle)
         there = al.add(pose.x, x), al.add(pose.y, y)
         here = poses.xy[point]
         gap = minus(here, there)
@@ -337,7 +337,7 @@ class ChainWriter:
         if not isinstance(first, str):
             raise TypeError(f"no pin at the first end: {binary}")
         p = poses.xy[first]
-        place = poses.place(assembly, first)
+        place = poses.point(assembly, first)
         if isinstance(second, str):
             q = poses.xy[second]
             _, line = poses.arm(assembly, first, second)

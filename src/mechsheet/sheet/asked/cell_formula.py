@@ -19,7 +19,7 @@ from mechsheet.sheet.asked.expansion import LIMITS, definitions, expand, needed,
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import ANGLE, Unit
 
 ABOVE, START, FIRST_DRIVER = "{symbol} above", "{symbol} start", "first driver"
@@ -209,7 +209,7 @@ def helper_blocks(found: CellFormula, corner: int) -> tuple[list[Cell], list[Fil
         unit = plan.mechanism.shown(found.unit(bare).internal).text
         cells.append(Cell(corner, col, rich(bare, f" [{unit}]" if unit else ""), styles.SECTION))
         cells += [Cell(corner, col + further, None, styles.SECTION) for further in range(1, blocks.count)]
-        inner = styles.decimals(styles.INNER, places(plan, found.unit(symbol).kind))
+        inner = styles.decimals(styles.INNER, decimals_of_kind(plan, found.unit(symbol).kind))
         if index < len(found.angles):
             cells.append(Cell(corner + 1, col, plan.text("table.near"), styles.NOTE))
             fills.append(Fill(blocks.head, col, found.start(found.angles[index]), inner, cols=blocks.count))

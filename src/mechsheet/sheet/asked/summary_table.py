@@ -26,7 +26,7 @@ from mechsheet.sheet.plan import LEAST_PROBED, Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.shown import input_validation, shown_unit
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.words.symbols import plain
 
 PROBES = 4
@@ -107,7 +107,7 @@ class Helpers:
         closing = [group.closes for group in self.plan.equations.groups]
         of = table.summary.of
         self.found = CellFormula(self.plan, table.title, of, self._heads(), blocks, closing)
-        decimals = places(self.plan, self.found.unit(of).kind) + 1
+        decimals = decimals_of_kind(self.plan, self.found.unit(of).kind) + 1
         self.style = styles.decimals(styles.INNER, decimals)
         self.shown = styles.decimals(styles.COLUMN, decimals)
         self.cells: list[Cell] = []
@@ -205,9 +205,11 @@ class Helpers:
         if not take.ways:
             return self._line("result", "value", self.shown, value=take.over(self._of_rows))
         wraps = self._wraps()
-        style = self.shown if take.place else self.style
+        style = self.shown if take.occurs_with else self.style
         found = {part: self._extreme(way, wraps, style) for part, way in WAYS.items() if part in take.parts}
-        return found.get(take.place) or self._line("result", "value", self.shown, value=take.over(found.__getitem__))
+        return found.get(take.occurs_with) or self._line(
+            "result", "value", self.shown, value=take.over(found.__getitem__)
+        )
 
     def _of_rows(self, part: str) -> Node:
         """A part that the rows alone decide."""

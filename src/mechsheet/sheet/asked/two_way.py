@@ -35,7 +35,7 @@ from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.shown import input_validation, shown_unit
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import behind_number
 from mechsheet.words.symbols import plain
 
@@ -101,7 +101,7 @@ class Table:
     def body(self) -> Body:
         """The driver's values, the table, and the helpers beside it."""
         plan, found = self.plan, self.found
-        style = styles.decimals(styles.COLUMN, places(plan, found.unit(self.request.value).kind))
+        style = styles.decimals(styles.COLUMN, decimals_of_kind(plan, found.unit(self.request.value).kind))
         helper_cells, helper_fills = helper_blocks(found, CORNER_ROW)
         last = found.blocks.col(len(found.helpers)) - 2
         return Body(
@@ -120,7 +120,7 @@ class Table:
     def driver_fill(self, col: int) -> Fill:
         """The driver's values, from the table of positions."""
         driver = self.plan.at.cell(self.plan.mechanism.driver.symbol, self.title, self.plan.at.first)
-        return Fill(FIRST, col, driver, styles.decimals(styles.HEAD, self._driver_places()), rows=self.plan.rows)
+        return Fill(FIRST, col, driver, styles.decimals(styles.HEAD, self._driver_decimals()), rows=self.plan.rows)
 
     def missing(self) -> Conditional:
         """Grey where there is no position."""
@@ -137,7 +137,7 @@ class Table:
             self.plan, self.title, self.request.value, heads, Blocks(FIRST, HEAD_ROW, 0, self.helpers_at, self.count)
         )
 
-    def _driver_places(self) -> int:
+    def _driver_decimals(self) -> int:
         """Decimals of the first column: those that the driver's values need, two at most."""
         shown = [self.plan.mechanism.driver.unit.to_shown(value) for value in self.plan.driver]
         return next((digits for digits in (0, 1) if all(abs(x - round(x, digits)) < 1e-9 for x in shown)), 2)

@@ -32,7 +32,7 @@ from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.shown import shown_unit, unit_of_column
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places, places_of
+from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 
 SAME = 1e-12
 """Two values that differ by so small a part of themselves are one."""
@@ -89,8 +89,8 @@ class PressureAngle(Finding):
                         fine=on.text(f"{self.key}.fine"), doubt=_doubt(on, "alpha", "max", "min"))  # fmt: skip
         return Line(
             rich("alpha"), formula(shown, x=formula("MAX(ABS(high),ABS(low))", high=high, low=low)),
-            on.where_it_closes(words), unit.text, places(on.plan, "angle"),
-            place=formula("IF(ABS(high)>=ABS(low),place,other)", high=high, low=low, place=at_high, other=at_low),
+            on.where_it_closes(words), unit.text, decimals_of_kind(on.plan, "angle"),
+            occurs=formula("IF(ABS(high)>=ABS(low),place,other)", high=high, low=low, place=at_high, other=at_low),
             levels=(look("value>limit", value=value, limit=limit), good("value<=limit", value=value, limit=limit)),
         )  # fmt: skip
 
@@ -140,7 +140,8 @@ class LeastRadius(Finding):
         words = formula("IF(IFERROR(value<=0,FALSE),undercut,fine)&doubt", value=value, fine=fine, undercut=undercut,
                         doubt=doubt)  # fmt: skip
         return Line(
-            rich("rho"), least, on.where_it_closes(words), plan.mechanism.length_unit, places(plan, "length"), place=place,
+            rich("rho"), least, on.where_it_closes(words), plan.mechanism.length_unit, decimals_of_kind(plan, "length"),
+            occurs=place,
             levels=(bad("value<=0", value=value), good("value>0", value=value)),
         )  # fmt: skip
 
@@ -180,7 +181,7 @@ class ContactForce(Finding):
         words = formula("IF(value<0,lifts,stays)&doubt", value=value, lifts=lifts, stays=on.text(f"{self.key}.stays"),
                         doubt=_doubt(on, CONTACT, "min"))  # fmt: skip
         return Line(
-            rich(CONTACT), least, on.where_it_closes(words), unit.text, places_of(on.plan, unit), place=place,
+            rich(CONTACT), least, on.where_it_closes(words), unit.text, decimals_of_unit(on.plan, unit), occurs=place,
             levels=(bad("value<0", value=value), good("value>=0", value=value)),
         )  # fmt: skip
 
@@ -233,7 +234,13 @@ class HoldingSpring(Finding):
             end=most, least=on.text(f"{self.key}.least"), most=on.text(f"{self.key}.most"),
             doubt=_doubt(on, CONTACT, "min"),
         )  # fmt: skip
-        return Line(rich(symbol), needed, on.where_it_closes(words), plan.mechanism.length_unit, places(plan, "length"))
+        return Line(
+            rich(symbol),
+            needed,
+            on.where_it_closes(words),
+            plan.mechanism.length_unit,
+            decimals_of_kind(plan, "length"),
+        )
 
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
         search, symbol = motion.search, self.spring.hold
@@ -292,7 +299,8 @@ class LargestRate(Finding):
         unit = plan.equations.of(symbol).unit
         place = on.driver_in_row("IFERROR(MATCH(value,all,0),MATCH(-value,all,0))", value=rows, all=column)
         return Line(
-            rich(symbol), largest, on.where_it_closes(words), shown_unit(plan, symbol), places_of(plan, unit), place=place
+            rich(symbol), largest, on.where_it_closes(words), shown_unit(plan, symbol), decimals_of_unit(plan, unit),
+            occurs=place,
         )  # fmt: skip
 
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:

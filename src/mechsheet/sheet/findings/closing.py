@@ -8,7 +8,7 @@ import numpy as np
 
 from livesheet import portable
 from livesheet.formula.nodes import Node
-from mechsheet.kinematics.points_in_link import number_places
+from mechsheet.kinematics.points_in_link import number_points
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.gaps import misfits_of
 from mechsheet.sheet.findings.finding import Finding, InTitle, Level, Line, bad, good, look
@@ -99,7 +99,7 @@ class LargestGap(Finding):
         some = ",".join(f"said={name}" for name in wrong)
         return Line(
             on.text("gap"), on.checks.worst("gap"), words, plan.mechanism.length_unit, SMALL,
-            place=formula('IFERROR(place,"")', place=on.checks.worst_at("gap")),
+            occurs=formula('IFERROR(place,"")', place=on.checks.worst_at("gap")),
             levels=(bad(f"OR({some})", said=said, **wrong), good("said=closed", said=said, closed=closed)),
         )  # fmt: skip
 
@@ -136,7 +136,7 @@ def misfit_of(motion: SearchedMotion) -> tuple[float, str]:
     worst, found = 0.0, ""
     for each in mechanism.redundant:
         slot = next(joint for joint in mechanism.joints if joint.symbol == each.symbol)
-        places = number_places(each.link, search.dimensions)
+        places = number_points(each.link, search.dimensions)
         (x, y), (x_end, y_end) = places[str(slot.through)], places[slot.point]
         length = portable.hypot(x_end - x, y_end - y)
         column = search.in_rows(each.symbol)[search.row_there]

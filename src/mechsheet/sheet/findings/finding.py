@@ -73,7 +73,7 @@ class Line:
 
     unit    of the value; a formula is the number of rows that the value is of
     style   of the value, or only its decimals
-    place   where it occurs, a value of the driver;  beside: what else stands there
+    occurs  where, a value of the driver;  beside: what else stands there
     note    what explains it, where no sheet of notes does
     itself  those of its cells that say themselves what is left where another sheet was deleted
     levels  the first that holds counts
@@ -85,7 +85,7 @@ class Line:
     words: Node
     unit: str | Node = ""
     style: int | Style = 0
-    place: Node | None = None
+    occurs: Node | None = None
     beside: Beside | None = None
     note: str = ""
     itself: Sequence[Literal["value", "words"]] = ()

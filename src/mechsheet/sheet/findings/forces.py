@@ -11,7 +11,7 @@ from mechsheet.sheet.findings.finding import Finding, InTitle, Line, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places, places_of
+from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 from mechsheet.words.equations import link_words
 from mechsheet.words.symbols import plain
 
@@ -35,7 +35,7 @@ class LargestEffort(Finding):
         unit = on.plan.equations.of(effort).unit
         return Line(
             rich(effort), on.checks.worst("effort"), on.where_it_closes(on.text(self.key)), unit.text,
-            places_of(on.plan, unit), place=formula('IFERROR(place,"")', place=on.checks.worst_at("effort")),
+            decimals_of_unit(on.plan, unit), occurs=formula('IFERROR(place,"")', place=on.checks.worst_at("effort")),
         )  # fmt: skip
 
 
@@ -52,8 +52,8 @@ class LargestForce(Finding):
         ]
         return Line(
             on.text(self.key), on.checks.worst("force"), on.where_it_closes(joined(on.text(f"{self.key}.words"), *names)),
-            plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else "", places(plan, "force"),
-            place=formula('IFERROR(place,"")', place=on.checks.worst_at("force")),
+            plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else "", decimals_of_kind(plan, "force"),
+            occurs=formula('IFERROR(place,"")', place=on.checks.worst_at("force")),
         )  # fmt: skip
 
 
@@ -122,7 +122,7 @@ class MeanTorque(Finding):
                        last=column.end, steps=formula("MAX(1,rows-1)", rows=on.of_rows))  # fmt: skip
         words = _where_known(on, self.key, on.text("mean_torque.words"))
         unit = plan.equations.of(torque).unit.text
-        return Line(on.text(self.key), mean, words, unit, places(plan, "moment"))
+        return Line(on.text(self.key), mean, words, unit, decimals_of_kind(plan, "moment"))
 
 
 class EnergyChange(Finding):
@@ -141,7 +141,7 @@ class EnergyChange(Finding):
         words = joined(on.text("energy_change.slow"), " ", slow, on.text("energy_change.fast"), " ", fast)
         change = formula("MAX(energy)-MIN(energy)", energy=energy)
         unit = plan.equations.of(ENERGY).unit.text
-        return Line("ΔE", change, _where_known(on, self.key, words), unit, places(plan, "moment"))
+        return Line("ΔE", change, _where_known(on, self.key, words), unit, decimals_of_kind(plan, "moment"))
 
 
 class FlywheelInertia(Finding):

@@ -25,7 +25,7 @@ from mechsheet.sheet.grashof import (
 )
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of_kind
 
 
 class FourBarType(Finding):
@@ -69,7 +69,7 @@ class FourBarType(Finding):
         words = formula('IFERROR(said,"")', said=joined(begin, kind, reach))
         return Line(
             on.text("grashof"), excess_of(plan, shortest, most, total), words, plan.mechanism.length_unit,
-            places(plan, "length"), beside=bound, note=plan.text("notes.use.grashof"), levels=levels,
+            decimals_of_kind(plan, "length"), beside=bound, note=plan.text("notes.use.grashof"), levels=levels,
         )  # fmt: skip
 
     def in_title(self, on: Reading) -> InTitle:

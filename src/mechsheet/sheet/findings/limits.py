@@ -45,7 +45,7 @@ class Limits(Finding):
         limits = motion.search.limits()
         found = {self.key: Expected([float(len(limits))])}
         if motion.search.stepped:
-            allowed = motion.place_allowed()
+            allowed = motion.allowed_where()
             places = [motion.drivers(where) for _, where in limits]
             places += [[]] * (len(motion.plan.searched.limits) - len(limits))
             found |= {f"limit_{number}": Expected(place, allowed) for number, place in enumerate(places, 1)}
@@ -74,7 +74,7 @@ class InputEnd(Finding):
             end = driver_at(on.plan, (stretch.begin if first else stretch.end).cell)
         value = formula("IF(stretches=0,NA(),value)", stretches=count, value=end)
         words = self._words(on, count) if first else Text("")
-        return Line(on.text("input") if first else "", value, words, on.driver.unit.text, on.driver_places())
+        return Line(on.text("input") if first else "", value, words, on.driver.unit.text, on.driver_decimals())
 
     def _words(self, on: Reading, count: Node) -> Node:
         everywhere = formula("AND(count=rows,whole>0,passes=0)", count=on.value("rows_closed"), rows=on.of_rows,
@@ -97,7 +97,7 @@ class InputEnd(Finding):
             row, other = (first, first - 1) if self.end == "from" else (last, last + 1)
             inside = search.stepped and 1 <= other <= search.rows
             found = motion.drivers((search.edges_between(row, other) if inside else []) or [float(row)])
-        return {self.key: Expected(found, motion.place_allowed())}
+        return {self.key: Expected(found, motion.allowed_where())}
 
 
 class Passes(Finding):
@@ -122,7 +122,7 @@ class Passes(Finding):
         between = joined(before, formula("ROUND(place,1)", place=on.beside(self.key, where)), on.unit, after)
         words = formula('IF(closed=0,"",IF(count=0,through,between))', closed=on.value("rows_closed"), count=count,
                         through=on.text("passes.all"), between=between)  # fmt: skip
-        return Line(on.text("passes"), found, words, place=where, levels=(look("count>0", count=count),))
+        return Line(on.text("passes"), found, words, occurs=where, levels=(look("count>0", count=count),))
 
     def in_title(self, on: Reading) -> InTitle:
         return InTitle(here=formula('IF(passes>0,"; "&dips,"")', passes=on.value(self.key), dips=on.words(self.key)))

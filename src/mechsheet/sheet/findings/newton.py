@@ -68,5 +68,5 @@ class LeastDeterminant(Finding):
         return Line(
             on.text(self.key), on.checks.worst("det"), on.where_it_closes(on.text(f"{self.key}.words")),
             style=styles.numbered(styles.RESULT, styles.DETERMINANT),
-            place=formula('IFERROR(place,"")', place=on.checks.worst_at("det")),
+            occurs=formula('IFERROR(place,"")', place=on.checks.worst_at("det")),
         )  # fmt: skip

@@ -17,7 +17,7 @@ from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
 from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import turn as whole_turn
 from mechsheet.words.symbols import plain
 
@@ -87,7 +87,7 @@ class Swing(_Extent):
             crank=on.text("crank"), rocker=on.text("rocker"), part=on.text("turned"),
         )  # fmt: skip
         value = formula("IF(AND(closed,back=0),turn,range)", closed=closed, back=back, turn=turn, range=self._range(on))
-        return self._line(on, on.plan.mechanism.angle_unit.text, value, places(on.plan, "angle"), words)
+        return self._line(on, on.plan.mechanism.angle_unit.text, value, decimals_of_kind(on.plan, "angle"), words)
 
 
 class Stroke(_Extent):
@@ -96,7 +96,7 @@ class Stroke(_Extent):
     kind = "stroke"
 
     def line(self, on: Reading) -> Line:
-        unit, digits = on.plan.mechanism.length_unit, places(on.plan, "length")
+        unit, digits = on.plan.mechanism.length_unit, decimals_of_kind(on.plan, "length")
         return self._line(on, unit, self._range(on), digits, Text(on.text("stroke")))
 
 
@@ -193,7 +193,7 @@ class SlowWay(Finding):
         words = formula('IF(ISNUMBER(value),IF(leaps>0,unsure,said&about),"")', value=on.value(self.key), said=said,
                         leaps=on.plan.places.leaps.cell, unsure=on.text("unsure"),
                         about=about_turns(on.plan, self.symbol))  # fmt: skip
-        return Line(on.text("slow_way.symbol"), value, words, unit.text, places(on.plan, "angle"))
+        return Line(on.text("slow_way.symbol"), value, words, unit.text, decimals_of_kind(on.plan, "angle"))
 
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
         if not motion.sure:

@@ -17,7 +17,7 @@ from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.places import Searched, there
 from mechsheet.sheet.plan import MEANING, SPARE, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, formula, joined
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import behind_number
 
 
@@ -121,9 +121,9 @@ class Reading(ABC):
         """The driver's value in the row that a formula finds."""
         return formula(f'IFERROR(INDEX(drivers,{row}),"")', drivers=Symbol(ALL + self.driver.symbol), **holes)
 
-    def driver_places(self) -> int:
+    def driver_decimals(self) -> int:
         """Decimals of a value of the driver."""
-        return places(self.plan, "angle" if self.driver.unit.kind == "angle" else "length")
+        return decimals_of_kind(self.plan, "angle" if self.driver.unit.kind == "angle" else "length")
 
     @abstractmethod
     def count_rows(self) -> tuple[Node, Node]:
@@ -158,7 +158,7 @@ class Reading(ABC):
         """The smallest or the largest value of a quantity, as its column has it."""
 
     @abstractmethod
-    def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
+    def occurs_at_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
         """The driver's value where what follows from a quantity is least, which the finding's cell shows. It is the smaller
         of two, `folded`: where the quantity is smallest, and where it is largest."""
 
@@ -215,7 +215,7 @@ class SheetReading(Reading):
     def sides(self, loop: FourBar, names: Sequence[str]) -> Sides:
         lengths = self._extremes.lengths_of(loop)
         cells = [replace(lengths.start, col=lengths.start.col + at) for at in range(4)]
-        return Sides(cells, (lengths,), names, places(self.plan, "length"), self._extremes.bound_of(loop))
+        return Sides(cells, (lengths,), names, decimals_of_kind(self.plan, "length"), self._extremes.bound_of(loop))
 
     @property
     def of_rows_only(self) -> Node | bool:
@@ -224,7 +224,7 @@ class SheetReading(Reading):
     def column_extreme(self, way: Way, symbol: str) -> Node:
         return self.found.extremes[way, symbol].value.cell
 
-    def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
+    def occurs_at_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
         low, high = (self.found.extremes[way, symbol].occurs.cell for way in ("min", "max"))
         return formula("IF(one<=other+1E-6,place,elsewhere)", one=folded[0], other=folded[1], place=low, elsewhere=high)
 

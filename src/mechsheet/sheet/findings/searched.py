@@ -104,7 +104,7 @@ class SearchedMotion:
                 right = shown
         return {at: Expected([right], EXACT * abs(search.step) * self.driver_scale, told=False)}
 
-    def place_allowed(self) -> float:
+    def allowed_where(self) -> float:
         """By how much a limit may be off."""
         part = 1.0 if self.search.doubtful or self.says("limits", "within") else EXACT
         return max(part * abs(self.search.step) * self.driver_scale, 1e-9)

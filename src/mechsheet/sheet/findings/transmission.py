@@ -17,7 +17,7 @@ from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.plan import SYMBOL, VALUE
 from mechsheet.sheet.quoted import ALL, formula, joined
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.sheet.transmission import RIGHT, STRAIGHT, acute, poor_limit, worst_of_rows, worst_words
 from mechsheet.units import behind_number
 
@@ -45,7 +45,7 @@ class Transmission(Finding):
         right, straight = (Number(90.0), Number(180.0)) if shown else (RIGHT, STRAIGHT)
         folded = acute(low, high, group.kind != "RRR", right, straight)
         poor = formula("value<limit", value=value, limit=poor_limit(plan.mechanism))
-        place = on.place_of_least(self.key, group.transmission, folded)
+        place = on.occurs_at_least(self.key, group.transmission, folded)
         said = worst_words(plan, value, on.beside(self.key, place), poor, on.of_rows_only)
         column = Symbol(ALL + group.transmission)
         in_rows = acute(over_rows(LEAST, column), over_rows(MOST, column), group.kind != "RRR")
@@ -55,7 +55,7 @@ class Transmission(Finding):
             least = formula("DEGREES(least)", least=least)
         return Line(
             f"μ{group.number}", on.where_known(least), formula('IFERROR(said,"")', said=said), unit.text,
-            places(plan, "angle"), place=formula("IFERROR(place,NA())", place=place), itself=("value", "words"),
+            decimals_of_kind(plan, "angle"), occurs=formula("IFERROR(place,NA())", place=place), itself=("value", "words"),
             levels=(
                 look("AND(ISNUMBER(value),poor)", value=value, poor=poor),
                 good("ISNUMBER(FIND(fair,said))", said=on.words(self.key), fair=on.text("fair")),

@@ -75,6 +75,6 @@ def band_here(writer: Writer, symbol: str, row: int) -> None:
 def _band(writer: Writer, row: int, col: int, line: Line, part: str) -> None:
     """A quantity's worst case or root sum of squares, with a digit more than its band shows."""
     plan = writer.plan
-    style = styles.decimals(styles.RESULT, plan.band_places.get(line.quantity, 4) + 1)
+    style = styles.decimals(styles.RESULT, plan.band_decimals.get(line.quantity, 4) + 1)
     value = formula("IFERROR(value,NA())", value=line.spot(plan, part).cell)
     writer.formula(row, col, value, style)

@@ -6,7 +6,7 @@ from livesheet.workbook import Content, Style
 from mechsheet.sheet import styles
 from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.plan import MEANING, SYMBOL, TOLERANCE, UNIT, Plan
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import Unit
 
@@ -51,4 +51,6 @@ class Writer(Cells):
 
 def value_style(plan: Plan, unit: Unit) -> Style:
     """The style of a result in this unit: one decimal more than the tolerances justify for lengths."""
-    return styles.decimals(styles.RESULT, places(plan, unit.kind, unit.symbol) + (1 if unit.kind == "length" else 0))
+    return styles.decimals(
+        styles.RESULT, decimals_of_kind(plan, unit.kind, unit.symbol) + (1 if unit.kind == "length" else 0)
+    )

@@ -47,7 +47,7 @@ from mechsheet.sheet.plan import (
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.shown import input_validation, shown_unit
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places, places_of
+from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 from mechsheet.sheet.table.status import while_inputs_can_be
 from mechsheet.sheet.table.tolerance import Tolerance
 from mechsheet.sheet.wrapping import ROW_HEIGHT
@@ -210,7 +210,7 @@ def _sweep(writer: Writer) -> None:
     unit = driver.unit.text
     degrees = driver.unit.in_degrees
     computed = not all(isinstance(quantity, float) for quantity in (driver.start, driver.step))
-    shown = styles.decimals(styles.RESULT, places(plan, driver.unit.kind) + 2) if computed else styles.RESULT
+    shown = styles.decimals(styles.RESULT, decimals_of_kind(plan, driver.unit.kind) + 2) if computed else styles.RESULT
     for key, quantity in (("start", driver.start), ("step", driver.step)):
         writer.line(rows[key], plan.text(f"name.{key}"), unit, plan.text(f"sweep.{key}"))
         if isinstance(quantity, float):
@@ -251,7 +251,7 @@ def _given_elsewhere(writer: Writer) -> None:
                 writer.put(row, VALUE, dim.shown if dim.shown is not None else dim.value, styles.INPUT)
                 writer.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), symbol))
             else:
-                shown = styles.decimals(styles.RESULT, places_of(plan, dim.unit))
+                shown = styles.decimals(styles.RESULT, decimals_of_unit(plan, dim.unit))
                 _result(writer, row, dim.value, dim.unit.in_degrees, shown)
 
 
@@ -349,11 +349,11 @@ def _variables(writer: Writer) -> None:
         writer.line(row, rich(symbol), shown_unit(plan, symbol), words_of(plan, symbol))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
         writer.needs[row] = sheets_of(plan, symbol)
-        rate = styles.decimals(styles.RESULT, places_of(plan, unit))
+        rate = styles.decimals(styles.RESULT, decimals_of_unit(plan, unit))
         as_is = unit.per or symbol in plan.shown_forces
         style = rate if as_is else value_style(plan, unit)
-        if symbol in plan.band_places:
-            style = styles.decimals(styles.RESULT, plan.band_places[symbol])
+        if symbol in plan.band_decimals:
+            style = styles.decimals(styles.RESULT, plan.band_decimals[symbol])
         writer.formula(row, VALUE, node, style)
         band_here(writer, symbol, row)
 

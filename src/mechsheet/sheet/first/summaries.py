@@ -16,7 +16,7 @@ from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.shown import shown_unit, unit_of_column
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places_of
+from mechsheet.sheet.table.positions import decimals_of_unit
 from mechsheet.units import ANGLE
 from mechsheet.words.symbols import plain
 
@@ -47,9 +47,9 @@ def _write(writer: Writer, summary: Summary) -> None:
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     _said(writer, row, words)
     unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
-    style = styles.decimals(styles.RESULT, places_of(plan, unit)) if unit.per else value_style(plan, unit)
-    if plan.mechanism.bands and summary.symbol in plan.mechanism.bands.summaries and summary.of in plan.band_places:
-        style = styles.decimals(styles.RESULT, plan.band_places[summary.of])
+    style = styles.decimals(styles.RESULT, decimals_of_unit(plan, unit)) if unit.per else value_style(plan, unit)
+    if plan.mechanism.bands and summary.symbol in plan.mechanism.bands.summaries and summary.of in plan.band_decimals:
+        style = styles.decimals(styles.RESULT, plan.band_decimals[summary.of])
     value, where = _of(plan, summary)
     writer.needs[row] = sheets_of(plan, summary.of)
     if searched and not same_angle(plan, summary.of):
@@ -137,7 +137,7 @@ def _of(plan: Plan, summary: Summary) -> tuple[Node, Node | None]:
         value, where = (formula("INDEX(column,row)", column=each, row=row) for each in (column, drivers))
         return value, where
 
-    place = summary.take.place
+    place = summary.take.occurs_with
     return summary.take.over(lambda part: found(part)[0]), found(place)[1] if place else None
 
 

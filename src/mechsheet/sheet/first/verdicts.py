@@ -65,8 +65,8 @@ def _write(writer: Writer, on: Reading, row: int, line: Line) -> None:
         writer.formula(row, UNIT, line.unit, styles.numbered(styles.UNIT, '"/ "0'))
     writer.formula(row, VALUE, line.value, line.value_style)
     writer.formula(row, MEANING, line.words, styles.LABEL_SAID)
-    if line.place is not None:
-        writer.formula(row, TOLERANCE, line.place, styles.decimals(styles.RESULT, on.driver_places()))
+    if line.occurs is not None:
+        writer.formula(row, TOLERANCE, line.occurs, styles.decimals(styles.RESULT, on.driver_decimals()))
     if line.beside is not None:
         writer.formula(row, TOLERANCE, line.beside.value, BESIDE)
     writer.says_itself |= {(row, {"value": VALUE, "words": MEANING}[cell]) for cell in line.itself}

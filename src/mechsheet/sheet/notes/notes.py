@@ -6,7 +6,7 @@ from livesheet.formula.nodes import Node
 from livesheet.formula.references import cell_name, column_letters
 from livesheet.workbook import Area, Cell, Column, Content, PrintSetup, Rich, Sheet, Style
 from mechsheet.kinematics.equations import BANDS, FORCES, RATES
-from mechsheet.model import Cartesian, Distances, Joint, Place, Polar, Quantity
+from mechsheet.model import Cartesian, Distances, GivenPoint, Joint, Polar, Quantity
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.cells import Cells
@@ -217,7 +217,7 @@ class _Page(Cells):
         number = number.replace(".", self.plan.text("number.decimal"))
         return [(number + ("°" if angle else ""), "")]
 
-    def _point(self, name: str, place: Place) -> list[Part]:
+    def _point(self, name: str, place: GivenPoint) -> list[Part]:
         """`C (126.6; 30°)` and the like."""
         match place:
             case Cartesian(x, y):

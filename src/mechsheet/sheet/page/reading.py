@@ -14,7 +14,7 @@ from mechsheet.sheet.grashof import Sides, turns_up_to
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, over_rows
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.table.positions import places
+from mechsheet.sheet.table.positions import decimals_of_kind
 
 MEANING = 3
 """The column of what a line says, the first of three."""
@@ -85,7 +85,7 @@ class PageReading(Reading):
 
     def sides(self, loop: FourBar, names: Sequence[str]) -> Sides:
         lengths = tuple(self._length(key, tree) for key, tree in sides_of(self.page, loop))
-        return Sides(lengths, lengths, names, places(self.plan, "length"), turns_up_to(lengths))
+        return Sides(lengths, lengths, names, decimals_of_kind(self.plan, "length"), turns_up_to(lengths))
 
     def _length(self, key: str, length: Node) -> Node:
         """A length without the bars that its sign does not need; one that is no dimension has a cell."""
@@ -116,7 +116,7 @@ class PageReading(Reading):
     def driver_in_row(self, row: str, **holes: Node) -> Node:
         return formula(f'IFERROR(INDEX(drivers,{row}),"")', drivers=self.drivers, **holes)
 
-    def place_of_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
+    def occurs_at_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
         low, high = (self.column_extreme(way, symbol) for way in ("min", "max"))
         row = "MATCH(IF(cell=other,high,low),column,0)"
         if folded[0] == low:  # the cell itself is in the column, or what is missing to a straight angle

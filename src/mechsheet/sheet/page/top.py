@@ -23,7 +23,7 @@ from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.shown import input_validation, unit_of_column
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import places_of
+from mechsheet.sheet.table.positions import decimals_of_unit
 from mechsheet.sheet.wrapping import height_of, label_lines
 from mechsheet.units import LENGTH, Unit, turn
 from mechsheet.words.given import given_words
@@ -155,7 +155,7 @@ class Top(Cells):
                     else given_words(plan.mechanism, plan.language, dim) or dim.written
                 )
                 self.line(rows[dim.symbol], rich(dim.symbol), dim.unit.text, label)
-                rate = styles.decimals(styles.RESULT, places_of(plan, dim.unit))
+                rate = styles.decimals(styles.RESULT, decimals_of_unit(plan, dim.unit))
                 style = rate if dim.unit.per else value_style(plan, dim.unit)
                 self._result(rows[dim.symbol], dim.value, dim.unit.in_degrees, style)
         for key, tree in plan.lengths.items():

@@ -55,7 +55,7 @@ LINE, SYMBOL_HEIGHT = 14.5, 30.0
 
 STEP = 1e-4
 """Of what is usual of a quantity: numbers step by no more, and by no less than a tenth of it."""
-MOST_PLACES = 7
+MOST_DECIMALS = 7
 """Decimals of what is no length: more do not fit a column."""
 
 FEWEST_LINES, MOST_LINES = 3, 8
@@ -229,10 +229,12 @@ def style_of(plan: Plan, column: TableColumn) -> Style:
     if column.kind == "status":
         return styles.STATUS
     if column.kind in ("time", "listed"):
-        return styles.decimals(styles.COLUMN, places_of(plan, plan.mechanism.given_unit(column.symbol) or NUMBER_UNIT))
+        return styles.decimals(
+            styles.COLUMN, decimals_of_unit(plan, plan.mechanism.given_unit(column.symbol) or NUMBER_UNIT)
+        )
     if column.equation is None:
         unit = plan.mechanism.driver.unit
-        return styles.decimals(styles.COLUMN, places(plan, unit.kind, unit.symbol))
+        return styles.decimals(styles.COLUMN, decimals_of_kind(plan, unit.kind, unit.symbol))
     unit = column.equation.unit
     if column.symbol in plan.residuals:
         return styles.numbered(styles.INNER, styles.ERROR.number_format)
@@ -240,12 +242,12 @@ def style_of(plan: Plan, column: TableColumn) -> Style:
         return styles.numbered(styles.INNER, styles.DETERMINANT)
     if column.equation.role == "band":
         return _band_style(plan, column.symbol)
-    if column.symbol in plan.band_places:
-        return styles.decimals(styles.COLUMN, plan.band_places[column.symbol])
+    if column.symbol in plan.band_decimals:
+        return styles.decimals(styles.COLUMN, plan.band_decimals[column.symbol])
     if column.inner:
         in_radians = unit.kind == "angle" and not plan.at.spots[column.symbol].degrees
-        return styles.decimals(styles.INNER, 4 if in_radians else places_of(plan, unit))
-    return styles.decimals(styles.COLUMN, places_of(plan, unit))
+        return styles.decimals(styles.INNER, 4 if in_radians else decimals_of_unit(plan, unit))
+    return styles.decimals(styles.COLUMN, decimals_of_unit(plan, unit))
 
 
 def _band_style(plan: Plan, symbol: str) -> Style:
@@ -254,10 +256,10 @@ def _band_style(plan: Plan, symbol: str) -> Style:
     if part not in HEADINGS:
         return styles.decimals(styles.COLUMN, 4)
     more = 1 if part in (WORST, ROOT) else 0
-    return styles.decimals(styles.COLUMN, plan.band_places.get(quantity, 4) + more)
+    return styles.decimals(styles.COLUMN, plan.band_decimals.get(quantity, 4) + more)
 
 
-def places_of(plan: Plan, unit: Unit) -> int:
+def decimals_of_unit(plan: Plan, unit: Unit) -> int:
     """Decimals of a quantity: a step finer than 1e-3 of what is usual of it, so that no number is too wide for its column.
 
     Angular velocities have as many as plain numbers, whatever the unit of angles. What is usual of a length to a power
@@ -265,13 +267,13 @@ def places_of(plan: Plan, unit: Unit) -> int:
     """
     power = _power_of_length(unit, plan.mechanism.length_unit)
     if power != 1:
-        return min(MOST_PLACES, decimals_of(plan.size**power * STEP))
+        return min(MOST_DECIMALS, decimals_of(plan.size**power * STEP))
     if unit.kind == "length" and unit.per:
-        return min(MOST_PLACES, decimals_of(plan.size * plan.pace**unit.per * STEP))
+        return min(MOST_DECIMALS, decimals_of(plan.size * plan.pace**unit.per * STEP))
     dynamics = plan.mechanism.dynamics
     if unit.kind == "moment" and dynamics and unit.symbol == f"{dynamics.force_unit} {plan.mechanism.length_unit}":
         return decimals_of(STEP / (dynamics.metre or 1.0))  # N mm has three decimals fewer than N m
-    return places(plan, "number" if unit.per and unit.kind == "angle" else unit.kind, unit.symbol)
+    return decimals_of_kind(plan, "number" if unit.per and unit.kind == "angle" else unit.kind, unit.symbol)
 
 
 _LENGTHS = re.compile(r"(1/)?(.*?)(²|\^\d+)?")
@@ -286,7 +288,7 @@ def _power_of_length(unit: Unit, length: str) -> int:
     return -power if found[1] else power
 
 
-def places(plan: Plan, kind: str, symbol: str = "") -> int:
+def decimals_of_kind(plan: Plan, kind: str, symbol: str = "") -> int:
     """Decimals that the tolerances justify: with +-0.1 mm one; without tolerances a step finer than 1e-3 of the size.
 
     symbol  of the unit, where it may be another one than the mechanism's

@@ -21,7 +21,7 @@ from mechsheet.sheet.columns.start_columns import begun, start_columns
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import FORMULA_ROW, GROUP_ROW, SYMBOL_ROW, places_of
+from mechsheet.sheet.table.positions import FORMULA_ROW, GROUP_ROW, SYMBOL_ROW, decimals_of_unit
 from mechsheet.units import DEG
 
 
@@ -112,7 +112,7 @@ class StartTable(Cells):
             step = formula("IFERROR(next,last)", next=al.sub(Symbol(unknown), correction), last=Symbol(unknown))
             self._fill(first + 1, self.place[unknown], _above(step, (*self.place,)), FIRST_PASSES)
         for part in system.body:
-            style = styles.decimals(styles.INNER, places_of(plan, part.unit))
+            style = styles.decimals(styles.INNER, decimals_of_unit(plan, part.unit))
             form = styles.DETERMINANT if part.symbol in plan.determinants else style.number_format
             self._fill(first, self.place[part.symbol], part.expression, FIRST_PASSES + 1, form)
 

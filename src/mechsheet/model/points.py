@@ -35,4 +35,4 @@ class Distances:
     side: Literal["left", "right"]
 
 
-Place: TypeAlias = Cartesian | Polar | Distances
+GivenPoint: TypeAlias = Cartesian | Polar | Distances

@@ -1,14 +1,20 @@
-"""Differences that are nothing but rounding beside the numbers that a formula reads."""
+"""A cell's value beside somebody else's: the reasons for which two may differ, told from the formula and from what it reads.
+
+Large numbers that cancel leave nothing but rounding. A cell that only says where something is may name another row, if the
+rows are equal up to rounding.
+"""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
 from livesheet.formula.book import Book
-from livesheet.formula.nodes import Binary, CellRef, NameRef, Node, Number, RangeRef, Scalar, walk
+from livesheet.formula.nodes import Binary, Call, CellRef, NameRef, Node, Number, RangeRef, Scalar, walk
+from mechsheet.checking.report import TOLERANCE, difference
 
 ROUNDING = 1e-14
 """What is lost when numbers cancel, as a part of the largest number that the formula reads."""
@@ -75,6 +81,51 @@ class Rounding:
             numbers = np.abs(numbers[np.isfinite(numbers)])
             self._largest[key] = float(numbers.max(initial=0.0))
         return self._largest[key]
+
+
+class EqualRows:
+    """Rows that are equal up to rounding: of a formula with INDEX(spots; MATCH(sought; column; 0)) in it, each is an answer.
+
+    values  the engine's;  scale  the length that counts as one
+    """
+
+    def __init__(self, values: Any, scale: float) -> None:
+        self._values, self._scale = values, scale
+
+    def has(self, formula: Node, title: str, theirs: Scalar) -> bool:
+        """Whether `theirs` stands in `spots` beside a value of `column` that is what is sought, to the tolerance."""
+        for part in walk(formula):
+            match part:
+                case Call("INDEX", (RangeRef() as spots, Call("MATCH", (sought, RangeRef() as column, Number(0.0))))):
+                    target = self._sought(sought, title)
+                    pairs = zip(self._column(spots, title), self._column(column, title), strict=False)
+                    if isinstance(target, float) and any(
+                        isinstance(found, float)
+                        and difference(found, target, self._scale) <= TOLERANCE
+                        and difference(spot, theirs) <= TOLERANCE
+                        for spot, found in pairs
+                    ):
+                        return True
+        return False
+
+    def _sought(self, node: Node, title: str) -> Scalar:
+        """A cell, or the extreme of a column."""
+        match node:
+            case CellRef(row, col, _, _, other):
+                found: Scalar = self._values.get(other or title, row, col)
+                return found
+            case Call("MAX" | "MIN" as name, (RangeRef() as area,)):
+                numbers = [value for value in self._column(area, title) if isinstance(value, float)]
+                return (max if name == "MAX" else min)(numbers, default=math.nan)
+            case _:
+                return None
+
+    def _column(self, area: RangeRef, title: str) -> list[Scalar]:
+        if area.start.col != area.end.col:
+            return []
+        sheet = area.start.sheet or title
+        found: list[Scalar] = self._values.column(sheet, area.start.col, area.start.row, area.end.row)
+        return found
 
 
 def with_names(formula: Node, names: Mapping[str, Node]) -> Iterator[Node]:

@@ -1,17 +1,21 @@
-"""How near each row is to a dead centre, where velocities grow like 1/sin and lose digits like 1/sin^2."""
+"""Velocities, accelerations and forces beside the reference's: near a dead centre they grow like 1/sin of the angle at
+which a group is driven, and lose digits like 1/sin^2."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
 
 from livesheet.formula.nodes import symbols
 from mechsheet import reference
-from mechsheet.checking.inputs import Array
+from mechsheet.checking.excuses.columns import Mask
+from mechsheet.checking.report import Array
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import CAM, FORCES, INNER, RATES
 from mechsheet.kinematics.numeric import value
+from mechsheet.model import ENERGY
 from mechsheet.sheet.plan import Plan
 
 EDGE = 1e-6
@@ -85,6 +89,29 @@ class Steepness:
         jerk = speed**3 + 3 * speed * acceleration
         rate = (np.ones(self.plan.rows), speed, speed**2 + acceleration, jerk)[equation.unit.per]
         return np.maximum(rate * (size if equation.unit.kind == "length" else 1.0), 1e-300)
+
+    def apart(
+        self, symbol: str, ours: Array, solution: reference.Solution, found: Mapping[str, Array], elsewhere: Mask
+    ) -> Array:
+        """How far a rate is from the reference's, without what is no fault.
+
+        elsewhere  rows in which sheet and reference stand in two assemblies, both right: nothing can be compared
+        """
+        theirs = np.asarray(found[symbol], float)
+        with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
+            apart = np.abs(ours - theirs) / (self.scale(symbol, solution, found) + np.abs(theirs)) * self.sine**2
+        missing = np.isnan(ours)
+        fine = missing & (np.isnan(theirs) | (self.sine < DEAD * (1 + EDGE)))
+        fine |= ~solution.exists | elsewhere  # what does not depend on the group that comes apart goes on
+        fine |= ~missing & (ours == theirs)
+        wrong = np.isnan(apart) | (~missing & (self.sine < DEAD * (1 - EDGE)) & self.at_all(symbol))
+        return np.where(fine, 0.0, np.where(wrong, math.inf, apart))
+
+    def energy_apart(self, ours: Array, solution: reference.Solution, found: Mapping[str, Array]) -> Array:
+        """The same of the flywheel's energy: a sum over rows, measured by the largest torque over a radian."""
+        theirs, largest = found[ENERGY], self.scale(self.plan.efforts[0], solution, found)
+        apart = np.abs(ours - theirs) / np.max(largest) * np.min(self.sine) ** 2
+        return np.where(np.isnan(ours) & np.isnan(theirs), 0.0, np.where(np.isnan(apart), math.inf, apart))
 
     def _largest(self, kind: str, solution: reference.Solution, found: Mapping[str, Array]) -> Array:
         """Of each row the largest force, as a torque at the largest length where that is asked for; all torques, too."""
