@@ -152,7 +152,7 @@ class Prints:
     def opened(self) -> Image.Image:
         """The four-bar on the screen, in its sixth position."""
         target = self.folder / "opened.ods"
-        return screenshot(build(load(TEMPLATES / "four-bar.toml"), target)[0], clicks=5)
+        return screenshot(build(load(TEMPLATES / "four-bar.toml"), target)[0], {"position": "5"})
 
 
 CLASS = ("Ayşe Yılmaz", "Bora Kaya", "Can Demir", "Deniz Arslan", "Ece Şahin")

@@ -482,6 +482,30 @@ def test_names_of_points_stand_on_no_link_and_on_no_other(opening, name, tmp_pat
         assert conflicts == [], position
 
 
+@pytest.mark.parametrize("name", ["cam-linkage", "desk-lamp"])
+def test_all_of_a_cam_and_all_arrows_are_in_sight_at_first(opening, name, tmp_path):
+    path = tmp_path / f"{name}.toml"
+    path.write_text(template_text(name), encoding="utf-8")
+    opened = opening(path)
+    sheet = opened.page.locator("#sheet").bounding_box()
+    shapes = [each.bounding_box() for each in opened.page.locator(".acting").all()]
+    assert len(shapes) > 2
+    for box in filter(None, shapes):
+        assert sheet["x"] <= box["x"] and box["x"] + box["width"] <= sheet["x"] + sheet["width"]
+        assert sheet["y"] <= box["y"] and box["y"] + box["height"] <= sheet["y"] + sheet["height"]
+
+
+def test_a_cylinder_is_a_barrel_and_its_rod_and_no_block_on_a_line(opening, tmp_path):
+    path = tmp_path / "boom.toml"
+    path.write_text(template_text("cylinder-boom"), encoding="utf-8")
+    opened = opening(path)
+    assert opened.page.locator(".acting.cylinder").count() == 2
+    block = opened.page.locator(".block.inside")
+    assert block.evaluate("each => getComputedStyle(each).stroke") == "rgba(0, 0, 0, 0)"
+    joint = block.locator("..").get_attribute("data-joint")
+    assert (opened.page.locator(f'.guide-group[data-joint="{joint}"] .guide').get_attribute("d") or "") == ""
+
+
 def test_curves_follow_the_position(opening, four_bar):
     opened = opening(four_bar)
     opened.page.click("#tab-curves")

@@ -30,7 +30,9 @@ from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import edges
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Link, Mechanism
+from mechsheet.shapes.described import Described
 from mechsheet.shapes.forms import Kind, Shape
+from mechsheet.shapes.listing import is_cylinder
 from mechsheet.shapes.outlines import corners, direction_of, through_of
 from mechsheet.shapes.positions import Positions
 from mechsheet.words.catalogue import Language, words
@@ -43,7 +45,7 @@ FRAMES = 180
 DIGITS = 7
 """Of the largest length: places are shown on a screen."""
 
-ACTING = ("spring", "damper", "load", "torque", "weight", "mass", "velocity", "gear", "belt", "rack", "cam")
+ACTING = ("cylinder", "spring", "damper", "load", "torque", "weight", "mass", "velocity", "gear", "belt", "rack", "cam")
 """Kinds of shapes that are drawn as the list has them; links, guides and supports the page draws so that they can be
 taken hold of."""
 
@@ -86,6 +88,7 @@ def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, 
     head = reading.source.data.get("mechanism") if reading.source is not None else None
     head = head if isinstance(head, dict) else {}
     name = head.get("name")
+    cylinders = _cylinders(reading)
     return {
         "name": name if isinstance(name, str) else "",
         "title": mechanism.title.of(language) if mechanism is not None else "",
@@ -106,6 +109,7 @@ def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, 
                 "link": joint.link,
                 "on": joint.on,
                 "point": joint.point,
+                "cylinder": joint.name in cylinders,
             }
             for joint in parts.joints
         ],
@@ -115,6 +119,14 @@ def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, 
         "units": _units(parts, reading),
         "undrawn": _undrawn(reading, parts),
     }
+
+
+def _cylinders(reading: Reading) -> set[str]:
+    """The sliding joints that are drawn as a barrel and its rod, once there is a motion to see how long both are."""
+    if reading.compiled is None:
+        return set()
+    known = Described(reading.compiled.mechanism, reading.compiled.equations)
+    return {joint.name for joint in known.mechanism.sliding if is_cylinder(known, joint)}
 
 
 def _outline(link: Link, parts: Parts) -> tuple[str, ...]:

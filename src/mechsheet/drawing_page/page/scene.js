@@ -2,7 +2,7 @@
 
 import { state, on } from "./state.js";
 import { canvas, size, spacing, toPlane, toScreen } from "./view.js";
-import { at, fromStretch, ground, isPin, lastPlace, linkNamed, linksAt, parts, shown } from "./geometry.js";
+import { at, cornersOf, fromStretch, ground, isPin, lastPlace, linkNamed, linksAt, parts, shown } from "./geometry.js";
 import { word } from "./language.js";
 import { sides } from "./names.js";
 
@@ -113,7 +113,7 @@ function buildGuide(joint) {
   const group = element("g", { class: "guide-group", "data-joint": joint.name }, layers.guides);
   const made = { joint, group, line: element("path", { class: "guide" }, group), hatch: element("path", { class: "hatch" }, group) };
   const block = element("g", { class: "link", "data-joint": joint.name }, layers.links);
-  made.block = element("rect", { class: "block", width: 34, height: 20, x: -17, y: -10, rx: 2 }, block);
+  made.block = element("rect", { class: joint.cylinder ? "block inside" : "block", width: 34, height: 20, x: -17, y: -10, rx: 2 }, block);
   made.holder = block;
   return made;
 }
@@ -175,9 +175,7 @@ function nameOf(name, attributes, parent) {
 function moveActing() {
   for (const each of acting) {
     const { shape, made, text } = each;
-    const vectors = shape.places.map(([x, y]) => [at(x), at(y)]);
-    const there = vectors.every(([x, y]) => x !== null && y !== null);
-    const places = there ? corners(shape.path, vectors).map(([x, y]) => toScreen(x, y)) : [];
+    const places = cornersOf(shape).map(([x, y]) => toScreen(x, y));
     made.setAttribute("d", line(places));
     each.shown = places;
     if (text) placeName(text, places);
@@ -194,13 +192,6 @@ function placeName(text, places) {
   const side = Math.abs(up) > 0.3 ? Math.sign(up) : Math.sign(across) || 1;
   text.setAttribute("x", (start[0] + end[0]) / 2 + 26 * across * side - 4);
   text.setAttribute("y", (start[1] + end[1]) / 2 - 26 * up * side + 4);
-}
-
-/** A path stands in a frame: its origin, and the vectors of its two directions. */
-function corners(path, vectors) {
-  if (!path.length) return vectors;
-  const [origin, along, across] = vectors;
-  return path.map(([a, b]) => [0, 1].map((axis) => origin[axis] + a * along[axis] + b * across[axis]));
 }
 
 // --- what moves -------------------------------------------------------------------------------------------------------
@@ -289,12 +280,18 @@ function moveGuide({ joint, group, line: guide, hatch, block, holder }, screen) 
   const from = Math.min(onGround ? -20 : s, s - 30, ...reached);
   const to = Math.max(onGround ? 60 : s, s + 30, ...reached);
   const spot = (distance, across = 0) => [start[0] + along[0] * distance - along[1] * across, start[1] + along[1] * distance + along[0] * across];
+  if (joint.cylinder) return placeBlock(holder, block, joint, point, direction);
   const width = onGround ? 11 : 8;
   const both = [spot(from, width), spot(to, width), spot(from, -width), spot(to, -width)];
   guide.setAttribute("d", onGround && joint.kind === "prismatic" ? line(both.slice(0, 2)) : line(both.slice(0, 2)) + line(both.slice(2)));
   let marks = "";
   if (onGround) for (let d = from + 4; d < to; d += 9) marks += line([spot(d, width), spot(d - 5, width + 6)]);
   hatch.setAttribute("d", marks);
+  placeBlock(holder, block, joint, point, direction);
+}
+
+/** The block of a sliding joint; of a cylinder it is what is taken hold of, seen only where it is chosen. */
+function placeBlock(holder, block, joint, point, direction) {
   const degrees = (-direction * 180) / Math.PI;
   holder.setAttribute("transform", `translate(${point[0].toFixed(2)},${point[1].toFixed(2)}) rotate(${degrees.toFixed(2)})`);
   const slot = joint.kind === "pin-slot";
