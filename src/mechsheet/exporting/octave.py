@@ -284,7 +284,7 @@ def _picture(program: Program, name: str) -> list[str]:
 
 
 def _computed(program: Program, request: ChartRequest) -> ChartRequest | None:
-    """A chart without what the file does not compute, as the energy of a flywheel, a sum over rows; None if nothing is left."""
+    """A chart without what the file does not compute, as the energy of a flywheel; None if nothing is left."""
     if not request.y:
         return request
     known = tuple(symbol for symbol in request.y if symbol in program.names)
