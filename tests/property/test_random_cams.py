@@ -163,7 +163,7 @@ def test_undercut_is_where_a_millionth_is_missing(seed, kind):
 def test_the_first_sheet_says_undercut_of_those_that_are(seed, layout, more, step):
     """Half of them under a face. A page knows its rows. Several sheets look between theirs, here of 2 degrees.
 
-    Where pieces of a law meet the radius has a corner: probes come as near as half a millimetre, of hundreds in the sharpest.
+    Where pieces of a law meet the radius has a corner: probes come as near as half a millimetre, where it goes to hundreds.
     """
     kind = ("flat slide", "slide")[seed % 2]
     for text, undercut in zip(undercut_pair(seed, kind, more, SMOOTH, step), (True, False), strict=True):
