@@ -58,7 +58,7 @@ def screenshot(workbook: Path, typed: Mapping[str, str]) -> Image.Image:
 
 def _taken(environment: dict[str, str], title: str, typed: Mapping[str, str]) -> Image.Image:
     def run(*command: str) -> int:
-        return subprocess.run(["xdotool", *command], env=environment, stdout=subprocess.DEVNULL).returncode
+        return subprocess.run(["xdotool", *command], check=False, env=environment, stdout=subprocess.DEVNULL).returncode
 
     until = time.monotonic() + PATIENCE
     while run("search", "--name", title):

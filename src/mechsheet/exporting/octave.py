@@ -277,9 +277,18 @@ def _picture(program: Program, name: str) -> list[str]:
         *(line for kind, places in marks.items() for line in _tracks(drawn, _MARKS[kind], places)),
         f"animate(shapes, paths, pins, dots, find(exists), middle, h, {title}, '{name}');",
     ]
-    for number, request in enumerate(chart_requests(plan_of(mechanism, program.equations)), 1):
+    charts = (_computed(program, request) for request in chart_requests(plan_of(mechanism, program.equations)))
+    for number, request in enumerate(filter(None, charts), 1):
         lines.append(_curves(program, request, number, name))
     return lines
+
+
+def _computed(program: Program, request: ChartRequest) -> ChartRequest | None:
+    """A chart without what the file does not compute, as the energy of a flywheel; None if nothing is left."""
+    if not request.y:
+        return request
+    known = tuple(symbol for symbol in request.y if symbol in program.names)
+    return replace(request, y=known) if known and request.x in program.names else None
 
 
 _MARKS = {"pin": "pins", "point": "dots"}

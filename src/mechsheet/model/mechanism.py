@@ -462,6 +462,12 @@ class Mechanism:
         return next((dim for dim in self.dimensions if dim.path[:1] == ("flywheel",)), None)
 
     @property
+    def assumed_inertia(self) -> tuple[Link, ...]:
+        """Links that turn and have a mass, but no moment of inertia that anybody has said."""
+        assumed = {mass.link for mass in self.dynamics.masses if mass.assumed} if self.dynamics else set()
+        return tuple(link for link in self.links if link.name in assumed)
+
+    @property
     def driver_rates(self) -> tuple[str, str]:
         """Symbols of the driver's speed and acceleration: omega12, alpha12."""
         driver = self.driver
