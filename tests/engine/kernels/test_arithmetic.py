@@ -36,6 +36,7 @@ EXACT = frozenset(
         "INDEX",
         "INT",
         "ISFORMULA",
+        "ISNA",
         "ISNUMBER",
         "ISODD",
         "ISTEXT",
