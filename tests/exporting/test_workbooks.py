@@ -400,7 +400,7 @@ def test_the_command_writes_extra_files_and_knows_its_words(tmp_path):
         "adjustable-pump-vba.xlsx",
         "adjustable-pump-vba.bas",
     ]
-    assert "\nFunction " in written[-1].read_text(encoding="ascii")
+    assert "End Function" in written[-1].read_text(encoding="ascii")
     result = CliRunner().invoke(main, ["build", str(PUMP), "-o", str(tmp_path / "no"), "--functions", "pascal"])
     assert result.exit_code == 2
     assert "--functions" in result.stderr
