@@ -6,10 +6,9 @@ import sys
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
 from chosen import IN_CI
-from mechsheet.cli import main
+from command_line import run
 
 ROOT = Path(__file__).parent.parent
 sys.path.append(str(ROOT / "tools"))
@@ -41,7 +40,7 @@ def test_commands_run(page, tmp_path, monkeypatch):
     for command in commands(page):
         if "--with" in command:
             continue  # other programs: see tests/differential
-        result = CliRunner().invoke(main, shlex.split(command)[1:])
+        result = run(*shlex.split(command)[1:])
         assert result.exit_code == 0, f"{command}\n{result.output}\n{result.stderr}"
 
 

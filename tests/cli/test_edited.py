@@ -4,18 +4,11 @@ import json
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
+from command_line import run
 from mechsheet.checking.report_lines import focused
-from mechsheet.cli import main
 
 TEMPLATES = Path(__file__).parent.parent.parent / "templates"
-
-
-def run(*arguments):
-    result = CliRunner().invoke(main, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
 
 
 @pytest.fixture(scope="module")

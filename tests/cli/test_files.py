@@ -10,10 +10,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from small import CRANK, run
+from small import CRANK
 
 import mechsheet
 from chosen import part
+from command_line import run
 from degenerate_cases import cases
 from livesheet.formats import read
 from livesheet.formats.seal import is_untouched

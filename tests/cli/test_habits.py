@@ -6,17 +6,13 @@ import sys
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
+from command_line import run
 from mechsheet import __version__
 from mechsheet.cli import main
 
 ROOT = Path(__file__).parent.parent.parent
 FOUR_BAR = (ROOT / "templates" / "four-bar.toml").read_text(encoding="utf-8")
-
-
-def run(*arguments, text=None):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments], input=text)
 
 
 @pytest.mark.slow

@@ -6,9 +6,8 @@ from pathlib import Path
 
 import jsonschema
 import pytest
-from click.testing import CliRunner
 
-from mechsheet.cli import main
+from command_line import run
 from mechsheet.description.json_schema import FILE, json_schema, json_schema_text
 
 ROOT = Path(__file__).parent.parent.parent
@@ -52,6 +51,6 @@ def test_a_misspelt_key_is_refused():
 
 def test_the_command_writes_it(tmp_path):
     target = tmp_path / FILE
-    assert CliRunner().invoke(main, ["schema", "-o", str(target)]).exit_code == 0
+    assert run("schema", "-o", target).exit_code == 0
     assert target.read_text(encoding="utf-8") == json_schema_text()
-    assert json.loads(CliRunner().invoke(main, ["schema"]).stdout) == json_schema()
+    assert json.loads(run("schema").stdout) == json_schema()

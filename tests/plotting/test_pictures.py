@@ -11,15 +11,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 from PIL import Image
 
 import mechsheet
 from chosen import some
+from command_line import run
 from livesheet.diagnostics import OutputError
 from loaded_mechanisms import SUSPENSION
 from mechsheet import plotting
-from mechsheet.cli import main
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.plotting import pictures, sampling
 from mechsheet.plotting.sampling import sample
@@ -40,12 +39,6 @@ def few(monkeypatch):
     """Fewer positions than a person wants to see: quicker."""
     monkeypatch.setattr(plotting, "GIF_FRAMES", 8)
     monkeypatch.setattr(sampling, "LEAST", 25)
-
-
-def run(*arguments):
-    result = CliRunner().invoke(main, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
 
 
 class Elements(HTMLParser):
