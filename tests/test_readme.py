@@ -3,16 +3,15 @@
 import re
 import shlex
 import sys
-from pathlib import Path
 
 import pytest
 
 from chosen import IN_CI
 from command_line import run
+from folders import ROOT
 
-ROOT = Path(__file__).parent.parent
 sys.path.append(str(ROOT / "tools"))
-from documented import PAGES, commands  # noqa: E402
+from documented import PAGES, commands
 
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
 

@@ -1,12 +1,12 @@
 """Functions in Basic, read as formulas: against numbers by hand, against LibreOffice, and as our own modules have them."""
 
 import math
-from pathlib import Path
 
 import pytest
 
 import mechsheet
 from command_line import run
+from folders import TEMPLATES
 from livesheet.basic import decoded, functions_in, lambdas
 from livesheet.engine import evaluate
 from livesheet.formula.book import BookBuilder, DefinedName
@@ -15,8 +15,6 @@ from livesheet.formula.parser import parse_formula
 from mechsheet.library.own_functions import with_modules
 from mechsheet.library.recalculation import recalc
 from office_macros import Job, with_macros
-
-TEMPLATES = Path(__file__).parents[2] / "templates"
 
 MODULE = """\
 Attribute VB_Name = "Deneme"

@@ -6,7 +6,6 @@ import json
 import os
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +13,7 @@ import pytest
 import mechsheet
 from chosen import IN_CI
 from command_line import run
+from folders import TEMPLATES
 from livesheet.engine import evaluate
 from livesheet.evaluation import computed
 from livesheet.formats import read, write
@@ -30,7 +30,6 @@ from mechsheet.dynamics.solve import solve
 from mechsheet.library.building import FORMATS
 from mechsheet.sheet.layout import lay_out
 
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 OTHER = "adjustable-pump" if IN_CI else "elliptic-trammel"
 
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import pytest
 
 from command_line import run
+from folders import TEMPLATES
 from mechsheet.cli import main
 
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 FOUR_BAR = TEMPLATES / "four-bar.toml"
 
 

@@ -1,14 +1,12 @@
 """`mechsheet export` itself: kinds, options, names of files, and one clear message for each mistake."""
 
-from pathlib import Path
-
 import pytest
 
 from command_line import run
+from folders import TEMPLATES
 from mechsheet.exporting import KINDS
 from mechsheet.exporting.identifiers import ascii_word, identifiers
 
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 FOUR_BAR = TEMPLATES / "four-bar.toml"
 
 

@@ -1,17 +1,16 @@
 """In which language the command line speaks, and that all it says is said."""
 
 import ast
-from pathlib import Path
 
 import pytest
 import xlsxwriter
 
 import command_line
 from catalogues import texts
+from folders import ROOT
 from mechsheet.cli import speaking
 from mechsheet.cli.speaking import language_of, machine_language
 
-ROOT = Path(__file__).parent.parent.parent
 SOURCE = ROOT / "src" / "mechsheet" / "cli"
 BOOK = ROOT / "generated" / "four-bar.xlsx"
 SHORT = """format = 1

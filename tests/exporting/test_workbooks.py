@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from command_line import run
+from folders import TEMPLATES
 from livesheet.diagnostics import OutputError
 from livesheet.engine import evaluate
 from livesheet.evaluation import computed
@@ -40,7 +41,6 @@ from random_mechanisms import Grower
 
 pytestmark = pytest.mark.slow
 
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 PUMP, FOUR_BAR = TEMPLATES / "adjustable-pump.toml", TEMPLATES / "four-bar.toml"
 
 TABLES = """

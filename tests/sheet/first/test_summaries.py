@@ -3,9 +3,10 @@
 import math
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 from livesheet.formula.nodes import ErrorValue
+from mechsheet.description.templates import template_text
 
 NA = ErrorValue("#N/A")
 
