@@ -11,11 +11,13 @@ from chosen import but, some
 from folders import TEMPLATE_FILES
 from loaded_mechanisms import SUSPENSION
 from mechsheet import reference
+from mechsheet.description import load
 from mechsheet.drawing_page.answers import Studio
 from mechsheet.drawing_page.cells import typed_in_cell
 from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.reading import read
 from mechsheet.kinematics.sweep import rough_poses
+from mechsheet.library.building import compile_workbook
 
 FOUR_BAR = next(path for path in TEMPLATE_FILES if path.stem == "four-bar")
 
@@ -72,6 +74,19 @@ def test_a_template_is_written_back_unchanged(path, tmp_path):
 def test_what_cannot_be_drawn_is_said(name, said):
     path = FOUR_BAR.with_stem(name)
     assert said <= set(looked(path.read_text(encoding="utf-8"))["undrawn"])
+
+
+def test_a_shaper_is_shown_as_it_cuts():
+    """The position that a workbook shows first; at 0 degrees no load acts."""
+    path = FOUR_BAR.with_stem("shaper")
+    found = looked(path.read_text(encoding="utf-8"))
+    _, plan = compile_workbook(load(path))
+    shown = found["frames"]["driver"][found["at"]]
+    assert shown == pytest.approx(plan.mechanism.driver.unit.to_shown(float(plan.nominal["theta12"][plan.first_shown])))
+    (arrow, *_) = [shape for shape in found["shapes"] if shape["kind"] == "load"]
+    assert all(
+        column[found["at"] if len(column) > 1 else 0] is not None for vector in arrow["places"] for column in vector
+    )
 
 
 def test_springs_and_loads_stand_where_their_points_are():

@@ -68,6 +68,29 @@ def test_equal_to_the_reference(tmp_path):
     assert max(worst.values()) < 1e-9, worst
 
 
+FLYWHEEL = """
+format = 1
+mechanism.name = "pump"
+links.ground.points = { O = [0, 0] }
+links.crank.points = { O = [0, 0], A = [30, 0] }
+links.rod.points = { A = [0, 0], B = [100, 0] }
+links.piston.points = { B = [0, 0] }
+joints = [{ type = "prismatic", link = "piston", on = "ground", point = "B", through = "O", symbol = "s" }]
+driver = { link = "crank", start = 0, stop = 360, step = 10, speed = "60 rpm" }
+loads = [{ link = "piston", force = ["-100*where(s.v, 1, 0)", 0] }]
+flywheel.fluctuation = 0.05
+assembly.B = [130, 0]
+"""
+
+
+def test_the_energy_of_a_flywheel_is_left_out_of_the_curves(tmp_path):
+    """It is a sum over rows, which the function of one position does not know; the chart beside it is drawn."""
+    export(loads(FLYWHEEL, "pump"), "octave", tmp_path / "pump.m")
+    text = (tmp_path / "pump.m").read_text(encoding="utf-8")
+    assert "E_f" not in text
+    assert "result.T12" in text
+
+
 @pytest.mark.octave
 def test_arguments_and_their_faults(tmp_path):
     mechanism = load(next(path for path in TEMPLATE_FILES if path.stem == "slider-crank"))

@@ -5,6 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from closure_rates import PRIME, rates_over
 
 from mechsheet.description import loads
 from mechsheet.description.driving.segment_laws import way_of
@@ -131,3 +132,14 @@ def test_jerk_by_time():
     _, found = solved(text + '[[driver.segments]]\nlaw = "cycloidal"\nover = 180\nby = 10\n' + PARABOLIC.partition("[[")[0]
                       + '[[driver.segments]]\nlaw = "3-4-5"\nto = 0\n')  # fmt: skip
     assert found["s.j"].tolist() == pytest.approx((found["s.ddd"] * 1000 + 3 * found["s.dd"] * 10 * 3).tolist())
+
+
+@pytest.mark.parametrize("law", ["modified trapezoid", "modified sine"])
+@pytest.mark.parametrize("over", [60, 80, 100, 140])
+def test_the_formula_of_the_motion_has_one_derivative_where_the_halves_of_a_law_meet(law, over):
+    """However the rounding of tau = 1/2 falls; differentiated, the formula of s says what the column of s' says."""
+    rise = f'[[driver.segments]]\nlaw = "{law}"\nover = {over}\nby = 10\n'
+    text = TEXT.replace("step = 30", "step = 5") + rise + '[[driver.segments]]\nlaw = "3-4-5"\nto = 0\n'
+    mechanism, found = solved(text)
+    rates = rates_over(solve(mechanism), found, {"phi": (1.0, 0.0)})
+    assert rates["s" + PRIME].tolist() == pytest.approx(found["s.d"].tolist(), abs=1e-12)

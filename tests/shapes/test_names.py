@@ -48,8 +48,8 @@ def judge(found, row):
         assert not overlap(a, b), (row, one, other)
     lines = [item for item in scene.items if isinstance(item, Stroke) and item.kind != "path" and there(item)]
     places = np.concatenate([np.array(list(dots(line, scene.window.half / 100))) for line in lines])
-    for label in of_kind(scene, "name"):
-        if there(label):
+    for label in of_kind(scene, "name", "scale"):
+        if hasattr(label, "text") and there(label):
             left, right, low, high = boxes[label.text + label.kind]
             inside = (places > (left, low)).all(axis=1) & (places < (right, high)).all(axis=1)
             assert not inside.any(), (row, label.text)

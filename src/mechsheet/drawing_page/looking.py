@@ -30,7 +30,10 @@ from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import edges
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Link, Mechanism
+from mechsheet.shapes.described import Described
 from mechsheet.shapes.forms import Kind, Shape
+from mechsheet.shapes.listing import is_cylinder
+from mechsheet.shapes.loads import first_shown
 from mechsheet.shapes.outlines import corners, direction_of, through_of
 from mechsheet.shapes.positions import Positions
 from mechsheet.words.catalogue import Language, words
@@ -43,9 +46,13 @@ FRAMES = 180
 DIGITS = 7
 """Of the largest length: places are shown on a screen."""
 
-ACTING = ("spring", "damper", "load", "torque", "weight", "mass", "velocity", "gear", "belt", "rack", "cam")
+ACTING = ("cylinder", "spring", "damper", "load", "torque", "weight", "mass", "velocity", "gear", "belt", "rack", "cam")
 """Kinds of shapes that are drawn as the list has them; links, guides and supports the page draws so that they can be
 taken hold of."""
+
+FAINT, STRONG = 1.0, 2.25
+"""Widths of lines [points] below which one only helps, and above which one is to be seen first: a cam's profile between its
+circles."""
 
 HALVINGS = 24
 """Of the stretch between two positions, to find a limit."""
@@ -86,6 +93,7 @@ def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, 
     head = reading.source.data.get("mechanism") if reading.source is not None else None
     head = head if isinstance(head, dict) else {}
     name = head.get("name")
+    cylinders = _cylinders(reading)
     return {
         "name": name if isinstance(name, str) else "",
         "title": mechanism.title.of(language) if mechanism is not None else "",
@@ -106,6 +114,7 @@ def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, 
                 "link": joint.link,
                 "on": joint.on,
                 "point": joint.point,
+                "cylinder": joint.name in cylinders,
             }
             for joint in parts.joints
         ],
@@ -115,6 +124,14 @@ def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, 
         "units": _units(parts, reading),
         "undrawn": _undrawn(reading, parts),
     }
+
+
+def _cylinders(reading: Reading) -> set[str]:
+    """The sliding joints that are drawn as a barrel and its rod, once there is a motion to see how long both are."""
+    if reading.compiled is None:
+        return set()
+    known = Described(reading.compiled.mechanism, reading.compiled.equations)
+    return {joint.name for joint in known.mechanism.sliding if is_cylinder(known, joint)}
 
 
 def _outline(link: Link, parts: Parts) -> tuple[str, ...]:
@@ -268,15 +285,14 @@ def driver_places(compiled: Compiled, at: float | None) -> tuple[Array, int]:
 
 
 def shown_value(compiled: Compiled, at: float | None) -> float:
-    """The driver value that is shown [rad or length unit]: `at`, that of the sketch, or the first row that closes."""
+    """The driver value that is shown [rad or length unit]: `at`, that of the sketch, or a workbook's first one."""
     mechanism, rows = compiled.mechanism, compiled.driver
     if at is not None and math.isfinite(at):
         found = mechanism.driver.unit.to_internal(at)
     elif mechanism.sketch.at is not None:
         found = number(mechanism.sketch.at, dimension_values(mechanism))
     else:
-        closed = np.flatnonzero(compiled.closed)
-        found = float(rows[closed[0]] if len(closed) else rows[0])
+        found = float(rows[first_shown(mechanism, compiled.closed, compiled.values)])
     low, high = float(np.min(rows)), float(np.max(rows))
     if not mechanism.driver.joint and not low <= found <= high:  # the same position, a turn further
         turned = found + math.tau * np.arange(-3, 4)
@@ -355,6 +371,7 @@ def _shapes(frames: _Frames, digits: int, velocities: bool) -> list[dict[str, An
                     "name": shape.name,
                     "of": weighed.get(shape.name, "") if shape.kind == "mass" else "",
                     "filled": {"": "", "FFFFFF": "paper"}.get(shape.fill, "own"),
+                    "line": "faint" if shape.width < FAINT else "strong" if shape.width > STRONG else "",
                     "path": path or shape.path,
                     "places": [[_short(part, digits) for part in vector.T] for vector in np.moveaxis(columns, 1, 0)],
                 }

@@ -277,9 +277,18 @@ def _picture(program: Program, name: str) -> list[str]:
         *(line for kind, places in marks.items() for line in _tracks(drawn, _MARKS[kind], places)),
         f"animate(shapes, paths, pins, dots, find(exists), middle, h, {title}, '{name}');",
     ]
-    for number, request in enumerate(chart_requests(plan_of(mechanism, program.equations)), 1):
+    charts = (_computed(program, request) for request in chart_requests(plan_of(mechanism, program.equations)))
+    for number, request in enumerate(filter(None, charts), 1):
         lines.append(_curves(program, request, number, name))
     return lines
+
+
+def _computed(program: Program, request: ChartRequest) -> ChartRequest | None:
+    """A chart without what the file does not compute, as the energy of a flywheel; None if nothing is left."""
+    if not request.y:
+        return request
+    known = tuple(symbol for symbol in request.y if symbol in program.names)
+    return replace(request, y=known) if known and request.x in program.names else None
 
 
 _MARKS = {"pin": "pins", "point": "dots"}
@@ -344,7 +353,7 @@ def _curves(program: Program, request: ChartRequest, number: int, name: str) -> 
         legend = ", ".join(_string(point) for point in request.paths)
         return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"
     if request.profile:
-        named = ["cam"] if mechanism.cam is None or mechanism.cam.radius is None else ["cam", "pitch"]
+        named = [name for name in ("cam", "pitch") if f"{name}.x" in program.shown]  # a face has no pitch curve
         x, y = (", ".join(["rows", *(_shown(program, f"{name}.{axis}") for name in named)]) for axis in "xy")
         legend = ", ".join(_string(each) for each in named)
         return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"

@@ -186,7 +186,7 @@ class Search:
     def _conditions(self, reach: bool) -> list[Condition]:
         """What must hold in a row: that links reach each other (of each group the first), or the other conditions."""
         found: dict[object, Condition] = {}
-        for equation in self.equations.columns:
+        for equation in self.equations.positions.columns:  # a dead centre, or a cam's straight piece, leaves it closed
             for condition in equation.exists:
                 if condition.reach == reach:
                     found.setdefault(equation.group if reach else condition.margin, condition)

@@ -11,10 +11,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
+import numpy as np
+
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, with_symbols
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.model import HALF, PIECE, TAU, WAVE, FurtherDriver, Segments
+from mechsheet.kinematics.numeric import Array, value
+from mechsheet.model import HALF, PIECE, TAU, WAVE, FurtherDriver, Segment, Segments
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
@@ -77,7 +80,10 @@ class _OfRow:
 
 
 def _halves(motion: Segments, tau: Symbol, ledger: Ledger) -> dict[str, Node]:
-    """What laws that are made of pieces read; nothing where there are none."""
+    """What laws that are made of pieces read; nothing where there are none.
+
+    Which half it is decides alone: in the middle, whose derivatives are those of the first half, no MIN may take the other.
+    """
     if not {WAVE, HALF, PIECE} & {name for each in motion.parts for way in each.way for name in symbols(way)}:
         return {}
 
@@ -85,14 +91,24 @@ def _halves(motion: Segments, tau: Symbol, ledger: Ledger) -> dict[str, Node]:
         return Call("IF", (Binary(">", nearer, Number(part + MEETING)), al.ONE, al.ZERO))
 
     half = Call("IF", (Binary(">", tau, Number(0.5 + MEETING)), al.ONE, al.ZERO))
-    nearer = Call("MIN", (tau, al.sub(al.ONE, tau)))
+    later = ledger.column("q", half, NUMBER, phrase("segment_half"))
+    nearer = Call("IF", (Binary("=", later, al.ONE), al.sub(al.ONE, tau), tau))
     piece = al.total([al.ONE, beyond(EIGHTH), beyond(MOST_RISING)])
     wave = al.mul(al.mul(Number(4.0), al.PI), nearer)
     return {
-        HALF: ledger.column("q", half, NUMBER, phrase("segment_half")),
+        HALF: later,
         PIECE: ledger.column("p", piece, NUMBER, phrase("segment_piece")),
         WAVE: ledger.column("w", wave, NUMBER, phrase("segment_wave")),
     }
+
+
+def ways_over(part: Segment, tau: Array) -> list[Array]:
+    """f, f', f'' and f''' of a segment's law at parts of it, as numbers."""
+    half = tau > 0.5
+    nearer = np.where(half, 1.0 - tau, tau)
+    piece = 1.0 + (nearer > EIGHTH) + (nearer > MOST_RISING)
+    known = {TAU: tau, HALF: half * 1.0, PIECE: piece, WAVE: 4.0 * np.pi * nearer}
+    return [np.broadcast_to(np.asarray(value(way, known), float), tau.shape) for way in part.way]
 
 
 def _power(over: Node, order: int) -> Node:

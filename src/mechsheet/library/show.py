@@ -77,14 +77,18 @@ def overview_text(mechanism: Mechanism) -> str:
     return "\n".join(lines)
 
 
+WITHOUT = ("verdict.boundless", "verdict.gaps")
+"""Why a summary has no number, as its words end."""
+
+
 def _single(compiled: Compiled, single: Summary | Output) -> str:
     """`mu_min = 33.89 °`: a summary, or an output of summaries, as the first sheet has it."""
     plan = compiled.plan
     spot = plan.places.summaries[single.symbol]
     value, said = compiled.value(spot), str(compiled.value(replace(spot, col=MEANING)))
     if not isinstance(value, float):
-        without = plan.text("verdict.boundless") in said
-        return f"{single.symbol}: {'grows without bound' if without else 'none'}"
+        why = next((words("en", key).strip(" ()") for key in WITHOUT if said.endswith(plan.text(key))), "none")
+        return f"{single.symbol}: {why}"
     unit = plan.mechanism.shown(single.unit) if isinstance(single, Output) else unit_of_column(plan, single.of)
     doubt = next((words("en", key) for key in DOUBTS if said.endswith(plan.text(key))), "")
     return f"{single.symbol} = {value:.6g}{behind_number(unit.text)}{doubt}"

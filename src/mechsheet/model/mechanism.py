@@ -462,12 +462,29 @@ class Mechanism:
         return next((dim for dim in self.dimensions if dim.path[:1] == ("flywheel",)), None)
 
     @property
+    def assumed_inertia(self) -> tuple[Link, ...]:
+        """Links that turn and have a mass, but no moment of inertia that anybody has said."""
+        assumed = {mass.link for mass in self.dynamics.masses if mass.assumed} if self.dynamics else set()
+        return tuple(link for link in self.links if link.name in assumed)
+
+    @property
     def driver_rates(self) -> tuple[str, str]:
         """Symbols of the driver's speed and acceleration: omega12, alpha12."""
         driver = self.driver
         link = next((link for link in self.links if link.name == driver.link), None)
         own = link.angle_symbol if link and driver.relative_to == self.ground.name else driver.symbol
         return rate_symbols(own, not driver.joint)
+
+    @property
+    def driven_link(self) -> str:
+        """The link that the driver moves, seen from the ground.
+
+        Of a cam that turns clockwise the driver's angle is that of the ground, seen from the cam.
+        """
+        driver = self.driver
+        if driver.joint:
+            return next(joint.link for joint in self.joints if joint.name == driver.joint)
+        return driver.relative_to if driver.link == self.ground.name else driver.link
 
     @property
     def all_drivers(self) -> tuple[Driver | FurtherDriver, ...]:

@@ -51,7 +51,7 @@ DASHES = {"solid": "-", "dash": "--", "dot": ":"}
 
 LETTERS, SMALL = 8.5, 7.5
 LETTER, GAP = 1.5, 4.0
-"""How wide a small letter is, and what is free between columns of a table, in mm."""
+"""How wide a small letter is, about, and what is free between columns of a table, in mm."""
 
 RAISED, SMALLER = {"sub": -0.8, "super": 1.1}, 0.72
 """How far subscripts and superscripts are from the line, in mm, and their size, as a part of that of letters."""
@@ -135,15 +135,17 @@ class Paper:
     def columns(self, rows: Sequence[Row | str], count: int) -> None:
         """Rows in columns side by side, as many as there is room for; a text alone is a heading."""
         width = (WIDE - 2 * MARGIN) / count
+        texts = [row for row in rows if not isinstance(row, str)]
         names, values = (
-            max((len(row[part]) for row in rows if not isinstance(row, str)), default=0) for part in (0, 1)
+            max((_width(row[part], "") for row in texts), default=0.0) * SMALL / LETTERS for part in (0, 1)
         )
-        tabs = 0.0, names * LETTER + GAP, (names + values) * LETTER + 2 * GAP
+        tabs = 0.0, names + GAP, names + values + 2 * GAP
         letters = int((width - tabs[2]) / LETTER)
         lines = [line for row in rows for line in ([row] if isinstance(row, str) else _broken(row, letters))]
         most = max(1, int(self.room / LINE))
         high = min(max(1, math.ceil(len(lines) / count)), most)
-        while high < min(len(lines), most) and isinstance(lines[high - 1], str):  # a heading stands over its rows
+        # a heading stands over its rows, and what a row goes on with below it
+        while high < min(len(lines), most) and (isinstance(lines[high - 1], str) or _goes_on(lines[high])):
             high += 1
         if high * count < len(lines):
             lines[high * count - 1 :] = [("…", "", "")]
@@ -213,6 +215,7 @@ class Paper:
             return
         axes.grid(color="#DDE1E6", linewidth=0.5)
         axes.tick_params(labelsize=SMALL - 1, colors=QUIET, length=0)
+        axes.yaxis.get_offset_text().set(fontsize=SMALL - 1, color=QUIET)  # the power of ten over an axis
         axes.set_xlabel(chart.x_axis.title, fontsize=SMALL - 1, color=QUIET)
         axes.set_ylabel(chart.y_axis.title, fontsize=SMALL - 1, color=QUIET)
         axes.margins(x=0)
@@ -270,6 +273,11 @@ def _broken(row: Row, letters: int) -> list[Row]:
     """A row, its meaning in as many lines as it takes."""
     lines = textwrap.wrap(row[2], letters) or [""]
     return [(row[0], row[1], lines[0]), *(("", "", line) for line in lines[1:])]
+
+
+def _goes_on(line: Row | str) -> bool:
+    """Whether it is a further line of the row above."""
+    return not isinstance(line, str) and not (line[0] or line[1])
 
 
 def _bars(scene: Scene) -> int:

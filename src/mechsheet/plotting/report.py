@@ -15,7 +15,7 @@ from livesheet.formula.nodes import ErrorValue
 from livesheet.workbook import Chart, Rich
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.model import Mechanism
-from mechsheet.plotting.paper import LARGEST, LINE, QUIET, SMALL, Paper, Row, bound
+from mechsheet.plotting.paper import LINE, QUIET, SMALL, Paper, Row, bound
 from mechsheet.plotting.pictures import settings
 from mechsheet.plotting.sampling import Sample, sample
 from mechsheet.plotting.scenes import Curves, Stage
@@ -33,9 +33,15 @@ if TYPE_CHECKING:
 MOST = 3
 """Pages at most: curves that have no room are left out."""
 
+FORCES_HIGH = 95.0
+"""How high the drawing with the forces may be, in mm: less than the first one, so that curves find room on its page."""
+
 LOWERED = str.maketrans("0123456789,", "₀₁₂₃₄₅₆₇₈₉,")
 
-UNSAID = ("inputs",)
+RIGHT = 90.0
+"""The best angle of transmission, in degrees."""
+
+UNSAID = ("inputs", "sheets")
 """What is said of cells, not of the mechanism."""
 
 GIVEN = ("dimensions", "motion", "gears", "drivers", "masses", "loads")
@@ -81,11 +87,12 @@ class _FirstSheet:
         driver = behind_number(self.plan.mechanism.driver.unit.text)
         for symbol, row in self.plan.blocks[key].rows.items() if key in self.plan.blocks else ():
             name = self.text(row, SYMBOL)
-            of_rows = (
-                "/ " if isinstance(self.cells.get((row, UNIT)), float) else ""
-            )  # a count of the rows, in their place
-            value = f"{self.text(row, VALUE)} {of_rows}{self.text(row, UNIT)}".replace(" °", "°").strip()
-            place = self.text(row, TOLERANCE) if key in ("summary", "verdicts") else ""
+            # a count has that of all rows in the place of its unit
+            of_rows = "/ " if isinstance(self.cells.get((row, UNIT)), float) else ""
+            value, unit = self.text(row, VALUE), self.text(row, UNIT)
+            value = f"{value} {of_rows}{unit}".replace(" °", "°").rstrip() if value else ""
+            placed = key == "summary" or (key == "verdicts" and symbol in self.plan.places.occurs)
+            place = self.text(row, TOLERANCE) if placed else ""
             if (value or self.text(row, MEANING)) and symbol not in UNSAID:
                 found.append((name, f"{value} @ {place}{driver}" if place else value, self.text(row, MEANING)))
         return found
@@ -99,11 +106,16 @@ class _FirstSheet:
     def worst(self) -> float | None:
         """Where the driver needs most, else where the angle of transmission is worst: the driver's value in its unit."""
         rows = self.plan.blocks["verdicts"].rows
-        for key in ("largest_effort", *(name for name in rows if name.startswith("transmission"))):
-            place = self.cells.get((rows[key], TOLERANCE)) if key in rows else None
-            if isinstance(place, float):
-                return place
-        return None
+        effort = self.cells.get((rows["largest_effort"], TOLERANCE)) if "largest_effort" in rows else None
+        if isinstance(effort, float):
+            return effort
+        angles = [row for key, row in rows.items() if key.startswith("transmission")]
+        found = []
+        for row in angles:
+            angle, place = (self.cells.get((row, column)) for column in (VALUE, TOLERANCE))
+            if isinstance(angle, float) and isinstance(place, float):
+                found.append((abs(RIGHT - angle), place))
+        return max(found)[1] if found else None
 
 
 def _springs(found: Sample, positions: Positions) -> list[Row]:
@@ -168,9 +180,9 @@ def _pages(first: _FirstSheet, stage: Stage) -> list[Figure]:
             page.columns(rows, 1)
     if found.plan.held_columns:
         rows = _largest(found)
-        page = _with_room(pages, LARGEST[1] + (len(rows) + 4) * LINE, charts)
+        page = _with_room(pages, FORCES_HIGH + (len(rows) + 5) * LINE, charts)
         page.heading(words(plan.language, "picture.forces"))
-        page.drawing(Positions(found, VECTORS[2:]).at(found.shown), mechanism.length_unit)
+        page.drawing(Positions(found, VECTORS[2:]).at(found.shown), mechanism.length_unit, FORCES_HIGH)
         page.columns(rows, 1)
     if rows := _springs(found, stage.positions):
         page = _with_room(pages, (len(rows) + 3) * LINE, charts)

@@ -150,8 +150,8 @@ LEFT, BOTTOM = -0.95, -0.95
 BAR_START, BAR_RISE = -0.36, 0.09
 """Where the scale bars of arrows begin, beside that of lengths, and how far one stands above the other."""
 
-BAR_ROOM = 0.24
-"""What the lowest scale bar with its label, and above the bars a support or the end of a rail need [half windows]."""
+BAR_ROOM = 0.27
+"""What the lowest scale bars with their labels, and above them a support or the end of a rail need [half windows]."""
 
 CAPTION_AT = (-0.97, 0.93)
 
@@ -163,8 +163,9 @@ PIN, POINT = 0.025, 0.0167
 
 
 def room_of_bars(count: int) -> float:
-    """What stays free at the lower edge, so that no scale bar of so many lies on a link [half windows]."""
-    return BAR_ROOM + BAR_RISE * (count - 1) if count else 0.0
+    """What stays free at the lower edge, so that the scale bar of lengths, and so many of arrows beside it, lie on no link
+    and on no support [half windows]."""
+    return BAR_ROOM + BAR_RISE * max(0, count - 1)
 
 
 # --- vectors ---------------------------------------------------------------------------------------------------------

@@ -91,6 +91,8 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
     shown = [f"show_{kind}" for kind in plan.arrows]
     _block(plan, "position", ["position", mechanism.driver.symbol, "status", *shown])
     _block(plan, "dimensions", [dim.symbol for dim in inputs])
+    if mechanism.summaries:  # what one asked for, in sight beside the drawing while one types a dimension
+        _block(plan, "summary", [each.symbol for each in singles])
     if mechanism.driver.stepped:
         _block(plan, "sweep", ["start", "step", "stop"])
     for key in INPUT_BLOCKS:
@@ -105,8 +107,6 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
     variables += [symbol for symbol in plan.banded if plan.equations.of(symbol).role == "point"]
     variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
     _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
-    if mechanism.summaries:
-        _block(plan, "summary", [each.symbol for each in singles])
     if mechanism.bands:
         _block(plan, "bands", [*mechanism.bands.quantities, *mechanism.bands.summaries])
     findings = findings_of(mechanism, plan.found)

@@ -7,6 +7,7 @@ import pytest
 from edited import TEMPLATES, edited, laid_out, saved
 from placed import places_of
 
+import random_cams
 from livesheet.diagnostics import WorkbookError
 from livesheet.engine import compile_book
 from livesheet.evaluation import book_of
@@ -155,3 +156,75 @@ def test_a_wrong_summary_is_found(layout, symbol, by):
     found = against_search(book_of(compiled.layout), values, compiled.plan, "four-bar")
     assert found.agrees == (symbol is None), found
     assert symbol is None or found.where.endswith((f"({symbol})", "(arc)"))  # arc follows from what is shown of swing
+
+
+# --- cams ------------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+@pytest.mark.parametrize("name", ["cam-flat", "cam-linkage", "cam-rocker", "cam-slide", "cam-valve"])
+def test_a_cam_says_what_the_search_finds(name, layout):
+    found = judged(name, layout)
+    assert found.agrees, found
+
+
+WRONG = [
+    ("pressure_angle", 0.05), ("least_rho", 0.05), ("contact_force", 0.2), ("holding_spring", 0.02), ("velocity_leaps", 1),
+    ("largest_velocity", 1), ("largest_acceleration", 500), ("largest_jerk", 1e6), ("acceleration_leaps", 1),
+]  # fmt: skip
+WRONG_PLACES = [("pressure_angle_at", 2), ("least_rho_at", 1), ("contact_force_at", 1), ("largest_velocity_at", 5)]
+
+
+@pytest.mark.parametrize(
+    ("key", "by", "layout"),
+    [(*each, layout) for each in WRONG for layout in ("sheets", "page")] + [(*each, "sheets") for each in WRONG_PLACES],
+)
+def test_a_wrong_line_of_a_cam_is_found(key, by, layout):
+    """A page has no cells of the places."""
+    name = "cam-slide" if key.startswith("pressure_angle") else "cam-valve"
+    found = judged(name, layout, damage=(key, by))
+    assert not found.agrees
+    assert f"({key})" in found.where
+
+
+class Said:
+    """Values, but the words beside a cell are others."""
+
+    def __init__(self, values, spot, col, words):
+        self.values, self.place, self.words, self.column = values, (spot.sheet, spot.row, col), words, values.column
+
+    def get(self, *place):
+        return self.words if place == self.place else self.values.get(*place)
+
+
+@pytest.mark.parametrize(("layout", "col"), [("sheets", 4), ("page", 3)])
+@pytest.mark.parametrize(
+    ("key", "words"),
+    [
+        ("pressure_angle", "pressure angle: more than usual, it may jam"),
+        ("least_rho", "undercut: this profile cannot be made"),
+        ("contact_force", "the follower lifts off at 69°: N = -1 N"),
+        ("largest_velocity", "segment 3, modified sine: factor 1.7596"),
+        ("largest_acceleration", "segment 1, modified trapezoid: factor 5.528"),
+        ("velocity_leaps", "infinite acceleration: the velocity leaps at 80°"),
+        ("acceleration_leaps", ""),
+    ],
+)  # fmt: skip
+def test_wrong_words_of_a_cam_are_found(key, words, layout, col):
+    compiled, _ = built("cam-valve", layout)
+    values = Said(evaluated("cam-valve", layout, ()), places_of(compiled.plan)[key], col, words)
+    found = against_search(book_of(compiled.layout), values, compiled.plan, "cam-valve")
+    assert not found.agrees
+    assert f"({key})" in found.where
+
+
+@pytest.mark.cases(3)
+@pytest.mark.parametrize("seed", range(60))
+def test_random_cams_say_what_the_search_finds(seed):
+    """All laws, leaps of the acceleration, knife edges, springs; on sheets, and on a page."""
+    text = random_cams.cam(seed)
+    mechanism = loads(random_cams.loaded(text) if seed % 2 else text)
+    for layout in ("sheets", "page"):
+        compiled = Compiled(replace(mechanism, layout=layout))
+        found = against_search(book_of(compiled.layout), compiled.cells.values(), compiled.plan, "cam")
+        assert found.agrees, (layout, found)

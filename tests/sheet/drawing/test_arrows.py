@@ -28,10 +28,10 @@ MOVED = (
 
 
 @pytest.mark.parametrize(
-    ("kinds", "room"), [(0, 0.0), (1, BAR_ROOM), (2, BAR_ROOM + BAR_RISE), (3, BAR_ROOM + 2 * BAR_RISE)]
+    ("kinds", "room"), [(0, BAR_ROOM), (1, BAR_ROOM), (2, BAR_ROOM + BAR_RISE), (3, BAR_ROOM + 2 * BAR_RISE)]
 )
 def test_room_below_the_drawing(kinds, room):
-    """One scale bar stands in `BAR_ROOM`, each further one a rise above the last; without arrows there is none."""
+    """The bar of lengths stands in `BAR_ROOM`, that of a kind of arrows beside it, each further one above the last."""
     assert room_of_bars(kinds) == pytest.approx(room)
 
 

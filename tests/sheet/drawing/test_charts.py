@@ -113,6 +113,14 @@ def test_a_dwell_far_from_0_fills_its_chart(sign):
     assert (axis.low, axis.high) == ((13_400.0, None) if sign > 0 else (None, -13_400.0))
 
 
+def test_numbers_of_many_digits_leave_the_curve_its_room():
+    """The jerk of a cam's follower goes up to 5E+7 mm/s³: eight digits beside the axis would push the curve aside."""
+    text = (ROOT / "templates/cam-slide.toml").read_text(encoding="utf-8")
+    formats = {title: chart.y_axis.number_format for title, chart in charts(text).items() if chart.y_axis.visible}
+    assert formats["j_s against φ"] == "0.0E+0;-0.0E+0;0"
+    assert {form for title, form in formats.items() if not title.startswith("j_s")} == {"General"}
+
+
 def test_ends_of_axes_that_the_description_gives():
     text = (
         SLIDER_CRANK + '[[charts]]\ntitle = "One"\nx = "theta12"\ny = ["mu"]\ny_min = -90\nx_min = 45.5\nx_max = 90\n'

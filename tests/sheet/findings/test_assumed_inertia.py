@@ -29,7 +29,7 @@ def built(tmp_path):
 
 def lines(book, layout="sheets"):
     """The first sheet's lines about it: value, words, and on several sheets the mark."""
-    rows = [row for row in range(20, 90) if book[f"Mechanism!A{row}"] == "moments of inertia"]
+    rows = [row for row in range(10, 90) if book[f"Mechanism!A{row}"] == "moments of inertia"]
     return [tuple(book[f"Mechanism!{column}{row}"] for column in COLUMNS[layout]) for row in rows]
 
 
@@ -54,3 +54,22 @@ def test_the_line_under_the_title_names_it_until_then(built, layout):
 def test_at_rest_and_where_it_is_given_there_is_none(built):
     assert lines(built(TEXT)) == []
     assert lines(built(TEXT.replace("mass = 1\n", "mass = 1\ninertia = 0\n"))) == []
+
+
+BLOCK = """
+format = 1
+mechanism.name = "block"
+links.ground.points = { O = [0, 0], P = [90, 0] }
+links.crank.points = { O = [0, 0], A = [40, 0] }
+links.arm.points = { P = [0, 0] }
+links.block = { points = { A = [0, 0] }, mass = 1 }
+joints = [{ type = "prismatic", link = "block", on = "arm", point = "A", through = "P", symbol = "u" }]
+driver = { link = "crank", start = 0, stop = 360, step = 30, speed = "60 rpm" }
+"""
+
+
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+def test_a_block_that_turns_with_its_guide_has_the_line_too(built, layout):
+    """Its angular velocity is the guide's, and has no column of its own but for this line."""
+    book = built(BLOCK, layout)
+    assert lines(book, layout)[0][:2] == (1.0, "not given, 0 taken, of what turns unevenly: block")

@@ -1,12 +1,20 @@
-"""What may be typed into an input: every length above 0, every number elsewhere; what is refused, and why."""
+"""What may be typed into an input: every length above 0, every number elsewhere; what is refused, and why. The order of
+what stands on the first sheet.
+"""
 
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
 from livesheet.formula.scalar import evaluate
 from livesheet.workbook import Area
+from mechsheet.description import load
+from mechsheet.library.building import compile_workbook
+from mechsheet.sheet.plan import LEGEND_ROW
 from mechsheet.sheet.shown import input_validation
+
+TEMPLATES = Path(__file__).parents[3] / "templates"
 
 PLAN = SimpleNamespace(equations=SimpleNamespace(positive={"a1"}), text=lambda key, **parts: (key, *parts.values()))
 
@@ -25,3 +33,13 @@ def test_what_may_be_typed(symbol, yes, no):
     said = "hint.positive" if no else "hint.number"
     assert rule.input_title == rule.error_title == (f"{said}.title",)
     assert rule.input_message[0] == rule.error_message[0] == said
+
+
+def test_what_was_asked_for_stands_below_the_dimensions_and_what_went_wrong_stays_in_sight():
+    """The numbers asked for are beside the drawing while a dimension is typed; the line that names the first cell that
+    became amber or red does not scroll away, however far below one types."""
+    workbook, plan = compile_workbook(load(TEMPLATES / "six-link-dwell.toml"))
+    assert list(plan.blocks)[:3] == ["position", "dimensions", "summary"]
+    first = workbook.sheets[0]
+    assert first.freeze == (LEGEND_ROW + 1, 0)
+    assert min(chart.anchor.row for chart in first.charts) >= first.freeze[0], "no chart is cut in two"

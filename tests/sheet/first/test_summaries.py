@@ -5,6 +5,7 @@ import math
 import pytest
 from laid import Laid
 
+import mechsheet
 from livesheet.formula.nodes import ErrorValue
 from mechsheet.description.templates import template_text
 
@@ -126,3 +127,45 @@ def test_of_a_task_without_a_solution_no_summary_says_an_error():
     laid = Laid(template_text("quick-return-lever")).change(time_ratio=0.99)
     assert laid.spot("rows_closed") == 0
     assert cell(laid, "stroke", 4) == f"stroke: 0 of {laid.plan.rows} positions"
+
+
+DEAD_CENTRE = """
+format = 1
+[mechanism]
+name = "dead-centre"
+[dimensions]
+a1 = 100
+a2 = 60
+a3 = 40
+a4 = 50
+[links]
+ground.points = { A0 = [0, 0], B0 = ["a1", 0] }
+crank.points = { A0 = [0, 0], A = ["a2", 0] }
+coupler.points = { A = [0, 0], B = ["a3", 0] }
+rocker.points = { B0 = [0, 0], B = ["a4", 0] }
+[driver]
+link = "crank"
+start = 0
+stop = "acos((60^2 + 100^2 - 90^2)/(2*60*100))"
+step = "acos((60^2 + 100^2 - 90^2)/(2*60*100))/8"
+speed = "30 rpm"
+[assembly]
+B = [80, 40]
+[summary]
+fastest = { of = "omega14", take = "max" }
+least = { of = "theta14", take = "min" }
+"""
+
+
+def test_a_dead_centre_in_the_last_row_is_why_a_velocity_has_no_largest_value():
+    """The sweep ends exactly where coupler and rocker are in line: no velocity there, so none is known to be the largest."""
+    laid = Laid(DEAD_CENTRE)
+    assert cell(laid, "fastest") == NA
+    assert cell(laid, "fastest", 4).endswith(" (some row has no value)")
+    assert isinstance(cell(laid, "least"), float)
+
+
+def test_check_agrees_with_it(tmp_path):
+    mechanism = mechsheet.loads(DEAD_CENTRE, "mine")
+    (book,) = mechanism.build(tmp_path / "mine.xlsx")
+    assert mechsheet.check(book).agrees

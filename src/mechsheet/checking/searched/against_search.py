@@ -27,6 +27,7 @@ from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.findings.closing import closes_in_all, misfit_of
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
+from mechsheet.sheet.page.reading import MEANING as PAGE_MEANING
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import MEANING, Plan
 
@@ -95,7 +96,9 @@ class _Judge(SearchedMotion):
         super().__init__(plan, search)
         self.values = values
         self.tally = Tally("search", tolerance=EXACT)
-        self.limits = {spot.name: spot for spot in plan.extremes.limits} if plan.extremes else {}
+        self.meaning = PAGE_MEANING if self.page else MEANING
+        self.others = {f"{key}_at": spot for key, spot in plan.places.occurs.items()}
+        self.others |= {spot.name: spot for spot in plan.extremes.limits} if plan.extremes else {}
 
     def result(self) -> Comparison:
         """All findings that this layout has."""
@@ -108,18 +111,21 @@ class _Judge(SearchedMotion):
     # --- cells ---------------------------------------------------------------------------------------------------------
 
     def _spot(self, key: str) -> Spot | None:
-        """The cell of a finding, or of a limit; only the first limits have one."""
-        return self.plan.places.lines.get(key, self.limits.get(key))
+        """The cell of a finding, of where it occurs, or of a limit; only the first limits have one."""
+        return self.plan.places.lines.get(key, self.others.get(key))
 
     def number(self, key: str) -> Scalar:
-        spot = there(self._spot(key))
-        found: Scalar = self.values.get(spot.sheet, spot.row, spot.col)
+        spot = self._spot(key)
+        found: Scalar = None if spot is None else self.values.get(spot.sheet, spot.row, spot.col)
         return found
 
     def says(self, key: str, word: str) -> bool:
+        return self.plan.text(f"verdict.{word}") in self._words(key)
+
+    def _words(self, key: str) -> str:
         spot = there(self._spot(key))
-        words = self.values.get(spot.sheet, spot.row, MEANING)
-        return isinstance(words, str) and self.plan.text(f"verdict.{word}") in words
+        words = self.values.get(spot.sheet, spot.row, self.meaning)
+        return words if isinstance(words, str) else ""
 
     def _judge(self, key: str, expected: Expected) -> None:
         """A number that is one of those expected, or that is none where there are none."""
@@ -137,6 +143,8 @@ class _Judge(SearchedMotion):
             wanted = float(min(expected.numbers, key=lambda one: abs(one - shown)))
             apart = float(EXACT * abs(shown - wanted) / expected.allowed)
         self._note(spot, key, apart, shown, wanted)
+        if expected.words and not any(words in self._words(key) for words in expected.words):
+            self._note(replace(spot, col=self.meaning), key, math.inf, self._words(key), expected.words[0])
 
     def _note(self, spot: Spot, key: str, apart: float, shown: Scalar, wanted: Scalar) -> None:
         self.tally.note(apart, f"{cell_address(spot.sheet, spot.row, spot.col)} ({key})", shown, wanted)

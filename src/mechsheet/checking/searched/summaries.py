@@ -70,6 +70,9 @@ def _judge(values: Any, judged: SearchedMotion, tally: Tally, summary: Summary, 
     if math.isnan(number) and isinstance(words, str) and plan.text("verdict.boundless") in words:
         tally.note(0.0 if _grows(judged, summary) else math.inf, where, "grows without bound", "an extreme")
         return
+    if math.isnan(number) and _has_gaps(judged, summary):
+        tally.note(0.0, where, "no number", "a row without a value")
+        return
     expected = expected_of(judged, summary)
     if expected is None or not expected.sure:
         return
@@ -86,6 +89,13 @@ def _grows(judged: SearchedMotion, summary: Summary) -> bool:
     if inner is None or outer is None:
         return False
     return not outer[2] - outer[0] < GROWN * (inner[2] - inner[0])
+
+
+def _has_gaps(judged: SearchedMotion, summary: Summary) -> bool:
+    """Whether an extreme over several sheets has no value: there is none in a row that closes, as at a dead centre."""
+    if judged.page or not summary.take.ways:
+        return False
+    return not np.isfinite(judged.search.in_rows(summary.of)[judged.search.row_there]).all()
 
 
 def _judge_output(

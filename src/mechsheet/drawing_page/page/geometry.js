@@ -19,6 +19,15 @@ export function place(name, frame = state.frame) {
   return x === null || y === null || x === undefined ? null : [x, y];
 }
 
+/** The corners of a shape in a position: its path stands in a frame, an origin and the vectors of its two directions. */
+export function cornersOf(shape, frame = state.frame) {
+  const vectors = shape.places.map(([x, y]) => [at(x, frame), at(y, frame)]);
+  if (vectors.some(([x, y]) => x === null || y === null)) return [];
+  if (!shape.path.length) return vectors;
+  const [origin, along, across] = vectors;
+  return shape.path.map(([a, b]) => [0, 1].map((axis) => origin[axis] + a * along[axis] + b * across[axis]));
+}
+
 /** Where a point was last: its place in the nearest position that has one. */
 export function lastPlace(name) {
   const here = place(name);

@@ -2,7 +2,7 @@
 
 import { state, on } from "./state.js";
 import { canvas, size, spacing, toPlane, toScreen } from "./view.js";
-import { at, fromStretch, ground, isPin, lastPlace, linkNamed, linksAt, parts, shown } from "./geometry.js";
+import { at, cornersOf, fromStretch, ground, isPin, lastPlace, linkNamed, linksAt, parts, shown } from "./geometry.js";
 import { word } from "./language.js";
 import { sides } from "./names.js";
 
@@ -113,7 +113,7 @@ function buildGuide(joint) {
   const group = element("g", { class: "guide-group", "data-joint": joint.name }, layers.guides);
   const made = { joint, group, line: element("path", { class: "guide" }, group), hatch: element("path", { class: "hatch" }, group) };
   const block = element("g", { class: "link", "data-joint": joint.name }, layers.links);
-  made.block = element("rect", { class: "block", width: 34, height: 20, x: -17, y: -10, rx: 2 }, block);
+  made.block = element("rect", { class: joint.cylinder ? "block inside" : "block", width: 34, height: 20, x: -17, y: -10, rx: 2 }, block);
   made.holder = block;
   return made;
 }
@@ -142,7 +142,7 @@ function buildActing() {
   layers.acting.replaceChildren();
   const named = new Set();
   acting = (state.look?.shapes ?? []).map((shape) => {
-    const made = element("path", { class: `acting ${shape.kind} ${shape.filled}` }, layers.acting);
+    const made = element("path", { class: `acting ${shape.kind} ${shape.filled} ${shape.line}` }, layers.acting);
     element("title", {}, made).textContent = shape.name;
     const own = NAMED.includes(shape.kind) ? shape.name.split(" ").pop() : "";
     const name = named.has(own) ? "" : own; // a spring and its damper have one
@@ -175,9 +175,7 @@ function nameOf(name, attributes, parent) {
 function moveActing() {
   for (const each of acting) {
     const { shape, made, text } = each;
-    const vectors = shape.places.map(([x, y]) => [at(x), at(y)]);
-    const there = vectors.every(([x, y]) => x !== null && y !== null);
-    const places = there ? corners(shape.path, vectors).map(([x, y]) => toScreen(x, y)) : [];
+    const places = cornersOf(shape).map(([x, y]) => toScreen(x, y));
     made.setAttribute("d", line(places));
     each.shown = places;
     if (text) placeName(text, places);
@@ -194,13 +192,6 @@ function placeName(text, places) {
   const side = Math.abs(up) > 0.3 ? Math.sign(up) : Math.sign(across) || 1;
   text.setAttribute("x", (start[0] + end[0]) / 2 + 26 * across * side - 4);
   text.setAttribute("y", (start[1] + end[1]) / 2 - 26 * up * side + 4);
-}
-
-/** A path stands in a frame: its origin, and the vectors of its two directions. */
-function corners(path, vectors) {
-  if (!path.length) return vectors;
-  const [origin, along, across] = vectors;
-  return path.map(([a, b]) => [0, 1].map((axis) => origin[axis] + a * along[axis] + b * across[axis]));
 }
 
 // --- what moves -------------------------------------------------------------------------------------------------------
@@ -245,7 +236,7 @@ function moveNames(screen) {
     const corners = link.points.map(screen).filter(Boolean);
     return corners.length > 2 ? [...corners, corners[0]] : corners;
   });
-  const found = sides(points, [...outlines, ...acting.map((each) => each.shown ?? [])]);
+  const found = sides(points, [...outlines, ...acting.map((each) => each.shown ?? []), driveLine]);
   for (const [n, pin] of there.entries()) {
     pin.side = found[n];
     pin.text.setAttribute("x", pin.side[0].toFixed(1));
@@ -289,12 +280,18 @@ function moveGuide({ joint, group, line: guide, hatch, block, holder }, screen) 
   const from = Math.min(onGround ? -20 : s, s - 30, ...reached);
   const to = Math.max(onGround ? 60 : s, s + 30, ...reached);
   const spot = (distance, across = 0) => [start[0] + along[0] * distance - along[1] * across, start[1] + along[1] * distance + along[0] * across];
+  if (joint.cylinder) return placeBlock(holder, block, joint, point, direction);
   const width = onGround ? 11 : 8;
   const both = [spot(from, width), spot(to, width), spot(from, -width), spot(to, -width)];
   guide.setAttribute("d", onGround && joint.kind === "prismatic" ? line(both.slice(0, 2)) : line(both.slice(0, 2)) + line(both.slice(2)));
   let marks = "";
   if (onGround) for (let d = from + 4; d < to; d += 9) marks += line([spot(d, width), spot(d - 5, width + 6)]);
   hatch.setAttribute("d", marks);
+  placeBlock(holder, block, joint, point, direction);
+}
+
+/** The block of a sliding joint; of a cylinder it is what is taken hold of, seen only where it is chosen. */
+function placeBlock(holder, block, joint, point, direction) {
   const degrees = (-direction * 180) / Math.PI;
   holder.setAttribute("transform", `translate(${point[0].toFixed(2)},${point[1].toFixed(2)}) rotate(${degrees.toFixed(2)})`);
   const slot = joint.kind === "pin-slot";
@@ -320,8 +317,11 @@ function reach(joint, far) {
   return most >= least ? [least, most] : [];
 }
 
+let driveLine = []; // where the driver's arrow is on the screen: no name stands on it
+
 function moveDriver(screen) {
   layers.drive.replaceChildren();
+  driveLine = [];
   const driver = state.look?.driver;
   if (!driver) return;
   const joint = state.look.joints.find((each) => each.name === driver.joint);
@@ -330,6 +330,8 @@ function moveDriver(screen) {
     const columns = state.look.frames?.lines?.[joint.name];
     if (!p || !columns || at(columns[2]) === null) return;
     const degrees = (-at(columns[2]) * 180) / Math.PI;
+    const [cos, sin] = [Math.cos(at(columns[2])), Math.sin(at(columns[2]))];
+    driveLine = [-27, 27].map((along) => [p[0] + along * cos - 22 * sin, p[1] - along * sin - 22 * cos]);
     const holder = element("g", { transform: `translate(${p[0]},${p[1]}) rotate(${degrees}) translate(0,-22)` }, layers.drive);
     element("path", { class: "drive", d: "M-20,0H20" }, holder);
     element("path", { class: "drive-head", d: "M27,0L17,-5V5ZM-27,0L-17,-5V5Z" }, holder);
@@ -342,10 +344,14 @@ function moveDriver(screen) {
   if (!pivot || !end) return;
   const angle = (Math.atan2(-(end[1] - pivot[1]), end[0] - pivot[0]) * 180) / Math.PI;
   const holder = element("g", { transform: `translate(${pivot[0]},${pivot[1]}) rotate(${-angle})` }, layers.drive);
-  const [from, to] = [25, 115].map((degrees) => [26 * Math.cos((degrees * Math.PI) / 180), -26 * Math.sin((degrees * Math.PI) / 180)]);
+  const [from, to] = [25, 115].map((degrees) => around([0, 0], degrees));
+  driveLine = [25, 47, 70, 92, 115].map((degrees) => around(pivot, angle + degrees));
   element("path", { class: "drive", d: `M${from[0]},${from[1]}A26,26 0 0 0 ${to[0]},${to[1]}` }, holder);
   element("path", { class: "drive-head", d: "M0,-10L5,0H-5Z", transform: `translate(${to[0]},${to[1]}) rotate(-112)` }, holder);
 }
+
+/** A place of the driver's arc, seen from its pivot. */
+const around = ([x, y], degrees) => [x + 26 * Math.cos((degrees * Math.PI) / 180), y - 26 * Math.sin((degrees * Math.PI) / 180)];
 
 // --- paths ------------------------------------------------------------------------------------------------------------
 

@@ -1,5 +1,6 @@
 // Between lengths and pixels: the sheet shows a window of the plane, y upwards.
 
+import { cornersOf } from "./geometry.js";
 import { state, changed } from "./state.js";
 
 const BUTTONS = 48; // pixels at the right that the buttons over the sheet take
@@ -62,12 +63,24 @@ export function shift(dx, dy) {
   changed("view");
 }
 
+/** Where a shape comes over all positions. */
+function reached(shape) {
+  const moves = shape.places.some((vector) => vector.some((column) => column.length > 1));
+  const frames = moves ? state.look.frames.driver.map((_, frame) => frame) : [0];
+  return frames.flatMap((frame) => cornersOf(shape, frame));
+}
+
 /** Show all that the mechanism reaches, below the advice and beside the buttons. */
 export function fit() {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
   for (const [xs, ys] of Object.values(state.look?.frames?.points ?? {})) {
     for (const x of xs) if (x !== null) [left, right] = [Math.min(left, x), Math.max(right, x)];
     for (const y of ys) if (y !== null) [low, high] = [Math.min(low, y), Math.max(high, y)];
+  }
+  for (const shape of state.look?.shapes ?? []) {
+    for (const [x, y] of reached(shape)) {
+      [left, right, low, high] = [Math.min(left, x), Math.max(right, x), Math.min(low, y), Math.max(high, y)];
+    }
   }
   if (!(left <= right)) [left, right, low, high] = [-20, 120, -20, 80];
   const { width: whole, height: tall } = size();

@@ -49,13 +49,14 @@ SHORT = 30
 
 
 def asked(mechanism: Mechanism) -> dict[str, None]:
-    """Every symbol that an output, a summary or a chart reads."""
+    """Every symbol that an output, a summary, a chart or a line of the first sheet reads."""
     found = dict.fromkeys(name for output in mechanism.outputs for name in symbols(output.formula))
     found |= dict.fromkeys(summary.of for summary in mechanism.summaries)
     for load in mechanism.dynamics.loads if mechanism.dynamics else ():
         found |= dict.fromkeys(name for part in (*(load.force or ()), load.torque) if part for name in symbols(part))
     for chart in mechanism.charts:
         found |= dict.fromkeys(f"{point}.v{axis}" for point in chart.hodographs for axis in "xy")
+    found |= dict.fromkeys(link.rate_symbols[1] for link in mechanism.assumed_inertia)
     return found | dict.fromkeys(name for chart in mechanism.charts for name in (chart.x, *chart.y) if name)
 
 

@@ -229,7 +229,7 @@ class Searches:
 
     def _begun_from(self, sought: Sought) -> Node:
         """The row from which the search begins: the best one, or, where that is the motion's first or last, another one
-        (`rules.INNER`)."""
+        (`rules.INNER`). Where not all rows close, a quantity may well have values in those that do not."""
         plan, table, rows, way = self.plan, self.table, self.plan.rows, sought.way
         known = self._read(sought)
         if not self.ends or rows < rules.LEAST_INNER:
@@ -248,10 +248,10 @@ class Searches:
             for end, next_, third in ((y[1], y[2], y[3]), (y[rows], y[rows - 1], y[rows - 2]))
         )
         return formula(
-            "IFERROR(IF(AND(wraps=0,IF(best=1,at_first,at_last)),"
+            "IFERROR(IF(AND(wraps=0,first=1,last=rows,IF(best=1,at_first,at_last)),"
             "IF(best=1,ROWS(head)-1+MATCH(other,later,0),MATCH(other,earlier,0)),best),best)",
-            wraps=known["wraps"], best=known["best"], at_first=at_first, at_last=at_last, other=other,
-            later=later, earlier=earlier, head=RangeRef(y[1], y[3]),
+            wraps=known["wraps"], first=known["first"], last=known["last"], rows=table.rows, best=known["best"],
+            at_first=at_first, at_last=at_last, other=other, later=later, earlier=earlier, head=RangeRef(y[1], y[3]),
         )  # fmt: skip
 
     def _wraps(self, sought: Sought) -> None:

@@ -64,6 +64,9 @@ LEAP = 0.5
 STILL = 1e-9
 """A change of less than this part of the size counts as none."""
 
+LONG, SHORT = 1e6, "0.0E+0;-0.0E+0;0"
+"""Beside an axis numbers from so many on stand so: written out they leave the curve no room."""
+
 
 def chart_requests(plan: Plan) -> tuple[ChartRequest, ...]:
     """The charts that the description asks for, or those that suit any mechanism."""
@@ -262,7 +265,9 @@ def value_axis(plan: Plan, request: ChartRequest) -> Axis:
     names = ", ".join(plain(symbol) for symbol in request.y)
     given = any(end is not None for end in request.y_ends)
     low, high = request.y_ends if given else _round_zero(plan, request.y) or _nearer_than_zero(plan, request.y)
-    return Axis(f"{names} [{', '.join(units)}]" if units != [""] else names, low, high)
+    axis = Axis(f"{names} [{', '.join(units)}]" if units != [""] else names, low, high)
+    largest = max(float(np.max(np.abs(_as_described(plan, symbol)), initial=0.0)) for symbol in request.y)
+    return replace(axis, number_format=SHORT) if largest >= LONG else axis
 
 
 def _round_zero(plan: Plan, symbols: Sequence[str]) -> Ends | None:

@@ -41,6 +41,9 @@ COARSEST = math.radians(1)
 """A path leaves no more than this out between two positions, however many turns the sweep has."""
 
 NUMBER_STYLE = styles.decimals(styles.INNER, 4)
+BAR_ROOM = 0.2
+"""What the scale bar with its label needs below a curve [half sides]."""
+
 HIDDEN_AXIS = Axis(low=-1.0, high=1.0, step=0.5, visible=False, gridlines=False)
 
 
@@ -290,7 +293,7 @@ def write_frame(
     margin: float,
     *,
     unit: str | None = None,
-    below: float = 0.0,
+    below: float = BAR_ROOM,
     arrows: Callable[[tuple[Node, Node], float], list[Node]] | None = None,
 ) -> Frame:
     """The rows of a frame around everything between the least and the most of x and of y.

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterator, Mapping
+from itertools import pairwise
 from typing import Literal
+
+import numpy as np
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Text
 from livesheet.formula.scalar import evaluate
+from mechsheet.kinematics.numeric import Array, value
+from mechsheet.kinematics.search import Extremes
+from mechsheet.kinematics.segments import ways_over
 from mechsheet.model import (
     CONTACT,
     LAWS_THAT_LEAP,
@@ -18,11 +24,13 @@ from mechsheet.model import (
     Segment,
     Segments,
     Spring,
+    Way,
 )
 from mechsheet.sheet.findings.finding import Finding, Level, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
-from mechsheet.sheet.shown import shown_unit
+from mechsheet.sheet.shown import shown_unit, unit_of_column
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 
@@ -31,6 +39,22 @@ SAME = 1e-12
 
 LEAPT = 1e-9
 """A step of a derivative, in sizes a radian, that is more than rounding."""
+
+PIECES = 5 * EXACT
+"""So much of its range an extreme may be off: where pieces of a law meet probes settle less fast."""
+
+POLE = 1e3
+"""What reaches so many times beyond its rows has a pole between them: a search finds no extreme."""
+
+NEAR = 1e-6
+"""A search looks so far [parts of a segment] before and behind a place for a leap, and asks nothing of words that a value
+decides which is so near, as a part of itself, to where they change."""
+
+STEEP = 1e-3
+"""A law changes by less within that; a leap of one is larger."""
+
+TAUS = np.linspace(0.0, 1.0, 4001)
+"""Parts of a segment at which a search looks how fast it becomes."""
 
 TRAPEZOID, SINE = 8 * math.pi / (2 + math.pi), 4 * math.pi / (4 + math.pi)
 FACTORS: dict[str, tuple[float, float, float]] = {
@@ -62,13 +86,26 @@ class PressureAngle(Finding):
         known = Symbol(SHOWN + usual.name) if isinstance(usual, Symbol) else formula(shown, x=usual)
         limit = on.plan.at.bind(known, on.plan.main)
         words = formula("IF(value>limit,much,fine)&doubt", value=value, limit=limit, much=on.text(f"{self.key}.much"),
-                        fine=on.text(f"{self.key}.fine"), doubt=on.doubt("alpha", "max", "min"))  # fmt: skip
+                        fine=on.text(f"{self.key}.fine"), doubt=_doubt(on, "alpha", "max", "min"))  # fmt: skip
         return Line(
             rich("alpha"), formula(shown, x=formula("MAX(ABS(high),ABS(low))", high=high, low=low)),
             on.where_it_closes(words), unit.text, decimals_of_kind(on.plan, "angle"),
             occurs=formula("IF(ABS(high)>=ABS(low),place,other)", high=high, low=low, place=at_high, other=at_low),
             levels=(look("value>limit", value=value, limit=limit), good("value<=limit", value=value, limit=limit)),
         )  # fmt: skip
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        found, allowed = _extremes(motion, self.key, "alpha")
+        if found is None:
+            return {}
+        low, at_low, high, at_high = found
+        most, place = (abs(high), at_high) if abs(high) >= abs(low) else (abs(low), at_low)
+        cam, scale = motion.plan.mechanism.cam, motion.angle_scale
+        limit = _number(motion, cam.pressure_angle if cam else 0.0)
+        words = _either(motion, most, limit, f"{self.key}.fine", f"{self.key}.much")
+        return {self.key: Expected([most * scale], allowed * scale, words=words)} | motion.where(
+            self.key, place, lambda rows: most - np.abs(motion.search.known(rows)["alpha"]), allowed
+        )
 
 
 class LeastRadius(Finding):
@@ -85,14 +122,14 @@ class LeastRadius(Finding):
         fine: Node = Text(on.text(f"{self.key}.fine"))
         undercut: Node = Text(on.text(f"{self.key}.undercut"))
         if cam is None or cam.radius is None:
-            doubt = on.doubt("rho", "min")
+            doubt = _doubt(on, "rho", "min")
             least, place = on.extreme("min", "rho")
             if cam is not None and not plan.mechanism.drivers[0].link:  # rho grows as the base circle does
                 radius = plan.at.bind(al.as_node(cam.base_radius), plan.main)
                 needed = formula("ROUNDUP(radius-value,3)", radius=radius, value=value)
                 undercut = joined(undercut, on.text(f"{self.key}.needed"), " ", needed)
         else:
-            doubt = on.doubt("kappa", "max")
+            doubt = _doubt(on, "kappa", "max")
             bent, place = on.extreme("max", "kappa")
             roller = plan.at.bind(al.as_node(cam.radius), plan.main)
             least = formula("IF(bent>0,1/bent-roller,NA())", bent=bent, roller=roller)
@@ -108,6 +145,26 @@ class LeastRadius(Finding):
             levels=(bad("value<=0", value=value), good("value>0", value=value)),
         )  # fmt: skip
 
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        cam = motion.plan.mechanism.cam
+        face = cam is None or cam.radius is None
+        symbol = "rho" if face else "kappa"
+        found, allowed = _extremes(motion, self.key, symbol)
+        if found is None:
+            return {}
+        least, place = found[:2] if face else found[2:]
+        missed, sense = allowed, -1.0 if face else 1.0
+        if not face:
+            roller, bent = _number(motion, cam.radius if cam and cam.radius else 0.0), least
+            if bent <= 0:
+                return {self.key: Expected([])}
+            least, missed = 1 / bent - roller, allowed / bent**2
+        best = found[0] if face else found[2]
+        words = _either(motion, least, 0.0, f"{self.key}.undercut", f"{self.key}.fine", missed)
+        return {self.key: Expected([least], missed, words=words)} | motion.where(
+            self.key, place, lambda rows: sense * (best - motion.search.known(rows)[symbol]), allowed
+        )
+
 
 class ContactForce(Finding):
     """The least force of the cam on its follower: where it would have to pull, the follower lifts off."""
@@ -122,11 +179,24 @@ class ContactForce(Finding):
         at = on.driver_text(on.beside(self.key, place))
         lifts = joined(before, at, between, formula("ROUND(value,2)", value=value), f" {unit.text}{after}")
         words = formula("IF(value<0,lifts,stays)&doubt", value=value, lifts=lifts, stays=on.text(f"{self.key}.stays"),
-                        doubt=on.doubt(CONTACT, "min"))  # fmt: skip
+                        doubt=_doubt(on, CONTACT, "min"))  # fmt: skip
         return Line(
             rich(CONTACT), least, on.where_it_closes(words), unit.text, decimals_of_unit(on.plan, unit), occurs=place,
             levels=(bad("value<0", value=value), good("value>=0", value=value)),
         )  # fmt: skip
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        found, allowed = _extremes(motion, self.key, CONTACT)
+        if found is None:
+            return {}
+        least, place = found[:2]
+        unit = unit_of_column(motion.plan, CONTACT)
+        lifts = motion.plan.text("verdict.contact_force.lifts", place="#", force="#").split("#")[0]
+        stays = motion.plan.text("verdict.contact_force.stays")
+        words = [lifts] if least < -allowed else [stays] if least > allowed else [lifts, stays]
+        return {self.key: Expected([unit.to_shown(least)], unit.to_shown(allowed), words=words)} | motion.where(
+            self.key, place, lambda rows: motion.search.known(rows)[CONTACT] - least, allowed
+        )
 
 
 class HoldingSpring(Finding):
@@ -162,7 +232,7 @@ class HoldingSpring(Finding):
             lacks=f" {on.text(f'{self.key}.lacks', spring=self.spring.name)} ",
             spare=f" {on.text(f'{self.key}.spare', spring=self.spring.name)} ",
             end=most, least=on.text(f"{self.key}.least"), most=on.text(f"{self.key}.most"),
-            doubt=on.doubt(CONTACT, "min"),
+            doubt=_doubt(on, CONTACT, "min"),
         )  # fmt: skip
         return Line(
             rich(symbol),
@@ -171,6 +241,19 @@ class HoldingSpring(Finding):
             plan.mechanism.length_unit,
             decimals_of_kind(plan, "length"),
         )
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        search, symbol = motion.search, self.spring.hold
+        found, allowed = _extremes(motion, self.key, symbol)
+        if found is None:
+            return {}
+        there = search.row_there & np.isfinite(search.in_rows(symbol))
+        force, more = (
+            search.in_rows(CONTACT)[there],
+            search.in_rows(symbol)[there] - _number(motion, self.spring.free_length),
+        )
+        ends = [end for end, sign in ((found[2], 1.0), (found[0], -1.0)) if np.all(sign * force * more <= 0)]
+        return {self.key: Expected(ends[:1], allowed)}
 
 
 def contact_findings(mechanism: Mechanism, found: Collection[str]) -> Iterator[Finding]:
@@ -220,6 +303,29 @@ class LargestRate(Finding):
             occurs=place,
         )  # fmt: skip
 
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        search, plan = motion.search, motion.plan
+        symbol = plan.equations.equations.rates_of(self.follower)[self.order - 1]
+        if not search.count or symbol not in search.at:
+            return {}
+        in_rows = np.abs(search.in_rows(symbol))
+        of_rows, row = float(np.nanmax(in_rows)), 1.0 + int(np.nanargmax(in_rows))
+        each = [_fastest(motion, part, self.order) for part in self.motion.parts]
+        power, evenly = 1.0, True
+        if symbol in self.follower.by_time:
+            speed, acceleration = (search.at[name][0] for name in plan.mechanism.driver_rates)
+            power, evenly = abs(float(speed)) ** self.order, bool(acceleration == 0)
+        most, unit = max(each) * power if evenly else of_rows, unit_of_column(plan, symbol)
+        names = [
+            plan.text("verdict.largest_rate", number=number, law=plan.text(f"segment.{part.law}"), factor="#").split("#")[0]
+            for number, (part, own) in enumerate(zip(self.motion.parts, each, strict=True), 1)
+            if 0 < max(each) * (1 - EXACT) <= own
+        ]  # fmt: skip
+        words = names if evenly else []
+        return {
+            self.key: Expected([unit.to_shown(most)], max(EXACT * unit.to_shown(most), SAME), words=words)
+        } | motion.where(self.key, row, lambda rows: of_rows - np.abs(search.known(rows)[symbol]), EXACT * of_rows)
+
     def _largest(self, part: Segment) -> Node:
         """The largest derivative by the cam's angle of a segment."""
         factor = FACTORS[part.law][self.order - 1]
@@ -262,6 +368,12 @@ class Leaping(Finding):
             levels=(Level(self.kind, formula("count>0", count=cell)), good("count=0", count=cell)),
         )  # fmt: skip
 
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        angles, most = _leaps(motion, self.motion, self.order), LEAPT * motion.plan.size
+        count = sum(abs(step) > most for _, step in angles)
+        key = self.key if count else f"{self.key}.none"
+        return {self.key: Expected([float(count)], words=[motion.plan.text(f"verdict.{key}")])}
+
 
 def _steps(motion: Segments, order: int) -> list[tuple[Node, Node, tuple[str, ...]]]:
     """Where a derivative may leap, by how much, and between which laws."""
@@ -277,6 +389,9 @@ def _steps(motion: Segments, order: int) -> list[tuple[Node, Node, tuple[str, ..
             twice = al.mul(al.number(8.0), al.div(part.by, al.square(part.over)))
             found.append((al.add(part.begins, al.div(part.over, al.TWO)), twice, (part.law,)))
         before = _at_end(parts, place, order, 1.0)
+    if not motion.closed:  # it stays where it ends
+        last = parts[-1]
+        found.append((al.add(last.begins, last.over), before, (last.law,)))
     return [each for each in found if not al.is_zero(each[1])]
 
 
@@ -287,3 +402,77 @@ def _at_end(parts: tuple[Segment, ...], place: int, order: int, tau: float) -> N
         return al.ZERO
     over = part.over if order == 1 else al.square(part.over)
     return al.mul(al.number(factor), al.div(part.by, over))
+
+
+def _doubt(on: Reading, symbol: str, *ways: Way) -> Node:
+    """What is added where an extreme is to be doubted: beside a leap no probe comes as near as where all is smooth."""
+    leaps = on.value("velocity_leaps")
+    count: Node = leaps if symbol == "alpha" else al.add(leaps, on.value("acceleration_leaps"))
+    said = on.doubt(symbol, *ways)
+    return formula('IF(AND(said="",count>0),about,said)', said=said, count=count, about=on.text("about"))
+
+
+# --- what a search finds -------------------------------------------------------------------------------------------------
+
+
+def _number(motion: SearchedMotion, node: Node | float) -> float:
+    """What dimensions make of an expression, in the units of the equations."""
+    return float(value(al.as_node(node), motion.search.dimensions))
+
+
+def _extremes(motion: SearchedMotion, key: str, symbol: str) -> tuple[Extremes | None, float]:
+    """The extremes of a column of the cam, of the rows where the line speaks of these alone; None where nothing is sure.
+    And by how much a number of them may be off: one that is about right by what lies between the rows, too.
+    """
+    search, rows_only = motion.search, motion.page or motion.says(key, "rows.only")
+    elsewhere = motion.says(key, "beyond") or motion.says(key, "boundless")
+    if symbol not in search.at or elsewhere or not (rows_only or motion.sure):
+        return None, 0.0
+    of_rows, found = search.extremes(symbol, rows_only=True), search.extremes(symbol, rows_only=rows_only)
+    if found is None or of_rows is None or not found[2] - found[0] <= POLE * max(of_rows[2] - of_rows[0], SAME):
+        return None, 0.0
+    low, _, high, _ = found
+    part = 0.0 if rows_only else max(motion.part(key), PIECES)
+    allowed = part * (high - low) + NEAR * max(abs(low), abs(high)) + SAME
+    if motion.says(key, "about"):
+        allowed += max(of_rows[0] - low, high - of_rows[2])
+    return found, allowed
+
+
+def _either(
+    motion: SearchedMotion, number: float, limit: float, below: str, above: str, near: float | None = None
+) -> list[str]:
+    """Which of two texts stands there: the first up to the limit; both where the number is too near to say."""
+    close = abs(number - limit) <= (NEAR * max(abs(number), abs(limit)) if near is None else near)
+    keys = [below, above] if close else [below] if number < limit else [above]
+    return [motion.plan.text(f"verdict.{key}") for key in keys]
+
+
+def _over(motion: SearchedMotion, part: Segment, order: int, taus: Array) -> Array:
+    """A derivative of the motion by the cam's angle at parts of a segment, as numbers."""
+    by, over = (_number(motion, node) for node in (part.by, part.over))
+    return np.asarray(by / over**order * ways_over(part, taus)[order])
+
+
+def _fastest(motion: SearchedMotion, part: Segment, order: int) -> float:
+    """The largest derivative over a segment, whichever way."""
+    return float(np.max(np.abs(_over(motion, part, order, TAUS))))
+
+
+def _leaps(motion: SearchedMotion, segments: Segments, order: int) -> list[tuple[float, float]]:
+    """(angle, step) wherever a derivative leaps: within segments, and where two meet."""
+    found: list[tuple[float, float]] = []
+    ends: list[tuple[float, float]] = []
+    for part in segments.parts:
+        begins, over, by = (_number(motion, node) for node in (part.begins, part.over, part.by))
+        first, last = _over(motion, part, order, np.array([0.0, 1.0]))
+        ends.append((float(first), float(last)))
+        inner = TAUS[1:-1]
+        steps = _over(motion, part, order, inner + NEAR) - _over(motion, part, order, inner - NEAR)
+        leaps = np.flatnonzero(np.abs(steps) > STEEP * abs(by) / over**order)
+        found += [(begins + over * float(inner[at]), float(steps[at])) for at in leaps]
+    rest = (0.0, 0.0)
+    around = [ends[-1], *ends] if segments.closed else [rest, *ends, rest]
+    begins_at = [*(part.begins for part in segments.parts), al.add(segments.parts[-1].begins, segments.parts[-1].over)]
+    meeting = zip(begins_at, pairwise(around), strict=False)
+    return found + [(_number(motion, at), after[0] - before[1]) for at, (before, after) in meeting]

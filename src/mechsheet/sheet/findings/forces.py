@@ -63,9 +63,7 @@ class AssumedInertia(Finding):
     key, by_rows = "assumed_inertia", True
 
     def line(self, on: Reading) -> Line:
-        mechanism = on.plan.mechanism
-        masses = [mass for mass in mechanism.dynamics.masses if mass.assumed] if mechanism.dynamics else []
-        links = [link for mass in masses for link in mechanism.links if link.name == mass.link]
+        links = on.plan.mechanism.assumed_inertia
         tests = [self._assumed(on, link) for link in links]
         count = al.total(formula("IF(test,1,0)", test=test) for test in tests)
         names: list[Node | str] = [

@@ -102,7 +102,8 @@ def inputs_of(plan: Plan) -> list[Input]:
         of_ties = dim.path[:1] in (("joints",), ("drivers",), ("cam",)) or dim.path[1:2] == ("segments",)
         if isinstance(dim.value, float) and (not dim.path or of_ties or dim.symbol in of_law):
             kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
-            if dim.path[-1:] in (("ratio",), ("radius",)):
+            of_roller = dim.path[:1] == ("cam",)  # 0: a knife edge
+            if dim.path[-1:] in (("ratio",), ("radius",)) and not of_roller:
                 kind = "step"  # not 0
             spot = plan.at.spots[dim.symbol]
             found.append(Input(spot, plain(dim.symbol), kind, spot.row))

@@ -58,7 +58,7 @@ def _effort(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
         yield rates.Agrees("accelerations_fit", "acceleration", "rates")
     if found.forces:
         yield from (forces.LargestEffort(), forces.LargestForce(), rates.Agrees("effort_fits", "torque", "effort"))
-        if mechanism.dynamics is not None and any(mass.assumed for mass in mechanism.dynamics.masses):
+        if mechanism.assumed_inertia:
             yield forces.AssumedInertia()
     if mechanism.cam is not None:
         yield from (cam.PressureAngle(), cam.LeastRadius())

@@ -9,12 +9,13 @@ hangs on it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from livesheet.formula.nodes import Scalar
+from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.search import Search
 from mechsheet.sheet.checks.search_rules import STRETCHES
 from mechsheet.sheet.plan import Plan
@@ -37,12 +38,14 @@ class Expected:
     allowed  so much the cell may be off
     warning  the cell counts what is to be warned of: compared is whether it is 0
     told     whether it is better than the cell's own number, so that the library tells it
+    words    one of them stands in the words beside the cell; none where nobody asks
     """
 
     numbers: Sequence[float]
     allowed: float = 1e-9
     warning: bool = False
     told: bool = True
+    words: Sequence[str] = ()
 
 
 class SearchedMotion:
@@ -85,6 +88,21 @@ class SearchedMotion:
     def part(self, key: str) -> float:
         """So much of its range a number may be off."""
         return ABOUT if self.says(key, "about") else EXACT
+
+    def where(self, key: str, best: float, missed: Callable[[Array], Array], allowed: float) -> dict[str, Expected]:
+        """What is expected of the cell that says where a number occurs: any place is right at which it is as good.
+
+        best  the best row, a fraction between two;  missed  by how much the number is missed at such rows
+        """
+        search, at = self.search, f"{key}_at"
+        if not search.stepped:
+            return {}
+        (right,), shown = self.drivers([best]), self.number(at)
+        if isinstance(shown, float):
+            row = 1 + (shown / self.driver_scale - float(search.driver(1))) / search.step
+            if 1 - EXACT <= row <= search.last + EXACT and missed(np.array([row]))[0] <= allowed:
+                right = shown
+        return {at: Expected([right], EXACT * abs(search.step) * self.driver_scale, told=False)}
 
     def allowed_where(self) -> float:
         """By how much a limit may be off."""

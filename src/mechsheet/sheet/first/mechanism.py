@@ -79,11 +79,11 @@ def mechanism_sheet(
     _legend(writer)
     _position(writer)
     _dimensions(writer)
+    write_summaries(writer)
     _sweep(writer)
     _given_elsewhere(writer)
     _assembly(writer)
     _variables(writer)
-    write_summaries(writer)
     write_bands(writer, tolerance)
     merges = write_verdicts(writer, checks, extremes)
     _derived(writer)
@@ -111,6 +111,7 @@ def mechanism_sheet(
         controls=controls,
         validations=tuple(writer.validations),
         conditionals=tuple(writer.conditionals),
+        freeze=(LEGEND_ROW + 1, 0),  # what has become amber or red is said there: in sight wherever one types
         selected=_first_input(plan),
         gridlines=False,
         tab_color="1F4E79",
