@@ -34,6 +34,7 @@ EXACT = frozenset(
         "INDEX",
         "INT",
         "ISFORMULA",
+        "ISNA",
         "ISNUMBER",
         "ISODD",
         "ISTEXT",
