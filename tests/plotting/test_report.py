@@ -1,11 +1,7 @@
 """The report: true scale in the worst position, the words of the first sheet, one to three pages."""
 
-<<<<<<< HEAD
-=======
 from itertools import pairwise
-from pathlib import Path
 
->>>>>>> main
 import numpy as np
 import pytest
 
@@ -58,15 +54,10 @@ def test_true_scale(path):
 
 
 def test_the_worst_position():
-<<<<<<< HEAD
-    """Where the angle of transmission is smallest; with forces where the driver needs most."""
-    first, _ = pages_of(mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "fivelink")))
-=======
     """Where the worst of all angles of transmission is worst; with forces where the driver needs most."""
-    excavator = mechsheet.load(next(path for path in TEMPLATES if path.stem == "excavator"))
+    excavator = mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "excavator"))
     assert report._FirstSheet(Compiled(excavator)).worst == pytest.approx(1260)  # the second of two; the first: 840
-    first, _ = pages_of(mechsheet.load(next(path for path in TEMPLATES if path.stem == "fivelink")))
->>>>>>> main
+    first, _ = pages_of(mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "fivelink")))
     assert first.worst == pytest.approx(302.9, abs=0.1)
     first, pages = pages_of(mechsheet.loads(SUSPENSION))
     motion = mechsheet.loads(SUSPENSION).solve()
