@@ -111,7 +111,7 @@ def test_which_pin_carries_most():
 
 def test_which_way_the_cutting_force_acts():
     """The report of the shaper draws it as it cuts: an arrow from the ram against its motion, with its amount."""
-    mechanism = mechsheet.load(next(path for path in TEMPLATES if path.stem == "shaper"))
+    mechanism = mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "shaper"))
     first = report._FirstSheet(Compiled(mechanism))
     found, positions = _sampled(mechanism, first.worst)
     scene = positions.at(found.shown)
@@ -136,7 +136,7 @@ def test_a_value_ends_before_what_it_means_begins():
 
 def test_a_line_says_what_is_of_the_motion():
     """No place where there is none, no unit without a number, nothing of sheets."""
-    first = report._FirstSheet(Compiled(mechsheet.load(next(p for p in TEMPLATES if p.stem == "double-wishbone"))))
+    first = report._FirstSheet(Compiled(mechsheet.load(next(p for p in TEMPLATE_FILES if p.stem == "double-wishbone"))))
     rows = {name: value for name, value, _ in first.rows("verdicts")}
     assert rows["Grashof"] == "80 mm"
     assert "slow way" not in rows  # which needs a whole turn
