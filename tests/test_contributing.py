@@ -1,11 +1,13 @@
 """The table of docs/contributing.md: the files are there, and what a change is said to touch is all that it touches."""
 
 import re
-from pathlib import Path
+from token import NAME
+from tokenize import tokenize
 
 import pytest
 
-ROOT = Path(__file__).parents[1]
+from folders import ROOT
+
 PACKAGES = (ROOT / "src" / "mechsheet", ROOT / "src" / "livesheet")
 
 MOST = 8
@@ -119,3 +121,22 @@ def test_turkish_words_stand_in_one_place():
     found = modules_with(r"[ğışİŞĞ]")
     others = {m for m in found if not m.startswith(("words/", "exporting/")) and m not in letters}
     assert others == set()
+
+
+OF_CAMS = {"cam", "cams", "Cam", "CAM", "CONTACT", "segments", "Segments"}
+
+
+def test_modules_that_name_a_cam_are_those_that_the_page_gives_a_reason_for():
+    """Another module that asks about a cam is to be seen, and said why."""
+    page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    text = page.partition("## What a cam touches")[2].partition("\n## ")[0]
+    listed = {name for line in text.splitlines() if line.startswith("| `")
+              for name in re.findall(r"`([^`]+\.py)`", line.split(" | ")[0])}  # fmt: skip
+    package = ROOT / "src" / "mechsheet"
+    naming = set()
+    for path in package.rglob("*.py"):
+        with path.open("rb") as file:
+            if any(token.type == NAME and token.string in OF_CAMS for token in tokenize(file.readline)):
+                naming.add(path.relative_to(package).as_posix())
+    assert listed == naming
+    assert f"These are {len(naming)} modules" in text

@@ -144,10 +144,12 @@ class Prints:
             self.made[name, layout] = convert_with_libreoffice([target], "pdf", self.folder)[0]
         return self.made[name, layout]
 
-    def sheet(self, sheet: str, dpi: int, part: Corner | None = None, name: str = "four-bar") -> Image.Image:
-        """The first page of a sheet."""
+    def sheet(
+        self, sheet: str, dpi: int, part: Corner | None = None, name: str = "four-bar", further: int = 0
+    ) -> Image.Image:
+        """The first page of a sheet, or one further on."""
         pdf = self.pdf(name, "sheets")
-        return page(pdf, page_of(pdf, sheet), dpi, part)
+        return page(pdf, page_of(pdf, sheet) + further, dpi, part)
 
     def opened(self) -> Image.Image:
         """The four-bar on the screen, in its sixth position."""
@@ -207,8 +209,8 @@ def wanted(prints: Prints) -> Iterator[tuple[str, Callable[[], Image.Image]]]:
         yield f"pattern-{linkage.name}", lambda linkage=linkage: drawing(linkage)  # type: ignore[misc]
     yield "assemblies", assemblies
     yield "opened", prints.opened
-    yield "workbook-blocks", lambda: prints.sheet("Mechanism", 150, (0, 0, 0.4, 1))
-    yield "workbook-charts", lambda: prints.sheet("Mechanism", 120, (0.405, 0.06, 1, 0.75))
+    yield "workbook-blocks", lambda: prints.sheet("Mechanism", 110)
+    yield "workbook-charts", lambda: prints.sheet("Mechanism", 110, further=1)
     yield "workbook-positions", lambda: prints.sheet("Positions", 110)
     yield "workbook-checks", lambda: prints.sheet("Checks", 110)
     yield "workbook-notes", lambda: prints.sheet("Notes", 110)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from folders import ROOT
 from livesheet.formats import read
 from livesheet.formula.references import column_letters
 from mechsheet.checking import check
@@ -17,14 +18,18 @@ from mechsheet.library.building import build
 from mechsheet.sheet.plan import MAY_GO
 from office_macros import Job, edited
 
-ROOT = Path(__file__).parents[2]
 ROWS = [
     [part.strip() for part in line.split("|")]
     for line in (Path(__file__).parent / "edits.txt").read_text(encoding="utf-8").splitlines()
     if line and not line.startswith("#")
 ]
 TEMPLATES = ("four-bar", "fivelink", "adjustable-pump", "six-link-dwell", "slider-crank", "engine")
-BUILT = [*product(("sheets", "page"), ("xlsx", "ods"), TEMPLATES)]
+BUILT = [
+    (layout, form, name)
+    for layout, form, name in product(("sheets", "page"), ("xlsx", "ods"), TEMPLATES)
+    if (layout, name) != ("page", "engine")  # its flywheel needs sheets of its own
+]
+SAVED_BY_GNUMERIC = ("four-bar", "slider-crank", "adjustable-pump")
 WIDE = "BZ"
 """A column behind all that a sheet has."""
 
@@ -147,7 +152,7 @@ def test_what_a_person_does_is_true_or_told(layout, form, name, tmp_path):
 @pytest.mark.gnumeric
 @pytest.mark.slow
 @pytest.mark.cases(4)
-@pytest.mark.parametrize(("layout", "form", "name"), BUILT)
+@pytest.mark.parametrize(("layout", "form", "name"), [case for case in BUILT if case[2] in SAVED_BY_GNUMERIC])
 def test_what_gnumeric_saves_is_the_same_workbook(layout, form, name, tmp_path):
     mechanism = load(ROOT / f"templates/{name}.toml", overrides=Overrides(layout=layout))
     (file,) = build(mechanism, tmp_path, (form,))

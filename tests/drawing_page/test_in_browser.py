@@ -2,14 +2,12 @@
 
 import re
 import threading
-from pathlib import Path
 
 import pytest
 
 import mechsheet
+from folders import ROOT
 from mechsheet.description.templates import template_text
-
-ROOT = Path(__file__).parents[2]
 
 pytestmark = pytest.mark.chromium
 
@@ -446,7 +444,7 @@ def test_on_a_telephone_nothing_over_the_sheet_covers_a_point(opening, four_bar)
 
 
 @pytest.mark.ci
-@pytest.mark.parametrize("name", ["shaper", "klann", "double-wishbone"])
+@pytest.mark.parametrize("name", ["shaper", "klann", "double-wishbone", "four-bar"])
 def test_names_of_points_stand_on_no_link_and_on_no_other(opening, name, tmp_path):
     path = tmp_path / f"{name}.toml"
     path.write_text(template_text(name), encoding="utf-8")
@@ -467,6 +465,16 @@ def test_names_of_points_stand_on_no_link_and_on_no_other(opening, name, tmp_pat
           boxes.forEach((a, n) => boxes.slice(n + 1).forEach((b) => {
             if (a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]) found.push("names");
           }));
+          for (const drive of document.querySelectorAll(".drive")) {
+            const moved = drive.getCTM();
+            for (let at = 0; at <= drive.getTotalLength(); at += 2) {
+              const p = drive.getPointAtLength(at).matrixTransform(moved);
+              boxes.forEach((b, n) => {
+                const away = Math.hypot(p.x - (b[0] + b[2]) / 2, p.y - (b[1] + b[3]) / 2);
+                if (away < 6) found.push(`drive ${names[n].textContent}`);
+              });
+            }
+          }
           for (const back of document.querySelectorAll(".bar-back, .plate-back")) {
             const length = back.getTotalLength();
             boxes.forEach((b, n) => {
@@ -647,3 +655,39 @@ def test_wheels_loads_and_masses_are_drawn_and_deleted_by_the_mouse(opening, fou
     for _ in range(5):
         page.click("#undo")
     opened.until("before => document.querySelector('#text').value === before", before)
+
+
+def test_a_rack_and_a_further_driver_are_drawn_by_the_mouse(opening, tmp_path):
+    """A pinion on a crank drives a slider; without it the slider takes a driver of its own."""
+    opened = opening(tmp_path / "rack.toml")
+    page = opened.page
+    page.click("#tool-ground")
+    opened.click((0, 0))
+    page.click("#tool-link")
+    opened.click((0, 0))
+    opened.click((20, 30))
+    page.click("#tool-slider")
+    opened.click((60, -25))
+    opened.click((90, -25))
+    opened.quiet()
+    page.click("#tool-driver")
+    page.mouse.click(*[(a + b) / 2 for a, b in zip(opened.place("A0"), opened.place("A"), strict=True)])
+    opened.quiet()
+    page.click("#fit")  # the slider is under what is said of two freedoms
+    page.click("#tool-gear")
+    page.mouse.click(*[(a + b) / 2 for a, b in zip(opened.place("A0"), opened.place("A"), strict=True)])
+    opened.quiet()
+    page.mouse.click(*opened.place("B"))
+    page.fill("#ask-input", "25 mm")
+    page.keyboard.press("Enter")
+    opened.until("document.querySelector('.acting.rack') !== null")
+    assert "radius = 25" in opened.text()
+    opened.said("degrees of freedom: 1")
+    page.click("#undo")
+    opened.until("document.querySelector('.acting.rack') === null")
+    page.click("#fit")
+    page.click("#tool-driver")
+    page.mouse.click(*opened.place("B"))
+    opened.until("document.querySelector('#text').value.includes('[[drivers]]')")
+    opened.said("It can be joined in every position.")
+    assert page.locator("#faults li").count() == 0

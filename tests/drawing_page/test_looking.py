@@ -2,30 +2,31 @@
 
 import json
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 from asking_page import Drawing, pin, spot
 
 from chosen import but, some
+from folders import TEMPLATE_FILES
 from loaded_mechanisms import SUSPENSION
 from mechsheet import reference
+from mechsheet.description import load
 from mechsheet.drawing_page.answers import Studio
 from mechsheet.drawing_page.cells import typed_in_cell
 from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.reading import read
 from mechsheet.kinematics.sweep import rough_poses
+from mechsheet.library.building import compile_workbook
 
-TEMPLATES = sorted((Path(__file__).parents[2] / "templates").glob("*.toml"))
-FOUR_BAR = next(path for path in TEMPLATES if path.stem == "four-bar")
+FOUR_BAR = next(path for path in TEMPLATE_FILES if path.stem == "four-bar")
 
 
 def looked(text, at=None, held=None, language="en"):
     return look(read(text, "mine.toml"), at, held or {}, language)
 
 
-@pytest.mark.parametrize("path", some(TEMPLATES, 2), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", some(TEMPLATE_FILES, 2), ids=lambda path: path.stem)
 def test_positions_are_those_of_the_reference(path):
     reading = read(path.read_text(encoding="utf-8"), path.name)
     found = look(reading, None, {})
@@ -49,7 +50,7 @@ def test_positions_are_those_of_the_reference(path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("path", TEMPLATES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", TEMPLATE_FILES, ids=lambda path: path.stem)
 def test_a_template_is_written_back_unchanged(path, tmp_path):
     mine = tmp_path / path.name
     mine.write_bytes(path.read_bytes())
@@ -73,6 +74,19 @@ def test_a_template_is_written_back_unchanged(path, tmp_path):
 def test_what_cannot_be_drawn_is_said(name, said):
     path = FOUR_BAR.with_stem(name)
     assert said <= set(looked(path.read_text(encoding="utf-8"))["undrawn"])
+
+
+def test_a_shaper_is_shown_as_it_cuts():
+    """The position that a workbook shows first; at 0 degrees no load acts."""
+    path = FOUR_BAR.with_stem("shaper")
+    found = looked(path.read_text(encoding="utf-8"))
+    _, plan = compile_workbook(load(path))
+    shown = found["frames"]["driver"][found["at"]]
+    assert shown == pytest.approx(plan.mechanism.driver.unit.to_shown(float(plan.nominal["theta12"][plan.first_shown])))
+    (arrow, *_) = [shape for shape in found["shapes"] if shape["kind"] == "load"]
+    assert all(
+        column[found["at"] if len(column) > 1 else 0] is not None for vector in arrow["places"] for column in vector
+    )
 
 
 def test_springs_and_loads_stand_where_their_points_are():
@@ -190,7 +204,7 @@ def test_titles_and_reasons_come_in_both_languages():
 
 
 @pytest.mark.cases(6)
-@pytest.mark.parametrize("path", but(some(TEMPLATES, 4)), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", but(some(TEMPLATE_FILES, 4)), ids=lambda path: path.stem)
 def test_an_answer_is_small(path):
     """It is sent with every step of a drag."""
     assert len(json.dumps(looked(path.read_text(encoding="utf-8")))) < 250_000

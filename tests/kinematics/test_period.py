@@ -2,6 +2,7 @@
 
 import pytest
 
+import mechsheet
 from livesheet.formula.parser import parse_description
 from mechsheet.compiled import compiled_of
 from mechsheet.description import loads
@@ -41,3 +42,13 @@ def test_what_the_mechanism_has_comes_back_or_goes_on_by_turns():
         "theta12"
     }
     assert names["F34.x"] == names["T12"] == names["omega14"] == "nothing"
+
+
+def test_the_way_along_a_guide_is_no_time():
+    """In the equations of a guide at an angle a part is called t, as time is where a motion law drives."""
+    text = template_text("slider-crank").replace('through = [0, "a1"]', 'through = [0, "a1"]\nangle = "10 deg"')
+    periods = compiled_of(loads(text)).plan.periods
+    assert periods.change("t") == periods.change("s14") == "nothing"
+    for stop in (360, 345):  # also without the row that closes the turn
+        said = mechsheet.loads(text.replace("360", str(stop))).verdicts()
+        assert said["time_ratio_s14"].words == "time ratio of s₁₄, slow way : fast way", stop

@@ -11,13 +11,13 @@ from budgets import (
     IN_TABLE,
     PAGES,
     TABLES,
-    TEMPLATES,
     compiled,
     longest_of_tables,
     size_of,
 )
 
 from chosen import some
+from folders import TEMPLATE_NAMES
 from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.sheet.table.positions import heading
 
@@ -28,7 +28,7 @@ def test_columns_of_a_four_bar(layout):
 
 
 @pytest.mark.cases(5)
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_other_sheets_have_few_columns_for_each_of_the_table(name):
     size = size_of(compiled(name))
     # what follows from the unknowns of Newton's method stands in its passes
@@ -48,7 +48,7 @@ def test_velocities_and_forces_of_a_four_bar_with_three_masses():
     assert (size.rates, size.forces) == (19 * rows, 37 * rows)
 
 
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_iterations(name):
     """Passes, unknowns and rows decide how large the sheet of Newton's method is; its start what leads to the group, too."""
     found = compiled(name)
@@ -60,7 +60,7 @@ def test_iterations(name):
 
 
 @pytest.mark.cases(5)
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_no_heading_stands_over_two_columns(name):
     plan = compiled(name).plan
     heads = [str(getattr(head, "plain", head)) for head in (heading(plan, column) for column in plan.columns)]
@@ -68,7 +68,7 @@ def test_no_heading_stands_over_two_columns(name):
 
 
 @pytest.mark.parametrize(
-    ("name", "layout"), [*((name, "sheets") for name in TEMPLATES), *((name, "page") for name in PAGES)]
+    ("name", "layout"), [*((name, "sheets") for name in TEMPLATE_NAMES), *((name, "page") for name in PAGES)]
 )
 def test_formulas_of_tables_can_be_read(name, layout):
     """Every table that a person reads row by row, and every two-way table with its helpers."""
@@ -76,7 +76,7 @@ def test_formulas_of_tables_can_be_read(name, layout):
     assert longest <= TABLES
 
 
-FORMS = [(name, "names") for name in TEMPLATES] + [(name, "anchors") for name in some(TEMPLATES, 2)]
+FORMS = [(name, "names") for name in TEMPLATE_NAMES] + [(name, "anchors") for name in some(TEMPLATE_NAMES, 2)]
 """Pages: see page/test_page.py."""
 
 

@@ -12,7 +12,7 @@ from livesheet.diagnostics import Fault
 from livesheet.said import Said, say
 from mechsheet.description import load, loads
 from mechsheet.description.grammar import Either, Items, Kinds, Named, Table
-from mechsheet.description.schema import DESCRIPTION, REASONS
+from mechsheet.description.schema import DESCRIPTION, MEANT, REASONS
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.words.messages import in_language
 
@@ -81,7 +81,7 @@ def test_every_pattern_in_the_sources_has_its_turkish():
 
 
 def test_what_messages_quote_of_the_schema_has_its_turkish():
-    quoted = {*notes(DESCRIPTION), *(text for reason in REASONS.values() for text in reason)}
+    quoted = {*notes(DESCRIPTION), *(text for reason in REASONS.values() for text in reason), *MEANT.values()}
     assert "rigid links; the first is the ground" in quoted
     assert sorted(quoted - TURKISH.keys()) == []
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
-from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, walk
 from livesheet.said import Said, say
 from mechsheet.units import Unit
 
@@ -82,3 +83,64 @@ def kind_of(node: Node, kinds: Mapping[str, str], multiples: bool = True) -> str
 
 def _common(*kinds: str) -> str:
     return kinds[0] if len(set(kinds)) == 1 else ANY
+
+
+_TAKE_ANGLES = frozenset(("SIN", "COS", "TAN"))
+
+_ADVICE = "write radians({number}) for so many degrees"
+
+
+def meant_in_degrees(node: Node, kinds: Mapping[str, str]) -> tuple[Said, Said] | None:
+    """What is wrong with an expression that takes an angle to be in degrees, and what to write; None where nothing is.
+
+    A round number above a turn, added to an angle or compared with one, or under a sine, is a number of degrees; an angle
+    is in radians already; a sine takes no degrees.
+    """
+    for part in walk(node):
+        beside: tuple[Node, ...]
+        match part:
+            case Binary("+" | "-", left, right):
+                beside = (left, right)
+            case Call(name, args) if name in _KEEP_KIND:
+                beside = args
+            case Call(name, (arg,)) if name in _TAKE_ANGLES:
+                if kind_of(arg, kinds) == DEGREES:
+                    return say("{name}() takes radians", name=name.lower()), say("leave degrees() out")
+                if _is_degrees(arg):
+                    return _in_radians(arg)
+                continue
+            case Call("RADIANS", (arg,)) if kind_of(arg, kinds) == ANGLE:
+                return say("radians() of an angle, which is in radians already"), say("leave radians() out")
+            case _:
+                continue
+        if any(kind_of(each, kinds) == ANGLE for each in beside):
+            for each in filter(_is_degrees, beside):
+                return _in_radians(each)
+    return None
+
+
+def _is_degrees(node: Node) -> bool:
+    """Whether it is a number that nobody writes for radians: above a turn, and whole or a half."""
+    value = _plain(node)
+    return value is not None and abs(value) > math.tau and (2 * value).is_integer()
+
+
+def _plain(node: Node) -> float | None:
+    """The value of a plain number, perhaps with a sign."""
+    match node:
+        case Number(value):
+            return value
+        case Unary("-" | "+" as sign, Number(value)):
+            return -value if sign == "-" else value
+    return None
+
+
+def _in_radians(node: Node) -> tuple[Said, Said]:
+    number = f"{_plain(node):g}"
+    return say("{number} would be radians, as angles in expressions are", number=number), say(_ADVICE, number=number)
+
+
+def is_plain_number(node: Node) -> bool:
+    """Whether an expression is made of numbers alone (30, 360/7) and is not 0: an angle in degrees, to most who write it."""
+    parts = list(walk(node))
+    return not any(isinstance(part, Symbol | Call) for part in parts) and any(_plain(part) for part in parts)

@@ -102,6 +102,14 @@ REASONS = {
 }
 """Reserved keys of which more can be said: why they are refused, and what to do instead."""
 
+PINNED = "links that name the same point are pinned there: no entry of [[joints]] is needed"
+SLIDES = 'write "prismatic"'
+MEANT = {
+    **dict.fromkeys(("revolute", "pin", "pinned", "hinge", "rotary", "turning"), PINNED),
+    **dict.fromkeys(("slider", "sliding", "slide", "translational", "linear", "cylinder"), SLIDES),
+}
+"""What to write in place of a type of joints that others know by this name."""
+
 _TYPE = Key(Text(), "kind of the joint", True)
 _NAME = Key(Text(), "what the driver calls it; the symbol by default")
 _ON = Key(Text(names="link"), "the link that carries the line", True)

@@ -15,7 +15,16 @@ from livesheet.formula.nodes import Node, Symbol, Unary, children, symbols, tran
 from livesheet.formula.parser import RESERVED, parse_description
 from livesheet.formula.scalar import evaluate
 from livesheet.said import Said, Words, reason, say
-from mechsheet.description.kinds import ANGLE, ANY, DEGREES, LENGTH, kind_of, plain_unit
+from mechsheet.description.kinds import (
+    ANGLE,
+    ANY,
+    DEGREES,
+    LENGTH,
+    is_plain_number,
+    kind_of,
+    meant_in_degrees,
+    plain_unit,
+)
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.description.text.index import Path
@@ -171,7 +180,17 @@ class Scope:
     # ---- expressions
 
     def parse(self, text: str, path: Path) -> Node | None:
-        """The tree of an expression; None when it does not parse."""
+        """The tree of an expression, which computes in radians; None when it does not parse, or was meant in degrees."""
+        tree = self._parsed(text, path)
+        slip = None if tree is None else meant_in_degrees(tree, self.kinds)
+        if slip is None:
+            return tree
+        message, hint = slip
+        self.report.at(path, say("in {text}: {message}", text=quoted(text), message=message), hint)
+        return None
+
+    def _parsed(self, text: str, path: Path) -> Node | None:
+        """The tree of a text; None when it does not parse."""
         try:
             tree = parse_description(text)
         except FormulaError as error:
@@ -192,7 +211,7 @@ class Scope:
     def condition_side(self, text: str, path: Path) -> Node | None:
         """The tree of one side of a condition, in which quantities are in their units: an output of summaries is its
         formula."""
-        tree = self.parse(text, path)
+        tree = self._parsed(text, path)
         if tree is None:
             return None
         return transform(
@@ -262,6 +281,18 @@ class Scope:
         )
         return False
 
+    def is_in_radians(self, tree: Node, text: str, unit: Unit, path: Path) -> bool:
+        """True unless an angle that people type in degrees is numbers alone, "30": these would be radians."""
+        if not unit.in_degrees or not is_plain_number(tree):
+            return True
+        message = say("{text} in quotes is an expression, and angles in expressions are in radians", text=quoted(text))
+        hint = say("write {degrees} for degrees", degrees=quoted(f"radians({text.strip()})"))
+        if plain := typed_number(text):
+            radians = quoted(f"{plain.text} rad")
+            hint = say("write {degrees}, without quotes, or {radians}", degrees=plain.text, radians=radians)
+        self.report.at(path, message, hint)
+        return False
+
     def label_of(self, tree: Node) -> str:
         """The unit of a dimension that is a force, a mass or the like and stands alone but for a sign; "" for all else."""
         match tree:
@@ -295,7 +326,9 @@ class Scope:
         tree = self.parse(value, path)
         if tree is None or not self.only_dimensions(tree, value, path):
             return REPORTED
-        if not self.fits(tree, value, wanted, path):
+        if not self.fits(tree, value, wanted, path) or (
+            wanted == ANGLE and not self.is_in_radians(tree, value, own, path)
+        ):
             return REPORTED
         known = all(name in self.numbers for name in symbols(tree))
         return REPORTED if known and self.value(tree, path) is None else tree
@@ -330,11 +363,15 @@ class Scope:
         self.report.at(path, say("unknown unit {unit}", unit=quoted(unit)), hint)
 
     def number(self, quantity: Quantity) -> float:
-        """The value of what `quantity` returned; nan where it is not known."""
+        """The value of what `quantity` returned, or of what follows from it; nan where it is not known or out of reach."""
         if isinstance(quantity, float):
             return quantity
-        known = all(name in self.numbers for name in symbols(quantity))
-        return evaluate(quantity, self.numbers) if known else REPORTED
+        if any(name not in self.numbers for name in symbols(quantity)):
+            return REPORTED
+        try:
+            return evaluate(quantity, self.numbers)
+        except (ArithmeticError, ValueError):
+            return math.nan
 
     def unit(self, table: dict[str, Any], path: Path) -> Unit:
         """The unit of a dimension: the length unit (the default), degrees, radians, none, or a label (`labels_of`)."""

@@ -33,6 +33,7 @@ from mechsheet.model import Driver, Joint, Link, Mechanism
 from mechsheet.shapes.described import Described
 from mechsheet.shapes.forms import Kind, Shape
 from mechsheet.shapes.listing import is_cylinder
+from mechsheet.shapes.loads import first_shown
 from mechsheet.shapes.outlines import corners, direction_of, through_of
 from mechsheet.shapes.positions import Positions
 from mechsheet.words.catalogue import Language, words
@@ -48,6 +49,10 @@ DIGITS = 7
 ACTING = ("cylinder", "spring", "damper", "load", "torque", "weight", "mass", "velocity", "gear", "belt", "rack", "cam")
 """Kinds of shapes that are drawn as the list has them; links, guides and supports the page draws so that they can be
 taken hold of."""
+
+FAINT, STRONG = 1.0, 2.25
+"""Widths of lines [points] below which one only helps, and above which one is to be seen first: a cam's profile between its
+circles."""
 
 HALVINGS = 24
 """Of the stretch between two positions, to find a limit."""
@@ -280,15 +285,14 @@ def driver_places(compiled: Compiled, at: float | None) -> tuple[Array, int]:
 
 
 def shown_value(compiled: Compiled, at: float | None) -> float:
-    """The driver value that is shown [rad or length unit]: `at`, that of the sketch, or the first row that closes."""
+    """The driver value that is shown [rad or length unit]: `at`, that of the sketch, or a workbook's first one."""
     mechanism, rows = compiled.mechanism, compiled.driver
     if at is not None and math.isfinite(at):
         found = mechanism.driver.unit.to_internal(at)
     elif mechanism.sketch.at is not None:
         found = number(mechanism.sketch.at, dimension_values(mechanism))
     else:
-        closed = np.flatnonzero(compiled.closed)
-        found = float(rows[closed[0]] if len(closed) else rows[0])
+        found = float(rows[first_shown(mechanism, compiled.closed, compiled.values)])
     low, high = float(np.min(rows)), float(np.max(rows))
     if not mechanism.driver.joint and not low <= found <= high:  # the same position, a turn further
         turned = found + math.tau * np.arange(-3, 4)
@@ -367,6 +371,7 @@ def _shapes(frames: _Frames, digits: int, velocities: bool) -> list[dict[str, An
                     "name": shape.name,
                     "of": weighed.get(shape.name, "") if shape.kind == "mass" else "",
                     "filled": {"": "", "FFFFFF": "paper"}.get(shape.fill, "own"),
+                    "line": "faint" if shape.width < FAINT else "strong" if shape.width > STRONG else "",
                     "path": path or shape.path,
                     "places": [[_short(part, digits) for part in vector.T] for vector in np.moveaxis(columns, 1, 0)],
                 }

@@ -353,7 +353,7 @@ def _curves(program: Program, request: ChartRequest, number: int, name: str) -> 
         legend = ", ".join(_string(point) for point in request.paths)
         return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"
     if request.profile:
-        named = ["cam"] if mechanism.cam is None or mechanism.cam.radius is None else ["cam", "pitch"]
+        named = [name for name in ("cam", "pitch") if f"{name}.x" in program.shown]  # a face has no pitch curve
         x, y = (", ".join(["rows", *(_shown(program, f"{name}.{axis}") for name in named)]) for axis in "xy")
         legend = ", ".join(_string(each) for each in named)
         return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"

@@ -45,7 +45,9 @@ class Periods:
 
     def __init__(self, columns: Iterable[_Equation], driven: Iterable[str]) -> None:
         self._columns = {column.symbol: column for column in columns}
-        self._known: dict[str, Change] = {**dict.fromkeys(driven, "turns"), TIME: "anything"}
+        self._known: dict[str, Change] = dict.fromkeys(driven, "turns")
+        if TIME not in self._columns:  # without a motion law a part of a guide's equations may be called t
+            self._known[TIME] = "anything"
 
     def change(self, symbol: str) -> Change:
         """What a turn changes of a quantity; an angle that the mechanism has goes on by whole turns, or not at all."""

@@ -476,6 +476,17 @@ class Mechanism:
         return rate_symbols(own, not driver.joint)
 
     @property
+    def driven_link(self) -> str:
+        """The link that the driver moves, seen from the ground.
+
+        Of a cam that turns clockwise the driver's angle is that of the ground, seen from the cam.
+        """
+        driver = self.driver
+        if driver.joint:
+            return next(joint.link for joint in self.joints if joint.name == driver.joint)
+        return driver.relative_to if driver.link == self.ground.name else driver.link
+
+    @property
     def all_drivers(self) -> tuple[Driver | FurtherDriver, ...]:
         """The driver, and what is driven besides."""
         return (self.driver, *self.drivers)

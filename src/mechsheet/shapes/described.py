@@ -18,8 +18,7 @@ class Described:
         self.mechanism, self.equations = mechanism, equations
         self.dimensions = dimension_values(mechanism)
         self.links = {link.name: link for link in mechanism.links}
-        driven = next((joint.link for joint in mechanism.joints if joint.name == mechanism.driver.joint), "")
-        self.driven = mechanism.cam.link if mechanism.cam else mechanism.driver.link or driven
+        self.driven = mechanism.driven_link
         self.pins = pins_of(mechanism)
 
     @property

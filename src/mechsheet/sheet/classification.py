@@ -93,8 +93,7 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
     driver = mechanism.driver
     loops = (_four_bar(mechanism, group, pivoted) for group in equations.groups if group.kind == "RRR")
     driven = mechanism.driven_symbols
-    # of a cam that turns clockwise the ground is driven, seen from the cam
-    turned = driver.relative_to if driver.link == ground.name else driver.link
+    turned = mechanism.driven_link if driver.link else ""
     turning = [link for link in pivoted if link.name != turned and link.angle_symbol not in driven]
     names, still = {equation.symbol for equation in equations.columns}, _still(mechanism, equations)
     swings = tuple(link for link in turning if link.angle_symbol not in still)

@@ -25,7 +25,7 @@ from mechsheet.sheet.findings.closing import closes_in_all
 from mechsheet.sheet.geometry import distance
 from mechsheet.sheet.grashof import is_all, named
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
-from mechsheet.sheet.table.positions import places as decimals
+from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.words.equations import link_words
 from mechsheet.words.symbols import plain
 
@@ -392,7 +392,7 @@ class _Judge:
     @property
     def digit(self):
         """A unit of the last decimal in which lengths are said."""
-        return 10.0 ** -decimals(self.plan, "length")
+        return 10.0 ** -decimals_of_kind(self.plan, "length")
 
     @staticmethod
     def bound_of(lengths, word):

@@ -20,7 +20,7 @@ from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, symbol_fault
 from mechsheet.description.text.index import Path
-from mechsheet.description.text.measured import CONSISTENT, METRES, consistent, spelled
+from mechsheet.description.text.measured import CONSISTENT, METRES, consistent, measured, spelled
 from mechsheet.model import (
     Cartesian,
     Dimension,
@@ -238,6 +238,16 @@ class _Reader:
                 self.scope.report.at((*path, "mass"), message, say('write center = "…" or center = [x, y]'))
         return Mass(link.name, mass, center, inertia, assumed)
 
+    def _acts_downwards(self, given: Any, path: Path) -> None:
+        """Report a number below 0, which would act upwards."""
+        found = measured(given) if isinstance(given, str) else None
+        number = found.value if found else given
+        if isinstance(number, int | float) and number < 0:
+            hint = say("leave the minus out; upwards it is [0, {up:g}]", up=-number)
+            self.scope.report.at(
+                path, say("gravity counts downwards: {number:g} would act upwards", number=number), hint
+            )
+
     def _gravity(self) -> tuple[Node, Node]:
         """Its components; one number points downwards."""
         given = self.given.get("gravity", 0)
@@ -251,6 +261,7 @@ class _Reader:
             return parts[0], parts[1]
         if "gravity" not in self.given or given is BAD:
             return al.ZERO, al.ZERO
+        self._acts_downwards(given, path)
         return al.ZERO, al.neg(self._cell("g", given, unit, path, "gravity") or al.ZERO)
 
     # ---- loads

@@ -142,7 +142,7 @@ function buildActing() {
   layers.acting.replaceChildren();
   const named = new Set();
   acting = (state.look?.shapes ?? []).map((shape) => {
-    const made = element("path", { class: `acting ${shape.kind} ${shape.filled}` }, layers.acting);
+    const made = element("path", { class: `acting ${shape.kind} ${shape.filled} ${shape.line}` }, layers.acting);
     element("title", {}, made).textContent = shape.name;
     const own = NAMED.includes(shape.kind) ? shape.name.split(" ").pop() : "";
     const name = named.has(own) ? "" : own; // a spring and its damper have one
@@ -236,7 +236,7 @@ function moveNames(screen) {
     const corners = link.points.map(screen).filter(Boolean);
     return corners.length > 2 ? [...corners, corners[0]] : corners;
   });
-  const found = sides(points, [...outlines, ...acting.map((each) => each.shown ?? [])]);
+  const found = sides(points, [...outlines, ...acting.map((each) => each.shown ?? []), driveLine]);
   for (const [n, pin] of there.entries()) {
     pin.side = found[n];
     pin.text.setAttribute("x", pin.side[0].toFixed(1));
@@ -317,8 +317,11 @@ function reach(joint, far) {
   return most >= least ? [least, most] : [];
 }
 
+let driveLine = []; // where the driver's arrow is on the screen: no name stands on it
+
 function moveDriver(screen) {
   layers.drive.replaceChildren();
+  driveLine = [];
   const driver = state.look?.driver;
   if (!driver) return;
   const joint = state.look.joints.find((each) => each.name === driver.joint);
@@ -327,6 +330,8 @@ function moveDriver(screen) {
     const columns = state.look.frames?.lines?.[joint.name];
     if (!p || !columns || at(columns[2]) === null) return;
     const degrees = (-at(columns[2]) * 180) / Math.PI;
+    const [cos, sin] = [Math.cos(at(columns[2])), Math.sin(at(columns[2]))];
+    driveLine = [-27, 27].map((along) => [p[0] + along * cos - 22 * sin, p[1] - along * sin - 22 * cos]);
     const holder = element("g", { transform: `translate(${p[0]},${p[1]}) rotate(${degrees}) translate(0,-22)` }, layers.drive);
     element("path", { class: "drive", d: "M-20,0H20" }, holder);
     element("path", { class: "drive-head", d: "M27,0L17,-5V5ZM-27,0L-17,-5V5Z" }, holder);
@@ -339,10 +344,14 @@ function moveDriver(screen) {
   if (!pivot || !end) return;
   const angle = (Math.atan2(-(end[1] - pivot[1]), end[0] - pivot[0]) * 180) / Math.PI;
   const holder = element("g", { transform: `translate(${pivot[0]},${pivot[1]}) rotate(${-angle})` }, layers.drive);
-  const [from, to] = [25, 115].map((degrees) => [26 * Math.cos((degrees * Math.PI) / 180), -26 * Math.sin((degrees * Math.PI) / 180)]);
+  const [from, to] = [25, 115].map((degrees) => around([0, 0], degrees));
+  driveLine = [25, 47, 70, 92, 115].map((degrees) => around(pivot, angle + degrees));
   element("path", { class: "drive", d: `M${from[0]},${from[1]}A26,26 0 0 0 ${to[0]},${to[1]}` }, holder);
   element("path", { class: "drive-head", d: "M0,-10L5,0H-5Z", transform: `translate(${to[0]},${to[1]}) rotate(-112)` }, holder);
 }
+
+/** A place of the driver's arc, seen from its pivot. */
+const around = ([x, y], degrees) => [x + 26 * Math.cos((degrees * Math.PI) / 180), y - 26 * Math.sin((degrees * Math.PI) / 180)];
 
 // --- paths ------------------------------------------------------------------------------------------------------------
 
