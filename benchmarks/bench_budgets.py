@@ -17,10 +17,11 @@ from pathlib import Path
 import xlsxwriter
 
 ROOT = Path(__file__).parent.parent
-sys.path[:0] = [str(ROOT / "tests" / "sheet")]
+sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "tests" / "sheet")]
 
-from budgets import ALL, PAGES, PLAIN, PLAIN_TOGETHER, TEMPLATES, compiled, many_rows, size_of  # noqa: E402
+from budgets import ALL, PAGES, PLAIN, PLAIN_TOGETHER, compiled, many_rows, size_of  # noqa: E402
 
+from folders import TEMPLATE_NAMES  # noqa: E402
 from mechsheet.library.building import build  # noqa: E402
 
 ROWS = (25, 361, 36_001)
@@ -30,13 +31,13 @@ def table():
     """A line for each template and layout; the four-bar, which has anchors, with names, too."""
     heads = ("formulas", "table", "columns", "longest", "elsewhere", "kB")
     print(f"{'template':<22}{'layout':<15}" + "".join(f"{head:>10}" for head in heads))
-    for name in TEMPLATES:
+    for name in TEMPLATE_NAMES:
         line(name, "sheets", f"{name}.xlsx")
         if name == "four-bar":
             line(name, "sheets", "", "names")
         if name in PAGES:
             line(name, "page", f"{name}-page.xlsx")
-    total = sum(size_of(compiled(name)).cells for name in TEMPLATES)
+    total = sum(size_of(compiled(name)).cells for name in TEMPLATE_NAMES)
     print(f"{'all':<22}{'sheets':<15}{total:>10,}   (budget {ALL:,})")
     plain = sum(size_of(compiled(name)).cells for name in PLAIN)
     print(f"{'the first 29':<22}{'sheets':<15}{plain:>10,}   (budget {PLAIN_TOGETHER:,})")

@@ -1,13 +1,13 @@
 """The table of docs/contributing.md: the files are there, and what a change is said to touch is all that it touches."""
 
 import re
-from pathlib import Path
 from token import NAME
 from tokenize import tokenize
 
 import pytest
 
-ROOT = Path(__file__).parents[1]
+from folders import ROOT
+
 PACKAGES = (ROOT / "src" / "mechsheet", ROOT / "src" / "livesheet")
 
 MOST = 8

@@ -15,6 +15,7 @@ import openpyxl
 import pytest
 
 import mechsheet
+from folders import ROOT
 from livesheet.engine import evaluate
 from livesheet.formats import read
 from livesheet.formula.functions import FUNCTIONS
@@ -26,12 +27,11 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, load, loads
 from mechsheet.description.grammar import Either, Items, Kinds, Named, Shape, Table
 from mechsheet.description.schema import DESCRIPTION
-from mechsheet.description.templates import template_names
+from mechsheet.description.templates import template_names, template_text
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Sketch
 from mechsheet.sheet.transmission import POOR
 
-ROOT = Path(__file__).parent.parent
 DOCS = ROOT / "docs"
 sys.path.append(str(ROOT / "tools"))
 import reference  # noqa: E402
@@ -306,7 +306,7 @@ def test_the_press_that_gets_a_motor_and_a_flywheel(page):
     assert fits(float(fine["T12"].max()), number_in(page, r"(?:largest torque of|momenti)\s+(\d+) N m")[0])
     changes = re.findall(CHANGE, page.read_text("utf-8"), re.MULTILINE)
     assert len(changes) == 4
-    text = (ROOT / "templates" / "toggle-press.toml").read_text(encoding="utf-8")
+    text = template_text("toggle-press")
     for name, *said in changes:
         value, mean, inertia = (number.replace(",", ".") for number in said)
         other = text.replace("fluctuation = 0.1", f"fluctuation = {value}") if name == "fluctuation" else text
@@ -319,7 +319,7 @@ def test_the_press_that_gets_a_motor_and_a_flywheel(page):
 @pytest.mark.parametrize("page", ["chains.md", "chains.tr.md"])
 def test_links_solved_all_at_once_as_the_page_says(page):
     text = re.sub(r"(?<=\d),(?=\d)", "." if page.endswith("tr.md") else ",", (DOCS / page).read_text(encoding="utf-8"))
-    platform = loads((ROOT / "templates" / "planar-3rpr.toml").read_text(encoding="utf-8"))
+    platform = loads(template_text("planar-3rpr"))
     (group,) = solve(platform).groups
     angles = re.findall(r"^\| \d \| (-?[\d.]+)° \|$", text, re.MULTILINE)
     found = sorted(math.degrees(start[group.system.variables.index("theta16")]) for start in group.system.starts)

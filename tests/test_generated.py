@@ -9,17 +9,15 @@ from pathlib import Path
 import pytest
 
 from chosen import some
+from folders import ROOT, TEMPLATE_FILES
 from mechsheet.description import load
 from mechsheet.library.building import FORMATS, build
 
 pytestmark = pytest.mark.slow
 
-ROOT = Path(__file__).parent.parent
-TEMPLATES = sorted((ROOT / "templates").glob("*.toml"))
-
 
 def test_nothing_else_is_there():
-    expected = {f"{template.stem}.{suffix}" for template in TEMPLATES for suffix in FORMATS}
+    expected = {f"{template.stem}.{suffix}" for template in TEMPLATE_FILES for suffix in FORMATS}
     assert len(expected) >= 42
     pages = {path.name for path in (ROOT / "generated").glob("*-page.*")}  # the layout page of the text's own four
     assert len(pages) == 4 * len(FORMATS)
@@ -39,7 +37,7 @@ def differing_part(path: Path, kept: Path) -> str:
 
 
 @pytest.mark.cases(1)
-@pytest.mark.parametrize("template", some(TEMPLATES, 4, every=13), ids=lambda path: path.stem)
+@pytest.mark.parametrize("template", some(TEMPLATE_FILES, 4, every=13), ids=lambda path: path.stem)
 def test_same_bytes(template, tmp_path):
     for path in build(load(template), tmp_path, FORMATS):
         kept = ROOT / "generated" / path.name

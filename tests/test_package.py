@@ -9,11 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from folders import ROOT
 from mechsheet.extras import EXTRAS
 
 pytestmark = pytest.mark.slow
-
-ROOT = Path(__file__).parent.parent
 
 
 @pytest.fixture(scope="module")

@@ -3,17 +3,15 @@
 import re
 import shlex
 import sys
-from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
 from chosen import IN_CI
-from mechsheet.cli import main
+from command_line import run
+from folders import ROOT
 
-ROOT = Path(__file__).parent.parent
 sys.path.append(str(ROOT / "tools"))
-from documented import PAGES, commands  # noqa: E402
+from documented import PAGES, commands
 
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
 
@@ -41,7 +39,7 @@ def test_commands_run(page, tmp_path, monkeypatch):
     for command in commands(page):
         if "--with" in command:
             continue  # other programs: see tests/differential
-        result = CliRunner().invoke(main, shlex.split(command)[1:])
+        result = run(*shlex.split(command)[1:])
         assert result.exit_code == 0, f"{command}\n{result.output}\n{result.stderr}"
 
 

@@ -2,11 +2,11 @@
 
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parent.parent
+from folders import ROOT
+
 SCRIPTS = [
     path.relative_to(ROOT)
     for folder in ("tools", "benchmarks")

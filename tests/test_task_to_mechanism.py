@@ -2,16 +2,16 @@
 
 import math
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 
+from folders import ROOT
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.reference.synthesis import crank_rocker, functions
 
-ROOT = Path(__file__).parent.parent
 PAGES = ["task-to-mechanism.md", "task-to-mechanism.tr.md"]
 BY_HAND = re.compile(r"^\| `(\w+)` \| (?![\d.]+ \|).* \| (-?[\d.]+)(?: mm)? \|$", re.MULTILINE)
 """A line of a table: a symbol, how it is found, its value."""
@@ -34,7 +34,7 @@ def fits(found, printed):
 
 def dimensions(name, old="", new=""):
     """Values by symbol, in their own units, of a template with something else in its task."""
-    text = (ROOT / "templates" / f"{name}.toml").read_text(encoding="utf-8")
+    text = template_text(name)
     assert old in text
     mechanism = loads(text.replace(old, new, 1))
     values = dimension_values(mechanism)

@@ -1,23 +1,20 @@
 """Functions in Basic, read as formulas: against numbers by hand, against LibreOffice, and as our own modules have them."""
 
 import math
-from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
 import mechsheet
+from command_line import run
+from folders import TEMPLATES
 from livesheet.basic import decoded, functions_in, lambdas
 from livesheet.engine import evaluate
 from livesheet.formula.book import BookBuilder, DefinedName
 from livesheet.formula.nodes import ErrorValue
 from livesheet.formula.parser import parse_formula
-from mechsheet.cli import main
 from mechsheet.library.own_functions import with_modules
 from mechsheet.library.recalculation import recalc
 from office_macros import Job, with_macros
-
-TEMPLATES = Path(__file__).parents[2] / "templates"
 
 MODULE = """\
 Attribute VB_Name = "Deneme"
@@ -236,10 +233,10 @@ def test_the_five_link_that_calls_vba_agrees_with_its_module(tmp_path):
     mechanism = mechsheet.load(TEMPLATES / "fivelink.toml")
     paths = mechsheet.build(mechanism, tmp_path, functions="vba")
     assert [path.name for path in paths] == ["fivelink.xlsx", "fivelink-vba.xlsx", "fivelink-vba.bas"]
-    result = CliRunner().invoke(main, ["check", str(paths[1]), "--functions", str(paths[2])])
+    result = run("check", paths[1], "--functions", paths[2])
     assert "all agree" in result.output, result.output
     assert "not computed" not in result.output
-    assert "not computed" in CliRunner().invoke(main, ["check", str(paths[1])]).output
+    assert "not computed" in run("check", paths[1]).output
     for settings in ({"Krank": 55}, {"mode_2": -1}):
         found = recalc(paths[1], settings, [paths[2]])
         lesson = [found.values.get("Adım adım", row, 5) for row in range(6, 25)]
@@ -256,7 +253,7 @@ def test_typical_mistakes_have_a_message(tmp_path):
     text.write_text("Sub A()\nEnd Sub\n", encoding="utf-8")
     for file in (tmp_path / "gone.bas", text, book):
         for words in (["recalc"], ["check"], ["audit"]):
-            result = CliRunner().invoke(main, [*words, str(book), "--functions", str(file)])
+            result = run(*words, book, "--functions", file)
             assert result.exit_code == 2, (words, file, result.output)
             assert file.name in result.output
 

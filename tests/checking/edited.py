@@ -4,6 +4,7 @@ from dataclasses import replace
 from functools import cache, lru_cache
 from pathlib import Path
 
+from folders import TEMPLATES
 from livesheet.evaluation import book_of, computed
 from livesheet.formats import write
 from livesheet.formula.nodes import CellRef, ErrorValue, Node, RangeRef, shifted, transform
@@ -17,8 +18,6 @@ from mechsheet.checking.inputs import description_in
 from mechsheet.description import load
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.layout import lay_out
-
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 
 
 @cache

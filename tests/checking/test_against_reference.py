@@ -1,10 +1,11 @@
 """The table of positions against the reference, for what is typed into the cells."""
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 from livesheet.evaluation import book_of
 from mechsheet.checking.against_reference import against_plan
+from mechsheet.description.templates import template_text
 
 pytestmark = pytest.mark.slow
 

@@ -3,7 +3,6 @@
 import math
 from dataclasses import replace
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
 
@@ -14,16 +13,15 @@ from mechsheet.checking import against_reference
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
+from mechsheet.description.templates import template_text
 from mechsheet.exporting.functions.workbooks import functions_workbook
 from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
 
 pytestmark = pytest.mark.slow
 
-TEMPLATES = Path(__file__).parents[2] / "templates"
-
 
 def with_table(name, value, column, numbers, **dimensions):
-    text = (TEMPLATES / f"{name}.toml").read_text(encoding="utf-8").partition("[[tables]]")[0]
+    text = template_text(name).partition("[[tables]]")[0]
     table = f'[[tables]]\nrows = "theta12"\ncolumns = {{ {column} = {numbers} }}\nvalue = "{value}"\n'
     return Compiled(loads(text + table, overrides=Overrides(dimensions)))
 

@@ -8,6 +8,7 @@ import pytest
 from edited import laid_out, saved
 
 from chosen import ALL, IN_CI
+from folders import TEMPLATES
 from livesheet.formats import read
 from livesheet.formula.parser import parse_formula
 from livesheet.formula.printer import print_formula
@@ -19,8 +20,6 @@ from mechsheet.checking.edited.expected import expected_for
 from mechsheet.description import Overrides, load
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.library.building import build
-
-TEMPLATES = Path(__file__).parents[2] / "templates"
 
 pytestmark = pytest.mark.slow
 

@@ -4,9 +4,8 @@ import json
 
 import openpyxl
 import pytest
-from click.testing import CliRunner
 
-from mechsheet.cli import main
+from command_line import run
 from mechsheet.description.templates import template_text
 from mechsheet.library.building import build
 from mechsheet.library.changed import loads
@@ -15,10 +14,6 @@ pytestmark = pytest.mark.slow
 
 TEXT = template_text("four-bar")
 CHANGED = TEXT.replace("a1 = { value = 70", "a1 = { value = 65")
-
-
-def run(*arguments):
-    return CliRunner().invoke(main, [*map(str, arguments)])
 
 
 @pytest.fixture

@@ -6,11 +6,10 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
+from command_line import run
 from mechsheet.checking import check
 from mechsheet.checking.programs import libreoffice_command
-from mechsheet.cli import main
 
 pytestmark = pytest.mark.slow
 
@@ -52,9 +51,9 @@ def test_cells_that_were_saved_uncomputed_are_said_with_what_to_press(saved):
     for name, command in (("renamed.ods", ["check", "-v"]), ("renamed.xlsx", ["recalc", "--check"])):
         report = check(saved / name)
         assert report.agrees and report.stored.uncomputed, name
-        result = CliRunner().invoke(main, [*command, str(saved / name)])
+        result = run(*command, saved / name)
         assert result.exit_code == 0
         assert "press Ctrl+Shift+F9, save it again" in result.output
-        assert CliRunner().invoke(main, [*command, "--strict", str(saved / name)]).exit_code == 1
+        assert run(*command, "--strict", saved / name).exit_code == 1
     report = check(saved / "four-bar.ods")
     assert report.agrees and not report.stored.uncomputed

@@ -6,14 +6,14 @@ import json
 import os
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import mechsheet
 from chosen import IN_CI
+from command_line import run
+from folders import TEMPLATES
 from livesheet.engine import evaluate
 from livesheet.evaluation import computed
 from livesheet.formats import read, write
@@ -25,13 +25,11 @@ from mechsheet.checking.excuses.cells import EqualRows
 from mechsheet.checking.inputs import Inputs, OfTheLast
 from mechsheet.checking.report import difference
 from mechsheet.checking.xlsx_against_ods import compare_twins
-from mechsheet.cli import main
 from mechsheet.description import load
 from mechsheet.dynamics.solve import solve
 from mechsheet.library.building import FORMATS
 from mechsheet.sheet.layout import lay_out
 
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 OTHER = "adjustable-pump" if IN_CI else "elliptic-trammel"
 
 
@@ -171,10 +169,10 @@ def test_how_formulas_are_grouped_and_spelt_does_not_matter():
 @pytest.mark.slow
 def test_on_the_command_line(folder):
     xlsx, ods = (os.fspath(folder / f"scotch-yoke.{suffix}") for suffix in FORMATS)
-    shown = CliRunner().invoke(main, ["check", "-v", xlsx, ods])
+    shown = run("check", "-v", xlsx, ods)
     assert shown.exit_code == 0
     assert "twin .xlsx     agrees" in shown.output
-    data = json.loads(CliRunner().invoke(main, ["check", ods, xlsx, "--json"]).output)
+    data = json.loads(run("check", ods, xlsx, "--json").output)
     assert [item["judge"] for item in data[1]["comparisons"]] == ["stored values", "reference", "search", "twin .ods"]
 
 
@@ -184,7 +182,7 @@ def test_a_difference_on_the_command_line(folder, tmp_path):
     cells = tuple(replace(cell, content=50.5) if cell.content == 50.0 else cell for cell in workbook.sheets[0].cells)
     for made, name in ((computed(workbook), "a.xlsx"), (damaged(workbook, cells=cells), "a.ods")):
         write(made, tmp_path / name)
-    shown = CliRunner().invoke(main, ["check", os.fspath(tmp_path / "a.xlsx"), os.fspath(tmp_path / "a.ods")])
+    shown = run("check", os.fspath(tmp_path / "a.xlsx"), os.fspath(tmp_path / "a.ods"))
     assert shown.exit_code == 1
     assert "twin .xlsx     DIFFERS" in shown.output
     assert "this file" in shown.output
@@ -194,7 +192,7 @@ def test_a_difference_on_the_command_line(folder, tmp_path):
 def test_judges_that_read_xlsx_only(folder, program):
     ods = folder / "page.ods"
     mechsheet.build(mechsheet.template("scotch-yoke"), ods, layout="page")
-    shown = CliRunner().invoke(main, ["check", os.fspath(ods), "--with", program])
+    shown = run("check", os.fspath(ods), "--with", program)
     assert shown.exit_code == 2
     assert f"{program} reads .xlsx only" in shown.output
     assert "Traceback" not in shown.output

@@ -1,8 +1,4 @@
-"""A description that is built in no time, and how the command line is called with it."""
-
-from click.testing import CliRunner, Result
-
-from mechsheet.cli import main
+"""A description that is built in no time."""
 
 CRANK = """format = 1
 [mechanism]
@@ -39,10 +35,3 @@ step = 90
 [assembly]
 P = [30, 0]
 """
-
-
-def run(*arguments: object, text: str | bytes | None = None) -> Result:
-    """The command line in this process; an exception that is not its end is a fault of ours."""
-    result = CliRunner().invoke(main, [str(argument) for argument in arguments], input=text)
-    assert result.exception is None or isinstance(result.exception, SystemExit), (arguments, result.exception)
-    return result

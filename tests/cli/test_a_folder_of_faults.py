@@ -9,9 +9,8 @@ from functools import partial
 
 import openpyxl
 import pytest
-from click.testing import CliRunner
 
-from mechsheet.cli import main
+from command_line import run
 from mechsheet.description import Overrides
 from mechsheet.description.templates import template_text
 from mechsheet.library.building import build
@@ -110,7 +109,7 @@ def test_each_is_named_rightly(folder, tmp_path):
     path, wrong = folder
     assert len(wrong) >= 40
     report = tmp_path / "report.xml"
-    found = CliRunner().invoke(main, ["check", "--strict", str(path), "--junit", str(report)])
+    found = run("check", "--strict", path, "--junit", report)
     assert found.exit_code in (1, 2)
     assert "Traceback" not in found.output and "mistake of mechsheet" not in found.output
     lines = found.output.splitlines()

@@ -3,8 +3,9 @@
 import json
 
 import pytest
-from small import CRANK, run
+from small import CRANK
 
+from command_line import run
 from mechsheet.description.templates import template_text
 
 FOUR_BAR = template_text("four-bar")

@@ -7,18 +7,12 @@ import zipfile
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
+from command_line import run
+from folders import TEMPLATES
 from mechsheet.cli import main
 
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 FOUR_BAR = TEMPLATES / "four-bar.toml"
-
-
-def run(*arguments):
-    result = CliRunner().invoke(main, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
 
 
 @pytest.fixture(scope="module")

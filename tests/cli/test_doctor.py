@@ -7,17 +7,16 @@ from importlib.metadata import PackageNotFoundError
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
+from command_line import run
 from mechsheet.checking import programs
-from mechsheet.cli import main
 from mechsheet.extras import EXTRAS
 from mechsheet.library import installed
 
 
 @pytest.mark.slow
 def test_names_what_is_there_with_its_version():
-    result = CliRunner().invoke(main, ["doctor"])
+    result = run("doctor")
     assert result.exit_code == 0
     assert "agrees with its numpy reference" in result.stdout
     there = result.stdout.partition("\nMissing")[0]
@@ -51,7 +50,7 @@ def test_finds_libreoffice_where_the_installer_puts_it(monkeypatch, tmp_path):
 
 @pytest.mark.slow
 def test_json():
-    found = json.loads(CliRunner().invoke(main, ["doctor", "--json"]).stdout)
+    found = json.loads(run("doctor", "--json").stdout)
     assert found["works"] is True
     assert {"mechsheet", "python", "system", "command", "parts"} <= set(found)
 

@@ -1,9 +1,8 @@
 """What is doubtful in a description is said on standard error, with file and line; the command does its work."""
 
 import pytest
-from click.testing import CliRunner
 
-from mechsheet.cli import main
+from command_line import run
 from mechsheet.description.templates import template_text
 
 
@@ -12,7 +11,7 @@ def test_a_sketch_of_another_position_is_a_warning(tmp_path):
     path = tmp_path / "mine.toml"
     text = template_text("four-bar").replace("B = [50, 55]", "A = [26.8, 22.5]\nB = [85, 54]\nA0 = [0, 0]")
     path.write_text(text, encoding="utf-8")
-    result = CliRunner().invoke(main, ["show", str(path)])
+    result = run("show", path)
     assert result.exit_code == 0
     assert result.stdout.startswith("Four-bar linkage")
     line = text.split("\n").index("[assembly]") + 1
@@ -24,4 +23,4 @@ def test_a_sketch_of_another_position_is_a_warning(tmp_path):
 def test_a_good_sketch_is_silent(tmp_path):
     path = tmp_path / "mine.toml"
     path.write_text(template_text("four-bar"), encoding="utf-8")
-    assert CliRunner().invoke(main, ["show", str(path)]).stderr == ""
+    assert run("show", path).stderr == ""

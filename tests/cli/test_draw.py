@@ -8,10 +8,9 @@ import sys
 import time
 
 import pytest
-from click.testing import CliRunner
 
 import mechsheet
-from mechsheet.cli import main
+from command_line import run
 
 HEARING = """
 import signal
@@ -51,7 +50,7 @@ def test_it_serves_until_ctrl_c(tmp_path):
 def test_what_is_no_description_is_refused(tmp_path, monkeypatch, name, said):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "folder.toml").mkdir()
-    result = CliRunner().invoke(main, ["draw", name, "--no-browser"])
+    result = run("draw", name, "--no-browser")
     assert result.exit_code == 2
     assert said in result.stderr
 
@@ -61,6 +60,6 @@ def test_the_browser_is_opened_with_the_whole_address(tmp_path, monkeypatch):
     monkeypatch.setattr("webbrowser.open", lambda address: opened.append(address) or True)
     monkeypatch.setattr("mechsheet.drawing_page.server.DrawingServer.wait", lambda _: time.sleep(0))
     monkeypatch.chdir(tmp_path)
-    result = CliRunner().invoke(main, ["draw"])
+    result = run("draw")
     assert result.exit_code == 0
     assert opened == [result.stdout.strip()]

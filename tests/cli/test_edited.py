@@ -1,21 +1,13 @@
 """`check` and `pull` on workbooks that somebody has edited, as a user types it."""
 
 import json
-from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
+from command_line import run
+from folders import TEMPLATES
 from mechsheet.checking.report_lines import focused
-from mechsheet.cli import main
-
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
-
-
-def run(*arguments):
-    result = CliRunner().invoke(main, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
+from mechsheet.description.templates import template_text
 
 
 @pytest.fixture(scope="module")
@@ -68,7 +60,7 @@ def test_pull_does_not_overwrite_but_what_it_pulls_into(changed, tmp_path):
 @pytest.mark.slow
 def test_a_conflict_writes_nothing(changed, tmp_path):
     mine, new = tmp_path / "mine.toml", tmp_path / "new.toml"
-    text = (TEMPLATES / "scotch-yoke.toml").read_text(encoding="utf-8")
+    text = template_text("scotch-yoke")
     old = next(line for line in text.splitlines() if line.startswith("a2"))
     mine.write_text(text.replace(old, "a2 = 51"), encoding="utf-8")
     result = run("pull", changed, "--into", mine, "-o", new)

@@ -1,22 +1,13 @@
 """`mechsheet export` itself: kinds, options, names of files, and one clear message for each mistake."""
 
-from pathlib import Path
-
 import pytest
-from click.testing import CliRunner
 
-from mechsheet.cli import main
+from command_line import run
+from folders import TEMPLATES
 from mechsheet.exporting import KINDS
 from mechsheet.exporting.identifiers import ascii_word, identifiers
 
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 FOUR_BAR = TEMPLATES / "four-bar.toml"
-
-
-def run(*arguments):
-    result = CliRunner().invoke(main, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
 
 
 def test_writes_and_overwrites(tmp_path):

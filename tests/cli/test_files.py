@@ -10,14 +10,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from small import CRANK, run
+from small import CRANK
 
 import mechsheet
 from chosen import part
+from command_line import run
 from degenerate_cases import cases
 from livesheet.formats import read
 from livesheet.formats.seal import is_untouched
 from mechsheet.compiled import Compiled
+from mechsheet.description.templates import template_text
 
 posix = pytest.mark.skipif(os.name == "nt", reason="Windows has no such files")
 
@@ -284,7 +286,7 @@ def test_new_lists_titles():
 def test_one_line_says_whether_it_closes(tmp_path, settings, said):
     from mechsheet.library.verdicts import verdict
 
-    text = (Path(__file__).parents[2] / "templates" / "four-bar.toml").read_text(encoding="utf-8")
+    text = template_text("four-bar")
     overrides = {}
     if settings[:1] == ("step",):
         text = text.replace("step = 15", f"step = {settings[1]}")

@@ -8,21 +8,13 @@ from xml.sax.saxutils import escape
 import openpyxl
 import pytest
 import xlsxwriter
-from click.testing import CliRunner
 
 import mechsheet
+from command_line import run
 from livesheet.diagnostics import WorkbookError
 from mechsheet.checking import Rules, check
 from mechsheet.checking.report import difference
-from mechsheet.cli import main
 from mechsheet.diagnostics import MissingProgramError
-
-
-def run(*arguments):
-    result = CliRunner().invoke(main, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
-
 
 URN = "urn:oasis:names:tc:opendocument:xmlns"
 ODS = f"""<?xml version="1.0" encoding="UTF-8"?>

@@ -3,20 +3,16 @@
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
+from command_line import run
+from folders import ROOT
 from mechsheet import __version__
 from mechsheet.cli import main
+from mechsheet.description.templates import template_text
 
-ROOT = Path(__file__).parent.parent.parent
-FOUR_BAR = (ROOT / "templates" / "four-bar.toml").read_text(encoding="utf-8")
-
-
-def run(*arguments, text=None):
-    return CliRunner().invoke(main, [str(argument) for argument in arguments], input=text)
+FOUR_BAR = template_text("four-bar")
 
 
 @pytest.mark.slow

@@ -4,8 +4,8 @@ import shlex
 
 import click
 import pytest
-from click.testing import CliRunner
 
+from command_line import run
 from mechsheet.cli import main
 from mechsheet.cli.helping import TASKS, example_lines, paragraphs
 
@@ -17,7 +17,7 @@ ACROSS = 80
 
 
 def help_of(*command: str) -> str:
-    return CliRunner().invoke(main, [*command, "--help"]).output
+    return run(*command, "--help").output
 
 
 @pytest.mark.parametrize("name", COMMANDS)

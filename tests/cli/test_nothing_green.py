@@ -6,19 +6,14 @@ import xml.etree.ElementTree as ElementTree
 
 import openpyxl
 import pytest
-from click.testing import CliRunner
 
-from mechsheet.cli import main
+from command_line import run
 from mechsheet.description import Overrides
 from mechsheet.description.templates import template_text
 from mechsheet.library.building import build
 from mechsheet.library.changed import loads
 
 pytestmark = pytest.mark.slow
-
-
-def run(*arguments):
-    return CliRunner().invoke(main, [*map(str, arguments)])
 
 
 @pytest.fixture(scope="module")

@@ -5,10 +5,9 @@ from xml.etree import ElementTree
 
 import openpyxl
 import pytest
-from click.testing import CliRunner
 
+import command_line
 from mechsheet.checking import check as judged
-from mechsheet.cli import main
 
 pytestmark = pytest.mark.slow
 
@@ -29,7 +28,7 @@ def files(tmp_path_factory):
 
 
 def run(*arguments):
-    return CliRunner().invoke(main, ["check", *map(str, arguments)])
+    return command_line.run("check", *arguments)
 
 
 def test_many_files_have_a_line_each_that_fits_a_terminal(files, monkeypatch):

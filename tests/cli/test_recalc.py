@@ -5,15 +5,8 @@ import json
 import openpyxl
 import pytest
 import xlsxwriter
-from click.testing import CliRunner
 
-from mechsheet.cli import main
-
-
-def run(*arguments):
-    result = CliRunner().invoke(main, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
+from command_line import run
 
 
 @pytest.fixture

@@ -5,9 +5,8 @@ import xml.etree.ElementTree as ElementTree
 
 import openpyxl
 import pytest
-from click.testing import CliRunner
 
-from mechsheet.cli import main
+import command_line
 from mechsheet.description.templates import template_text
 from mechsheet.homework.classroom.marks import mark
 from mechsheet.library.building import build
@@ -23,7 +22,7 @@ ENDLESS = (
 
 def run(*arguments):
     start = time.monotonic()
-    found = CliRunner().invoke(main, [*map(str, arguments)])
+    found = command_line.run(*arguments)
     assert time.monotonic() - start < 30
     assert "Traceback" not in found.output
     return found

@@ -6,10 +6,9 @@ import shutil
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
 import mechsheet
-from mechsheet.cli import main
+from command_line import printed
 
 pytestmark = pytest.mark.slow
 
@@ -20,14 +19,8 @@ TEMPLATE = Path(__file__).parent.parent.parent / "templates" / "inverted-slider-
 def folder(tmp_path_factory):
     made = tmp_path_factory.mktemp("letters")
     shutil.copy(TEMPLATE, made / TEMPLATE.name)
-    run("build", made / TEMPLATE.name, "-o", made, "--format", "xlsx,ods")
+    printed("build", made / TEMPLATE.name, "-o", made, "--format", "xlsx,ods")
     return made
-
-
-def run(*words):
-    result = CliRunner().invoke(main, [str(word) for word in words])
-    assert result.exit_code == 0, result.output
-    return result.stdout
 
 
 @pytest.mark.cases(1)
@@ -35,10 +28,10 @@ def run(*words):
 def test_the_symbol_finds_its_cell(folder, suffix):
     path = folder / f"inverted-slider-crank.{suffix}"
     changed = folder / f"changed.{suffix}"
-    run("recalc", path, "--set", "a=31", "-o", changed)
-    assert run("recalc", changed, "--print", "a").strip() == "31"
-    assert "a = { value = 31" in run("pull", changed)
-    assert "all agree" in run("check", changed)
+    printed("recalc", path, "--set", "a=31", "-o", changed)
+    assert printed("recalc", changed, "--print", "a").strip() == "31"
+    assert "a = { value = 31" in printed("pull", changed)
+    assert "all agree" in printed("check", changed)
 
 
 def test_the_library_finds_it_too(folder):

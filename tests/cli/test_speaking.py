@@ -1,17 +1,16 @@
 """In which language the command line speaks, and that all it says is said."""
 
 import ast
-from pathlib import Path
 
 import pytest
 import xlsxwriter
-from click.testing import CliRunner
 
+import command_line
 from catalogues import texts
-from mechsheet.cli import main, speaking
+from folders import ROOT
+from mechsheet.cli import speaking
 from mechsheet.cli.speaking import language_of, machine_language
 
-ROOT = Path(__file__).parent.parent.parent
 SOURCE = ROOT / "src" / "mechsheet" / "cli"
 BOOK = ROOT / "generated" / "four-bar.xlsx"
 SHORT = """format = 1
@@ -28,7 +27,7 @@ language = "LANGUAGE"
 
 def run(*arguments, text=None, turkish=False):
     environment = {"LC_ALL": "tr_TR.UTF-8" if turkish else "C.UTF-8", "LANGUAGE": ""}
-    return CliRunner().invoke(main, [str(argument) for argument in arguments], input=text, env=environment)
+    return command_line.run(*arguments, text=text, environment=environment)
 
 
 @pytest.mark.parametrize(

@@ -3,17 +3,12 @@
 import json
 
 import pytest
-from click.testing import CliRunner
 
-from mechsheet.cli import main
+from command_line import run
 from mechsheet.cli.study import _duration
 from studying import small, study_of
 
 pytest.importorskip("pyarrow")
-
-
-def run(*args):
-    return CliRunner().invoke(main, [str(arg) for arg in args])
 
 
 @pytest.fixture

@@ -6,10 +6,11 @@ import subprocess
 import sys
 
 import pytest
-from small import CRANK, run
+from small import CRANK
 
 import mechsheet
 from chosen import part
+from command_line import run
 
 BAD_FILES = (
     "missing.toml",

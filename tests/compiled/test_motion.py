@@ -1,20 +1,18 @@
 """The sweep in numpy (`Linkage.solve`, `show`, csv) says what the cells of the workbook say."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from chosen import IN_CI, some
+from folders import TEMPLATE_FILES
 from mechsheet.compiled import Compiled
 from mechsheet.compiled.motion import motion_of
 from mechsheet.description import load, loads
 from random_mechanisms import Grower
 
 pytestmark = pytest.mark.slow
-
-TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
 
 
 def shown_in_cells(compiled, symbol):
@@ -41,7 +39,7 @@ def assert_same(mechanism):
 
 
 @pytest.mark.cases(1)
-@pytest.mark.parametrize("template", some(TEMPLATES, 2), ids=lambda path: path.stem)
+@pytest.mark.parametrize("template", some(TEMPLATE_FILES, 2), ids=lambda path: path.stem)
 def test_templates(template):
     assert_same(load(template))
 

@@ -2,17 +2,14 @@
 
 import json
 import tomllib
-from pathlib import Path
 
 import jsonschema
 import pytest
-from click.testing import CliRunner
 
-from mechsheet.cli import main
+from command_line import run
+from folders import ROOT, TEMPLATE_FILES
 from mechsheet.description.json_schema import FILE, json_schema, json_schema_text
 
-ROOT = Path(__file__).parent.parent.parent
-TEMPLATES = sorted((ROOT / "templates").glob("*.toml"))
 JUDGE = jsonschema.Draft202012Validator(json_schema())
 
 FAULTS_OF_KEYS = (ROOT / "tests" / "cases" / "faults_of_keys.txt").read_text(encoding="utf-8").split()
@@ -27,7 +24,7 @@ def test_the_file_beside_the_templates_is_up_to_date():
     assert (ROOT / "templates" / FILE).read_text(encoding="utf-8") == json_schema_text()
 
 
-@pytest.mark.parametrize("path", TEMPLATES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", TEMPLATE_FILES, ids=lambda path: path.stem)
 def test_templates_name_it_and_fulfil_it(path):
     text = path.read_text(encoding="utf-8")
     assert text.startswith(f"#:schema {FILE}\n")
@@ -45,13 +42,13 @@ def test_faults_of_keys_are_refused(name):
 
 
 def test_a_misspelt_key_is_refused():
-    description = tomllib.loads(TEMPLATES[0].read_text(encoding="utf-8"))
+    description = tomllib.loads(TEMPLATE_FILES[0].read_text(encoding="utf-8"))
     description["driver"]["stpe"] = description["driver"].pop("step")
     assert not JUDGE.is_valid(description)
 
 
 def test_the_command_writes_it(tmp_path):
     target = tmp_path / FILE
-    assert CliRunner().invoke(main, ["schema", "-o", str(target)]).exit_code == 0
+    assert run("schema", "-o", target).exit_code == 0
     assert target.read_text(encoding="utf-8") == json_schema_text()
-    assert json.loads(CliRunner().invoke(main, ["schema"]).stdout) == json_schema()
+    assert json.loads(run("schema").stdout) == json_schema()

@@ -11,6 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from mechsheet.description import Overrides, load, loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
 
 DATA = Path(__file__).parents[1] / "data"
@@ -234,7 +235,7 @@ def test_language_in_the_text_above_all_tables(first: str) -> None:
 
 
 def test_a_value_of_a_task_is_set_likewise() -> None:
-    text = (Path(__file__).parents[2] / "templates/quick-return-slider.toml").read_text(encoding="utf-8")
+    text = template_text("quick-return-slider")
     task = loads(text, overrides=Overrides({"stroke": "120"}))
     assert {dimension.symbol: dimension.shown for dimension in task.dimensions}["stroke"] == 120
     assert "stroke = 120\n" in task.text

@@ -1,16 +1,13 @@
 """A point or a link with another name: everywhere in a description, and nowhere else."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.renaming import renamed
+from mechsheet.description.templates import template_text
 from mechsheet.description.text.source import parse
-
-TEMPLATES = Path(__file__).parents[2] / "templates"
 
 EVERYWHERE = """\
 format = 1 # B is the coupler's point
@@ -87,7 +84,7 @@ def test_a_point_is_renamed_wherever_it_is_named_and_a_dimension_of_that_name_st
 
 @pytest.mark.parametrize("name", ["four-bar", "desk-lamp", "excavator", "geared-five-bar", "cam-rocker", "rack-slider"])
 def test_templates_move_as_before_when_a_link_and_a_point_are_called_otherwise(name):
-    source = parse((TEMPLATES / f"{name}.toml").read_text(encoding="utf-8"), name)
+    source = parse(template_text(name), name)
     link = list(source.data["links"])[-1]
     point = list(source.data["links"][link]["points"])[-1]
     text = renamed(renamed(source, "link", link, "uzuv-x"), "point", point, "Zz").text

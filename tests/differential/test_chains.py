@@ -2,10 +2,10 @@
 
 import pytest
 from chain_workbooks import Case, Elsewhere, compared, descriptions, elsewhere, written
-from laid import template_text
 
 from chosen import ALL
 from mechsheet.checking.programs import answers_to_all
+from mechsheet.description.templates import template_text
 
 pytestmark = pytest.mark.slow
 

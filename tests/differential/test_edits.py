@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from folders import ROOT
 from livesheet.formats import read
 from livesheet.formula.references import column_letters
 from mechsheet.checking import check
@@ -17,7 +18,6 @@ from mechsheet.library.building import build
 from mechsheet.sheet.plan import MAY_GO
 from office_macros import Job, edited
 
-ROOT = Path(__file__).parents[2]
 ROWS = [
     [part.strip() for part in line.split("|")]
     for line in (Path(__file__).parent / "edits.txt").read_text(encoding="utf-8").splitlines()

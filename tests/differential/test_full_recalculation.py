@@ -5,7 +5,6 @@ its neighbour, that is a circle to it (Err:522): the drawing of every sweep of 1
 """
 
 import re
-from pathlib import Path
 
 import pytest
 
@@ -15,16 +14,15 @@ from livesheet.engine import evaluate
 from livesheet.formats import read
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.searched.probed_cells import compare_program
+from mechsheet.description.templates import template_text
 from office_macros import Job, with_macros
-
-ROOT = Path(__file__).parents[2]
 
 pytestmark = pytest.mark.libreoffice
 
 
 def swept(rows, name="four-bar"):
     """A template whose crank turns once in so many rows."""
-    text = (ROOT / f"templates/{name}.toml").read_text(encoding="utf-8")
+    text = template_text(name)
     found, count = re.subn(r"(?m)^step = \d+$", f"step = {360 / (rows - 1):.12g}", text)
     assert count == 1
     return mechsheet.loads(found)

@@ -4,15 +4,13 @@ import shutil
 import time
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from pathlib import Path
 
 import pytest
 
+from folders import TEMPLATES
 from mechsheet.drawing_page.answers import Studio
 from mechsheet.drawing_page.server import DrawingServer
 
-ROOT = Path(__file__).parents[2]
-TEMPLATES = ROOT / "templates"
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking"]
 WAITS = 30_000
 """Milliseconds: the machine may be busy with other tests."""

@@ -2,14 +2,12 @@
 
 import re
 import threading
-from pathlib import Path
 
 import pytest
 
 import mechsheet
+from folders import ROOT
 from mechsheet.description.templates import template_text
-
-ROOT = Path(__file__).parents[2]
 
 pytestmark = pytest.mark.chromium
 

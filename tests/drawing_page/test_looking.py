@@ -2,13 +2,13 @@
 
 import json
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 from asking_page import Drawing, pin, spot
 
 from chosen import but, some
+from folders import TEMPLATE_FILES
 from loaded_mechanisms import SUSPENSION
 from mechsheet import reference
 from mechsheet.description import load
@@ -19,15 +19,14 @@ from mechsheet.drawing_page.reading import read
 from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.library.building import compile_workbook
 
-TEMPLATES = sorted((Path(__file__).parents[2] / "templates").glob("*.toml"))
-FOUR_BAR = next(path for path in TEMPLATES if path.stem == "four-bar")
+FOUR_BAR = next(path for path in TEMPLATE_FILES if path.stem == "four-bar")
 
 
 def looked(text, at=None, held=None, language="en"):
     return look(read(text, "mine.toml"), at, held or {}, language)
 
 
-@pytest.mark.parametrize("path", some(TEMPLATES, 2), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", some(TEMPLATE_FILES, 2), ids=lambda path: path.stem)
 def test_positions_are_those_of_the_reference(path):
     reading = read(path.read_text(encoding="utf-8"), path.name)
     found = look(reading, None, {})
@@ -51,7 +50,7 @@ def test_positions_are_those_of_the_reference(path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("path", TEMPLATES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", TEMPLATE_FILES, ids=lambda path: path.stem)
 def test_a_template_is_written_back_unchanged(path, tmp_path):
     mine = tmp_path / path.name
     mine.write_bytes(path.read_bytes())
@@ -205,7 +204,7 @@ def test_titles_and_reasons_come_in_both_languages():
 
 
 @pytest.mark.cases(6)
-@pytest.mark.parametrize("path", but(some(TEMPLATES, 4)), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", but(some(TEMPLATE_FILES, 4)), ids=lambda path: path.stem)
 def test_an_answer_is_small(path):
     """It is sent with every step of a drag."""
     assert len(json.dumps(looked(path.read_text(encoding="utf-8")))) < 250_000

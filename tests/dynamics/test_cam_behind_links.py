@@ -1,7 +1,6 @@
 """What a cam presses on a link that its motion does not move directly: other links lie between, of every kind of group."""
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,14 +10,13 @@ from chosen import part
 from driven_by_cams import driven_by_cam
 from mechsheet import reference
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_cams import cam, loaded
 from random_mechanisms import Grower
-
-TEMPLATES = Path(__file__).resolve().parents[2] / "templates"
 
 STEEP, DEAD = 0.02, 1e-3
 """No digit is asked for where the cosine of the pressure angle is less, or the sine at which a group is driven."""
@@ -79,7 +77,7 @@ free_length = 40
 
 @pytest.fixture
 def ram():
-    return press((TEMPLATES / "cam-linkage.toml").read_text(encoding="utf-8"))
+    return press(template_text("cam-linkage"))
 
 
 @pytest.mark.cases(4)
@@ -96,7 +94,7 @@ def test_behind_random_dyads_it_is_the_references(seed):
 @pytest.mark.parametrize("face", [False, True], ids=["roller", "face"])
 @pytest.mark.parametrize("name", [*CHAINS, *DRIVEN_PAIRS, *GEARS, *DYADS])
 def test_behind_chains_gears_and_driven_pairs_it_is_the_references(name, face):
-    text = weighed(driven_by_cam((TEMPLATES / f"{name}.toml").read_text(encoding="utf-8"), 1, face), 3)
+    text = weighed(driven_by_cam(template_text(name), 1, face), 3)
     worst, rows, _ = compared(text)
     assert rows > 10
     assert worst < 1e-8
@@ -149,7 +147,7 @@ def test_where_it_lifts_off_and_the_spring_that_holds(ram):
 
 def test_no_force_where_the_cam_could_not_move_the_link():
     """A cam about the pivot of the link that it presses on: the normal goes through the pivot."""
-    text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
+    text = template_text("four-bar")
     text = weighed(driven_by_cam(text, 1), 3)
     locked = re.sub(r'center = "CAM"', 'center = "B0"', text)
     mechanism, _, found = swept(locked)

@@ -2,13 +2,13 @@
 
 import math
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from test_reactions import sines, solved, weighed
 
 from chosen import ALL, IN_CI
+from folders import TEMPLATES
 from mechsheet import reference
 from mechsheet.description import load
 from mechsheet.diagnostics import MechanismError
@@ -19,7 +19,6 @@ from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import Solution
 from random_mechanisms import Grower
 
-TEMPLATES = Path(__file__).parents[2] / "templates"
 RANDOM = 120 if ALL else 12 if IN_CI else 4
 """Random mechanisms of class III and IV in turn."""
 

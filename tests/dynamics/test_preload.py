@@ -1,19 +1,17 @@
 """What a cam presses on its follower, and the spring that holds the two together."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from mechsheet import reference
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.sweep import rough_poses, sweep
-
-TEMPLATES = Path(__file__).resolve().parents[2] / "templates"
 
 
 def swept(mechanism):
@@ -22,7 +20,7 @@ def swept(mechanism):
 
 
 def valve(speed=3000, free_length=48.0):
-    text = (TEMPLATES / "cam-valve.toml").read_text(encoding="utf-8")
+    text = template_text("cam-valve")
     text = text.replace("value = 3000", f"value = {speed}").replace("value = 48", f"value = {free_length}")
     return swept(loads(text))[1:]
 
@@ -52,7 +50,7 @@ def test_the_spring_that_holds_it_just_holds_it():
 
 def test_side_thrust_of_a_slide():
     """Pressed down with 300 N, the roller is held by 300/cos alpha, the guide by 300 tan alpha."""
-    text = (TEMPLATES / "cam-slide.toml").read_text(encoding="utf-8")
+    text = template_text("cam-slide")
     _, _, found = swept(loads(text + '\n[[loads]]\nlink = "follower"\npoint = "C"\nforce = [0, -300]\n'))
     assert np.max(np.abs(found["N"] - 300 / np.cos(found["alpha"]))) < 1e-9
     assert np.max(np.abs(np.abs(found["F12.n"]) - 300 * np.abs(np.tan(found["alpha"])))) < 1e-9
@@ -61,7 +59,7 @@ def test_side_thrust_of_a_slide():
 
 def test_a_cam_that_drives_a_press():
     """The cam's torque, and the roller's force on the bell crank, do the work of the ram's load."""
-    text = (TEMPLATES / "cam-linkage.toml").read_text(encoding="utf-8")
+    text = template_text("cam-linkage")
     mechanism = loads(text + '\n[[loads]]\nlink = "ram"\npoint = "E"\nforce = [0, 800]\n')
     equations, dimensions, found = swept(mechanism)
     known = reference.further(reference.solve(mechanism, dimensions, start=rough_poses(mechanism, equations)))

@@ -1,12 +1,12 @@
 """Joint forces from the equations: against all reactions at once, against closed forms by hand, and against each other."""
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from chosen import IN_CI, LISTED, but, some
+from folders import TEMPLATE_FILES
 from in_line import IN_LINE
 from mechsheet import reference
 from mechsheet.description import loads
@@ -18,8 +18,6 @@ from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower
-
-TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
 
 
 def weighed(text, seed, static=False):
@@ -111,7 +109,9 @@ def worst_of(text):
 
 
 @pytest.mark.cases(5)
-@pytest.mark.parametrize("template", some(but(TEMPLATES, *LISTED, "four-bar-forces"), 4), ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "template", some(but(TEMPLATE_FILES, *LISTED, "four-bar-forces"), 4), ids=lambda path: path.stem
+)
 def test_templates_against_all_reactions_at_once(template):
     for seed, static in ((1, False), (2, True)):
         worst, count = worst_of(weighed(template.read_text(encoding="utf-8"), seed, static))
@@ -296,7 +296,7 @@ theta13 = 80
 def test_a_driver_between_moving_links():
     """The effort of a cylinder is a force along it, of a turning pair a torque between the two."""
     for name in ("cylinder-boom", "elliptic-trammel", "scissor-lift"):
-        path = next(path for path in TEMPLATES if path.stem == name)
+        path = next(path for path in TEMPLATE_FILES if path.stem == name)
         text = weighed(path.read_text(encoding="utf-8"), 5)
         worst, _ = worst_of(text)
         assert worst < 1e-12

@@ -2,15 +2,16 @@
 
 import numpy as np
 import pytest
-from test_reactions import TEMPLATES, solved, weighed, worst_of
+from test_reactions import solved, weighed, worst_of
 
 from chosen import IN_CI
+from folders import TEMPLATE_FILES
 from mechsheet.diagnostics import MechsheetError
 from within_cases import loader
 
 
 def template(name):
-    return next(path for path in TEMPLATES if path.stem == name).read_text(encoding="utf-8")
+    return next(path for path in TEMPLATE_FILES if path.stem == name).read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("name", ["scissor-lift-between-arms", "stephenson-ii-motor"])

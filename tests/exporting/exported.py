@@ -1,18 +1,17 @@
 """What the tests of all kinds share: the mechanisms, and arrays compared with the reference."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 
 from chosen import first, some
+from folders import TEMPLATE_FILES
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses
 from random_mechanisms import Grower
 
-TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
 SEEDS = range(700, 710)
 
 DEAD_CENTRE, CLOSED = 1e-6, 1e-11
@@ -21,7 +20,7 @@ DEAD_CENTRE, CLOSED = 1e-6, 1e-11
 
 def mechanisms(turn):
     """Templates, all of them in a full run, and random linkages of all dyads, by a name that is an identifier."""
-    found = {path.stem.replace("-", "_"): load(path) for path in some(TEMPLATES, turn)}
+    found = {path.stem.replace("-", "_"): load(path) for path in some(TEMPLATE_FILES, turn)}
     return found | {f"random_{seed}": loads(Grower(seed, 1 + seed % 6).text(13)) for seed in first(SEEDS, 4)}
 
 

@@ -1,18 +1,16 @@
 """The profile of a cam in DXF: closed, on layers of its own, as long and as large as it is."""
 
 import io
-from pathlib import Path
 
 import numpy as np
 import pytest
 
+from folders import TEMPLATES
 from mechsheet.description import Overrides, load
 from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.reading import read
 from mechsheet.exporting.dxf import write
 from mechsheet.exporting.job import Job
-
-TEMPLATES = Path(__file__).resolve().parents[2] / "templates"
 
 
 def measured(places):

@@ -7,10 +7,10 @@ import sys
 import ezdxf
 import numpy as np
 import pytest
-from exported import TEMPLATES
 from ezdxf.enums import TextEntityAlignment
 from lxml import etree
 
+from folders import TEMPLATE_FILES
 from loaded_mechanisms import SUSPENSION
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
@@ -21,7 +21,7 @@ from mechsheet.library.show import variables_of
 pytestmark = pytest.mark.slow
 
 SVG = "{http://www.w3.org/2000/svg}"
-BY_NAME = {path.stem: path for path in TEMPLATES}
+BY_NAME = {path.stem: path for path in TEMPLATE_FILES}
 
 
 def points_of_svg(path):

@@ -9,12 +9,14 @@ from io import BytesIO
 
 import numpy as np
 import pytest
-from exported import TEMPLATES, worst_against_reference
+from exported import worst_against_reference
 from geogebra import BUNDLE, geogebra
 
 from chosen import ITERATED, but, some
+from folders import TEMPLATE_FILES
 from mechsheet.compiled import compiled_of
 from mechsheet.description import load, loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError
 from mechsheet.exporting import Job, export, exported
 from mechsheet.exporting.functions.routines import Source
@@ -29,7 +31,7 @@ POSITIONS = 25
 CHANGES = (1.0, 0.995, 1.007)
 """What each length is multiplied by, every second one: three sets of dimensions."""
 
-CASES = but(TEMPLATES, *ITERATED)
+CASES = but(TEMPLATE_FILES, *ITERATED)
 
 
 def text_of(content):
@@ -182,16 +184,14 @@ def test_labels_are_the_names_of_the_textbook():
 
 
 def test_names_that_geogebra_reads_otherwise_are_taken_by_nobody():
-    text = loads(
-        (TEMPLATES[0].parent / "slider-crank.toml").read_text(encoding="utf-8").replace("a2", "e").replace("a3", "t")
-    )
+    text = loads(template_text("slider-crank").replace("a2", "e").replace("a3", "t"))
     labels = construction_of(Job(text, "m"))
     assert '"e"' not in labels.text() and '"t"' not in labels.text()
     assert {labels.labels["e"], labels.labels["t"]} == {"e_{1}", "t_{1}"}
 
 
 def test_all_that_is_drawn_has_its_element():
-    text = text_of(exported(load(TEMPLATES[0].parent / "four-bar.toml"), "geogebra"))
+    text = text_of(exported(load(TEMPLATE_FILES[0].parent / "four-bar.toml"), "geogebra"))
     found = list(kinds(text).values())
     assert found.count("locus") == 1  # the coupler point's path
     assert found.count("segment") == 2 and found.count("polyline") >= 3  # crank, rocker; coupler, two supports
@@ -199,7 +199,7 @@ def test_all_that_is_drawn_has_its_element():
 
 
 def test_texts_of_the_description_stay_texts():
-    source = (TEMPLATES[0].parent / "four-bar.toml").read_text(encoding="utf-8")
+    source = template_text("four-bar")
     odd = re.sub(r"(?m)^title = .*$", 'title = "a < b & \\\\"c\\\\""', source, count=1)
     root = ET.fromstring(text_of(exported(loads(odd), "geogebra")))
     assert root.find("construction").get("title") == 'a < b & "c"'
@@ -207,11 +207,11 @@ def test_texts_of_the_description_stay_texts():
 
 def test_what_newton_solves_has_no_construction():
     with pytest.raises(MechanismError, match=r"constructions for GeoGebra: .* have no closed form"):
-        exported(load(next(path for path in TEMPLATES if path.stem == ITERATED[0])), "geogebra")
+        exported(load(next(path for path in TEMPLATE_FILES if path.stem == ITERATED[0])), "geogebra")
 
 
 def test_same_bytes(tmp_path):
-    mechanism = load(TEMPLATES[0].parent / "fivelink.toml")
+    mechanism = load(TEMPLATE_FILES[0].parent / "fivelink.toml")
     one, two = (export(mechanism, "geogebra", tmp_path / name)[0].read_bytes() for name in ("a.ggb", "b.ggb"))
     assert one == two
 

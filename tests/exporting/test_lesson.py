@@ -1,10 +1,10 @@
 """A mechanism as a chain of simpler ones, as the text's five-link: columns call functions with each other's output."""
 
 from functools import cache
-from pathlib import Path
 
 import pytest
 
+from folders import TEMPLATES
 from livesheet.evaluation import computed
 from livesheet.formats import read, write
 from livesheet.formula.names import folded
@@ -23,7 +23,6 @@ from office_macros import Job, with_macros
 
 pytestmark = pytest.mark.slow
 
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 WITHOUT = {
     "cam-flat", "cam-linkage", "cam-rocker", "cam-slide", "cam-valve", "cardan-gear", "double-butterfly",
     "excavator", "five-bar-robot", "geared-five-bar", "planar-3rpr", "rack-slider", "scissor-lift-between-arms",

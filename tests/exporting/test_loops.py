@@ -7,10 +7,11 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 from test_octave import octave
 
 from mechsheet.compiled import compiled_of
+from mechsheet.description.templates import template_text
 from mechsheet.exporting import exported
 from mechsheet.exporting.program import program_of
 from mechsheet.exporting.python import RESERVED

@@ -6,8 +6,9 @@ import subprocess
 
 import numpy as np
 import pytest
-from exported import TEMPLATES, mechanisms, worst_against_reference
+from exported import mechanisms, worst_against_reference
 
+from folders import TEMPLATE_FILES
 from loaded_mechanisms import SUSPENSION
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
@@ -92,7 +93,7 @@ def test_the_energy_of_a_flywheel_is_left_out_of_the_curves(tmp_path):
 
 @pytest.mark.octave
 def test_arguments_and_their_faults(tmp_path):
-    mechanism = load(next(path for path in TEMPLATES if path.stem == "slider-crank"))
+    mechanism = load(next(path for path in TEMPLATE_FILES if path.stem == "slider-crank"))
     export(mechanism, "octave", tmp_path / "slider_crank.m")
     code = """
     r = slider_crank('theta12', pi / 3);
@@ -116,7 +117,7 @@ def test_arguments_and_their_faults(tmp_path):
 def test_picture_without_a_display(name, tmp_path):
     if not shutil.which("gnuplot"):
         pytest.skip("gnuplot is not installed: without a display Octave draws with nothing else")
-    mechanism = load(next(path for path in TEMPLATES if path.stem == name))
+    mechanism = load(next(path for path in TEMPLATE_FILES if path.stem == name))
     export(mechanism, "octave", tmp_path / "it.m")
     octave(tmp_path, "setenv('DISPLAY', ''); it; disp('done')")
     pictures = [path for path in tmp_path.iterdir() if path.suffix in (".png", ".svg")]
@@ -127,7 +128,7 @@ def test_picture_without_a_display(name, tmp_path):
 @pytest.mark.octave
 def test_numbers_where_nothing_can_be_drawn(tmp_path):
     """Neither a display nor gnuplot: the numbers are told all the same, and that there are no pictures."""
-    export(load(next(path for path in TEMPLATES if path.stem == "four-bar")), "octave", tmp_path / "it.m")
+    export(load(next(path for path in TEMPLATE_FILES if path.stem == "four-bar")), "octave", tmp_path / "it.m")
     (tmp_path / "available_graphics_toolkits.m").write_text(
         "function found = available_graphics_toolkits()\n  found = {};\nend\n"
     )
@@ -172,7 +173,7 @@ def test_shapes_stand_where_the_list_has_them(tmp_path):
 
 
 def test_same_bytes_and_names(tmp_path):
-    mechanism = load(next(path for path in TEMPLATES if path.stem == "fivelink"))
+    mechanism = load(next(path for path in TEMPLATE_FILES if path.stem == "fivelink"))
     first, second = (export(mechanism, "octave", tmp_path / "fivelink.m")[0].read_bytes() for _ in range(2))
     assert first == second
     assert first.startswith(b"function result = fivelink(varargin)")

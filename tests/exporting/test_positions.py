@@ -8,10 +8,10 @@ from functools import cache
 
 import numpy as np
 import pytest
-from exported import TEMPLATES
 from test_drawings import points_of_dxf, points_of_svg
 
 from chosen import ITERATED, LISTED, but, some
+from folders import TEMPLATE_FILES
 from mechsheet import reference
 from mechsheet.description import Overrides, load
 from mechsheet.exporting import Job, dxf, latex, markdown, position, shapes, svg
@@ -26,8 +26,8 @@ pytestmark = pytest.mark.slow
 FAST = ("fivelink", "oldham", "adjustable-pump")
 CASES = [
     pytest.param(path, ("en", "tr")[index % 2], id=path.stem, marks=() if path.stem in FAST else pytest.mark.slow)
-    for index, path in enumerate(but(TEMPLATES, *ITERATED, *LISTED))
-    if path in some(TEMPLATES, 1) or path.stem in FAST
+    for index, path in enumerate(but(TEMPLATE_FILES, *ITERATED, *LISTED))
+    if path in some(TEMPLATE_FILES, 1) or path.stem in FAST
 ]
 
 

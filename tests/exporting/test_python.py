@@ -7,8 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from exported import TEMPLATES, leaping_angles, mechanisms, worst_against_reference
+from exported import leaping_angles, mechanisms, worst_against_reference
 
+from folders import TEMPLATE_FILES
 from mechsheet.description import load, loads
 from mechsheet.exporting import export
 from mechsheet.kinematics.dimensions import dimension_values
@@ -95,7 +96,7 @@ def dimensions_of(mechanism, changes):
 
 
 def test_printed_table_is_that_of_csv(tmp_path):
-    mechanism = load(next(path for path in TEMPLATES if path.stem == "fivelink"))
+    mechanism = load(next(path for path in TEMPLATE_FILES if path.stem == "fivelink"))
     (module,) = export(mechanism, "python", tmp_path / "fivelink.py")
     (table,) = export(mechanism, "csv", tmp_path / "fivelink.csv")
     ran = subprocess.run(
@@ -111,7 +112,7 @@ def test_printed_table_is_that_of_csv(tmp_path):
 
 
 def test_texts_of_the_description_stay_texts(tmp_path):
-    given = load(next(path for path in TEMPLATES if path.stem == "four-bar"))
+    given = load(next(path for path in TEMPLATE_FILES if path.stem == "four-bar"))
     hostile = Label('x """ \\ " end\nimport os\n#\u2028import os')
     dims = tuple(replace(dim, label=hostile) for dim in given.dimensions)
     (module,) = export(
@@ -127,7 +128,7 @@ def names_of(node):
 
 
 def test_same_bytes(tmp_path):
-    mechanism = load(TEMPLATES[0])
+    mechanism = load(TEMPLATE_FILES[0])
     written = [export(mechanism, "python", tmp_path / name)[0].read_bytes() for name in ("a.py", "a.py")]
     assert written[0] == written[1]
 
@@ -135,7 +136,7 @@ def test_same_bytes(tmp_path):
 @pytest.mark.slow
 def test_modes_are_arguments(tmp_path):
     """The other assembly of a four-bar is the mirror image of the first about the line of its outer pins."""
-    mechanism = load(next(path for path in TEMPLATES if path.stem == "four-bar"))
+    mechanism = load(next(path for path in TEMPLATE_FILES if path.stem == "four-bar"))
     mode = solve(mechanism).groups[0].mode_value
     export(mechanism, "python", tmp_path / "mirror.py")
     (tmp_path / "mirror.changes").write_text(repr({"mode_1": -mode}))
@@ -149,7 +150,7 @@ IMPOSSIBLE = [{"a2": -35.0}, {"a3": 0.0}, {"mode_1": 3.0}, {"mode_1": 0.0}]
 
 def test_what_a_workbook_refuses_has_no_positions(tmp_path):
     """A length between joints that is not above 0, a mode that is neither 1 nor -1: the crank alone has an angle."""
-    mechanism = load(next(path for path in TEMPLATES if path.stem == "four-bar"))
+    mechanism = load(next(path for path in TEMPLATE_FILES if path.stem == "four-bar"))
     for number, changes in enumerate([{}, *IMPOSSIBLE]):
         export(mechanism, "python", tmp_path / f"four_bar_{number}.py")
         (tmp_path / f"four_bar_{number}.changes").write_text(repr(changes))

@@ -8,15 +8,15 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from exported import TEMPLATES
 
+from folders import TEMPLATE_FILES
 from mechsheet.description import Overrides, load, loads
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting import Job, export, latex, markdown
 from mechsheet.exporting.mathtext import point_math, symbol_math
 from mechsheet.model import Label
 
-BY_NAME = {path.stem: path for path in TEMPLATES}
+BY_NAME = {path.stem: path for path in TEMPLATE_FILES}
 PUBLISHED = Path(__file__).parent.parent / "data" / "published" / "worked-values.toml"
 
 

@@ -6,17 +6,18 @@ import re
 import shutil
 import warnings
 from functools import cache
-from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
 
 from chosen import ITERATED, LISTED, TASKS, but, part
+from folders import ROOT, TEMPLATE_FILES
 from livesheet.formula.parser import parse_description
 from livesheet.formula.printer import print_formula
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, load, loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError
 from mechsheet.exporting import Job, exported
 from mechsheet.exporting.functions.all_functions import TABLE_KEY, functions_of, in_degrees, prefix_of, variable_key
@@ -33,8 +34,6 @@ from office_macros import Job as Office
 from office_macros import with_macros
 from random_mechanisms import Grower
 
-ROOT = Path(__file__).parent.parent.parent
-TEMPLATES = sorted((ROOT / "templates").glob("*.toml"))
 PUBLISHED = ROOT / "tests" / "data" / "published"
 
 needs_libreoffice = pytest.mark.skipif(shutil.which("soffice") is None, reason="LibreOffice is not installed")
@@ -54,7 +53,9 @@ WRITTEN = [ROOT / "templates" / f"{name}.toml" for name in (*part(ITERATED, 4, 1
 
 
 @pytest.mark.cases(8)
-@pytest.mark.parametrize("path", [*but(TEMPLATES, *ITERATED, *LISTED, *TASKS), *WRITTEN], ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "path", [*but(TEMPLATE_FILES, *ITERATED, *LISTED, *TASKS), *WRITTEN], ids=lambda path: path.stem
+)
 def test_every_template_is_ascii_with_dos_lines_and_declares_what_it_uses(path):
     content = module_of(load(path))
     text = content.decode("ascii")
@@ -214,7 +215,7 @@ def test_functions_in_libreoffice_give_what_the_workbook_has():
         Office(module=module_of(mechanism), formulas=formulas)
         for mechanism, (formulas, _, _) in zip(mechanisms, calls, strict=True)
     ]
-    others = [load(path) for path in part(but(TEMPLATES, *ITERATED, *LISTED, *TASKS, *VALUED), 6)]
+    others = [load(path) for path in part(but(TEMPLATE_FILES, *ITERATED, *LISTED, *TASKS, *VALUED), 6)]
     for mechanism in others:
         formulas, _ = formulas_of(mechanism, (1,))
         jobs.append(Office(module=module_of(mechanism), formulas=[formulas[0], formulas[-1]]))
@@ -252,7 +253,7 @@ q5 = { formula = "-a1^2 + 2^3^2 + sign(-3)*min(1, 2, 3) + exp(1) + hypot(3, 4) +
 @needs_libreoffice
 @pytest.mark.libreoffice
 def test_what_has_no_value_ends_a_function_and_shows_no_message():
-    text = (ROOT / "templates" / "four-bar.toml").read_text(encoding="utf-8").replace("[outputs]\n", OUTPUTS)
+    text = template_text("four-bar").replace("[outputs]\n", OUTPUTS)
     formulas = [f"=FourBarLinkage_q{number}(70;35;62.3;56;126.6;84.1;0.5)" for number in range(1, 6)]
     (answer,) = with_macros([Office(module=module_of(loads(text)), formulas=formulas)])
     found = [answer.get("Sheet1", row, 0) for row in range(5)]
@@ -335,7 +336,7 @@ def test_newtons_method_in_libreoffice_gives_what_the_workbook_has():
     """With its turns, whatever was asked before; #N/A beyond a limit, and where the assembly would be another."""
     jobs, values = [], []
     for name, besides, changes in ASKED:
-        mechanism = loads((ROOT / "templates" / f"{name}.toml").read_text(encoding="utf-8") + besides)
+        mechanism = loads(template_text(name) + besides)
         formulas, wanted = [], []
         for changed, rows in changes:
             calls, places = formulas_of(mechanism, rows, changed)

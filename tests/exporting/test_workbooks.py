@@ -8,8 +8,9 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
+from command_line import run
+from folders import TEMPLATES
 from livesheet.diagnostics import OutputError
 from livesheet.engine import evaluate
 from livesheet.evaluation import computed
@@ -19,7 +20,6 @@ from livesheet.formula.nodes import ErrorValue
 from livesheet.formula.parser import parse_formula
 from livesheet.formula.printer import print_formula
 from mechsheet.checking.programs import answers
-from mechsheet.cli import main
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.dynamics.solve import solve
@@ -41,7 +41,6 @@ from random_mechanisms import Grower
 
 pytestmark = pytest.mark.slow
 
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 PUMP, FOUR_BAR = TEMPLATES / "adjustable-pump.toml", TEMPLATES / "four-bar.toml"
 
 TABLES = """
@@ -254,7 +253,7 @@ def test_the_table_calls_the_function_as_the_text_does(folder):
     assert sheet.formula_at(FIRST + 18, 6).kind == "spill"
     assert print_formula(block.formula).casefold() == "ayarlipompa(krank,biyel,arakol,sabitu_y,eksantrik,b$7,$a8)"
     assert "LAMBDA" in read(other).sheets[0].constants.get(NEEDS_ROW, 0)
-    result = CliRunner().invoke(main, ["check", str(other)])
+    result = run("check", other)
     assert (result.exit_code, "all agree" in result.stdout) == (0, True), result.output
 
 
@@ -269,7 +268,7 @@ def test_an_edited_function_is_found(folder, tmp_path):
                 assert content.count(b"SQRT(_xlpm.X_1^2+_xlpm.Y_1^2)") == 1
                 content = content.replace(b"SQRT(_xlpm.X_1^2+_xlpm.Y_1^2)", b"SQRT(_xlpm.Y_1^2+_xlpm.X_1^2)")
             new.writestr(name, content)
-    result = CliRunner().invoke(main, ["check", str(edited)])
+    result = run("check", edited)
     assert result.exit_code == 1
     assert "Boy" in result.stdout
 
@@ -388,11 +387,20 @@ def test_libreoffice_computes_the_basic_workbooks(tmp_path):
 
 
 def test_the_command_writes_extra_files_and_knows_its_words(tmp_path):
-    result = CliRunner().invoke(main, ["build", str(PUMP), "-o", str(tmp_path), "--functions", "basic, basic"])
+    result = run("build", PUMP, "-o", tmp_path, "--functions", "basic, basic")
     assert result.exit_code == 0, result.output
     names = [Path(line).name for line in result.stdout.split()]
     assert names == ["adjustable-pump.xlsx", "adjustable-pump-basic.ods"]
-    result = CliRunner().invoke(main, ["build", str(PUMP), "-o", str(tmp_path / "no"), "--functions", "vba"])
+    result = run("build", PUMP, "-o", tmp_path, "--functions", "vba")
+    assert result.exit_code == 0, result.output
+    written = [Path(line) for line in result.stdout.split()]
+    assert [path.name for path in written] == [
+        "adjustable-pump.xlsx",
+        "adjustable-pump-vba.xlsx",
+        "adjustable-pump-vba.bas",
+    ]
+    assert "End Function" in written[-1].read_text(encoding="ascii")
+    result = run("build", PUMP, "-o", tmp_path / "no", "--functions", "fortran")
     assert result.exit_code == 2
     assert "--functions" in result.stderr
     assert not (tmp_path / "no").exists()

@@ -5,17 +5,10 @@ import tracemalloc
 
 import pytest
 from bad_files import BAD, formula, packed, sheet, xlsx
-from click.testing import CliRunner
 
+from command_line import run
 from livesheet.formula.nodes import ErrorValue
-from mechsheet.cli import main
 from mechsheet.library.recalculation import recalc
-
-
-def run(path, *options):
-    result = CliRunner().invoke(main, ["recalc", str(path), *options])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
 
 
 @pytest.mark.cases(63)
@@ -24,7 +17,7 @@ def test_one_message(tmp_path, name):
     path = tmp_path / f"bad{BAD[name].suffix}"
     path.write_bytes(BAD[name].make())
     began = time.perf_counter()
-    result = run(path, "-o", tmp_path / f"out{BAD[name].suffix}")
+    result = run("recalc", path, "-o", tmp_path / f"out{BAD[name].suffix}")
     assert time.perf_counter() - began < 5
     assert result.exit_code == 2
     assert result.stdout == ""
@@ -39,16 +32,16 @@ def test_little_memory(tmp_path, name):
     path = tmp_path / f"bad{BAD[name].suffix}"
     path.write_bytes(BAD[name].make())
     tracemalloc.start()
-    run(path)
+    run("recalc", path)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 64 << 20
 
 
 def test_a_folder_and_nothing(tmp_path):
-    assert "this is a folder" in run(tmp_path).stderr
-    assert "cannot be read" in run(tmp_path / "nothing.xlsx").stderr
-    assert run(tmp_path / "nothing.xlsx").exit_code == 2
+    assert "this is a folder" in run("recalc", tmp_path).stderr
+    assert "cannot be read" in run("recalc", tmp_path / "nothing.xlsx").stderr
+    assert run("recalc", tmp_path / "nothing.xlsx").exit_code == 2
 
 
 DEEP = {
@@ -72,7 +65,7 @@ def test_formulas_beyond_all_measure(tmp_path, name):
     path = tmp_path / "deep.xlsx"
     path.write_bytes(formula(DEEP[name]))
     began = time.perf_counter()
-    result = run(path)
+    result = run("recalc", path)
     assert time.perf_counter() - began < 5
     assert result.exit_code == 0
     assert not result.stderr or "S!A1" in result.stderr
@@ -102,7 +95,7 @@ def test_names_that_stand_for_each_other(tmp_path):
     names = "".join(f'<definedName name="{name}">{text}</definedName>' for name, text in circles.items())
     path = tmp_path / "names.xlsx"
     path.write_bytes(packed(xlsx('<row r="1"><c r="A1"><f>a</f></c><c r="B1"><f>c+1</f></c></row>', names)))
-    result = run(path, "--print", "S!A1:B1", "--strict")
+    result = run("recalc", path, "--print", "S!A1:B1", "--strict")
     assert result.exit_code in (1, 2)
     assert "stands for itself" in result.stderr
     assert "S!A1" in result.stderr
@@ -112,7 +105,7 @@ def test_names_that_stand_for_each_other(tmp_path):
 def test_a_circle_is_named(tmp_path):
     path = tmp_path / "circle.xlsx"
     path.write_bytes(sheet('<row r="1"><c r="A1"><f>B1+1</f></c><c r="B1"><f>A1+1</f></c></row>'))
-    result = run(path, "--strict")
+    result = run("recalc", path, "--strict")
     assert result.exit_code == 1
     assert "circular reference: S!A1 -> S!B1 -> S!A1" in result.stderr
 

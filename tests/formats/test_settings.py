@@ -12,12 +12,11 @@ from pathlib import Path
 
 import openpyxl
 import pytest
-from click.testing import CliRunner
 
+from command_line import run
 from formats.ods_files import cell, content, number, row, table, text, write_ods
 from livesheet.formats import read
 from livesheet.formula.nodes import ErrorValue
-from mechsheet.cli import main
 from mechsheet.library.recalculation import recalc
 
 TABLE = Path(__file__).parents[1] / "cases" / "ods_settings.tsv"
@@ -175,12 +174,12 @@ def test_precision_as_shown(suffix, tmp_path):
     assert [result.get("S", place, 0) for place in (0, 1)] == [0.33, 0.99]
     assert "rounded as it is shown" in str(result.remarks[0])
     again = tmp_path / f"again{suffix}"
-    found = CliRunner().invoke(main, ["recalc", str(path), "-o", str(again)])
+    found = run("recalc", path, "-o", again)
     assert found.exit_code == 0
     assert "rounded as it is shown" in found.output
     cached = read(again).sheets[0].cached
     assert [cached.get(place, 0) for place in (0, 1)] == [0.33, 0.99]
-    assert CliRunner().invoke(main, ["recalc", "--check", "--strict", str(path)]).exit_code == 1
+    assert run("recalc", "--check", "--strict", path).exit_code == 1
 
 
 @pytest.mark.parametrize("suffix", [".xlsx", ".ods"])

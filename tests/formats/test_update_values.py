@@ -15,6 +15,7 @@ from openpyxl.comments import Comment
 from openpyxl.worksheet.datavalidation import DataValidation
 from samples import sample
 
+from folders import TEMPLATES
 from livesheet.diagnostics import OutputError, WorkbookError
 from livesheet.formats import read, write
 from livesheet.formula.nodes import ErrorValue
@@ -22,7 +23,6 @@ from mechsheet.checking import check
 from mechsheet.description import load
 from mechsheet.library.recalculation import recalc
 
-TEMPLATES = Path(__file__).parent.parent.parent / "templates"
 FORMATS = ("xlsx", "ods")
 
 

@@ -1,13 +1,11 @@
 """The table of functions: its spellings, its kinds, and the page made from it."""
 
 import importlib.util
-from pathlib import Path
 
 import pytest
 
+from folders import ROOT
 from livesheet.formula.functions import FUNCTIONS, MANY
-
-ROOT = Path(__file__).parent.parent.parent
 
 
 def list_of_functions():

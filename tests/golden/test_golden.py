@@ -8,20 +8,20 @@ from pathlib import Path
 
 import pytest
 
+from folders import TEMPLATE_FILES
 from mechsheet.description import load
 from mechsheet.dynamics.solve import solve
 from mechsheet.library.show import cells_of_workbook, equations_text
 from mechsheet.sheet.layout import lay_out
 
 FOLDER = Path(__file__).parent
-TEMPLATES = sorted((FOLDER.parent.parent / "templates").glob("*.toml"))
 SHOWN = ("adjustable-pump", "fivelink", "four-bar", "inverted-slider-crank", "six-link-dwell", "slider-crank")
 """Their whole workbooks are kept; of the others the equations."""
 
 
 def test_there_are_templates():
-    assert len(TEMPLATES) >= 21
-    assert set(SHOWN) <= {path.stem for path in TEMPLATES}
+    assert len(TEMPLATE_FILES) >= 21
+    assert set(SHOWN) <= {path.stem for path in TEMPLATE_FILES}
 
 
 def compare(path: Path, text: str) -> None:
@@ -31,7 +31,7 @@ def compare(path: Path, text: str) -> None:
 
 
 @pytest.mark.cases(35)
-@pytest.mark.parametrize("template", TEMPLATES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("template", TEMPLATE_FILES, ids=lambda path: path.stem)
 def test_equations(template):
     compare(FOLDER / f"{template.stem}.equations.txt", equations_text(load(template)) + "\n")
 
@@ -39,6 +39,6 @@ def test_equations(template):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SHOWN)
 def test_cells(name):
-    mechanism = load(TEMPLATES[0].parent / f"{name}.toml")
+    mechanism = load(TEMPLATE_FILES[0].parent / f"{name}.toml")
     workbook, _ = lay_out(mechanism, solve(mechanism))
     compare(FOLDER / f"{name}.cells.txt", cells_of_workbook(workbook) + "\n")

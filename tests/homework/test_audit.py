@@ -8,14 +8,13 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner
 
 import mechsheet
 from chosen import first
+from command_line import printed
 from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
 from homework.plain_export import plain_book
 from mechsheet import description
-from mechsheet.cli import main
 from mechsheet.homework.audit import FaultFound, audit, audited
 from mechsheet.homework.formula_strips import upright
 from mechsheet.homework.marking_rules import asked_of
@@ -252,10 +251,8 @@ def test_faults_in_words():
 def test_the_command_prints_json(tmp_path):
     (tmp_path / "m.toml").write_text(mechsheet.template("four-bar").text, encoding="utf-8")
     path = Table(FOUR_BAR, four_bar(fi="RADIANS({deg})-{a2}/100")).save(tmp_path / "book.xlsx")
-    command = ["audit", str(path), "--against", str(tmp_path / "m.toml"), "--json", "--language", "tr"]
-    run = CliRunner().invoke(main, command)
-    assert run.exit_code == 1
-    data = json.loads(run.output)
+    command = ["audit", path, "--against", tmp_path / "m.toml", "--json", "--language", "tr"]
+    data = json.loads(printed(*command, code=1))
     assert data["asked"]["theta13"] == {"cells": "Sayfa1!H9:H33", "verdict": "follows"}
     assert data["marks"] == {"of": 3, "plain": 0, "follow_through": 3}
     assert set(data) == {"asked", "faults", "marks", "remarks"}

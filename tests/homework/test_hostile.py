@@ -8,14 +8,13 @@ import zipfile
 import pytest
 import xls_files as xls
 from bad_files import BAD
-from click.testing import CliRunner
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+import command_line
 import mechsheet
 from chosen import IN_CI, first
 from homework.handmade import FOUR_BAR, Table, four_bar
-from mechsheet.cli import main
 
 ROWS = [30.0 * n for n in range(13)]
 
@@ -39,8 +38,7 @@ def folder(tmp_path_factory):
 
 
 def run(*args):
-    result = CliRunner().invoke(main, [str(arg) for arg in args])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
+    result = command_line.run(*args)
     assert "Traceback" not in result.output
     return result
 

@@ -6,13 +6,12 @@ import json
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 
 import mechsheet
+from command_line import printed
 from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
 from livesheet.formats import read
 from mechsheet import description
-from mechsheet.cli import main
 from mechsheet.homework.audit import audit
 from mechsheet.homework.expected_values import Quantity
 from mechsheet.homework.formula_strips import upright
@@ -21,12 +20,6 @@ from mechsheet.homework.recognition import deciding, driven_on, recognise, table
 
 def seen(path):
     return recognise(tables(upright(read(path))))
-
-
-def run(*args, code=0):
-    result = CliRunner().invoke(main, [str(arg) for arg in args])
-    assert result.exit_code == code, result.output
-    return result.output
 
 
 SILENT = [("", name, value) for _, name, value in FOUR_BAR]
@@ -42,7 +35,7 @@ ORDERS = {
 @pytest.mark.parametrize("how", ORDERS)
 def test_a_four_bar_is_recognised_and_described(tmp_path, how):
     path = ORDERS[how].save(tmp_path / "book.xlsx")
-    said = run("audit", path, "--json", "--describe", tmp_path / "own.toml")
+    said = printed("audit", path, "--json", "--describe", tmp_path / "own.toml")
     found, _ = json.JSONDecoder().raw_decode(said)
     assert found["template"] == "four-bar"
     assert {symbol: one["value"] for symbol, one in found["dimensions"].items()} == {s: v for s, _, v in FOUR_BAR}
@@ -55,7 +48,7 @@ def test_a_slider_crank_in_line_has_no_eccentricity(tmp_path):
     columns = [("aci", "deg", STEPS), ("rad", "fi", "RADIANS({deg})")]
     columns.append(("yol", "x", "{r}*COS({fi})+SQRT({l}^2-({r}*SIN({fi}))^2)"))
     path = Table([("", "r", 50.0), ("", "l", 200.0)], columns).save(tmp_path / "book.xlsx")
-    lines = run("audit", path, "--language", "tr").splitlines()
+    lines = printed("audit", path, "--language", "tr").splitlines()
     assert lines[0].endswith("Krank-biyel mekanizması (şablon slider-crank)")
     assert "a2       Sayfa1!B2      50" in lines
     assert any("0 alındı: a1" in line for line in lines)
@@ -77,7 +70,7 @@ def test_what_is_no_linkage_is_none(tmp_path, what):
     columns += [(f"k{n}", f"k{n}", text) for n, text in enumerate(NONE[what])]
     path = Table([("a2", "r", 50.0), ("a3", "l", 200.0)], columns).save(tmp_path / "book.xlsx")
     assert seen(path) is None
-    output = run("audit", path, "--describe", tmp_path / "own.toml", code=1)
+    output = printed("audit", path, "--describe", tmp_path / "own.toml", code=1)
     assert "no linkage of the templates fits its numbers" in output
     assert "Sayfa1!C7:C31" in output
     assert not (tmp_path / "own.toml").exists()
@@ -86,7 +79,7 @@ def test_what_is_no_linkage_is_none(tmp_path, what):
 @pytest.mark.slow
 def test_a_workbook_without_a_table_is_none(tmp_path):
     path = Table([("a1", "a1", 1.0)], [("x", "x", [1.0, 2.0])]).save(tmp_path / "book.xlsx")
-    assert "no table" in run("audit", path, code=1)
+    assert "no table" in printed("audit", path, code=1)
 
 
 def test_what_decides_a_motion():
@@ -120,5 +113,5 @@ rocking = { formula = "2*B.y" }
 def test_a_description_is_asked_for_once(tmp_path):
     (tmp_path / "m.toml").write_text(mechsheet.template("four-bar").text, encoding="utf-8")
     path = Table(FOUR_BAR, four_bar()).save(tmp_path / "book.xlsx")
-    output = run("audit", path, "--against", tmp_path / "m.toml", "--describe", tmp_path / "n.toml", code=2)
+    output = printed("audit", path, "--against", tmp_path / "m.toml", "--describe", tmp_path / "n.toml", code=2)
     assert "--describe" in output

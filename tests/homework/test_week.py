@@ -11,14 +11,13 @@ from pathlib import Path
 
 import openpyxl
 import pytest
-from click.testing import CliRunner
 
 import mechsheet
 from chosen import ALL
+from command_line import printed
 from homework.handmade import FOUR_BAR, Table, four_bar
 from homework.plain_export import plain_book
 from mechsheet.checking.programs import convert_with_libreoffice
-from mechsheet.cli import main
 
 pytestmark = pytest.mark.slow
 
@@ -35,9 +34,7 @@ def commands(page):
 
 
 def run(line, code=0):
-    result = CliRunner().invoke(main, shlex.split(line)[1:])
-    assert result.exit_code == code, f"{line}\n{result.output}"
-    return result.output
+    return printed(*shlex.split(line)[1:], code=code)
 
 
 def plain_pump(path):

@@ -1,8 +1,7 @@
 """The order in which dimensions are computed, and listed: inputs, then step by step what follows from what is known."""
 
-from laid import template_text
-
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 
 DERIVED = """[dimensions]

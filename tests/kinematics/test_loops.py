@@ -1,12 +1,12 @@
 """Loop closure equations: the engine's numbers fulfil them, in every row of every template and of random linkages."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from chosen import ITERATED, but
+from folders import TEMPLATE_FILES
 from livesheet.formula.printer import print_formula
 from mechsheet import reference
 from mechsheet.description import load, loads
@@ -16,8 +16,6 @@ from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower
-
-TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
 
 
 def loops(mechanism):
@@ -52,7 +50,7 @@ def worst_gap(mechanism):
 
 
 @pytest.mark.cases(18)
-@pytest.mark.parametrize("path", TEMPLATES, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", TEMPLATE_FILES, ids=lambda path: path.stem)
 def test_templates_close(path):
     assert worst_gap(load(path)) < 1e-10
 
@@ -66,7 +64,7 @@ def test_random_linkages_close(seed):
 @pytest.mark.slow
 def test_each_loop_holds_what_its_group_solves():
     """Two scalar equations for two unknowns; an angle that a guide keeps may be written as well."""
-    for path in but(TEMPLATES, *ITERATED):
+    for path in but(TEMPLATE_FILES, *ITERATED):
         equations, found = loops(load(path))
         for number, loop in enumerate(found, 1):
             solved = [eq.symbol for eq in equations.columns if eq.group == number and eq.role == "variable"]
@@ -101,12 +99,12 @@ def written(loop):
     ],
 )
 def test_the_texts_equations(name, expected):
-    path = next(path for path in TEMPLATES if path.stem == name)
+    path = next(path for path in TEMPLATE_FILES if path.stem == name)
     assert [written(loop) for loop in loops(load(path))[1]] == expected
 
 
 def test_ways_name_the_points():
-    path = next(path for path in TEMPLATES if path.stem == "stephenson-iii")
+    path = next(path for path in TEMPLATE_FILES if path.stem == "stephenson-iii")
     _, (first, second) = loops(load(path))
     assert first.left_way == (("A", "B"), ("B", "C"))
     assert first.right_way == (("A", "D"), ("D", "C"))
@@ -116,7 +114,7 @@ def test_ways_name_the_points():
 
 def test_a_wrong_length_opens_the_loop():
     """The test of closure can fail."""
-    mechanism = load(next(path for path in TEMPLATES if path.stem == "four-bar"))
+    mechanism = load(next(path for path in TEMPLATE_FILES if path.stem == "four-bar"))
     _, (loop,) = loops(mechanism)
     known = {"a1": 70, "a2": 35, "a3": 62.3, "a4": 56, "theta12": math.radians(60), "theta13": 0.5, "theta14": 1.0}
     gap = sum(

@@ -1,14 +1,15 @@
 """Every sketched point decides: of all assemblies the one is taken that has the points nearest to their sketch."""
 
 import itertools
-from pathlib import Path
 
 import pytest
 
 from chosen import part
+from folders import TEMPLATE_FILES
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.description.locate import located
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
@@ -16,14 +17,13 @@ from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from partial_sketches import case_of, linkage
 
-TEMPLATES = sorted((Path(__file__).parent.parent.parent / "templates").glob("*.toml"))
 COUNT = 300
 EXACT = 1e-5
 
 
 def sketched(name, entries):
     """A template with another sketch."""
-    text = (TEMPLATES[0].parent / f"{name}.toml").read_text(encoding="utf-8")
+    text = template_text(name)
     head, _, tail = text.partition("[assembly]\n")
     lines = "".join(f"{key} = {value}\n" for key, value in entries.items())
     _, _, after = tail.partition("\n\n")
@@ -58,7 +58,7 @@ def test_one_to_three_points_roughly_sketched(seed, lifted):
     judge(case_of(linkage(seed, lifted), seed), seed)
 
 
-@pytest.mark.parametrize("path", part(TEMPLATES, 5, 1), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", part(TEMPLATE_FILES, 5, 1), ids=lambda path: path.stem)
 def test_any_points_of_a_template(path):
     mechanism = load(path)
     judged = 0
@@ -176,7 +176,7 @@ def test_an_assembly_that_never_closes_is_not_taken_for_one_that_does():
 
 @pytest.mark.parametrize("name", ["watt-i", "stephenson-ii-class-iv", "klann"])
 def test_two_points_of_any_link_say_where_it_is(name):
-    mechanism = load(TEMPLATES[0].parent / f"{name}.toml")
+    mechanism = load(TEMPLATE_FILES[0].parent / f"{name}.toml")
     true = first_position(mechanism, solve(mechanism))
     for link in mechanism.links[1:]:
         for pair in itertools.combinations([point for point in link.points if point not in mechanism.ground.points], 2):

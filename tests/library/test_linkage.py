@@ -6,15 +6,14 @@ import json
 import pickle
 import time
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import mechsheet
+from folders import ROOT
 from mechsheet.description.templates import template_text
 
-ROOT = Path(__file__).parent.parent.parent
 FOUR_BAR = ROOT / "templates" / "four-bar.toml"
 
 

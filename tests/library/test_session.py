@@ -5,7 +5,6 @@ import re
 import shutil
 from decimal import Decimal
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,6 +13,7 @@ from hypothesis import strategies as st
 
 import mechsheet
 from chosen import examples
+from folders import ROOT
 from livesheet.diagnostics import WorkbookError
 from livesheet.engine import Live, Plan, compile_book
 from livesheet.engine import incremental as incremental_module
@@ -24,7 +24,6 @@ from livesheet.formula.parser import parse_formula
 from livesheet.time_limit import TimeLimitError
 from mechsheet.library.session import Session
 
-ROOT = Path(__file__).parent.parent.parent
 ROWS = 40
 NA = ErrorValue("#N/A")
 

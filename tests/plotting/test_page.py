@@ -14,10 +14,10 @@ import pytest
 import mechsheet
 from chosen import part
 from drawn_points import drawn_points, expected, fitted
+from folders import TEMPLATES
 from mechsheet import reference
 from mechsheet.plotting.sampling import sample
 
-TEMPLATES = Path(__file__).parents[2] / "templates"
 HALF_A_STEP = 0.006
 """Pixels: places stand in the page in hundredths."""
 

@@ -11,15 +11,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from click.testing import CliRunner
 from PIL import Image
 
 import mechsheet
 from chosen import some
+from command_line import run
+from folders import TEMPLATES
 from livesheet.diagnostics import OutputError
 from loaded_mechanisms import SUSPENSION
 from mechsheet import plotting
-from mechsheet.cli import main
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.plotting import pictures, sampling
 from mechsheet.plotting.sampling import sample
@@ -27,7 +28,6 @@ from mechsheet.plotting.scenes import Stage, journey
 
 pytestmark = pytest.mark.slow
 
-TEMPLATES = Path(__file__).parents[2] / "templates"
 NAMES = ["four-bar", "fivelink", "adjustable-pump", "six-link-dwell", "jansen", "elliptic-trammel", "scissor-lift"]
 
 
@@ -40,12 +40,6 @@ def few(monkeypatch):
     """Fewer positions than a person wants to see: quicker."""
     monkeypatch.setattr(plotting, "GIF_FRAMES", 8)
     monkeypatch.setattr(sampling, "LEAST", 25)
-
-
-def run(*arguments):
-    result = CliRunner().invoke(main, [str(argument) for argument in arguments])
-    assert result.exception is None or isinstance(result.exception, SystemExit), result.exception
-    return result
 
 
 class Elements(HTMLParser):
@@ -196,7 +190,7 @@ def test_turkish(tmp_path):
 )
 @pytest.mark.usefixtures("few")
 def test_other_sweeps_and_charts(sweep, tmp_path):
-    text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
+    text = template_text("four-bar")
     text = text.replace("start = 0\nstop = 360\nstep = 15", sweep)
     text = text.replace('y = ["theta13", "theta14", "mu"]', 'y = ["theta12", "A.x", "theta14"]')
     page = mechsheet.plot(mechsheet.loads(text), tmp_path / "s.html").read_text(encoding="utf-8")
@@ -205,7 +199,7 @@ def test_other_sweeps_and_charts(sweep, tmp_path):
 
 
 def test_texts_of_the_description_are_escaped(tmp_path):
-    text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
+    text = template_text("four-bar")
     text = text.replace('"Four-bar linkage"', "'<script>alert(1)</script> & \"co\"'").replace(
         '"coupler"', "'</script>'"
     )

@@ -1,13 +1,13 @@
 """The report: true scale in the worst position, the words of the first sheet, one to three pages."""
 
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 import mechsheet
 from chosen import some
+from folders import TEMPLATE_FILES
 from loaded_mechanisms import SUSPENSION
 from mechsheet import reference
 from mechsheet.compiled import Compiled
@@ -17,7 +17,6 @@ from mechsheet.plotting.pictures import settings
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage
 
-TEMPLATES = sorted((Path(__file__).parents[2] / "templates").glob("*.toml"))
 MILLIMETRES = 25.4
 
 
@@ -33,7 +32,7 @@ def texts_of(page):
 
 @pytest.mark.slow
 @pytest.mark.cases(3)
-@pytest.mark.parametrize("path", some(TEMPLATES, 5), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", some(TEMPLATE_FILES, 5), ids=lambda path: path.stem)
 def test_true_scale(path):
     """A millimetre of paper is n of the mechanism, along both axes, and everything lies between the margins."""
     mechanism = mechsheet.load(path)
@@ -56,9 +55,9 @@ def test_true_scale(path):
 
 def test_the_worst_position():
     """Where the worst of all angles of transmission is worst; with forces where the driver needs most."""
-    excavator = mechsheet.load(next(path for path in TEMPLATES if path.stem == "excavator"))
+    excavator = mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "excavator"))
     assert report._FirstSheet(Compiled(excavator)).worst == pytest.approx(1260)  # the second of two; the first: 840
-    first, _ = pages_of(mechsheet.load(next(path for path in TEMPLATES if path.stem == "fivelink")))
+    first, _ = pages_of(mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "fivelink")))
     assert first.worst == pytest.approx(302.9, abs=0.1)
     first, pages = pages_of(mechsheet.loads(SUSPENSION))
     motion = mechsheet.loads(SUSPENSION).solve()
@@ -112,7 +111,7 @@ def test_which_pin_carries_most():
 
 def test_which_way_the_cutting_force_acts():
     """The report of the shaper draws it as it cuts: an arrow from the ram against its motion, with its amount."""
-    mechanism = mechsheet.load(next(path for path in TEMPLATES if path.stem == "shaper"))
+    mechanism = mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "shaper"))
     first = report._FirstSheet(Compiled(mechanism))
     found, positions = _sampled(mechanism, first.worst)
     scene = positions.at(found.shown)
@@ -137,7 +136,7 @@ def test_a_value_ends_before_what_it_means_begins():
 
 def test_a_line_says_what_is_of_the_motion():
     """No place where there is none, no unit without a number, nothing of sheets."""
-    first = report._FirstSheet(Compiled(mechsheet.load(next(p for p in TEMPLATES if p.stem == "double-wishbone"))))
+    first = report._FirstSheet(Compiled(mechsheet.load(next(p for p in TEMPLATE_FILES if p.stem == "double-wishbone"))))
     rows = {name: value for name, value, _ in first.rows("verdicts")}
     assert rows["Grashof"] == "80 mm"
     assert "slow way" not in rows  # which needs a whole turn
@@ -151,6 +150,6 @@ def _sampled(mechanism, at=None):
 
 
 def test_turkish_and_a_position_of_ones_own(tmp_path):
-    mechanism = mechsheet.load(next(path for path in TEMPLATES if path.stem == "four-bar"))
+    mechanism = mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "four-bar"))
     path = mechsheet.plot(mechanism, tmp_path / "r.pdf", at=60, language="tr")
     assert path.read_bytes().count(b"/Type /Page") >= 2  # a page, and their list

@@ -3,24 +3,23 @@
 import math
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
 from placed import places_of
 
 from drawn_points import expected, fitted
+from folders import TEMPLATES
 from livesheet.engine import PORTABLE, evaluate
 from livesheet.evaluation import book_of
 from mechsheet import reference
 from mechsheet.description import Overrides, load
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.plotting.sampling import LEAST, MOST, resampled, sample, with_value
 from mechsheet.plotting.scenes import Stage, journey
-
-TEMPLATES = Path(__file__).parents[2] / "templates"
 
 
 @cache
@@ -159,7 +158,7 @@ def test_no_number(at):
 @pytest.mark.slow
 def test_modes_are_those_of_the_description():
     """Another crossing of the loop, chosen by the sketch, stays chosen however the sweep is cut."""
-    text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8").replace("B = [50, 55]", "B = [50, -55]")
+    text = template_text("four-bar").replace("B = [50, 55]", "B = [50, -55]")
     from mechsheet.description import loads
 
     stage = Stage(sample(loads(text), 90.0, None))

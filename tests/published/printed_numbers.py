@@ -5,12 +5,12 @@ from __future__ import annotations
 import csv
 import tomllib
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from folders import ROOT, TEMPLATES
 from mechsheet.description import Overrides, load
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Equations
@@ -20,8 +20,6 @@ from mechsheet.model import Mechanism
 
 Array = NDArray[np.float64]
 
-ROOT = Path(__file__).resolve().parents[2]
-TEMPLATES = ROOT / "templates"
 DATA = ROOT / "tests" / "data" / "published"
 
 CUT_PI = 3.1415926

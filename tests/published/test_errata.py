@@ -19,6 +19,7 @@ from printed_numbers import (
 )
 
 from mechsheet.description import load, loads
+from mechsheet.description.templates import template_text
 from mechsheet.kinematics.solve import solve
 
 ERRATA = (ROOT / "docs" / "errata.md").read_text(encoding="utf-8")
@@ -136,7 +137,7 @@ def test_9_headings_and_ranges():
 
 
 def test_10_sign_of_b0_in_the_m_file():
-    text = (TEMPLATES / "six-link-dwell.toml").read_text(encoding="utf-8")
+    text = template_text("six-link-dwell")
     as_equations = 'B0 = { r = "A0B0", angle = "alpha1" }'
     assert as_equations in text
     distance, moved = {}, {}
@@ -153,6 +154,6 @@ def test_10_sign_of_b0_in_the_m_file():
 
 def test_templates_state_the_slips_that_concern_them():
     for name in ("four-bar", "slider-crank", "fivelink", "adjustable-pump", "six-link-dwell"):
-        comment = (TEMPLATES / f"{name}.toml").read_text(encoding="utf-8").partition("format = 1")[0]
+        comment = template_text(name).partition("format = 1")[0]
         assert "docs/errata.md" in comment, name
         assert load(TEMPLATES / f"{name}.toml").source.of("en").startswith("Eres Söylemez"), name

@@ -18,6 +18,7 @@ from printed_numbers import (
 
 from mechsheet import reference
 from mechsheet.description import Overrides, load, loads
+from mechsheet.description.templates import template_text
 from mechsheet.kinematics.solve import solve
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
@@ -74,7 +75,7 @@ def test_pump_table_with_true_pi(column, s1):
 def test_pump_table_with_the_texts_pi(column, s1):
     """The text's pi enters the conversion to radians and AçıCos; the latter is a right angle B-B0-slot that much short."""
     published = table("adjustable-pump")
-    text = (TEMPLATES / "adjustable-pump.toml").read_text(encoding="utf-8")
+    text = template_text("adjustable-pump")
     right_angle = 'B = [0, "a4"]'
     assert right_angle in text
     cut = text.replace(right_angle, f'B = {{ r = "a4", angle = "{CUT_PI}/2" }}')

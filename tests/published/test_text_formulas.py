@@ -5,11 +5,10 @@ import zipfile
 
 import openpyxl
 import pytest
-from click.testing import CliRunner
 from printed_numbers import TEMPLATES
 
 import mechsheet
-from mechsheet.cli import main
+from command_line import run
 from mechsheet.description import load
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
@@ -46,10 +45,10 @@ def test_the_texts_formulas_give_the_angles_of_the_workbook(pasted):
 
 
 def test_that_they_are_the_texts_is_said(pasted):
-    result = CliRunner().invoke(main, ["recalc", str(pasted), "--strict", "--print", "Ders!B1"])
+    result = run("recalc", pasted, "--strict", "--print", "Ders!B1")
     assert result.exit_code == 0, result.output
     assert "DörtÇubuk, KolKızak: computed as the textbook's functions" in result.stderr
-    result = CliRunner().invoke(main, ["check", str(pasted)])
+    result = run("check", pasted)
     assert "DörtÇubuk, KolKızak: computed as the textbook's functions" in result.stdout
 
 

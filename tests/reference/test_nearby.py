@@ -1,14 +1,11 @@
 """Positions near known ones, with other dimensions: those that a solution from the start finds."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
+from folders import TEMPLATES
 from mechsheet import reference
 from mechsheet.description import load
-
-TEMPLATES = Path(__file__).parents[2] / "templates"
 
 
 @pytest.mark.parametrize(

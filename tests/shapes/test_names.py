@@ -1,12 +1,12 @@
 """Names stand where there is room: by the true size of their letters, over no line, ring or other name."""
 
 from itertools import combinations
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from chosen import some
+from folders import TEMPLATE_FILES
 from loaded_mechanisms import LAMP, SUSPENSION, of_kind
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
@@ -14,7 +14,6 @@ from mechsheet.shapes.loads import VECTORS
 from mechsheet.shapes.names import POINTS
 from mechsheet.shapes.positions import Positions, Stroke, there
 
-TEMPLATES = sorted((Path(__file__).parents[2] / "templates").glob("*.toml"))
 POSITIONS = 6
 
 
@@ -64,7 +63,7 @@ def rows_of(compiled):
     return closed[np.linspace(0, len(closed) - 1, min(POSITIONS, len(closed))).astype(int)].tolist()
 
 
-@pytest.mark.parametrize("path", some(TEMPLATES, 3), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", some(TEMPLATE_FILES, 3), ids=lambda path: path.stem)
 def test_names_of_templates(path):
     compiled = Compiled(load(path))
     found = Positions(compiled)
@@ -82,14 +81,14 @@ def test_names_beside_springs_and_arrows(text):
 
 @pytest.mark.parametrize("name", ["four-bar-forces", "engine"])
 def test_names_beside_all_arrows(name):
-    compiled = Compiled(load(next(path for path in TEMPLATES if path.stem == name)))
+    compiled = Compiled(load(next(path for path in TEMPLATE_FILES if path.stem == name)))
     found = Positions(compiled, VECTORS)
     for row in rows_of(compiled):
         judge(found, row)
 
 
 def test_every_point_is_named():
-    for path in TEMPLATES[::5]:
+    for path in TEMPLATE_FILES[::5]:
         compiled = Compiled(load(path))
         scene = Positions(compiled).at(int(np.flatnonzero(compiled.closed)[0]))
         marked = {item.name for item in of_kind(scene, "pin", "point")}

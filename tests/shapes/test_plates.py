@@ -1,19 +1,16 @@
 """Plates: rings fill what their outline encloses, and keep names off it."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 from chosen import some
+from folders import TEMPLATE_FILES
 from mechsheet.compiled import Compiled
 from mechsheet.description import load
 from mechsheet.shapes.forms import BORDER, PLATE
 from mechsheet.shapes.names import POINTS
 from mechsheet.shapes.plates import rings, rings_needed
 from mechsheet.shapes.positions import Positions, Stroke, layers_of, there
-
-TEMPLATES = sorted((Path(__file__).parents[2] / "templates").glob("*.toml"))
 
 OUTLINES = {
     "triangle": [(0, 0), (100, 0), (30, 80)],
@@ -61,7 +58,7 @@ def test_corners_on_a_line_need_none():
 
 
 def test_a_plate_is_its_border_and_on_it_its_inside():
-    scene = Positions(Compiled(load(TEMPLATES[0].parent / "four-bar.toml"))).at(3)
+    scene = Positions(Compiled(load(TEMPLATE_FILES[0].parent / "four-bar.toml"))).at(3)
     plates = [item for item in scene.items if item.kind == "link"]
     assert len(plates) == 3
     for plate in plates:
@@ -74,7 +71,7 @@ def test_a_plate_is_its_border_and_on_it_its_inside():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("path", some(TEMPLATES, 5), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", some(TEMPLATE_FILES, 5), ids=lambda path: path.stem)
 def test_no_name_stands_on_a_plate(path):
     """The middle of a name, in a few positions; what has no more room anywhere is counted, and is the exception."""
     found = Positions(Compiled(load(path)))

@@ -8,18 +8,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cache
-from pathlib import Path
 
+from folders import ROOT
 from livesheet.formula.nodes import Call, Node, children
 from livesheet.formula.printer import print_formula
 from livesheet.workbook import Fill, Sheet
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
+from mechsheet.description.templates import template_text
 from mechsheet.model import Mechanism
 from mechsheet.sheet.plan import Plan
 
-ROOT = Path(__file__).parents[2]
-TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
 PAGES = sorted(path.stem.removesuffix("-page") for path in (ROOT / "generated").glob("*-page.xlsx"))
 """Templates that are generated in both layouts."""
 
@@ -95,7 +94,7 @@ def compiled(name: str, layout: str = "sheets", references: str = "") -> Compile
 
 def many_rows(rows: int, references: str = "names") -> Mechanism:
     """The four-bar over a turn in so many rows."""
-    text = (ROOT / "templates" / "four-bar.toml").read_text(encoding="utf-8")
+    text = template_text("four-bar")
     step = f"step = {360 / (rows - 1)!r}"
     described = loads("\n".join(step if line.startswith("step") else line for line in text.splitlines()))
     return replace(described, references=references)

@@ -3,7 +3,6 @@
 from copy import copy
 from dataclasses import replace
 from functools import lru_cache
-from pathlib import Path
 
 from placed import places_of
 
@@ -14,13 +13,6 @@ from mechsheet.description import Overrides, loads
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import MEANING
-
-ROOT = Path(__file__).parents[2]
-TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
-
-
-def template_text(name):
-    return (ROOT / f"templates/{name}.toml").read_text(encoding="utf-8")
 
 
 @lru_cache(maxsize=24)

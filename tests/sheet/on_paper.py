@@ -14,13 +14,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from folders import TEMPLATES
 from livesheet.formats import write
 from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.description import Overrides, load
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.library.building import compile_workbook
-
-TEMPLATES = Path(__file__).parents[2] / "templates"
 
 HEIGHT_OF_SIZE = 1.3005
 """Of Liberation Sans, which stands in for Arial: how high poppler says a text is, for each point of its size (from widths

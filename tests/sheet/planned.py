@@ -2,9 +2,8 @@
 
 import re
 
-from laid import template_text
-
 from mechsheet.description import Overrides, loads
+from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.planning import plan_of
 

@@ -4,7 +4,8 @@ import importlib.util
 import sys
 
 import pytest
-from laid import ROOT
+
+from folders import ROOT
 
 pytest.importorskip("mpmath")
 

@@ -4,17 +4,10 @@ Cells and bytes in all are printed by `benchmarks/bench_budgets.py`, and held by
 """
 
 import pytest
-from budgets import (
-    A_PASS,
-    ELSEWHERE,
-    FOUR_BAR_COLUMNS,
-    IN_TABLE,
-    TEMPLATES,
-    compiled,
-    size_of,
-)
+from budgets import A_PASS, ELSEWHERE, FOUR_BAR_COLUMNS, IN_TABLE, compiled, size_of
 
 from chosen import some
+from folders import TEMPLATE_NAMES
 from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.sheet.table.positions import heading
 
@@ -25,7 +18,7 @@ def test_columns_of_a_four_bar(layout):
 
 
 @pytest.mark.cases(5)
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_other_sheets_have_few_columns_for_each_of_the_table(name):
     size = size_of(compiled(name))
     # what follows from the unknowns of Newton's method stands in its passes
@@ -45,7 +38,7 @@ def test_velocities_and_forces_of_a_four_bar_with_three_masses():
     assert (size.rates, size.forces) == (19 * rows, 35 * rows)
 
 
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_iterations(name):
     """Passes, unknowns and rows decide how large the sheet of Newton's method is; its start what leads to the group, too."""
     found = compiled(name)
@@ -57,14 +50,14 @@ def test_iterations(name):
 
 
 @pytest.mark.cases(5)
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_no_heading_stands_over_two_columns(name):
     plan = compiled(name).plan
     heads = [str(getattr(head, "plain", head)) for head in (heading(plan, column) for column in plan.columns)]
     assert len(set(heads)) == len(heads)
 
 
-FORMS = [(name, "names") for name in TEMPLATES] + [(name, "anchors") for name in some(TEMPLATES, 2)]
+FORMS = [(name, "names") for name in TEMPLATE_NAMES] + [(name, "anchors") for name in some(TEMPLATE_NAMES, 2)]
 """Pages: see page/test_page.py."""
 
 

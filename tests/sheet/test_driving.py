@@ -1,11 +1,11 @@
 """The driver between the rows, where the sheet looks for extremes: by one step, or in time by a motion law."""
 
 import pytest
-from laid import template_text
 from planned import planned
 
 from livesheet.formula.nodes import Number, Symbol, symbols, transform
 from livesheet.formula.scalar import evaluate
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.driving import driver_at
 
 SWEEP = "start = 0\nstop = 360\nstep = 15\n"

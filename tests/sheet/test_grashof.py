@@ -6,9 +6,9 @@ import re
 import numpy as np
 import pytest
 from both_layouts import Book
-from laid import template_text
 from placed import places_of
 
+from mechsheet.description.templates import template_text
 from mechsheet.studies.questions import turns_fully
 
 FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]

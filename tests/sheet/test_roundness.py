@@ -2,13 +2,13 @@
 
 import subprocess
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from placed import places_of
 
 from chosen import first
+from folders import ROOT
 from livesheet.formats import write
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
 from mechsheet.description import load
@@ -16,7 +16,6 @@ from mechsheet.library.building import compile_workbook
 
 pytestmark = pytest.mark.slow
 
-ROOT = Path(__file__).parents[2]
 INK = "FF00FF"
 TOLERANCE = 0.01
 RESOLUTION = 300

@@ -5,7 +5,8 @@ import re
 
 import pytest
 from both_layouts import Book
-from laid import template_text
+
+from mechsheet.description.templates import template_text
 
 FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
 

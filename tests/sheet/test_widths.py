@@ -4,11 +4,11 @@ import re
 from itertools import product
 
 import pytest
-from laid import template_text
 
 from livesheet.engine.texts.number_formats import formatted
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.table.positions import decimals_of_unit
 from mechsheet.units import Unit
 

@@ -13,6 +13,7 @@ import pytest
 from mechsheet import reference, template
 from mechsheet.description import Overrides, load, loads
 from mechsheet.description.driving.segments import LINKS
+from mechsheet.description.templates import template_text
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.points_in_link import number
@@ -50,7 +51,7 @@ def dims(name):
 
 
 def comment(name):
-    return (FOLDER / f"{name}.toml").read_text(encoding="utf-8").partition("format = 1")[0]
+    return template_text(name).partition("format = 1")[0]
 
 
 def where(name, symbol, take):
@@ -176,7 +177,7 @@ def test_roberts_passes_both_pivots_and_the_middle():
     assert np.max(np.abs(found["P.y"])) < 0.13
     crossing = np.interp(100, found["P.x"], found["P.y"])
     assert abs(crossing) < 2e-3
-    longer = loads((FOLDER / "roberts.toml").read_text(encoding="utf-8"), overrides=Overrides({"a2": "480"}))
+    longer = loads(template_text("roberts"), overrides=Overrides({"a2": "480"}))
     column = sweep(longer, solve(longer), driver_values(longer, dimension_values(longer)))
     assert np.max(np.abs(column["P.y"])) < 0.25 * np.max(np.abs(found["P.y"]))  # the longer the legs, the closer
 
@@ -385,7 +386,7 @@ def test_toggle_press_dwells_at_the_bottom():
     assert np.all(found["knee"] > 0)
     reach = math.hypot(300, 200 - 180) - 40
     assert f"{reach:.1f}"[:5] == "260.7" and dims("toggle-press")["a3"] < reach
-    longer = loads((FOLDER / "toggle-press.toml").read_text(encoding="utf-8"), overrides=Overrides({"a3": "265"}))
+    longer = loads(template_text("toggle-press"), overrides=Overrides({"a3": "265"}))
     ram = sweep(longer, solve(longer), np.radians(np.arange(-90.0, 91.0)))["s16"]
     bottoms = [i for i in range(1, len(ram) - 1) if ram[i] > ram[i - 1] and ram[i] >= ram[i + 1]]
     assert len(bottoms) == 2

@@ -5,12 +5,12 @@ import shutil
 import subprocess
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 import openpyxl
 import pytest
 
 from catalogues import FOLDER, messages, texts
+from folders import ROOT
 from livesheet.formula.nodes import Text, walk
 from livesheet.workbook import Rich
 from mechsheet.compiled import Compiled
@@ -21,7 +21,6 @@ from mechsheet.exporting import export
 from mechsheet.words import catalogue
 from mechsheet.words.messages import in_language
 
-ROOT = Path(__file__).parents[2]
 FORMS = 3
 """Plural forms of the language: for one thing, for few and for many, as Polish has them."""
 

@@ -9,16 +9,15 @@ import runpy
 import string
 from functools import cache
 from io import BytesIO
-from pathlib import Path
 
 import pytest
 from babel.messages.pofile import read_po
 
 from catalogues import FOLDER, added, forms, texts
+from folders import ROOT
 from mechsheet.words.catalogue import words
 from mechsheet.words.compiling import compiled
 
-ROOT = Path(__file__).parents[2]
 PATHS = sorted(FOLDER.glob("*.po"))
 ordered = runpy.run_path(str(ROOT / "tools" / "catalogues.py"))["ordered"]
 OTHERS = [path for path in PATHS if path.stem != "en"]

@@ -4,7 +4,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from edited import TEMPLATES, audited, edited, laid_out, saved, with_column
+from edited import audited, edited, laid_out, saved, with_column
 from placed import places_of
 
 from chosen import IN_CI, part
@@ -19,6 +19,7 @@ from mechsheet.checking.edited.formula_diff import alike
 from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.description import load
 from mechsheet.description.schema import TAKES
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.library.building import build
 from mechsheet.sheet.layout import DESCRIPTION_MARK
@@ -48,7 +49,7 @@ def test_nothing_was_edited(yoke, tmp_path, suffix):
 @pytest.mark.slow
 @pytest.mark.parametrize(("suffix", "references"), [("xlsx", "anchors"), ("ods", "names")])
 def test_nothing_was_edited_in_summaries_of_every_kind(tmp_path, suffix, references):
-    text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
+    text = template_text("four-bar")
     head, _, rest = text.partition("[summary]")
     lines = [f'{take}_of_it = {{ of = "mu", take = "{take}" }}' for take in TAKES]
     charts = rest[rest.index("[[charts]]") :].replace('references = "anchors"', f'references = "{references}"')
@@ -284,7 +285,7 @@ def test_a_file_saved_by_libreoffice_raises_no_false_alarm(tmp_path, source, tar
 @pytest.mark.slow
 def test_a_description_changed_by_hand(tmp_path):
     """The hidden sheet says a step of 10 degrees: 37 rows; the workbook has 73."""
-    text = (TEMPLATES / "scotch-yoke.toml").read_text(encoding="utf-8")
+    text = template_text("scotch-yoke")
     workbook, _ = laid_out("scotch-yoke")
     hidden = workbook.sheets[-1]
     other = text.replace("step = 5", "step = 10").split("\n")

@@ -4,7 +4,7 @@ import random
 from dataclasses import replace
 
 import pytest
-from edited import TEMPLATES, edited, laid_out, saved
+from edited import edited, laid_out, saved
 from placed import places_of
 
 from chosen import first
@@ -18,6 +18,7 @@ from mechsheet.checking.edited.expected import expected_for
 from mechsheet.checking.edited.pull import pull
 from mechsheet.checking.perturbation import drawn
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.layout import lay_out
@@ -32,7 +33,7 @@ def typed(workbook, path):
 
 
 def template(name):
-    return (TEMPLATES / f"{name}.toml").read_text(encoding="utf-8")
+    return template_text(name)
 
 
 def cells_of(plan, **values):

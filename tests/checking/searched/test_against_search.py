@@ -16,6 +16,7 @@ from mechsheet.checking import check
 from mechsheet.checking.searched.against_search import EXACT, against_search
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
+from mechsheet.description.templates import template_text
 from mechsheet.kinematics.search import Search
 from mechsheet.library.verdicts import verdicts_of
 
@@ -147,7 +148,7 @@ middle = { of = "theta14", take = "mean" }
 @pytest.mark.parametrize(("symbol", "by"), [("swing", 0.05), ("middle", 0.05), ("arc", 1e-5), (None, 0)])
 def test_a_wrong_summary_is_found(layout, symbol, by):
     """A number of the whole sweep, and what follows from it: that formula is held against the summaries shown."""
-    text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8").partition("[outputs]")[0] + OF_SUMMARIES
+    text = template_text("four-bar").partition("[outputs]")[0] + OF_SUMMARIES
     compiled = Compiled(replace(loads(text), layout=layout))
     values = compile_book(book_of(compiled.layout)).evaluate({})
     if symbol is not None:

@@ -4,7 +4,7 @@ import math
 from pathlib import Path
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 from test_summary_table import built, evaluated
 
 from livesheet.evaluation import book_of
@@ -13,6 +13,7 @@ from mechsheet.checking.searched.probed_cells import UNMOVED, Astray, Searched, 
 from mechsheet.checking.searched.summaries import Expected
 from mechsheet.compiled import Compiled
 from mechsheet.description import load
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.asked.two_way import FIRST
 from mechsheet.sheet.table.tolerance import lines_of

@@ -2,16 +2,15 @@
 
 import contextlib
 import random
-from pathlib import Path
 
 import pytest
 from asking_page import Drawing, pin, spot
 
 from chosen import part
+from folders import TEMPLATE_FILES
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.drawing_page.questions import Impossible, Refusal
 
-TEMPLATES = sorted((Path(__file__).parents[3] / "templates").glob("*.toml"))
 ORDERS = 8
 
 
@@ -53,7 +52,7 @@ def comments(text):
 @pytest.mark.parametrize("seed", part(range(60), 10))
 def test_any_orders(seed):
     chance = random.Random(seed)
-    begin = chance.choice(TEMPLATES).read_text(encoding="utf-8") if seed % 2 else None
+    begin = chance.choice(TEMPLATE_FILES).read_text(encoding="utf-8") if seed % 2 else None
     drawing = Drawing(begin)
     before = comments(drawing.text)
     for _ in range(ORDERS):

@@ -4,7 +4,7 @@ import random
 
 import pytest
 from drawn_trees import FIRST, ROWS, columns, numbers, numeric, plain, refs, same, values
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from asking import ours
@@ -72,7 +72,17 @@ def _parted(name, whole, first, last):
 trees = st.recursive(refs | refs | numbers, lambda below: numeric(below, refs) | lines(below), max_leaves=9)
 
 
+LINE = RangeRef(CellRef(FIRST - 1, 1, True, True), CellRef(FIRST + 6, 1, True, True))
+WHOLE_LINE = Call("INDEX", (LINE, CellRef(FIRST, 0)))
+"""A place of 0 is the whole line, of which a list of truths takes every cell."""
+
+
 @settings(max_examples=examples(300), deadline=None, report_multiple_bugs=False)
+@example(
+    [[0.0] * (ROWS + 2), [ErrorValue("#N/A"), *[0.0] * (ROWS + 1)], [0.0] * (ROWS + 2)], (1.0, 0.0), Number(1.0),
+    CellRef(FIRST, 0),
+    Call("AND", (Call("ISNUMBER", (WHOLE_LINE,)), CellRef(FIRST, 3))), FAST,
+)  # fmt: skip
 @given(
     st.lists(columns, min_size=3, max_size=3), st.tuples(plain, values), trees, trees, trees,
     st.sampled_from([FAST, PORTABLE]),

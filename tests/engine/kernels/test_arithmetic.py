@@ -1,11 +1,11 @@
 """Portable arithmetic: the engine computes what `portable` does, in every one of its ways, and nothing numpy would round."""
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 
+from folders import ROOT
 from livesheet import portable
 from livesheet.engine import PORTABLE, compile_book, evaluate
 from livesheet.evaluation import book_of
@@ -14,8 +14,6 @@ from livesheet.formula.nodes import Call, walk
 from livesheet.formula.parser import DESCRIPTION_FUNCTIONS, parse_formula
 from mechsheet.compiled.mechanism import compiled_of
 from mechsheet.description import Overrides, load
-
-ROOT = Path(__file__).parents[3]
 
 EXACT = frozenset(
     [
@@ -36,6 +34,7 @@ EXACT = frozenset(
         "INDEX",
         "INT",
         "ISFORMULA",
+        "ISNA",
         "ISNUMBER",
         "ISODD",
         "ISTEXT",

@@ -1,7 +1,6 @@
 """Rows of an .ods taken out before the parser: what is read is what the parser alone reads."""
 
 import re
-from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -10,9 +9,8 @@ from ods_files import content, table, write_ods
 from row_by_row import alone, everything, rows_taken, short_tables  # noqa: F401 (a fixture for all tests here)
 
 from chosen import examples
+from folders import ROOT
 from livesheet.formats.reading import package as package_module
-
-ROOT = Path(__file__).parents[3]
 
 FLOAT = 'office:value-type="float" office:value="{v}"'
 COLUMNS = [

@@ -10,11 +10,11 @@ import openpyxl
 import pytest
 import xlrd
 import xls_files as xls
-from click.testing import CliRunner
 from openpyxl.workbook.defined_name import DefinedName
 from openpyxl.worksheet.formula import ArrayFormula
 
 import mechsheet
+from command_line import run
 from livesheet.diagnostics import WorkbookError
 from livesheet.formats import read
 from livesheet.formats.xls.function_numbers import FUNCTION_NUMBERS
@@ -23,7 +23,6 @@ from livesheet.formula.nodes import Boolean, Call, ErrorValue, Foreign, NameRef,
 from livesheet.formula.parser import parse_formula
 from livesheet.formula.printer import print_formula
 from mechsheet.checking.programs import convert_with_libreoffice, libreoffice_command
-from mechsheet.cli import main
 
 libreoffice = [
     pytest.mark.libreoffice,
@@ -154,11 +153,11 @@ class TestPairs:
 @pytest.mark.skipif(libreoffice_command() is None, reason="LibreOffice is not installed")
 def test_commands_read_it(pairs, tmp_path):
     path = pairs["four-bar"][1]
-    run = CliRunner().invoke(main, ["check", str(path)])
+    run = run("check", path)
     assert run.exit_code == 0, run.output
-    run = CliRunner().invoke(main, ["recalc", str(path), "--set", "a2=30", "--print", "Mechanism!B8"])
+    run = run("recalc", path, "--set", "a2=30", "--print", "Mechanism!B8")
     assert (run.exit_code, run.stdout) == (0, "ok\n"), run.output
-    run = CliRunner().invoke(main, ["recalc", str(path), "-o", str(tmp_path / "new.xls")])
+    run = run("recalc", path, "-o", tmp_path / "new.xls")
     assert run.exit_code == 2
     assert "an .xls is read, not written" in run.output
     assert not list(tmp_path.iterdir())

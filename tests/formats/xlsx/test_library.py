@@ -18,9 +18,9 @@ from xlsxwriter.styles import Styles
 
 import mechsheet
 from chosen import IN_CI
+from folders import ROOT
 from livesheet.formats.xlsx import library
 
-ROOT = Path(__file__).parents[3]
 SOURCE = Path(mechsheet.__file__).parent.parent
 EXTENDED = [
     kind

@@ -1,7 +1,6 @@
 """Rows taken out before the parser: what is read is what the parser alone reads."""
 
 import re
-from pathlib import Path
 
 import pytest
 import xlsxwriter
@@ -11,11 +10,10 @@ from row_by_row import alone, everything, rows_taken, short_tables  # noqa: F401
 from xlsx_files import packed, parts_of
 
 from chosen import examples
+from folders import ROOT
 from livesheet.diagnostics import WorkbookError
 from livesheet.formats.reading import package as package_module
 from livesheet.formats.xlsx.read import read_xlsx
-
-ROOT = Path(__file__).parents[3]
 
 STRINGS = "<si><t>one</t></si><si><t>two &amp; three</t></si>"
 

@@ -6,13 +6,13 @@ import os
 import re
 import zipfile
 from dataclasses import replace
-from pathlib import Path
 
 import openpyxl
 import pytest
 from strict_xlsx import faults
 
 from chosen import ALL, part
+from folders import TEMPLATE_FILES
 from livesheet.evaluation import computed
 from livesheet.formats import write
 from livesheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, Unary
@@ -27,7 +27,6 @@ from random_mechanisms import Grower
 
 pytestmark = pytest.mark.slow
 
-TEMPLATES = sorted((Path(__file__).parents[3] / "templates").glob("*.toml"))
 RANDOM = int(os.environ.get("MECHSHEET_RANDOM", "12"))
 """How many random mechanisms a full run draws; 300 of them passed when the rules were written."""
 
@@ -47,7 +46,7 @@ def laid_out(mechanism):
 
 
 def template(name):
-    return next(path for path in TEMPLATES if path.stem == name)
+    return next(path for path in TEMPLATE_FILES if path.stem == name)
 
 
 def in_language(path, language):
@@ -56,7 +55,7 @@ def in_language(path, language):
 
 
 @pytest.mark.cases(2)
-@pytest.mark.parametrize("path", part(TEMPLATES, 10), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", part(TEMPLATE_FILES, 10), ids=lambda path: path.stem)
 def test_templates(path, tmp_path):
     for language in ("en", "tr") if ALL else ("tr",):
         assert faults(built(laid_out(in_language(path, language)), tmp_path / f"{language}.xlsx")) == []

@@ -8,11 +8,10 @@ import json
 
 import openpyxl
 import pytest
-from click.testing import CliRunner
 
 import mechsheet
+from command_line import printed
 from homework.handmade import STEPS, Table, four_bar
-from mechsheet.cli import main
 from mechsheet.description import loads
 from mechsheet.homework.classroom.exercise import fulfils, safe
 from mechsheet.homework.classroom.marks import lines_of
@@ -32,14 +31,8 @@ def week(tmp_path_factory):
     text = mechsheet.template("four-bar").text.replace("[workbook]", '[workbook]\nlayout = "page"')
     (folder / "four-bar.toml").write_text(text + EXERCISE, encoding="utf-8")
     (folder / "class.csv").write_text("id;name\n101;Ayşe\n102;<b>Bora</b>\n103;=1+1\n", encoding="utf-8")
-    run("exercise", folder / "four-bar.toml", folder / "class.csv", "-o", folder / "week")
+    printed("exercise", folder / "four-bar.toml", folder / "class.csv", "-o", folder / "week")
     return folder
-
-
-def run(*args, code=0):
-    result = CliRunner().invoke(main, [str(arg) for arg in args])
-    assert result.exit_code == code, result.output
-    return result.output
 
 
 def key_of(week):
@@ -75,7 +68,7 @@ def test_dimensions_come_from_seed_and_id_alone(week):
     assert len({tuple(one.values()) for one in drawn.values()}) == 3
     assert all(30 <= one["a2"] <= 38 and one["a2"] * 2 == int(one["a2"] * 2) for one in drawn.values())
     (week / "one.csv").write_text("id\n103\n", encoding="utf-8")
-    run("exercise", week / "four-bar.toml", week / "one.csv", "-o", week / "again")
+    printed("exercise", week / "four-bar.toml", week / "one.csv", "-o", week / "again")
     again = json.loads((week / "again" / "key.json").read_text(encoding="utf-8"))
     assert again["students"][0]["dimensions"] == drawn["103"]
 
@@ -87,7 +80,7 @@ def test_a_class_is_marked(week):
     filled(week, 0, handed / "101.xlsx")
     filled(week, 1, handed / "homework_102.xlsx", xA="{a2}*COS({fi})+1")
     pages = week / "pages"
-    run(
+    printed(
         "mark",
         handed,
         "--against",
@@ -111,7 +104,7 @@ def test_a_class_is_marked(week):
 def test_moodle_reads_the_grades(week, tmp_path):
     """By ID number; who has handed in nothing has no grade yet."""
     filled(week, 0, tmp_path / "101.xlsx")
-    run("mark", tmp_path / "101.xlsx", "--against", week / "week" / "key.json", "--moodle", tmp_path / "moodle.csv")
+    printed("mark", tmp_path / "101.xlsx", "--against", week / "week" / "key.json", "--moodle", tmp_path / "moodle.csv")
     text = (tmp_path / "moodle.csv").read_text(encoding="utf-8")
     head, first, second, third = csv.reader(io.StringIO(text))
     title = mechsheet.template("four-bar", language="en").title.of("en")
@@ -199,7 +192,7 @@ WRONG = {
 @pytest.mark.parametrize("lines", WRONG)
 def test_what_is_wrong_with_an_exercise_is_told_with_its_line(week, tmp_path, lines):
     (tmp_path / "m.toml").write_text(mechsheet.template("four-bar").text + f"\n[exercise]\n{lines}\n", encoding="utf-8")
-    output = run("exercise", tmp_path / "m.toml", week / "class.csv", "-o", tmp_path / "out", code=2)
+    output = printed("exercise", tmp_path / "m.toml", week / "class.csv", "-o", tmp_path / "out", code=2)
     assert WRONG[lines] in output
     assert "m.toml:" in output
     assert not (tmp_path / "out").exists()
@@ -207,11 +200,11 @@ def test_what_is_wrong_with_an_exercise_is_told_with_its_line(week, tmp_path, li
 
 def test_what_is_wrong_with_a_class_is_told_all_at_once(week, tmp_path):
     (tmp_path / "class.csv").write_text("id,name\n1,a\n,b\n1,c\n", encoding="utf-8")
-    output = run("exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "out", code=2)
+    output = printed("exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "out", code=2)
     assert "class.csv:3: a line without an id" in output
     assert "class.csv:4: 1: the same id as line 2" in output
     (tmp_path / "class.csv").write_text("number,name\n1,a\n", encoding="utf-8")
-    assert 'no column is called "id"' in run(
+    assert 'no column is called "id"' in printed(
         "exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "out", code=2
     )
 
@@ -223,12 +216,12 @@ def test_description_list_and_folder_are_told_at_once(tmp_path):
     (tmp_path / "class.csv").write_text("id\n1\n1\n", encoding="utf-8")
     (tmp_path / "out").write_text("a file", encoding="utf-8")
     command = ("exercise", tmp_path / "m.toml", tmp_path / "class.csv", "-o", tmp_path / "out")
-    output = run(*command, code=2)
+    output = printed(*command, code=2)
     for text in ("theta31", "gamma3", '"a9"', "class.csv:3: 1: the same id as line 2"):
         assert text in output
     need = 'vary = { a2 = [30, 31, 1] }\nneed = "mu_min > 80"'
     (tmp_path / "m.toml").write_text(f"{mechsheet.template('four-bar').text}\n[exercise]\n{need}\n", encoding="utf-8")
-    output = run(*command, code=2)
+    output = printed(*command, code=2)
     for text in (
         "m.toml:",
         "no draw of 1000 meets it",
@@ -243,7 +236,7 @@ def test_description_list_and_folder_are_told_at_once(tmp_path):
 def test_a_long_id_in_a_cell_and_a_file_that_cannot_be_read_are_the_students(week, tmp_path):
     """A number of eight digits is no 2.02112e+07; a lost file is a line of its student's, not nobody's."""
     (tmp_path / "class.csv").write_text("id\n20211234\n20215678\n", encoding="utf-8")
-    run("exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "week")
+    printed("exercise", week / "four-bar.toml", tmp_path / "class.csv", "-o", tmp_path / "week")
     handed = tmp_path / "handed"
     handed.mkdir()
     filled(tmp_path, 0, handed / "mine.xlsx")
@@ -287,12 +280,12 @@ def test_an_exercise_in_which_nothing_varies_says_so(tmp_path):
     text = mechsheet.template("four-bar").text
     (tmp_path / "m.toml").write_text(text, encoding="utf-8")
     (tmp_path / "class.csv").write_text("id\n1\n2\n", encoding="utf-8")
-    output = run("exercise", tmp_path / "m.toml", tmp_path / "class.csv", "-o", tmp_path / "same")
+    output = printed("exercise", tmp_path / "m.toml", tmp_path / "class.csv", "-o", tmp_path / "same")
     (note,) = [line for line in output.splitlines() if "everybody has the same dimensions" in line]
     line = note[note.index("vary") :]
     assert line == "vary = { a1 = [66.5, 73.5, 0.5], a2 = [33, 37, 0.5], a3 = [59, 65.5, 0.5], a4 = [53, 59, 0.5] }"
     (tmp_path / "m.toml").write_text(f"{text}\n[exercise]\n{line}\n", encoding="utf-8")
-    output = run("exercise", tmp_path / "m.toml", tmp_path / "class.csv", "-o", tmp_path / "other")
+    output = printed("exercise", tmp_path / "m.toml", tmp_path / "class.csv", "-o", tmp_path / "other")
     assert "everybody" not in output
     key = json.loads((tmp_path / "other" / "key.json").read_text(encoding="utf-8"))
     assert key["students"][0]["dimensions"] != key["students"][1]["dimensions"]

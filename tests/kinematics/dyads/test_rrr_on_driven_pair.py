@@ -1,11 +1,11 @@
 """A joint between two moving links that is driven inside a loop that moves: solved as a triangle in a moving frame."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
+from folders import TEMPLATES
 from judging import judged
 from mechsheet import reference
 from mechsheet.description import load, loads
@@ -16,8 +16,6 @@ from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.library import linkage
 from within_cases import LOADER, loader
-
-TEMPLATES = Path(__file__).parents[3] / "templates"
 
 
 @pytest.mark.slow

@@ -2,16 +2,17 @@
 
 import math
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
+from folders import TEMPLATES
 from judging import judged
 from livesheet.formula.derivatives import derivative
 from livesheet.formula.nodes import Symbol, symbols, transform
 from mechsheet import reference
 from mechsheet.description import load, loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
@@ -22,8 +23,6 @@ from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import Sketch
 from random_mechanisms import Grower
-
-TEMPLATES = Path(__file__).parents[3] / "templates"
 
 
 def swept(mechanism, equations=None):
@@ -77,7 +76,7 @@ def assemblies_of(leg):
 
 def test_a_square_platform_has_the_two_positions_of_the_text():
     """All legs sqrt5: the platform stands at -45 degrees on (1, 2), at 45 degrees on (2, 1)."""
-    text = (TEMPLATES / "planar-3rpr.toml").read_text(encoding="utf-8")
+    text = template_text("planar-3rpr")
     five = '{ formula = "sqrt(5)" }'
     for name, new in (("p1", five), ("p3", five), ("L2", '{ formula = "sqrt(2)" }'), ("L3", '{ formula = "sqrt(2)" }'),
                       ("x1", "4"), ("y2", "4"), ("gamma", '{ value = 90, unit = "deg" }')):  # fmt: skip

@@ -2,15 +2,16 @@
 
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from chosen import ALL, CAMS, IN_CI, ITERATED, LISTED, but, some
+from folders import TEMPLATE_FILES
 from in_line import IN_LINE
 from mechsheet import reference
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.dynamics import solve as dynamics
 from mechsheet.kinematics.dimensions import dimension_values
@@ -23,7 +24,6 @@ from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import Solution, rate_symbols
 from random_mechanisms import Grower
 
-TEMPLATES = sorted((Path(__file__).parents[3] / "templates").glob("*.toml"))
 SPEED, ACCELERATION = 2.5, -1.7
 
 FOUR_BAR = """
@@ -126,7 +126,9 @@ BEHIND = ("double-parallelogram",)
 """Turned a whole turn its third arm follows a linkage near its change point: what is lost there counts twice."""
 
 
-@pytest.mark.parametrize("template", some(but(TEMPLATES, *LISTED, *ITERATED, *BEHIND), 4), ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "template", some(but(TEMPLATE_FILES, *LISTED, *ITERATED, *BEHIND), 4), ids=lambda path: path.stem
+)
 def test_templates_against_the_reference(template):
     worst, compared = worst_of(moving(template.read_text(encoding="utf-8")))
     assert compared > 0
@@ -137,7 +139,7 @@ def test_templates_against_the_reference(template):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ITERATED)
 def test_groups_without_dyads_against_the_reference(name):
-    worst, compared = worst_of(moving((TEMPLATES[0].parent / f"{name}.toml").read_text(encoding="utf-8")))
+    worst, compared = worst_of(moving(template_text(name)))
     assert compared > 100
     assert worst < 1e-12
 
@@ -154,7 +156,7 @@ def test_random_groups_without_dyads_against_the_reference(kind, seed):
 @pytest.mark.parametrize("name", ["slider-crank", "inverted-slider-crank", "scotch-yoke"])
 def test_slides_in_groups_without_dyads_against_the_reference(name):
     """Dyads solved as such groups are: what a slide asks of the rates is another equation than what a pin asks."""
-    mechanism = loads(moving((TEMPLATES[0].parent / f"{name}.toml").read_text(encoding="utf-8")))
+    mechanism = loads(moving(template_text(name)))
     nothing_else = {"outputs": (), "summaries": (), "charts": (), "tables": ()}
     worst, compared = worst_of(replace(mechanism, solution=Solution(force=True), **nothing_else))
     assert compared > 100
@@ -189,7 +191,7 @@ def test_in_line_slider_crank_by_its_closed_form():
 
 
 def test_scotch_yoke_swings_as_a_cosine():
-    text = (TEMPLATES[0].parent / "scotch-yoke.toml").read_text(encoding="utf-8")
+    text = template_text("scotch-yoke")
     mechanism, _, theta, values = solved(moving(text))
     slide = next(joint.symbol for joint in mechanism.joints if joint.on == mechanism.ground.name)
     amplitude = np.ptp(values[slide]) / 2
@@ -209,7 +211,7 @@ def test_parallelogram_turns_its_rocker_as_its_crank():
 
 
 def test_oldham_coupling_hands_the_speed_on():
-    text = (TEMPLATES[0].parent / "oldham.toml").read_text(encoding="utf-8")
+    text = template_text("oldham")
     text += '\n[outputs.ratio]\nformula = "omega14/omega12"\nunit = "1"\n'
     _, _, theta, values = solved(moving(text))
     assert values["omega14"] == pytest.approx(np.full_like(theta, SPEED), rel=1e-14)
@@ -332,7 +334,9 @@ def worst_by_differences(text):
     return worst, compared
 
 
-@pytest.mark.parametrize("template", some(but(TEMPLATES, *ITERATED, *LISTED, *CAMS), 3), ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "template", some(but(TEMPLATE_FILES, *ITERATED, *LISTED, *CAMS), 3), ids=lambda path: path.stem
+)
 def test_templates_against_differences(template):
     worst, compared = worst_by_differences(moving(template.read_text(encoding="utf-8")))
     assert compared > 0
@@ -357,7 +361,7 @@ def test_random_mechanisms_against_differences():
 
 def test_a_list_of_values_says_nothing_of_a_speed():
     """Static forces are found by virtual work as well, which needs to know how every driver moves with the first."""
-    robot = (TEMPLATES[0].parent / "five-bar-robot.toml").read_text(encoding="utf-8")
+    robot = template_text("five-bar-robot")
     mechanism = loads(f'{robot}\n[[loads]]\nlink = "left"\ntorque = 1\n')
     with pytest.raises(MechsheetError, match=r"theta15. is a list of values"):
         dynamics.solve(mechanism)

@@ -4,13 +4,12 @@ Variables and points: the reference, which has them from the constraints on link
 differences over eight points around each position, with weights that are exact for polynomials of degree eight.
 """
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from closure_rates import PRIME, rates_over
 
 from chosen import ALL, CAMS, ITERATED, LISTED, but, some
+from folders import TEMPLATE_FILES
 from mechsheet import reference
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import MechsheetError
@@ -21,7 +20,6 @@ from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from random_mechanisms import Grower, compared
 
-TEMPLATES = sorted((Path(__file__).parents[3] / "templates").glob("*.toml"))
 ONCE = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 0, 4 / 5, -1 / 5, 4 / 105, -1 / 280])
 TWICE = np.array([-1 / 560, 8 / 315, -1 / 5, 8 / 5, -205 / 72, 8 / 5, -1 / 5, 8 / 315, -1 / 560])
 STEP = 2e-3
@@ -58,7 +56,7 @@ def worst_against_reference(mechanism):
 
 
 @pytest.mark.cases(8)
-@pytest.mark.parametrize("template", but(TEMPLATES, *ITERATED, *LISTED), ids=lambda path: path.stem)
+@pytest.mark.parametrize("template", but(TEMPLATE_FILES, *ITERATED, *LISTED), ids=lambda path: path.stem)
 def test_templates_against_the_reference(template):
     worst, count = worst_against_reference(load(template))
     assert count > 0
@@ -126,7 +124,7 @@ BESIDE = ("excavator",)
 
 
 @pytest.mark.parametrize(
-    "template", some(but(TEMPLATES, *ITERATED, *LISTED, *BESIDE, *CAMS), 5), ids=lambda path: path.stem
+    "template", some(but(TEMPLATE_FILES, *ITERATED, *LISTED, *BESIDE, *CAMS), 5), ids=lambda path: path.stem
 )
 def test_templates_against_differences(template):
     assert assert_agree(load(template)) > 0

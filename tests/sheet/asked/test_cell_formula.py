@@ -3,9 +3,9 @@
 import math
 
 import pytest
-from laid import template_text
 from planned import planned
 
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.asked.cell_formula import Blocks, CellFormula
 from mechsheet.sheet.checks.extremes import Extremes
 

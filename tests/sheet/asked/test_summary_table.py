@@ -1,7 +1,6 @@
 """Two-way tables of summaries: each cell is what a search finds with its two inputs, whatever is typed into the sheet."""
 
 from functools import cache
-from pathlib import Path
 
 import pytest
 from placed import places_of
@@ -17,7 +16,6 @@ from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW
 
 pytestmark = pytest.mark.slow
 
-ROOT = Path(__file__).parents[3]
 
 LINKAGE = """
 format = 1

@@ -2,17 +2,18 @@
 
 import csv
 import tomllib
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from chosen import part
+from folders import ROOT
 from judging import positions_only
 from livesheet.evaluation import computed
 from livesheet.formula.nodes import CellRef, ErrorValue, shifted, walk
 from livesheet.formula.printer import print_formula
 from mechsheet.description import Overrides, loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.library.building import compile_workbook
@@ -23,12 +24,11 @@ from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW
 
 pytestmark = pytest.mark.slow
 
-ROOT = Path(__file__).parents[3]
 CASES = tomllib.loads((ROOT / "tests/cases/tables.toml").read_text(encoding="utf-8"))["case"]
 
 
 def template(name, **overrides):
-    return loads((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8"), overrides=Overrides(overrides))
+    return loads(template_text(name), overrides=Overrides(overrides))
 
 
 def blocks(sheet, plan, count):
@@ -78,7 +78,7 @@ def test_mixed_anchors():
 )
 def test_equals_positions(case):
     """Column for column what the table of positions shows when the dimension has that value, #N/A included."""
-    text = (ROOT / f"templates/{case['template']}.toml").read_text(encoding="utf-8").partition("[[tables]]")[0]
+    text = template_text(case["template"]).partition("[[tables]]")[0]
     if "outputs" in case:
         text += f"\n[outputs.{case['value']}]\n{case['outputs']}\n"
     driver = loads(text).driver.symbol
@@ -107,7 +107,7 @@ def test_equals_positions(case):
 
 def test_anchors_and_names_of_sheets():
     """`references = "anchors"`, expressions in the head row, two tables of the same value, a sheet of each."""
-    text = (ROOT / "templates/slider-crank.toml").read_text(encoding="utf-8")
+    text = template_text("slider-crank")
     head, _, workbook_part = text.partition("[workbook]")
     assert "references" not in workbook_part
     table = '[[tables]]\nrows = "theta12"\ncolumns = { a1 = [0, "a2/2"] }\nvalue = "s14"\n'
@@ -132,7 +132,7 @@ TURNING = [
 @pytest.mark.parametrize(("name", "value", "column", "values"), part(TURNING, 2))
 def test_angles_do_not_jump(name, value, column, values, language):
     """Down a column an angle goes on as the link does: as the reference has it, whole turns of the column aside."""
-    text = (ROOT / f"templates/{name}.toml").read_text(encoding="utf-8").partition("[[tables]]")[0]
+    text = template_text(name).partition("[[tables]]")[0]
     text = text.partition("[[charts]]")[0].partition("[workbook]")[0]
     request = f'[[tables]]\nrows = "theta12"\ncolumns = {{ {column} = {values} }}\nvalue = "{value}"\n'
     workbook, plan = compile_workbook(loads(text + request, overrides=Overrides(language=language)))

@@ -3,11 +3,12 @@
 import json
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 import mechsheet
 from livesheet.formula.nodes import ErrorValue
 from mechsheet.description import Overrides, loads
+from mechsheet.description.templates import template_text
 from mechsheet.library.show import overview_text
 from mechsheet.library.verdicts import verdicts_json
 from mechsheet.sheet.checks.boundless import may_grow

@@ -3,14 +3,16 @@
 from dataclasses import replace
 
 import pytest
-from laid import ROOT, TEMPLATES, Laid, template_text
+from laid import Laid
 from placed import places_of
 
 from chosen import some
+from folders import ROOT, TEMPLATE_NAMES
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from livesheet.formula.nodes import Binary, Call, Number, RangeRef, transform
 from livesheet.workbook import Cell
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.checks.checks import Checks
 
 pytestmark = pytest.mark.slow
@@ -28,7 +30,7 @@ def columns(laid, kind):
 
 
 @pytest.mark.cases(1)
-@pytest.mark.parametrize("name", some(TEMPLATES, 2))
+@pytest.mark.parametrize("name", some(TEMPLATE_NAMES, 2))
 def test_rounding_only(name):
     """Gaps are rounding errors, nothing leaps, no cell has been typed over, and every row has been measured."""
     laid = Laid(template_text(name))

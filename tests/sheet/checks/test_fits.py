@@ -1,8 +1,9 @@
 """What rests while its cam turns fits, too: a number in every row, and no rounding over rounding."""
 
 import numpy as np
-from laid import Laid, template_text
+from laid import Laid
 
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.checks.checks import Checks
 
 

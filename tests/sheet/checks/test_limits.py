@@ -3,9 +3,10 @@
 import math
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 from placed import places_of
 
+from mechsheet.description.templates import template_text
 from parallel_slides import COTANGENT
 
 FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]

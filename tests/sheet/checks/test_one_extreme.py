@@ -3,8 +3,9 @@
 import math
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.checks.search_rules import PROBES
 from mechsheet.sheet.checks.search_table import KNOWN, PLACE_COL
 

@@ -1,9 +1,9 @@
 """An output that is the transmission angle under another name has its extremes; one that only looks like it has not."""
 
 import pytest
-from laid import template_text
 from planned import planned
 
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.checks.same_angle import same_angle
 
 OUTPUTS = """

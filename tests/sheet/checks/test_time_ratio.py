@@ -4,7 +4,9 @@ import math
 import re
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
+
+from mechsheet.description.templates import template_text
 
 FOUR_BAR = template_text("four-bar").partition("[[charts]]")[0]
 INVERTED = template_text("inverted-slider-crank").replace("step = 5", "step = 15")

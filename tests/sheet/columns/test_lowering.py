@@ -7,7 +7,7 @@ import mpmath
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from laid import Laid, template_text
+from laid import Laid
 
 from chosen import examples
 from livesheet.engine import evaluate
@@ -15,6 +15,7 @@ from livesheet.formula.algebra import rooted
 from livesheet.formula.book import BookBuilder
 from livesheet.formula.nodes import Call, CellRef, ErrorValue, Symbol, walk
 from livesheet.formula.printer import print_formula
+from mechsheet.description.templates import template_text
 from mechsheet.kinematics.solve import solve
 from mechsheet.sheet.columns.lowering import angle_by_sides, lowered, sine_side
 

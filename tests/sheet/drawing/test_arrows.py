@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 from in_line import IN_LINE
 from livesheet.formula.nodes import ErrorValue
 from mechsheet import loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.plotting.sampling import sample
 from mechsheet.plotting.scenes import Stage

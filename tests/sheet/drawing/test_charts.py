@@ -4,21 +4,19 @@ import math
 import re
 from copy import copy
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from chosen import some
+from folders import TEMPLATE_NAMES
 from livesheet.formats.house_style import MARGIN_END
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.drawing.charts import COLUMN_WIDTH, ROW_HEIGHT, chart_requests, driver_axis, value_axis
 from mechsheet.sheet.first.mechanism import CHARTS
 from mechsheet.sheet.layout import lay_out
-
-ROOT = Path(__file__).parents[3]
-TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
 
 SLIDER_CRANK = """
 format = 1
@@ -64,7 +62,7 @@ def laid(text):
 
 
 def template(name):
-    return laid((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8"))
+    return laid(template_text(name))
 
 
 def test_charts_that_suit_any_mechanism():
@@ -107,7 +105,7 @@ def charts(text):
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_dwell_far_from_0_fills_its_chart(sign):
     """The output of the six-link is between 71 and 99 degrees: on an axis from 0 its dwell would be a line among lines."""
-    text = (ROOT / "templates/six-link-dwell.toml").read_text(encoding="utf-8")
+    text = template_text("six-link-dwell")
     chart = charts(text)["Output with a dwell from 200 to 260 degrees"]
     assert (chart.y_axis.low, chart.y_axis.high) == (50.0, None)
     text = SLIDER_CRANK.replace('"a2*s14"', f'"{sign}*a2*(a3 + s14/8)"')  # from 13,750 to 14,375
@@ -117,7 +115,7 @@ def test_a_dwell_far_from_0_fills_its_chart(sign):
 
 def test_numbers_of_many_digits_leave_the_curve_its_room():
     """The jerk of a cam's follower goes up to 5E+7 mm/s³: eight digits beside the axis would push the curve aside."""
-    text = (ROOT / "templates/cam-slide.toml").read_text(encoding="utf-8")
+    text = template_text("cam-slide")
     formats = {title: chart.y_axis.number_format for title, chart in charts(text).items() if chart.y_axis.visible}
     assert formats["j_s against φ"] == "0.0E+0;-0.0E+0;0"
     assert {form for title, form in formats.items() if not title.startswith("j_s")} == {"General"}
@@ -151,7 +149,7 @@ def test_steps_of_the_driver(start, stop, low, high, step):
 
 
 @pytest.mark.cases(5)
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_every_curve_has_its_marker(name):
     """One point from single cells for each curve, in its colour; curves read whole columns of the table of positions."""
     workbook, plan = template(name)
@@ -170,7 +168,7 @@ def test_every_curve_has_its_marker(name):
 
 
 @pytest.mark.cases(12)
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_charts_do_not_overlap(name):
     """On the grid by which they are placed; the drawing first, under the scroll bar, everything else right of the blocks."""
     workbook, _ = template(name)
@@ -191,7 +189,7 @@ def test_charts_do_not_overlap(name):
         assert row in heights  # not left to a program, else charts run into each other
 
 
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_true_scale(name):
     """Drawing and paths: square frame, square plot area, the same fixed axes, hidden."""
     workbook, _ = template(name)
@@ -269,10 +267,10 @@ def test_a_balanced_torque_is_a_line_at_zero():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", some(TEMPLATES, 6))
+@pytest.mark.parametrize("name", some(TEMPLATE_NAMES, 6))
 def test_no_chart_shows_what_is_the_same_in_every_row(name):
     """Of the charts that nobody has asked for; but rounding that is a line at 0."""
-    _, plan = laid(without_charts((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8")))
+    _, plan = laid(without_charts(template_text(name)))
     for request in chart_requests(plan):
         columns = [plan.nominal[symbol] for symbol in request.y if symbol in plan.nominal]
         there = [column[np.isfinite(column)] for column in columns]

@@ -2,13 +2,13 @@
 
 import math
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
 from placed import places_of
 
 from chosen import IN_CI, LOADED, but, some
+from folders import TEMPLATE_NAMES
 from livesheet.engine import Live, compile_book
 from livesheet.engine.layout import Area
 from livesheet.engine.results import Values
@@ -16,6 +16,7 @@ from livesheet.evaluation import book_of
 from livesheet.formula.nodes import CellRef, ErrorValue
 from mechsheet import reference
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.shapes.forms import PLATE
 from mechsheet.sheet.drawing.charts import chart_requests
@@ -24,9 +25,7 @@ from mechsheet.sheet.drawing.frames import SAMPLES
 from mechsheet.sheet.layout import lay_out
 from mechsheet.sheet.plan import STATUS
 
-ROOT = Path(__file__).parents[3]
-TEMPLATES = sorted(path.stem for path in (ROOT / "templates").glob("*.toml"))
-FOUR_BAR = (ROOT / "templates/four-bar.toml").read_text(encoding="utf-8")
+FOUR_BAR = template_text("four-bar")
 
 
 class Laid:
@@ -68,12 +67,12 @@ class Laid:
 
 @cache
 def template(name):
-    return Laid((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8"))
+    return Laid(template_text(name))
 
 
 @pytest.mark.cases(1)
 @pytest.mark.slow
-@pytest.mark.parametrize("name", some(TEMPLATES, 0, every=13))
+@pytest.mark.parametrize("name", some(TEMPLATE_NAMES, 0, every=13))
 def test_points_are_the_references(name):
     laid = template(name)
     truth = reference.solve(laid.mechanism)
@@ -86,7 +85,7 @@ def test_points_are_the_references(name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", some(but(TEMPLATES, *LOADED), 1, every=13))
+@pytest.mark.parametrize("name", some(but(TEMPLATE_NAMES, *LOADED), 1, every=13))
 def test_everything_lies_in_the_window(name):
     """Points, blocks, supports and names at every fourth position (twelfth outside CI); slots may be cut by the edge,
     and arrows of forces."""
@@ -237,7 +236,7 @@ def test_thinned_paths_end_with_the_last_row():
 
 @pytest.mark.parametrize("name", ["four-bar", "slider-crank"])
 def test_rings_are_the_pins_and_dots_the_other_points_that_move(name):
-    mechanism = loads((ROOT / f"templates/{name}.toml").read_text(encoding="utf-8"))
+    mechanism = loads(template_text(name))
     workbook, _ = lay_out(mechanism, solve(mechanism))
     (drawn,) = (chart for chart in workbook.sheets[0].charts if any(series.marker_size == 9 for series in chart.series))
     rings, dots = (

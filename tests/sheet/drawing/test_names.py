@@ -1,18 +1,18 @@
 """Names in the workbook's drawing: none lies on another, a link, an arrow or a ring, in 25 positions of the motion."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 from drawn import Drawn
 
 from chosen import some
+from folders import TEMPLATE_FILES
 from loaded_mechanisms import LAMP, SUSPENSION
+from mechsheet.description.templates import template_text
 
 pytestmark = pytest.mark.slow
 
-TEMPLATES = sorted((Path(__file__).parents[3] / "templates").glob("*.toml"))
 POSITIONS = 25
 
 
@@ -24,7 +24,7 @@ def rows_of(drawn):
 
 
 @pytest.mark.cases(1)
-@pytest.mark.parametrize("path", some(TEMPLATES, 2), ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", some(TEMPLATE_FILES, 2), ids=lambda path: path.stem)
 def test_names_of_templates(path):
     drawn = Drawn(path.read_text(encoding="utf-8"))
     assert {row: found for row in rows_of(drawn) if (found := list(drawn.conflicts(row)))} == {}
@@ -40,7 +40,7 @@ def test_names_beside_springs_and_loads(text, layout):
 
 def test_a_point_that_is_there_keeps_its_name_where_nothing_closes():
     """With a crank of 90 the four-bar does not close at 180 degrees: the crank's pin is there, and named."""
-    drawn = Drawn((TEMPLATES[0].parent / "four-bar.toml").read_text(encoding="utf-8"), values={"a2": "90"})
+    drawn = Drawn(template_text("four-bar"), values={"a2": "90"})
     row = int(np.flatnonzero(~drawn.compiled.closed)[0])
     named = {words: points[0] for series, points, words in drawn.at(row) if series.show_name}
     assert all(map(math.isfinite, named["A"])) and all(map(math.isfinite, named["B₀"]))

@@ -2,7 +2,9 @@
 
 import numpy as np
 import pytest
-from laid import Laid, template_text
+from laid import Laid
+
+from mechsheet.description.templates import template_text
 
 PROFILE = "Profile of the cam"
 

@@ -6,11 +6,11 @@ import math
 import zlib
 from copy import copy
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 from placed import places_of
 
+from folders import ROOT
 from livesheet.engine import compile_book
 from livesheet.evaluation import book_of
 from livesheet.formats import write
@@ -28,7 +28,6 @@ from mechsheet.sheet.plan import MEANING, VALUE
 from random_mechanisms import Grower
 from typed_files import with_inputs
 
-ROOT = Path(__file__).parents[3]
 COLOURS = {id(styles.BAD): "red", id(styles.WARN): "amber", id(styles.GOOD): "green"}
 
 

@@ -1,21 +1,21 @@
 """What the first sheet says of a cam, as its cells are changed."""
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
 from both_layouts import Book
 
+from folders import TEMPLATES
 from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides, load, loads
+from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.sheet.findings.cam import FACTORS
 from mechsheet.sheet.plan import UNIT
 
-TEMPLATES = Path(__file__).resolve().parents[3] / "templates"
 WORDS = 4
 
 
@@ -65,7 +65,7 @@ def test_undercut_roller():
 
 @pytest.mark.slow
 def test_leaps():
-    text = (TEMPLATES / "cam-slide.toml").read_text(encoding="utf-8")
+    text = template_text("cam-slide")
     smooth = loads(text)
     assert line(smooth, "velocity_leaps") == (0, "the velocity goes without leaps")
     assert line(smooth, "acceleration_leaps") == (0, "the acceleration goes without leaps")
@@ -118,7 +118,7 @@ def test_outputs_summaries_and_charts_read_the_cams_columns_without_a_speed():
 @pytest.mark.parametrize("name", ["cam-slide", "cam-valve", "cam-rocker"])
 def test_extremes_are_those_between_the_rows(name):
     """With rows of 5 degrees the lines say what rows of a twentieth of a degree have."""
-    text = (TEMPLATES / f"{name}.toml").read_text(encoding="utf-8").split("[study]")[0]
+    text = template_text(name).split("[study]")[0]
     mechanism = loads(text)
     equations, dimensions = solve(mechanism), dimension_values(mechanism)
     fine = sweep(mechanism, equations, {"phi": np.radians(np.arange(0, 360, 0.05))})
@@ -133,7 +133,7 @@ def test_extremes_are_those_between_the_rows(name):
 
 
 def test_where_the_follower_lifts_off_and_the_spring_that_holds_it():
-    book = Book((TEMPLATES / "cam-valve.toml").read_text(encoding="utf-8"), "sheets")
+    book = Book(template_text("cam-valve"), "sheets")
     assert book.words("contact_force") == "the follower stays on the cam"
     assert book.line_colour == "green"
     book.type(speed=4000)
@@ -153,7 +153,7 @@ def test_where_the_follower_lifts_off_and_the_spring_that_holds_it():
 
 @pytest.mark.slow
 def test_a_spring_that_pulls_is_to_be_shorter():
-    text = (TEMPLATES / "cam-valve.toml").read_text(encoding="utf-8")
+    text = template_text("cam-valve")
     text = text.replace('S = [0, "rb + 15 + l1"]', 'S = [0, "rb + 15 - l1"]').replace("value = 48", "value = 32")
     mechanism = loads(text.replace("value = 3000", "value = 4000"))
     needed, words = line(mechanism, "holding_spring")
@@ -176,7 +176,7 @@ def test_the_largest_rates_have_the_units_of_their_columns():
 )  # fmt: skip
 def test_largest_rates_are_those_of_the_laws(key, factor, power, law):
     """Rows of 7 degrees miss every peak; the numbers do not."""
-    text = (TEMPLATES / "cam-slide.toml").read_text(encoding="utf-8").replace("step = 5", "step = 7.2")
+    text = template_text("cam-slide").replace("step = 5", "step = 7.2")
     number, words = line(loads(text), key)
     speed, over = 600 * math.pi / 30, math.pi / 2
     assert number == pytest.approx(factor * 20 * (speed / over) ** power)
@@ -187,7 +187,7 @@ def test_factors_of_all_laws_are_those_of_their_formulas():
     for law, factors in FACTORS.items():
         if law in ("dwell", "uniform"):
             continue
-        text = (TEMPLATES / "cam-slide.toml").read_text(encoding="utf-8").replace('"cycloidal"\nover', f'"{law}"\nover')
+        text = template_text("cam-slide").replace('"cycloidal"\nover', f'"{law}"\nover')
         mechanism = loads(text)
         found = sweep(mechanism, solve(mechanism), {"phi": np.radians(np.linspace(0, 90, 20001)[:-1])})
         for ending, power, factor in zip(("d", "dd", "ddd"), (1, 2, 3), factors, strict=True):
@@ -200,14 +200,14 @@ def test_factors_of_all_laws_are_those_of_their_formulas():
 )
 def test_the_line_under_the_title_is_as_bad_as_the_worst_line(law, radius, colour):
     """A pressure angle above the usual one is amber below, a velocity that leaps is red: so is the line."""
-    text = (TEMPLATES / "cam-slide.toml").read_text(encoding="utf-8")
+    text = template_text("cam-slide")
     book = Book(text.replace('"cycloidal"\nover', f'"{law}"\nover'), "sheets").type(rb=radius)
     assert book.line.startswith("closes in all")
     assert book.line_colour == colour
 
 
 def test_a_page_says_the_same_of_its_rows():
-    text = (TEMPLATES / "cam-valve.toml").read_text(encoding="utf-8")
+    text = template_text("cam-valve")
     page, sheets = Book(text, "page"), Book(text, "sheets")
     for key in ("pressure_angle", "largest_velocity", "largest_acceleration", "largest_jerk", "velocity_leaps"):
         assert page.number(key) == pytest.approx(sheets.number(key))

@@ -9,6 +9,7 @@ from numpy.random import default_rng
 
 from catalogues import pairs
 from chosen import LISTED, LOADED, but, first, some
+from folders import TEMPLATE_NAMES
 from mechsheet.description import load, loads
 from mechsheet.sheet.plan import VERDICT_ROW
 
@@ -120,7 +121,7 @@ SLIDERS = {
     "no offset": {"e": 0.0},
     "emptied offset": {"e": None},
 }
-TEMPLATES = but(sorted(path.stem for path in (ROOT / "templates").glob("*.toml")), *LISTED)
+TEMPLATES = but(TEMPLATE_NAMES, *LISTED)
 
 
 def right(sheets, inputs, name):

@@ -3,12 +3,14 @@
 from dataclasses import replace
 
 import pytest
-from laid import TEMPLATES, Laid, template_text
+from laid import Laid
 
 from chosen import some
+from folders import TEMPLATE_NAMES
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from livesheet.formula.nodes import CellRef, ErrorValue, NameRef, RangeRef, transform
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.plan import MAY_GO, MEANING, VALUE
 
 
@@ -48,7 +50,7 @@ def changed_in_silence(laid, shown, place):
 @pytest.mark.slow
 @pytest.mark.cases(4)
 @pytest.mark.parametrize("language", ["en", "tr"])
-@pytest.mark.parametrize("name", some(TEMPLATES, 8))
+@pytest.mark.parametrize("name", some(TEMPLATE_NAMES, 8))
 def test_a_deleted_sheet_leaves_no_error_on_the_first(name, language):
     laid = Laid(template_text(name), language)
     plan, first = laid.plan, laid.workbook.sheets[0]

@@ -6,9 +6,11 @@ import re
 import tomllib
 
 import pytest
-from laid import ROOT, Laid, template_text
+from laid import Laid
 
+from folders import ROOT
 from livesheet.formula.nodes import ErrorValue
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.plan import LEGEND_ROW, MEANING
 
 NA = ErrorValue("#N/A")

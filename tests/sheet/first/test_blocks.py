@@ -11,8 +11,10 @@ from livesheet.formula.scalar import evaluate
 from livesheet.workbook import Area
 from mechsheet.description import load
 from mechsheet.library.building import compile_workbook
-from mechsheet.sheet.plan import LEGEND_ROW
+from mechsheet.sheet.first.blocks import COLUMN, MEANING_WIDTH
+from mechsheet.sheet.plan import LEGEND_ROW, MEANING
 from mechsheet.sheet.shown import input_validation
+from mechsheet.sheet.wrapping import ROW_HEIGHT, label_lines
 
 TEMPLATES = Path(__file__).parents[3] / "templates"
 
@@ -43,3 +45,16 @@ def test_what_was_asked_for_stands_below_the_dimensions_and_what_went_wrong_stay
     first = workbook.sheets[0]
     assert first.freeze == (LEGEND_ROW + 1, 0)
     assert min(chart.anchor.row for chart in first.charts) >= first.freeze[0], "no chart is cut in two"
+
+
+def test_no_word_of_the_last_blocks_goes_on_over_its_column():
+    """In print it stood alone on a page behind the charts."""
+    workbook, plan = compile_workbook(load(TEMPLATES / "excavator.toml"))
+    words = [cell for cell in workbook.sheets[0].cells if cell.row > plan.blocks["reasons"].row and cell.col == MEANING]
+    long = [
+        cell
+        for cell in words
+        if isinstance(cell.content, str) and label_lines(cell.content, COLUMN * MEANING_WIDTH) > 1
+    ]
+    heights = dict(workbook.sheets[0].row_heights)
+    assert long and all(cell.style.wrap and heights[cell.row] > ROW_HEIGHT for cell in long)

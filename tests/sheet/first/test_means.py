@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.asked.two_way import FIRST
 from mechsheet.sheet.page.layout import lay_out_page

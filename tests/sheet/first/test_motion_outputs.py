@@ -3,12 +3,13 @@
 import math
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 from placed import places_of
 
 from livesheet.formula.nodes import ErrorValue
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
+from mechsheet.description.templates import template_text
 from mechsheet.kinematics.search import Search
 from mechsheet.library.show import overview_text
 

@@ -1,12 +1,13 @@
 """Every name that an output may read can be asked for elsewhere too: also what is the same in every row."""
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from mechsheet.checking.searched.against_search import against_search
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.dynamics.solve import solve
 from mechsheet.model import takes

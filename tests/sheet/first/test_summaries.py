@@ -3,10 +3,11 @@
 import math
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 import mechsheet
 from livesheet.formula.nodes import ErrorValue
+from mechsheet.description.templates import template_text
 
 NA = ErrorValue("#N/A")
 

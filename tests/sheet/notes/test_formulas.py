@@ -1,9 +1,10 @@
 """Beside each equation *Notes* has the formula of the cell that it names, as text."""
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 from livesheet.formula.printer import print_formula
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.notes.notes import FORMULA, PLACE
 
 

@@ -4,13 +4,15 @@ import re
 import tomllib
 
 import pytest
-from laid import ROOT, TEMPLATES, Laid, template_text
+from laid import Laid
 
 from catalogues import pairs
 from chosen import some
+from folders import ROOT, TEMPLATE_NAMES
 from livesheet.formula.nodes import Binary, Call, CellRef, Number, Previous, RangeRef, Symbol, Text, walk
 from livesheet.formula.parser import parse_description
 from livesheet.workbook import Rich
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.notes.notes import EQUATION, FORMULA, MEANING, PLACE, SYMBOL, WIDTHS
 
@@ -132,7 +134,7 @@ def english_words():
 
 @pytest.mark.cases(1)
 @pytest.mark.slow
-@pytest.mark.parametrize("name", some(TEMPLATES, 3))
+@pytest.mark.parametrize("name", some(TEMPLATE_NAMES, 3))
 def test_turkish_throughout(name):
     """No English word in any cell, formula, comment, message, chart or sheet title of a Turkish workbook."""
     laid = Laid(template_text(name), language="tr")

@@ -4,9 +4,9 @@ import copy
 import math
 
 import pytest
-from laid import template_text
 
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.page.layout import _axis, lay_out_page
 from mechsheet.sheet.page.top import UNIT, VALUE

@@ -3,7 +3,6 @@
 import math
 from dataclasses import replace
 from itertools import accumulate, pairwise
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,6 +10,7 @@ from placed import places_of
 
 import mechsheet
 from chosen import ITERATED, LOADED, STEPWISE, but, part
+from folders import ROOT, TEMPLATE_NAMES
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from livesheet.formats import read
@@ -21,6 +21,7 @@ from mechsheet.checking import check
 from mechsheet.checking.cells import compare_cells
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
+from mechsheet.description.templates import template_text
 from mechsheet.kinematics.equations import RATES
 from mechsheet.sheet.page.paper import ACROSS, DOWN, NARROW, SEVERAL, cut_down, on_paper, pixels
 from mechsheet.sheet.page.plan import ROW_HEIGHT
@@ -29,8 +30,7 @@ from office_macros import Job, with_macros
 from published.printed_numbers import dimensions, table
 from random_mechanisms import Grower
 
-ROOT = Path(__file__).parents[3]
-TEMPLATES = but(sorted(path.stem for path in (ROOT / "templates").glob("*.toml")), *ITERATED, *STEPWISE)
+TEMPLATES = but(TEMPLATE_NAMES, *ITERATED, *STEPWISE)
 DISTANT = 1e-9
 LONGEST_ON_TOP = 540
 """Characters: the line under the title says what each of several groups transmits at worst, and where."""
@@ -42,10 +42,6 @@ KITE = (
     '[links.coupler]\npoints = { A = [0, 0], B = ["a3", 0] }\n[links.rocker]\npoints = { B0 = [0, 0], B = ["a4", 0] }\n'
     '[driver]\nlink = "crank"\nstart = -360\nstop = 360\nstep = 15\n'
 )
-
-
-def text_of(name):
-    return (ROOT / f"templates/{name}.toml").read_text(encoding="utf-8")
 
 
 class Page:
@@ -110,7 +106,7 @@ def worst(page):
 @pytest.mark.cases(12)
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_values_are_those_of_the_equations(name):
-    page = Page(text_of(name))
+    page = Page(template_text(name))
     assert worst(page) < (1e-6 if name in LOADED else DISTANT)  # near dead centres forces magnify what ACOS loses
     assert page.said() == [
         "" if closed else word for closed, word in zip(page.compiled.closed, page.said(), strict=True)
@@ -129,12 +125,12 @@ def test_values_of_random_mechanisms(seed):
 @pytest.mark.parametrize(("column", "s1"), [(1, 20), (3, 100), (6, 250)])
 def test_pump_prints_the_texts_table(column, s1):
     published = table("adjustable-pump")
-    assert np.max(np.abs(Page(text_of("adjustable-pump"), s1=s1).column("s15") - published[:, column])) < 6e-5
+    assert np.max(np.abs(Page(template_text("adjustable-pump"), s1=s1).column("s15") - published[:, column])) < 6e-5
 
 
 def test_fivelink_prints_the_texts_table():
     published = table("fivelink")
-    page = Page(text_of("fivelink"))
+    page = Page(template_text("fivelink"))
     page.change(**{"start": -math.degrees(dimensions("fivelink")["alpha1"])})
     for symbol, column in (("theta13", 2), ("theta15", 4)):
         assert np.max(np.abs(np.remainder(page.column(symbol), math.tau) - published[:, column])) < 3e-7
@@ -142,7 +138,7 @@ def test_fivelink_prints_the_texts_table():
 
 def test_four_bar_is_the_texts_table():
     """Its own formulas, column by column: s cos(phi), s sin(phi), s, phi, psi, mu, theta14, theta13."""
-    page = Page(text_of("four-bar"))
+    page = Page(template_text("four-bar"))
     a1, a2, a3, a4 = 70.0, 35.0, 62.3, 56.0
     theta = np.radians(np.arange(25) * 15.0)
     x, y = a2 * np.cos(theta) - a1, a2 * np.sin(theta)
@@ -165,7 +161,7 @@ def test_four_bar_is_the_texts_table():
 
 
 def test_formulas_are_those_of_the_blackboard():
-    page = Page(text_of("four-bar"))
+    page = Page(template_text("four-bar"))
     first = page.plan.at.first
     found = {fill.col: print_formula(fill.formula) for fill in page.sheet.fills if fill.row == first}
     row = first + 1
@@ -179,7 +175,7 @@ def test_formulas_are_those_of_the_blackboard():
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_formulas_are_short(name, language):
     """So many characters as tests/sheet/budgets.py grants; loads are as long as the description has them."""
-    page = Page(text_of(name), language)
+    page = Page(template_text(name), language)
     longest = 460 if name in LOADED else 160
     for fill in page.sheet.fills:
         length = len(print_formula(fill.formula))
@@ -192,7 +188,7 @@ def test_formulas_are_short(name, language):
 @pytest.mark.parametrize("name", TEMPLATES)
 def test_no_formula_reads_another_sheet_or_a_name(name):
     """So the sheet can be copied into any workbook and leaves no link behind. Names are for those who read it."""
-    page = Page(text_of(name))
+    page = Page(template_text(name))
     named = {(name.row, name.col) for name in page.workbook.names}
     assert {(row, VALUE) for row in page.plan.blocks["dimensions"].rows.values()} <= named
     tables = [False for request in page.plan.mechanism.tables if not request.of_summary]
@@ -207,7 +203,7 @@ def test_no_formula_reads_another_sheet_or_a_name(name):
 
 
 def test_names_on_request():
-    page = Page(text_of("four-bar"), names=True)
+    page = Page(template_text("four-bar"), names=True)
     assert {"a_1", "a_2", "mode_1", "start", "step"} <= {name.name for name in page.workbook.names}
     assert worst(page) < DISTANT
     assert any(isinstance(part_, NameRef) for tree in page.formulas() for part_ in walk(tree))
@@ -218,7 +214,7 @@ def test_names_on_request():
 )
 def test_a_row_filled_down_by_hand_computes(name):
     """The last row copied down: angles go on, and what is said of the rows counts it."""
-    text = text_of(name)
+    text = template_text(name)
     page, longer = Page(text), Page(text)
     last, more = page.plan.at.last, 3
     copies = [
@@ -246,7 +242,7 @@ def test_a_row_filled_down_by_hand_computes(name):
 
 
 def test_continuous_angles_do_not_jump():
-    page = Page(text_of("drag-link"))
+    page = Page(template_text("drag-link"))
     for symbol in ("theta13", "theta14"):
         assert np.max(np.abs(np.diff(page.column(symbol)))) < math.radians(60)
 
@@ -265,14 +261,14 @@ def test_pins_that_coincide_leave_no_position():
 
 def test_dead_centre_is_a_position():
     """Links in a line: the cosine is 1 + 1e-16 and no error."""
-    text = text_of("chebyshev")
+    text = template_text("chebyshev")
     page = Page(text)
     assert page.compiled.closed[[0, -1]].all()
     assert page.said()[0] == page.said()[-1] == ""
 
 
 def test_a_row_that_does_not_exist_says_so_and_nothing_else_does():
-    page = Page(text_of("four-bar"), a2=75)
+    page = Page(template_text("four-bar"), a2=75)
     closed = page.compiled.closed
     assert 0 < np.count_nonzero(closed) < len(closed)
     assert worst(page) < DISTANT
@@ -284,28 +280,28 @@ def test_a_row_that_does_not_exist_says_so_and_nothing_else_does():
     ("typed", "named"), [({"a3": 0}, "a3"), ({"a4": -5}, "a4"), ({"a2": None}, "a2"), ({"mode_1": 0.5}, "mode1")]
 )
 def test_an_input_that_is_none_shows_no_position(typed, named):
-    page = Page(text_of("four-bar")).change(**typed)
+    page = Page(template_text("four-bar")).change(**typed)
     assert np.isnan(page.column("theta14")).all()
     assert page.cell("verdict").startswith(f"look at {named}: ")
     assert page.cell("rows_closed") == 0
 
 
 def test_verdict_says_rows_only():
-    page = Page(text_of("four-bar"))
+    page = Page(template_text("four-bar"))
     (note,) = [comment for comment in page.sheet.comments if comment.text.startswith("Grashof: shortest + longest")]
     assert next(cell for cell in page.sheet.cells if (cell.row, cell.col) == (note.row, note.col)).content == "Grashof"
     said = page.cell("verdict")
     assert said.startswith("closes in all 25 positions; A0ABB0: crank-rocker, crank can turn fully; ")
     assert said.endswith("; transmission angle: worst 33.9° at 0° (below 40°: poor) (rows only)")
     assert (
-        Page(text_of("four-bar"), "tr")
+        Page(template_text("four-bar"), "tr")
         .cell("verdict")
         .startswith("25 konumun hepsinde kapanıyor; A0ABB0: krank-sarkaç")
     )
 
 
 def test_many_rows_do_not_add_up_rounding():
-    page = Page(text_of("four-bar").replace("step = 15", "step = 0.1"))
+    page = Page(template_text("four-bar").replace("step = 15", "step = 0.1"))
     assert page.plan.rows == 3601
     driver = [page.values.get(page.plan.main, row, 0) for row in range(page.plan.at.first, page.plan.at.last + 1)]
     assert driver == [0.1 * row for row in range(3601)]
@@ -313,7 +309,7 @@ def test_many_rows_do_not_add_up_rounding():
 
 
 def test_without_the_drawing():
-    page = Page(text_of("four-bar").replace("[workbook]", "[workbook]\ndrawing = false"))
+    page = Page(template_text("four-bar").replace("[workbook]", "[workbook]\ndrawing = false"))
     assert "drawing" not in [chart.name for chart in page.sheet.charts]
     assert max(fill.col for fill in page.sheet.fills) < len(page.plan.columns)
     assert not any(column.hidden for column in page.sheet.columns)
@@ -323,7 +319,7 @@ def test_without_the_drawing():
 @pytest.mark.parametrize("name", ["four-bar", "fivelink", "scissor-lift", "elliptic-trammel"])
 def test_drawing_stays_in_its_window(name):
     """At every row that exists, all of it; and the corners are where the points are."""
-    page = Page(text_of(name))
+    page = Page(template_text(name))
     drawing = next(chart for chart in page.sheet.charts if chart.name == "drawing")
     for position in (0, page.plan.rows // 3, page.plan.rows - 1):
         page.change(**{"position": position})
@@ -337,7 +333,7 @@ def test_drawing_stays_in_its_window(name):
 @pytest.mark.parametrize("name", ["quick-return-slider", "slider-crank", "four-bar", "fivelink", "jansen"])
 def test_it_can_be_read_on_paper(name):
     """Letters of 10 points are at least 6.5 high, on one sheet of A4 or on several; no chart lies across two of them."""
-    page = Page(text_of(name))
+    page = Page(template_text(name))
     sheet, setup = page.sheet, page.sheet.print_setup
     widths = {col: pixels(column.width) for column in sheet.columns for col in range(column.first, column.last + 1)}
     across = [0, *accumulate(widths[col] for col in range(setup.area.last_col + 1))]
@@ -384,7 +380,7 @@ def test_no_sheet_of_paper_has_two_rows(above, rows):
 
 
 def test_helpers_are_folded_away():
-    page = Page(text_of("four-bar"))
+    page = Page(template_text("four-bar"))
     hidden = [column for column in page.sheet.columns if column.hidden]
     assert len(hidden) == 1
     assert hidden[0].level == 1
@@ -405,7 +401,7 @@ def test_check_agrees_with_a_file_of_one_sheet(tmp_path):
 def test_libreoffice_computes_and_copies_the_sheet(tmp_path):
     """Recalculated as it is; copied into another document; with a hundred rows and more, which it takes in groups."""
     four_bar = mechsheet.load(ROOT / "templates/four-bar.toml")
-    rows = loads(text_of("four-bar").replace("step = 15", "step = 1"))
+    rows = loads(template_text("four-bar").replace("step = 15", "step = 1"))
     paths = [
         *mechsheet.build(four_bar, tmp_path / "small.xlsx", layout="page"),
         *mechsheet.build(rows, tmp_path / "rows.ods", layout="page"),
@@ -427,7 +423,7 @@ def test_gnumeric_agrees(name, tmp_path):
 
 
 def test_velocities_follow_the_positions():
-    text = text_of("slider-crank").replace(
+    text = template_text("slider-crank").replace(
         "[driver]", '[driver]\nspeed = { value = 90, unit = "rpm" }\nacceleration = 2'
     )
     page = Page(text)
@@ -448,7 +444,7 @@ def test_velocities_follow_the_positions():
 
 def test_forces_follow_the_velocities():
     """Masses and loads are inputs on top; the columns are those of the sheets, and can be read."""
-    text = text_of("four-bar").replace("[driver]", "[driver]\nspeed = 20")
+    text = template_text("four-bar").replace("[driver]", "[driver]\nspeed = 20")
     text = text.replace("[links.coupler]", "[links.coupler]\nmass = 2\ncenter = [30, 10]\ninertia = 1e-3")
     text += '[[loads]]\nname = "P"\nlink = "rocker"\ntorque = 3\n'
     page = Page(text)
@@ -466,7 +462,9 @@ def test_forces_follow_the_velocities():
 
 def test_the_hodograph_is_drawn_true_to_scale():
     """A description that asks for one has it on a page, too: both axes alike, the vector of the row that is drawn."""
-    text = text_of("slider-crank").replace("[driver]", "[driver]\nspeed = 5") + '\n[[charts]]\nhodographs = ["C"]\n'
+    text = (
+        template_text("slider-crank").replace("[driver]", "[driver]\nspeed = 5") + '\n[[charts]]\nhodographs = ["C"]\n'
+    )
     page = Page(text)
     chart = next(chart for chart in page.sheet.charts if chart.title == "Hodograph of C")
     assert chart.anchor.width == chart.anchor.height

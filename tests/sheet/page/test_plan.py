@@ -1,8 +1,7 @@
 """Columns of the one sheet: which are grey, and over which a group's heading stands."""
 
-from laid import template_text
-
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.page.plan import plan_page
 

@@ -1,7 +1,6 @@
 """Alt's chart: both tables against the reference's golden section, and the task's own row and column live."""
 
 import math
-from pathlib import Path
 
 import pytest
 
@@ -10,11 +9,12 @@ from livesheet.formula.nodes import ErrorValue
 from livesheet.formula.references import cell_address
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
+from mechsheet.description.templates import template_text
 from mechsheet.library.session import Session
 from mechsheet.reference.synthesis import crank_rocker
 from mechsheet.sheet.synthesis.alt import ACROSS, ANGLES, DOWN, LINE_ROW, RATIOS, SWINGS, TURNS
 
-TEXT = (Path(__file__).parents[3] / "templates/crank-rocker-swing.toml").read_text(encoding="utf-8")
+TEXT = template_text("crank-rocker-swing")
 NOTHING = ErrorValue("#N/A")
 
 

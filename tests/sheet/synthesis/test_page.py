@@ -3,11 +3,11 @@
 import math
 
 import pytest
-from laid import template_text
 from planned import planned
 
 from livesheet.formula.nodes import Number
 from livesheet.formula.scalar import evaluate
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.synthesis.page import Page
 
 

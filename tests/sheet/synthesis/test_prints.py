@@ -1,18 +1,16 @@
 """The sheet of synthesis on paper: wide enough for its charts, narrow enough to be read; figures name their points."""
 
-from pathlib import Path
-
 import pytest
 
 from livesheet.evaluation import book_of
 from livesheet.formula.references import cell_address
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.library.session import Session
 from mechsheet.synthesis.kinds import kind_of
 from mechsheet.words.symbols import plain
 
-TEMPLATES = Path(__file__).parents[3] / "templates"
 NAMES = (
     "function-generator",
     "crank-rocker-swing",
@@ -30,7 +28,7 @@ WIDE, PAD = 7, 5
 
 @pytest.fixture(scope="module", params=NAMES)
 def laid_out(request):
-    compiled = Compiled(loads((TEMPLATES / f"{request.param}.toml").read_text(encoding="utf-8")))
+    compiled = Compiled(loads(template_text(request.param)))
     title = compiled.plan.at.titles["synthesis"]
     return compiled.plan, next(sheet for sheet in compiled.layout.sheets if sheet.title == title)
 
@@ -76,7 +74,7 @@ def test_each_point_with_a_name_is_named_once(laid_out):
 @pytest.mark.parametrize("name", ["crank-rocker-swing", "quick-return-lever"])
 def test_the_swing_is_drawn_from_one_dead_centre_to_the_other(name):
     """An arc round the output's pivot that begins and ends where B stands."""
-    compiled = Compiled(loads((TEMPLATES / f"{name}.toml").read_text(encoding="utf-8")))
+    compiled = Compiled(loads(template_text(name)))
     title = compiled.plan.at.titles["synthesis"]
     figure = next(sheet for sheet in compiled.layout.sheets if sheet.title == title).charts[0]
     session = Session(book_of(compiled.layout))
@@ -96,7 +94,7 @@ def test_the_swing_is_drawn_from_one_dead_centre_to_the_other(name):
 
 @pytest.mark.parametrize(("lam", "high"), [(3, 10), (10, 10), (16, 20)])
 def test_the_solution_is_on_the_chart_over_the_ratio(lam, high):
-    text = (TEMPLATES / "crank-rocker-swing.toml").read_text(encoding="utf-8").replace("best = true", f"lam = {lam}")
+    text = template_text("crank-rocker-swing").replace("best = true", f"lam = {lam}")
     compiled = Compiled(loads(text))
     sheet = next(each for each in compiled.layout.sheets if each.title == compiled.plan.at.titles["synthesis"])
     assert sheet.charts[1].x_axis.high == high

@@ -1,11 +1,11 @@
 """Does it do it? What is said where there is no solution, and from when on a length is not known well."""
 
 import pytest
-from laid import template_text
 from planned import planned
 
 from livesheet.formula.nodes import CellRef
 from livesheet.formula.printer import print_formula
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.requirement_checks import DOUBT, YES, Does
 from mechsheet.sheet.task_rows import INPUTS, ROUNDED, UNSOLVED, USED, VALUE

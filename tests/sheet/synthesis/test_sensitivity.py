@@ -1,10 +1,10 @@
 """By how much a solution changes with an input: each row is a length, or what a length follows from, and no other step."""
 
 import pytest
-from laid import template_text
 
 from livesheet.formula.nodes import symbols
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.synthesis.sensitivity import changes, mark
 
 

@@ -1,9 +1,10 @@
 """The sheet of synthesis as it says why a task has no solution: each step only what can be wrong with its own kind."""
 
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 from catalogues import pairs
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.task_rows import INPUTS, REMARK, UNSOLVED, USED
 
 STEPS = pairs("step.")

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from laid import Laid, template_text
+from laid import Laid
 from leaping import leaps
 
 from chosen import examples, part
@@ -21,6 +21,7 @@ from mechsheet.checking.searched.against_search import against_search
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.grammar import MOST_ROWS
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.solve import solve
 from mechsheet.reference import solve as refer

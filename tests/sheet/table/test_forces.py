@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 from livesheet.evaluation import book_of
 from livesheet.formula.nodes import Call, ErrorValue, Number
@@ -12,6 +12,7 @@ from livesheet.formula.printer import print_formula
 from mechsheet import loads
 from mechsheet.checking import check
 from mechsheet.checking.against_reference import against_plan
+from mechsheet.description.templates import template_text
 from mechsheet.library.building import build
 from mechsheet.library.show import overview_text
 

@@ -4,13 +4,14 @@ import math
 
 import numpy as np
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
+from mechsheet.description.templates import template_text
 from mechsheet.exporting import KINDS, Job
 from random_mechanisms import Grower
 

@@ -3,11 +3,11 @@
 from collections import defaultdict
 
 import pytest
-from laid import template_text
 from placed import places_of
 from planned import planned
 
 from livesheet.formula.printer import print_formula
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.table.positions import column_fills
 
 FIRST = 30

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 
 from livesheet.evaluation import book_of
 from livesheet.formats import read
@@ -15,6 +15,7 @@ from mechsheet import loads
 from mechsheet.checking import check
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.compiled import Compiled
+from mechsheet.description.templates import template_text
 from mechsheet.library.building import build
 from mechsheet.sheet.table.positions import GROUP_ROW
 

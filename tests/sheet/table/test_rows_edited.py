@@ -8,15 +8,16 @@ from functools import cache
 import numpy as np
 import pytest
 from edited import filled_down, moved
-from laid import TEMPLATES, template_text
 from placed import places_of
 
+from folders import TEMPLATE_NAMES
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from mechsheet import reference
 from mechsheet.checking.edited.inserted_rows import Shift
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError
 from mechsheet.sheet.checks.checks import sheets_in_rows
 from mechsheet.sheet.plan import MEANING
@@ -106,7 +107,7 @@ def line(plan, values):
 
 
 @pytest.mark.parametrize("layout", ["sheets", "page"])
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_every_row_has_the_same_formula(name, layout):
     try:
         workbook, plan = once(name, layout).layout, once(name, layout).plan

@@ -4,11 +4,12 @@ import math
 
 import numpy as np
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 from placed import places_of
 
 import mechsheet
 from chosen import ALL, IN_CI, ITERATED, first, part
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.newton.leading import leading

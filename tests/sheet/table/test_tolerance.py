@@ -2,34 +2,34 @@
 
 import math
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
-from laid import Laid, template_text
+from laid import Laid
 from placed import places_of
 
 import mechsheet
 from chosen import ITERATED, but
+from folders import TEMPLATES
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from livesheet.formula.printer import print_formula
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
+from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError
 from mechsheet.model import Tolerances
 from mechsheet.sheet.columns.bands import ROOT, WORST
 from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.table.tolerance import lines_of
 
-TEMPLATES = Path(__file__).parents[3] / "templates"
 NAMES = [
     name
     for name in but([path.stem for path in sorted(TEMPLATES.glob("*.toml"))], *ITERATED)
-    if "[synthesis" not in (TEMPLATES / f"{name}.toml").read_text(encoding="utf-8")  # which finds all their dimensions
+    if "[synthesis" not in template_text(name)  # which finds all their dimensions
 ]
 
-SLIDER = (TEMPLATES / "slider-crank.toml").read_text(encoding="utf-8")
+SLIDER = template_text("slider-crank")
 A1, A2, A3 = 20.0, 50.0, 250.0
 T1, T2, T3 = 0.1, 0.05, 0.2
 
@@ -121,7 +121,7 @@ def test_decimals_follow_the_band():
 @pytest.mark.slow
 def test_a_dead_centre_has_no_derivative():
     """A parallelogram in line: no number there, and the words say why."""
-    text = (TEMPLATES / "four-bar.toml").read_text(encoding="utf-8")
+    text = template_text("four-bar")
     for old, new in (
         ("value = 62.3", "value = 70"),
         ("value = 56", "value = 35, tolerance = 0.1"),

@@ -105,11 +105,14 @@ class Memory:
         return self._single(found)
 
     def interpreted(self, part: Node, first: tuple[int, int, int], down: int) -> Scalar:
-        """A part of a cell's formula by the interpreter: the cell so far `down` from the `first`, (sheet, row, column)."""
+        """A part of a cell's formula by the interpreter: the cell so far `down` from the `first`, (sheet, row, column).
+
+        Ranges are arrays there, as they are where lists of values are asked for: what is not one value then is left to it.
+        """
         sheet, row, col = first
         try:
             with np.errstate(all="ignore"):
-                found = self.ev.value(part, Frame(sheet, row + down, col, 1, 1, down))
+                found = self.ev.value(part, Frame(sheet, row + down, col, 1, 1, down), True)
         except (NotReadyError, TimeLimitError):
             raise
         except Exception:

@@ -25,7 +25,7 @@ def write_below(writer: Writer) -> None:
         if said:
             writer.heading(key)
             for row, words in enumerate(said, plan.blocks[key].row + 1):
-                writer.put(row, MEANING, words, styles.LABEL)
+                writer.meaning(row, words)
     writer.heading("sheets")
     writer.line(there(plan.places.left).row, plan.text("sheets.left"), "", None)
     for key, spot in plan.places.sheets.items():

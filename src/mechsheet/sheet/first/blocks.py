@@ -34,8 +34,11 @@ class Writer(Cells):
         self.put(row, SYMBOL, symbol, styles.SYMBOL)
         if unit is not None:
             self.put(row, UNIT, unit, styles.UNIT)
-        if meaning is None:
-            return
+        if meaning is not None:
+            self.meaning(row, meaning)
+
+    def meaning(self, row: int, meaning: str) -> None:
+        """A label in as many lines as it takes: what went on over the next column would be printed on a page of its own."""
         lines = label_lines(meaning, COLUMN * MEANING_WIDTH)
         self.put(row, MEANING, meaning, styles.LABEL if lines == 1 else styles.LABEL_LINES)
         if lines > 1:
