@@ -1,5 +1,6 @@
 """Descriptions damaged as people damage them: each works, or says with file and line what is wrong; nothing tracebacks."""
 
+import re
 import warnings
 
 import pytest
@@ -70,3 +71,38 @@ def test_the_damages_do_damage() -> None:
     assert all(any(damage(TEXTS[6], random.Random(seed)) != TEXTS[6] for seed in range(9)) for damage in DAMAGES)
     found = {outcome(mutated(TEXTS[6], seed)) for seed in range(40)}
     assert {"works", "description"} <= found
+
+
+NUMBER = re.compile(r"""(?<![\w.\-+])[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])""")
+"""A number of a description's line, once its texts are blanked."""
+TEXT_OR_COMMENT = re.compile(r"""'[^']*'|"[^"]*"|#.*""")
+NOT_NUMBERS = ("nan", "inf", "-inf")
+"""What TOML takes as a number and no mechanism can have."""
+
+
+def numbers_of(text: str) -> list[tuple[int, int, int]]:
+    """(line from 1 on, begin, end) of every number of a description that is none of a text."""
+    blanked = [TEXT_OR_COMMENT.sub(lambda part: '"' * len(part[0]), line) for line in text.splitlines()]
+    return [(row, *one.span()) for row, line in enumerate(blanked, 1) for one in NUMBER.finditer(line)]
+
+
+def with_words(text: str, places: list[tuple[int, int, int]], word: str) -> str:
+    """The description with a word for each of these numbers."""
+    lines = text.splitlines()
+    for row, begin, end in reversed(places):
+        lines[row - 1] = lines[row - 1][:begin] + word + lines[row - 1][end:]
+    return "\n".join(lines)
+
+
+@pytest.mark.parametrize("text", TEXTS, ids=template_names())
+def test_no_field_takes_nan_or_infinity(text: str) -> None:
+    """One in each number of a template by turns, then in all at once: every line that has one is told, with its key."""
+    places = numbers_of(text)
+    single = places if IN_CI else places[:: max(1, len(places) // 5)]
+    cases = [([place], NOT_NUMBERS[number % 3]) for number, place in enumerate(single)]
+    for damaged, word in [*cases, *((places, word) for word in NOT_NUMBERS)]:
+        with pytest.raises(DescriptionError) as refused:
+            loads(with_words(text, damaged, word), FILE)
+        check(refused.value.faults)
+        told = {fault.line for fault in refused.value.faults if f"found {word}" in fault.message}
+        assert {row for row, _, _ in damaged} <= told, (damaged, word)

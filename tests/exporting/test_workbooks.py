@@ -391,6 +391,15 @@ def test_the_command_writes_extra_files_and_knows_its_words(tmp_path):
     assert result.exit_code == 0, result.output
     names = [Path(line).name for line in result.stdout.split()]
     assert names == ["adjustable-pump.xlsx", "adjustable-pump-basic.ods"]
+    result = run("build", PUMP, "-o", tmp_path, "--functions", "vba")
+    assert result.exit_code == 0, result.output
+    written = [Path(line) for line in result.stdout.split()]
+    assert [path.name for path in written] == [
+        "adjustable-pump.xlsx",
+        "adjustable-pump-vba.xlsx",
+        "adjustable-pump-vba.bas",
+    ]
+    assert "End Function" in written[-1].read_text(encoding="ascii")
     result = run("build", PUMP, "-o", tmp_path / "no", "--functions", "fortran")
     assert result.exit_code == 2
     assert "--functions" in result.stderr
