@@ -408,8 +408,7 @@ def _doubt(on: Reading, symbol: str, *ways: Way) -> Node:
     """What is added where an extreme is to be doubted: beside a leap no probe comes as near as where all is smooth."""
     leaps = on.value("velocity_leaps")
     count: Node = leaps if symbol == "alpha" else al.add(leaps, on.value("acceleration_leaps"))
-    said = on.doubt(symbol, *ways)
-    return formula('IF(AND(said="",count>0),about,said)', said=said, count=count, about=on.text("about"))
+    return on.doubt(symbol, *ways, sure=formula('IF(count>0,about,"")', count=count, about=on.text("about")))
 
 
 # --- what a search finds -------------------------------------------------------------------------------------------------
