@@ -10,7 +10,7 @@ from openpyxl.utils.datetime import to_excel
 
 from livesheet.engine.values.cells import ERROR_NAMES
 from livesheet.formula.book import Book, BookBuilder
-from livesheet.formula.nodes import ErrorValue
+from livesheet.formula.nodes import CellRef, ErrorValue, transform
 from livesheet.formula.parser import parse_formula
 
 FOLDER = Path(__file__).parent / "cases" / "engine"
@@ -97,3 +97,12 @@ def array_cases():
         for path in paths
         for formula, rows in load(path)["cases"]
     ]
+
+
+def anchored(node):
+    """The formula with every reference absolute: filled down it says the same in each row."""
+
+    def change(part):
+        return CellRef(part.row, part.col, True, True, part.sheet) if isinstance(part, CellRef) else part
+
+    return transform(node, change)

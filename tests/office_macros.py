@@ -81,6 +81,7 @@ Sub Edit(document As Object, change As Variant)
         Case "delete columns": sheet.Columns.removeByIndex(ColumnOf(sheet, change(2)), CLng(change(3)))
         Case "fill down": sheet.getCellRangeByName(change(2)).fillAuto(com.sun.star.sheet.FillDirection.TO_BOTTOM, 1)
         Case "type": sheet.getCellRangeByName(change(2)).setFormula(change(3))
+        Case "copy": sheets.copyByName(change(1), change(2), sheets.Count)
         Case "protect": sheet.protect("")
         Case "move": sheets.moveByName(change(1), CLng(change(2)))
         Case "sort"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides
 from mechsheet.description.templates import template_text
@@ -44,3 +46,8 @@ def in_workbook(mechanism: Mechanism, values: dict[str, float], modes: dict[str,
     from mechsheet.sheet.plan import VALUE
 
     return {name: compiled.number(Spot(compiled.plan.main, at, VALUE)) for name, at in row.items()}
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """All files of a folder."""
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}

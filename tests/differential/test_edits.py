@@ -24,7 +24,12 @@ ROWS = [
     if line and not line.startswith("#")
 ]
 TEMPLATES = ("four-bar", "fivelink", "adjustable-pump", "six-link-dwell", "slider-crank", "engine")
-BUILT = [*product(("sheets", "page"), ("xlsx", "ods"), TEMPLATES)]
+BUILT = [
+    (layout, form, name)
+    for layout, form, name in product(("sheets", "page"), ("xlsx", "ods"), TEMPLATES)
+    if (layout, name) != ("page", "engine")  # its flywheel needs sheets of its own
+]
+SAVED_BY_GNUMERIC = ("four-bar", "slider-crank", "adjustable-pump")
 WIDE = "BZ"
 """A column behind all that a sheet has."""
 
@@ -146,9 +151,10 @@ def test_what_a_person_does_is_true_or_told(layout, form, name, tmp_path):
 
 @pytest.mark.gnumeric
 @pytest.mark.slow
-@pytest.mark.parametrize(("layout", "form"), product(("sheets", "page"), ("xlsx", "ods")))
-def test_what_gnumeric_saves_is_the_same_workbook(layout, form, tmp_path):
-    mechanism = load(ROOT / "templates/four-bar.toml", overrides=Overrides(layout=layout))
+@pytest.mark.cases(4)
+@pytest.mark.parametrize(("layout", "form", "name"), [case for case in BUILT if case[2] in SAVED_BY_GNUMERIC])
+def test_what_gnumeric_saves_is_the_same_workbook(layout, form, name, tmp_path):
+    mechanism = load(ROOT / f"templates/{name}.toml", overrides=Overrides(layout=layout))
     (file,) = build(mechanism, tmp_path, (form,))
     saved = tmp_path / f"saved.{form}"
     subprocess.run(["ssconvert", "--recalc", file, saved], check=True, capture_output=True, timeout=120)

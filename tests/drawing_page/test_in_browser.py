@@ -503,6 +503,15 @@ def test_all_of_a_cam_and_all_arrows_are_in_sight_at_first(opening, name, tmp_pa
         assert sheet["y"] <= box["y"] and box["y"] + box["height"] <= sheet["y"] + sheet["height"]
 
 
+def test_the_position_of_a_cam_is_its_angle(opening, tmp_path):
+    """The drawn arrow is that of the follower, which it moves; the slider below goes through the angle of the cam."""
+    path = tmp_path / "cam-slide.toml"
+    path.write_text(template_text("cam-slide"), encoding="utf-8")
+    opened = opening(path)
+    opened.page.locator("#position").fill("20")
+    assert re.fullmatch(r"φ = \d+(\.\d+)?°", opened.page.locator("#reading").text_content())
+
+
 def test_a_cylinder_is_a_barrel_and_its_rod_and_no_block_on_a_line(opening, tmp_path):
     path = tmp_path / "boom.toml"
     path.write_text(template_text("cylinder-boom"), encoding="utf-8")

@@ -3,13 +3,13 @@ that are interpreted have code of their own."""
 
 import pytest
 
-from engine_cases import COLUMN, FILES, FIRST_ROW, array_cases, book_of, cases, same
+from engine_cases import COLUMN, FILES, FIRST_ROW, anchored, array_cases, book_of, cases, same
 from livesheet.engine import compile_book, evaluate
 from livesheet.engine.fast.segments import _INTERPRETED
 from livesheet.engine.kernels.table import kernels_in
 from livesheet.formula.book import BookBuilder
 from livesheet.formula.functions import FUNCTIONS
-from livesheet.formula.nodes import Call, CellRef, shifted, transform, walk
+from livesheet.formula.nodes import Call, shifted, walk
 from livesheet.formula.parser import parse_formula
 
 CASES = cases()
@@ -35,15 +35,6 @@ def test_cases(evaluations, file, time):
     assert wrong == [], time
 
 
-def _anchored(node):
-    """The formula with every reference absolute: filled down it says the same in each row."""
-
-    def change(part):
-        return CellRef(part.row, part.col, True, True, part.sheet) if isinstance(part, CellRef) else part
-
-    return transform(node, change)
-
-
 @pytest.mark.cases(6)
 @pytest.mark.parametrize("file", [path.stem for path in FILES])
 def test_cases_filled_down_and_right(file):
@@ -52,7 +43,7 @@ def test_cases_filled_down_and_right(file):
     book = book_of([])
     sheet = book.sheets[0]
     for index, (formula, _) in enumerate(chosen):
-        sheet.block(FIRST_ROW + 4 * index, COLUMN, 3, 2, _anchored(parse_formula(formula)))
+        sheet.block(FIRST_ROW + 4 * index, COLUMN, 3, 2, anchored(parse_formula(formula)))
     plan = compile_book(book)
     for _ in range(2):
         values = plan.evaluate()

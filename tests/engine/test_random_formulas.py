@@ -5,10 +5,9 @@ import random
 import pytest
 
 from asking import agree, ours
-from engine_cases import COLUMN, FIRST_ROW, FOLDER, load, same, scalar
+from engine_cases import COLUMN, FIRST_ROW, FOLDER, anchored, load, same, scalar
 from livesheet.engine import compile_book
 from livesheet.formula.book import BookBuilder
-from livesheet.formula.nodes import CellRef, transform
 from livesheet.formula.parser import parse_formula
 from random_formulas import Formulas, random_cells
 
@@ -32,13 +31,6 @@ def drawn(seed, count):
     chance = random.Random(seed)
     grid, formulas = list(random_cells(chance)), Formulas(chance)
     return grid, [formulas.formula() for _ in range(count)]
-
-
-def anchored(node):
-    def change(part):
-        return CellRef(part.row, part.col, True, True, part.sheet) if isinstance(part, CellRef) else part
-
-    return transform(node, change)
 
 
 @pytest.mark.slow

@@ -1,11 +1,7 @@
 """The report: true scale in the worst position, the words of the first sheet, one to three pages."""
 
-<<<<<<< HEAD
-=======
 from itertools import pairwise
-from pathlib import Path
 
->>>>>>> main
 import numpy as np
 import pytest
 
@@ -58,15 +54,10 @@ def test_true_scale(path):
 
 
 def test_the_worst_position():
-<<<<<<< HEAD
-    """Where the angle of transmission is smallest; with forces where the driver needs most."""
-    first, _ = pages_of(mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "fivelink")))
-=======
     """Where the worst of all angles of transmission is worst; with forces where the driver needs most."""
-    excavator = mechsheet.load(next(path for path in TEMPLATES if path.stem == "excavator"))
+    excavator = mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "excavator"))
     assert report._FirstSheet(Compiled(excavator)).worst == pytest.approx(1260)  # the second of two; the first: 840
-    first, _ = pages_of(mechsheet.load(next(path for path in TEMPLATES if path.stem == "fivelink")))
->>>>>>> main
+    first, _ = pages_of(mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "fivelink")))
     assert first.worst == pytest.approx(302.9, abs=0.1)
     first, pages = pages_of(mechsheet.loads(SUSPENSION))
     motion = mechsheet.loads(SUSPENSION).solve()
@@ -120,7 +111,7 @@ def test_which_pin_carries_most():
 
 def test_which_way_the_cutting_force_acts():
     """The report of the shaper draws it as it cuts: an arrow from the ram against its motion, with its amount."""
-    mechanism = mechsheet.load(next(path for path in TEMPLATES if path.stem == "shaper"))
+    mechanism = mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "shaper"))
     first = report._FirstSheet(Compiled(mechanism))
     found, positions = _sampled(mechanism, first.worst)
     scene = positions.at(found.shown)
@@ -145,7 +136,7 @@ def test_a_value_ends_before_what_it_means_begins():
 
 def test_a_line_says_what_is_of_the_motion():
     """No place where there is none, no unit without a number, nothing of sheets."""
-    first = report._FirstSheet(Compiled(mechsheet.load(next(p for p in TEMPLATES if p.stem == "double-wishbone"))))
+    first = report._FirstSheet(Compiled(mechsheet.load(next(p for p in TEMPLATE_FILES if p.stem == "double-wishbone"))))
     rows = {name: value for name, value, _ in first.rows("verdicts")}
     assert rows["Grashof"] == "80 mm"
     assert "slow way" not in rows  # which needs a whole turn

@@ -50,6 +50,9 @@ A_PASS = 10
 IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anchors"): 160}
 """Characters of the longest formula of the table; an anchor names its sheet: Mechanism!$B$12."""
 
+TABLES = 250
+"""Characters of the longest formula of any table that a person reads row by row, and of the two-way tables."""
+
 ELSEWHERE = {"names": 430, "anchors": 540}
 """Characters of the longest formula beside the table of several sheets: verdict words, of which 20 say what is left where a
 sheet was deleted, and whether the accelerations of four links fit that Newton's method has found at once."""
@@ -135,6 +138,22 @@ def size_of(found: Compiled) -> Size:
         elsewhere=max(map(length, others)),
         ifs=max(_nested_ifs(fill.formula) for fill in table if fill.col not in outputs),
     )
+
+
+def longest_of_tables(found: Compiled) -> int:
+    """Of positions, rates, forces, tolerances and two-way tables; outputs, as long as they are described, left out."""
+    plan = found.plan
+    titles = {plan.at.titles[key] for key in ("rates", "forces", "tolerance") if key in plan.at.titles} - {plan.table}
+    outputs = {plan.at.spots[output.symbol].col for output in plan.mechanism.outputs}
+    lengths = [
+        length(fill)
+        for sheet in found.layout.sheets
+        for fill in sheet.fills
+        if sheet.title in titles
+        or sheet.title.startswith(plan.text("sheet.table"))
+        or (_in_table(plan, sheet, fill) and fill.col not in outputs)
+    ]
+    return max(lengths)
 
 
 def cells(sheet: Sheet) -> int:

@@ -4,7 +4,17 @@ Cells and bytes in all are printed by `benchmarks/bench_budgets.py`, and held by
 """
 
 import pytest
-from budgets import A_PASS, ELSEWHERE, FOUR_BAR_COLUMNS, IN_TABLE, compiled, size_of
+from budgets import (
+    A_PASS,
+    ELSEWHERE,
+    FOUR_BAR_COLUMNS,
+    IN_TABLE,
+    PAGES,
+    TABLES,
+    compiled,
+    longest_of_tables,
+    size_of,
+)
 
 from chosen import some
 from folders import TEMPLATE_NAMES
@@ -31,11 +41,11 @@ def test_other_sheets_have_few_columns_for_each_of_the_table(name):
 
 @pytest.mark.slow
 def test_velocities_and_forces_of_a_four_bar_with_three_masses():
-    """Nineteen columns for velocities with a point, thirty-five for forces: 1,350 formulas where there are 25 rows."""
+    """Nineteen columns for velocities with a point, thirty-seven for forces: 1,400 formulas where there are 25 rows."""
     found = compiled("four-bar-forces")
     size, rows = size_of(found), found.plan.rows
     assert len(found.mechanism.dynamics.masses) == 3
-    assert (size.rates, size.forces) == (19 * rows, 35 * rows)
+    assert (size.rates, size.forces) == (19 * rows, 37 * rows)
 
 
 @pytest.mark.parametrize("name", TEMPLATE_NAMES)
@@ -55,6 +65,15 @@ def test_no_heading_stands_over_two_columns(name):
     plan = compiled(name).plan
     heads = [str(getattr(head, "plain", head)) for head in (heading(plan, column) for column in plan.columns)]
     assert len(set(heads)) == len(heads)
+
+
+@pytest.mark.parametrize(
+    ("name", "layout"), [*((name, "sheets") for name in TEMPLATE_NAMES), *((name, "page") for name in PAGES)]
+)
+def test_formulas_of_tables_can_be_read(name, layout):
+    """Every table that a person reads row by row, and every two-way table with its helpers."""
+    longest = longest_of_tables(compiled(name, layout))
+    assert longest <= TABLES
 
 
 FORMS = [(name, "names") for name in TEMPLATE_NAMES] + [(name, "anchors") for name in some(TEMPLATE_NAMES, 2)]

@@ -9,7 +9,7 @@ import pytest
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.studies import cluster
 from mechsheet.studies.run import studied
-from studying import small
+from studying import contents, small
 
 distributed = pytest.importorskip("distributed")
 
@@ -18,10 +18,6 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore::ResourceWarning"),
     pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning"),
 ]
-
-
-def contents(folder):
-    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 @pytest.fixture

@@ -14,13 +14,9 @@ from mechsheet.studies import lock
 from mechsheet.studies.lock import NAME, locked
 from mechsheet.studies.parts import counted
 from mechsheet.studies.run import studied
-from studying import small
+from studying import contents, small
 
 pytest.importorskip("pyarrow")
-
-
-def contents(folder):
-    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 def test_a_folder_is_locked_once_and_then_free_again(tmp_path):

@@ -20,13 +20,9 @@ from mechsheet.studies import packages, parts, running
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.run import studied
 from mechsheet.studies.running import OF_A_PROCESS, memory_there, workers_within
-from studying import small, study_of
+from studying import contents, small, study_of
 
 pq = pytest.importorskip("pyarrow.parquet")
-
-
-def contents(folder):
-    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
 @pytest.fixture(scope="module")

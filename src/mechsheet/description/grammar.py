@@ -53,13 +53,12 @@ class WithUnit:
 class Text:
     """A text.
 
-    choices  the only texts allowed, when there are any;  later: further ones that are reserved
+    choices  the only texts allowed, when there are any
     names    what the text is the name of ("link", "point" ...), for documentation
     longest  number of characters;  lines: more than one line is allowed
     """
 
     choices: tuple[str, ...] = ()
-    later: tuple[str, ...] = ()
     names: str = ""
     longest: int = 255
     lines: bool = False

@@ -113,7 +113,8 @@ def meant_in_degrees(node: Node, kinds: Mapping[str, str]) -> tuple[Said, Said] 
                 return say("radians() of an angle, which is in radians already"), say("leave radians() out")
             case _:
                 continue
-        if any(kind_of(each, kinds) == ANGLE for each in beside):
+        # 1500*theta12 may be a moment: a multiple has its own unit
+        if any(kind_of(each, kinds, multiples=False) == ANGLE for each in beside):
             for each in filter(_is_degrees, beside):
                 return _in_radians(each)
     return None

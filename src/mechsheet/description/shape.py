@@ -169,9 +169,7 @@ def _number(value: Any, shape: Number | Quantity | Integer, path: Path, report: 
 
 
 def _text(value: str, shape: Text, path: Path, report: Report) -> Any:
-    if value in shape.later:
-        report.at(path, say("{value} is not supported yet: it is reserved for a later version", value=quoted(value)))
-    elif shape.choices and value not in shape.choices:
+    if shape.choices and value not in shape.choices:
         report.at(
             path,
             say("expected {shape}, found {value}", shape=allowed(shape), value=quoted(value)),

@@ -143,14 +143,18 @@ def _outline(link: Link, parts: Parts) -> tuple[str, ...]:
 
 
 def _driver(driver: Driver, parts: Parts, reading: Reading) -> dict[str, Any]:
-    """What is driven, about which point, and the numbers of its sweep as they are written."""
+    """What is driven, about which point, and the numbers of its sweep as they are written.
+
+    Its symbol is that of what the positions go through: of what a cam moves the angle of the cam.
+    """
     data = reading.source.data.get("driver") if reading.source is not None else None
     table = data if isinstance(data, dict) else {}
     link, base = parts.link(driver.link), parts.link(driver.relative_to)
     shared = [point for point in link.points if point in base.points] if link and base else []
+    through = reading.compiled.mechanism.driver if reading.compiled is not None else driver
     return {
-        "symbol": driver.symbol,
-        "unit": driver.unit.text,
+        "symbol": through.symbol,
+        "unit": through.unit.text,
         "link": driver.link,
         "joint": driver.joint,
         "pivot": shared[0] if shared else "",

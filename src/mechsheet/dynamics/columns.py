@@ -23,7 +23,8 @@ LONGEST = 128
 class Columns:
     """Writes them into the ledger.
 
-    metre  the constant that turns a force times a length into a torque; 1 where units are consistent
+    of_lengths  the unit of a force times a length
+    metre       the constant that turns it into a torque; 1 where units are consistent
     """
 
     def __init__(self, poses: Poses, dynamics: Dynamics) -> None:
@@ -33,6 +34,7 @@ class Columns:
         self.asked = asked(poses.mechanism)
         self.force = Unit("force", dynamics.force_unit)
         self.torque = Unit("moment", torque_unit(dynamics.force_unit, dynamics.metre, poses.mechanism.length_unit))
+        self.of_lengths = Unit("moment", torque_unit(dynamics.force_unit, None, poses.mechanism.length_unit))
         self.metre: Node = al.ONE
         if dynamics.metre not in (None, 1.0):
             name = self._reserve("metre")
@@ -93,9 +95,13 @@ class Columns:
         exists: Sequence[Condition] = (),
     ) -> Symbol:
         """A column that people read, whatever it is."""
-        node = self.lengths.split(node, lambda part: self._define(self._reserve("part"), part, unit, label), longest)
+        node = self.in_parts(node, unit, label, longest)
         self.lengths.own.add(name)
         return self.ledger.define(name, node, unit, label, "force", exists, force=kind)
+
+    def in_parts(self, node: Node, unit: Unit, label: Words, longest: int) -> Node:
+        """A sum short enough for one formula; its first terms have columns of their own where it is not."""
+        return self.lengths.split(node, lambda part: self._define(self._reserve("part"), part, unit, label), longest)
 
     def joint_force(self, name: str, vector: Vector, label: Words) -> Vector:
         """The parts of a pin's force, and its magnitude."""

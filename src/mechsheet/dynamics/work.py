@@ -19,8 +19,9 @@ from mechsheet.kinematics.build_equations import Found
 from mechsheet.units import Unit
 from mechsheet.words.equations import phrase
 
-LONGEST = 4000
-"""Characters of the formula; Excel takes 8192."""
+LONGEST, AROUND = 250, 12
+"""Characters of the formula, as of any in a table, and of what stands around its two sums: `-(metre*()+)`. What couples do
+has half of it at most, what forces do all that is left."""
 
 
 def own_works(
@@ -65,7 +66,13 @@ def effort_by_work(acting: ActingForces, found: Found, efforts: Mapping[str, str
     slides = bool(found.poses.mechanism.driver.joint)
     if slides:
         turnings = [al.div(turning, columns.metre) for turning in turnings]
-    work = al.total(works) if slides else al.mul(columns.metre, al.total(works))
     unit: Unit = columns.force if slides else columns.torque
-    name = f"{effort.removesuffix('.t')}.work"
-    columns.written(name, al.neg(al.total([work, *turnings])), unit, phrase("by_work"), "work", LONGEST)
+    label = phrase("by_work")
+    of_lengths = columns.force if slides else columns.of_lengths
+    turning = columns.in_parts(al.total(turnings), unit, label, LONGEST // 2)
+    room = LONGEST - AROUND - columns.lengths.of(turning)
+    work = columns.in_parts(al.total(works), of_lengths, label, room)
+    work = work if slides else al.mul(columns.metre, work)
+    columns.written(
+        f"{effort.removesuffix('.t')}.work", al.neg(al.add(work, turning)), unit, label, "work", longest=LONGEST
+    )

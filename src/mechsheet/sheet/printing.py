@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import accumulate
+from itertools import accumulate, pairwise
 
 from livesheet.workbook import Area, Chart, PrintSetup, Sheet
 from mechsheet.sheet import styles
@@ -100,11 +100,28 @@ def first_setup(sheet: Sheet, starts: Sequence[int], last_col: int) -> PrintSetu
         return sheet.print_setup
     down = SURE * UPRIGHT_DOWN
     pages = math.ceil(edges[-1] * READABLE / down)
-    scale = math.floor(100 * min(WIDE, pages * down / edges[-1]))
+    largest = math.floor(100 * min(WIDE, pages * down / edges[-1]))
+    found = ((scale, _between_blocks(sheet, edges, 100 * down / scale)) for scale in _scales(largest))
+    # as large as whole blocks fill as many pages; where no size does, the last page goes on upon a further one
+    scale, row_at = next(
+        ((scale, begins) for scale, begins in found if _fits(edges, begins, 100 * down / scale)),
+        (largest, _between_blocks(sheet, edges, 100 * down / largest)),
+    )
     return replace(
-        sheet.print_setup, landscape=False, fit_width=0, fit_height=0, scale=scale, page_at=tuple(starts),
-        row_at=_between_blocks(sheet, edges, 100 * down / scale), area=Area(0, 0, rows - 1, last_col),
+        sheet.print_setup, landscape=False, fit_width=0, fit_height=0, scale=scale, page_at=tuple(starts), row_at=row_at,
+        area=Area(0, 0, rows - 1, last_col),
     )  # fmt: skip
+
+
+def _scales(largest: int) -> range:
+    """From the largest down to what can be read [per cent]."""
+    return range(largest, math.floor(100 * READABLE) - 1, -1)
+
+
+def _fits(edges: Sequence[float], begins: Sequence[int], page: float) -> bool:
+    """Whether no part between two page breaks is higher than a page."""
+    parts = pairwise([0.0, *(edges[row] for row in begins), edges[-1]])
+    return all(end - begin <= page for begin, end in parts)
 
 
 def _between_blocks(sheet: Sheet, edges: Sequence[float], page: float) -> tuple[int, ...]:

@@ -79,7 +79,8 @@ WHOLE_LINE = Call("INDEX", (LINE, CellRef(FIRST, 0)))
 
 @settings(max_examples=examples(300), deadline=None, report_multiple_bugs=False)
 @example(
-    [[0.0] * (ROWS + 2), [ErrorValue("#N/A"), *[0.0] * (ROWS + 1)], [0.0] * (ROWS + 2)], (1.0, 0.0), Number(1.0), CellRef(FIRST, 0),
+    [[0.0] * (ROWS + 2), [ErrorValue("#N/A"), *[0.0] * (ROWS + 1)], [0.0] * (ROWS + 2)], (1.0, 0.0), Number(1.0),
+    CellRef(FIRST, 0),
     Call("AND", (Call("ISNUMBER", (WHOLE_LINE,)), CellRef(FIRST, 3))), FAST,
 )  # fmt: skip
 @given(

@@ -115,7 +115,7 @@ def test_a_dwell_far_from_0_fills_its_chart(sign):
 
 def test_numbers_of_many_digits_leave_the_curve_its_room():
     """The jerk of a cam's follower goes up to 5E+7 mm/s³: eight digits beside the axis would push the curve aside."""
-    text = (ROOT / "templates/cam-slide.toml").read_text(encoding="utf-8")
+    text = template_text("cam-slide")
     formats = {title: chart.y_axis.number_format for title, chart in charts(text).items() if chart.y_axis.visible}
     assert formats["j_s against φ"] == "0.0E+0;-0.0E+0;0"
     assert {form for title, form in formats.items() if not title.startswith("j_s")} == {"General"}

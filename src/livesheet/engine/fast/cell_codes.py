@@ -30,12 +30,10 @@ class CellCodes:
         self.patience -= 1
         return self.patience < 0
 
-    def compute(
-        self, memory: Memory, number: int, formula: Node, down: int, right: int = 0, by_code: bool = True
-    ) -> None:
+    def compute(self, memory: Memory, number: int, formula: Node, down: int, right: int = 0) -> None:
         """Compute a cell of a block: as far as can be by code, else by the interpreter."""
         place = self.layout.block_offsets[number] + right * self.layout.blocks[number].rows + down
-        if not memory.fill(self.code(memory.ev, number, formula, right, by_code), down, place):
+        if not memory.fill(self.code(memory.ev, number, formula, right), down, place):
             self.interpret(memory.ev, number, formula, down, right)
 
     def interpret(self, ev: Evaluator, number: int, formula: Node, down: int, right: int) -> None:

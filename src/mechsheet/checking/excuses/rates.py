@@ -4,13 +4,14 @@ which a group is driven, and lose digits like 1/sin^2."""
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 
-from livesheet.formula.nodes import symbols
+from livesheet.formula.nodes import Call, Node, symbols, walk
 from mechsheet import reference
-from mechsheet.checking.excuses.columns import Mask
+from mechsheet.checking.excuses.columns import HAIR, JUMP, Mask
 from mechsheet.checking.report import Array
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import CAM, FORCES, INNER, RATES
@@ -104,8 +105,17 @@ class Steepness:
         fine = missing & (np.isnan(theirs) | (self.sine < DEAD * (1 + EDGE)))
         fine |= ~solution.exists | elsewhere  # what does not depend on the group that comes apart goes on
         fine |= ~missing & (ours == theirs)
+        if self._of_forces(symbol):
+            fine |= _loads_leap(solution, found) & np.isfinite(ours)
         wrong = np.isnan(apart) | (~missing & (self.sine < DEAD * (1 - EDGE)) & self.at_all(symbol))
         return np.where(fine, 0.0, np.where(wrong, math.inf, apart))
+
+    def _of_forces(self, symbol: str) -> bool:
+        """True for a force, and for an output of forces."""
+        equation = self.plan.equations.of(symbol)
+        return equation.role in FORCES or any(
+            self.plan.equations.of(name).role in FORCES for name in equation.reads if name in self._reads
+        )
 
     def energy_apart(self, ours: Array, solution: reference.Solution, found: Mapping[str, Array]) -> Array:
         """The same of the flywheel's energy: a sum over rows, measured by the largest torque over a radian."""
@@ -129,6 +139,32 @@ class Steepness:
         # a joint that is pressed by couples alone has forces of their size over the lever, and the other way round
         largest = np.maximum(forces * lever, torques) if kind == "moment" else np.maximum(forces, torques / lever)
         return np.maximum(largest, 1e-300)
+
+
+def _loads_leap(solution: reference.Solution, found: Mapping[str, Array]) -> Mask:
+    """Rows in which rounding decides how large a load is: a cutting force that ends where the velocity is 0, at its dead
+    centre. Either answer is right there."""
+    leaps = np.zeros(len(solution.driver), dtype=bool)
+    known: dict[str, Any] = {**solution.dimensions, **found}
+    for tree in _steps(solution):
+        with np.errstate(all="ignore"):
+            own = np.asarray(value(tree, known), float)
+            far = JUMP * np.nanmax(np.abs(own), initial=0.0)
+            for name in symbols(tree):
+                hair = HAIR * np.nanmax(np.abs(known[name]), initial=0.0)
+                for off in (-hair, hair):
+                    other = np.asarray(value(tree, {**known, name: known[name] + off}), float)
+                    leaps |= np.abs(other - own) > far
+    return leaps
+
+
+def _steps(solution: reference.Solution) -> Iterator[Node]:
+    """The parts of loads that are not steady: those with a sign or a choice."""
+    dynamics = solution.mechanism.dynamics
+    for load in dynamics.loads if dynamics else ():
+        for tree in (*(load.force or ()), load.torque):
+            if tree is not None and any(isinstance(part, Call) and part.name in ("IF", "SIGN") for part in walk(tree)):
+                yield tree
 
 
 def _of_cam(symbol: str, kind: str, theirs: Array, size: float) -> Array:

@@ -1,6 +1,6 @@
 // The dimensions and the sweep of the driver: numbers that are typed, and those that follow from them.
 
-import { escaped, shown, symbol } from "./geometry.js";
+import { escaped, greek, shown, symbol } from "./geometry.js";
 import { note, word } from "./language.js";
 import { on, state } from "./state.js";
 import { order } from "./work.js";
@@ -79,7 +79,7 @@ function drawDimensions() {
   if (listed.length) dimensions.append(rows);
   else dimensions.append(note(word("dimensions.none")));
   if (Object.keys(sweep).length) {
-    const head = note(`${word("driver")} ${look.driver.symbol.replace("theta", "θ")}`);
+    const head = note(`${word("driver")} ${greek(look.driver.symbol)}`);
     head.className = "part";
     const more = document.createElement("table");
     for (const [key, value] of Object.entries(sweep)) {

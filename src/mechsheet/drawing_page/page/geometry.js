@@ -72,6 +72,9 @@ const GREEK = {
   psi: "ψ", sigma: "σ", tau: "τ", rho: "ρ", eta: "η", kappa: "κ", nu: "ν", xi: "ξ", zeta: "ζ",
 };
 
+/** A symbol as plain text: theta13 -> θ13, phi -> φ. */
+export const greek = (name) => name.replace(/^[a-z]+/, (letters) => GREEK[letters] ?? letters);
+
 /** A symbol as HTML: theta13 -> θ with 13 lowered. */
 export function symbol(name) {
   const [head, ...rest] = name.split("_");

@@ -1,7 +1,7 @@
 // The position shown: a slider over the driver's values, and the motion as time goes by.
 
 import { icon } from "./icons.js";
-import { distance, place, shown } from "./geometry.js";
+import { distance, greek, place, shown } from "./geometry.js";
 import { word } from "./language.js";
 import { changed, keep, on, state } from "./state.js";
 
@@ -25,7 +25,7 @@ function update() {
   slider.max = count() - 1;
   slider.value = state.frame;
   slider.disabled = button.disabled = count() < 2;
-  const value = state.look?.solved && driver ? `${driver.symbol.replace("theta", "θ")} = ${shown(state.look.frames.driver[state.frame], 5)}${space(driver.unit)}` : "";
+  const value = state.look?.solved && driver ? `${greek(driver.symbol)} = ${shown(state.look.frames.driver[state.frame], 5)}${space(driver.unit)}` : "";
   reading.textContent = value;
   slider.setAttribute("aria-valuetext", value);
 }

@@ -31,6 +31,9 @@ DEEPEST = 60
 SHORT = 30
 """A formula of so many characters is no shorter as a reference to a helper."""
 
+MANY = 4
+"""Arguments from which on a largest or smallest of many has two halves."""
+
 
 @dataclass(frozen=True, slots=True)
 class Expansion:
@@ -138,6 +141,7 @@ class _Work:
         while self._too_long(rule, uses, plain):
             movable = [name for name in uses if name in self.rules and self.lengths[name] > SHORT]
             if not movable:
+                rule = self._in_halves(symbol, rule)
                 break
             self._move_out(max(movable, key=lambda name: uses[name] * self.lengths[name]))
         self._set(symbol, substituted(rule, self.forms))
@@ -149,6 +153,19 @@ class _Work:
     def _too_long(self, rule: Node, uses: Counter[str], plain: int) -> bool:
         length = plain + sum(count * (self.lengths[name] + 2 - len(name)) for name, count in uses.items())
         return length > self.limit or depth(rule) + max((self.depths[name] for name in uses), default=0) > DEEPEST
+
+    def _in_halves(self, symbol: str, rule: Node) -> Node:
+        """The rule with the first half of what it takes the largest or smallest of in helpers of its own."""
+        many = [part for part in walk(rule) if isinstance(part, Call) and part.name in ("MAX", "MIN")]
+        longest = max(many, key=lambda call: len(call.args), default=None)
+        if longest is None or len(longest.args) < MANY:
+            return rule
+        middle = len(longest.args) // 2
+        half = Symbol(f"{symbol} half")
+        self._set(half.name, self.helper(len(self.helpers)))
+        self.helpers.append((symbol, substituted(Call(longest.name, longest.args[:middle]), self.forms)))
+        shorter = Call(longest.name, (half, *longest.args[middle:]))
+        return transform(rule, lambda part: shorter if part == longest else part)
 
     def _move_out(self, symbol: str) -> None:
         cell = self.helper(len(self.helpers))

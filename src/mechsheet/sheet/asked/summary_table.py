@@ -280,24 +280,28 @@ class Helpers:
             )
             for at in (1, 0, 2)
         )
-        sense = al.number(1.0 if way == "min" else -1.0)
-        known: dict[str, Node] = {"sense": sense, "wraps": wraps, "here": here, "rows": self.of_rows, "of_rows": best}
-        known |= {"found": result, "allowed": self._allowed()}
-        known |= {"twin": with_symbols(rivals.TWIN_BELOW, known), "promise": with_symbols(rivals.PROMISE_BEYOND, known)}
-        rows = {"own": own, "before": before, "after": after, "again": with_symbols(rivals.AGAIN, known)}
+        allowed = self._line("allowed", "allowed", self.style, allowed=self._allowed())
+        known: dict[str, Node] = {"sense": al.number(1.0 if way == "min" else -1.0), "wraps": wraps, "here": here}
+        known |= {"rows": self.of_rows, "of_rows": best, "found": result, "allowed": allowed}
+        known["twin"] = self._line("twin", "twin", self.style, twin=with_symbols(rivals.TWIN_BELOW, known))
+        known["promise"] = self._line("promise", "most", self.style, most=with_symbols(rivals.PROMISE_BEYOND, known))
+        again = self._line("again", "again", again=with_symbols(rivals.AGAIN, known))
+        rows: dict[str, Node] = {"own": own, "before": before, "after": after, "again": again}
         rows["number"] = formula("ROW(own)-offset", own=own, offset=FIRST + 1)
         count = Call("SUMPRODUCT", (with_symbols(rivals.RIVALS, known | rows),))
+        inside = self._line("inside", "count", count=count)
         ends = [self._rival_at_end(at, known) for at in (0, 1)]
-        return self._line("rivals", "IFERROR(count+one+other,0)", count=count, one=ends[0], other=ends[1])
+        return self._line("rivals", "IFERROR(inside+one+other,0)", inside=inside, one=ends[0], other=ends[1])
 
-    def _rival_at_end(self, at: int, known: Mapping[str, Node]) -> Node:
+    def _rival_at_end(self, at: int, known: Mapping[str, Node]) -> CellRef:
         """The same of the first row (at 0) or the last one."""
         rows = [replace(self.column.start, row=row) for row in range(FIRST, self.table.rows_end + 1)]
         own, after, third, *_, near, far = rows if at == 0 else rows[::-1]
         end, other = (al.ONE, self.of_rows) if at == 0 else (self.of_rows, al.ONE)
         known = {**known, "own": own, "after": after, "third": third, "near": near, "far": far}
-        known |= {"end": end, "other_end": other, "outside": with_symbols(rivals.OUTSIDE, known)}
-        return with_symbols(rivals.RIVAL_AT_END, known)
+        known |= {"end": end, "other_end": other}
+        known["outside"] = self._line("outside", "y", self.style, y=with_symbols(rivals.OUTSIDE, known))
+        return self._line(f"end.{at}", "rival", rival=with_symbols(rivals.RIVAL_AT_END, known))
 
     def _allowed(self) -> Node:
         """By so much more is nothing."""

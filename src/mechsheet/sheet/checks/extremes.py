@@ -324,13 +324,17 @@ class Extremes:
         table.lay(row, 1, self.plan.banded[symbol].derivatives)
 
 
-def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max")) -> Node:
-    """What is added to the words of an extreme, or of two: how much it is to be doubted."""
+NOTHING = Text("")
+
+
+def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max"), sure: Node = NOTHING) -> Node:
+    """What is added to the words of an extreme, or of two: how much it is to be doubted; `sure` where the search has no
+    doubt."""
     rows = plan.text("verdict.rows.only")
     if plan.between_unseen:
         return Text(rows)
     doubts = [plan.searched.extremes[way, symbol].doubt for way in ways]
-    said = _doubt(plan, symbol, ways, doubts, ("about", "beyond", "rows.only"))
+    said = _doubt(plan, symbol, ways, doubts, ("about", "beyond", "rows.only"), sure)
     if not may_grow(plan, symbol):
         return said
     # whether there is a bound nobody knows where only rows are known
@@ -344,10 +348,18 @@ def about_turns(plan: Plan, symbol: str) -> Node:
     return _doubt(plan, symbol, ("min", "max"), doubts, ("about", "about"))
 
 
-def _doubt(plan: Plan, symbol: str, ways: Sequence[Way], doubts: Sequence[Spot], words: Sequence[str]) -> Node:
-    """The words of the largest doubt: those of the cells' numbers from 2 on."""
-    doubt = Call("MAX", tuple(each.cell for each in doubts))
-    said: Node = Call("CHOOSE", (doubt, Text(""), *(Text(plan.text(f"verdict.{word}")) for word in words)))
+def _doubt(
+    plan: Plan,
+    symbol: str,
+    ways: Sequence[Way],
+    doubts: Sequence[Spot],
+    words: Sequence[str],
+    sure: Node = NOTHING,
+) -> Node:
+    """The words of the largest doubt: those of the cells' numbers from 2 on, and `sure` of 1."""
+    cells = tuple(each.cell for each in doubts)
+    doubt = Call("MAX", cells) if len(cells) > 1 else cells[0]
+    said: Node = Call("CHOOSE", (doubt, sure, *(Text(plan.text(f"verdict.{word}")) for word in words)))
     without = boundless(plan, symbol, ways)
     if without is not None:
         said = formula("IF(without,words,said)", without=without, words=plan.text("verdict.boundless"), said=said)

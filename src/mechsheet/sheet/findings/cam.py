@@ -408,8 +408,7 @@ def _doubt(on: Reading, symbol: str, *ways: Way) -> Node:
     """What is added where an extreme is to be doubted: beside a leap no probe comes as near as where all is smooth."""
     leaps = on.value("velocity_leaps")
     count: Node = leaps if symbol == "alpha" else al.add(leaps, on.value("acceleration_leaps"))
-    said = on.doubt(symbol, *ways)
-    return formula('IF(AND(said="",count>0),about,said)', said=said, count=count, about=on.text("about"))
+    return on.doubt(symbol, *ways, sure=formula('IF(count>0,about,"")', count=count, about=on.text("about")))
 
 
 # --- what a search finds -------------------------------------------------------------------------------------------------
@@ -456,7 +455,9 @@ def _over(motion: SearchedMotion, part: Segment, order: int, taus: Array) -> Arr
 
 def _fastest(motion: SearchedMotion, part: Segment, order: int) -> float:
     """The largest derivative over a segment, whichever way."""
-    return float(np.max(np.abs(_over(motion, part, order, TAUS))))
+    sizes = np.abs(_over(motion, part, order, TAUS))
+    near = TAUS[int(np.argmax(sizes))] + (TAUS - 0.5) * 2.0 * TAUS[1]  # and between its neighbours once more
+    return float(max(sizes.max(), np.abs(_over(motion, part, order, np.clip(near, 0.0, 1.0))).max()))
 
 
 def _leaps(motion: SearchedMotion, segments: Segments, order: int) -> list[tuple[float, float]]:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.model import Way
 from mechsheet.sheet.checks.checks import Checks
-from mechsheet.sheet.checks.extremes import Extremes, about
+from mechsheet.sheet.checks.extremes import NOTHING, Extremes, about
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.deleted import are_there, missing_words
 from mechsheet.sheet.grashof import Sides
@@ -87,9 +87,9 @@ class Reading(ABC):
         value = over_rows(LEAST if way == "min" else MOST, column)
         return value, self.driver_in_row("MATCH(value,all,0)", value=value, all=column)
 
-    def doubt(self, symbol: str, *ways: Way) -> Node:
-        """What is added where an extreme is to be doubted."""
-        return about(self.plan, symbol, ways) if symbol in self.plan.found.extremes else Text("")
+    def doubt(self, symbol: str, *ways: Way, sure: Node = NOTHING) -> Node:
+        """What is added where an extreme is to be doubted; `sure` where the search has no doubt."""
+        return about(self.plan, symbol, ways, sure) if symbol in self.plan.found.extremes else sure
 
     # --- cells of findings ------------------------------------------------------------------------------------
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from livesheet.formula.nodes import Call, Node, RangeRef, Symbol, Text, symbols
 from mechsheet.model import Way
 from mechsheet.sheet.checks.checks import Checks
+from mechsheet.sheet.checks.extremes import NOTHING
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.findings.reading import Reading
@@ -110,8 +111,8 @@ class PageReading(Reading):
                         column=self.column(symbol))  # fmt: skip
         return value, place
 
-    def doubt(self, symbol: str, *ways: Way) -> Node:
-        return Text(self.text("rows.only") if symbol in self.plan.found.cam else "")
+    def doubt(self, symbol: str, *ways: Way, sure: Node = NOTHING) -> Node:
+        return Text(self.text("rows.only")) if symbol in self.plan.found.cam else sure
 
     def driver_in_row(self, row: str, **holes: Node) -> Node:
         return formula(f'IFERROR(INDEX(drivers,{row}),"")', drivers=self.drivers, **holes)
