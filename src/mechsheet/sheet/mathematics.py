@@ -74,10 +74,13 @@ class _Pen:
                 return self.raised(base, exponent)
             case Binary("*", Number() as factor, Call("PI", ())):
                 return [*self.number(factor.value), ("π", "")], _POWER["*"]
+            case Binary("*" | "/") if (unsigned := _unsigned(node)) is not None:  # −track/2, not (−track)/2
+                return self.write(Unary("-", unsigned))
             case Binary(op, left, right):
                 power = _POWER[op]
                 pieces = [*self.inside(left, power), (_SIGNS[op], "")]
-                return [*pieces, *self.inside(right, power + (op in "-/"))], power
+                minimum = _NEGATIVE + 1 if op == "-" else power + (op == "/")  # a − (−b)
+                return [*pieces, *self.inside(right, minimum)], power
             case Call(name, args):
                 return self.call(name, args)
             case Direction(y, x):
@@ -173,6 +176,16 @@ def symbol_parts(symbol: str) -> list[Part]:
     """A symbol with its subscript."""
     letter, subscript = parts(symbol)
     return [(letter, "italic"), (subscript, "sub")] if subscript else [(letter, "italic")]
+
+
+def _unsigned(node: Node) -> Node | None:
+    """The product or quotient without the minus that it begins with; None where it begins with none."""
+    match node:
+        case Unary("-", operand):
+            return operand
+        case Binary(("*" | "/") as op, left, right) if (unsigned := _unsigned(left)) is not None:
+            return Binary(op, unsigned, right)
+    return None
 
 
 def _squares(args: tuple[Node, ...]) -> Node:

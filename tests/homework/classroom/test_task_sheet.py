@@ -59,6 +59,10 @@ def test_points_stand_along_a_line_of_their_link(steering):
     lines = told(statement(steering).links())
     assert lines[0] == "1  ground: L0 (0; 0);  R0 (track; 0)  (x to the right, y upwards in the figure)"
     assert "4  right: R0, R;  R0R = arm" in lines
+    halves = loads(
+        TASKS["steering"].text.replace('R0 = ["track"', 'Q = ["2 - (-track)/2", "-track*arm/2"], R0 = ["track"'), "own"
+    )
+    assert "Q (2 − (−track/2); −track·arm/2)" in told(statement(halves).links())[0]
     moved = loads(TASKS["steering"].text.replace('L = ["arm", 0]', 'L = ["arm", 0], P = [20, -30]'), "own")
     assert "2  left: L0, L, P;  L0L = arm;  L0→P: 20 along L0→L, −30 to the left of L0→L" in told(
         statement(moved).links()
