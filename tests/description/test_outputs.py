@@ -108,6 +108,9 @@ def test_one_quantity_alone_has_its_own_unit():
         ('p = "q"\nq = "p + 1"', '"p" and "q" depend on one another in a circle'),
         ('p = "2*p"', '"p" depends on itself'),
         ('p = "B.x"\nq = "2*r"', "allowed: "),
+        ('[summary]\nworst = { of = "B.x", take = "largest" }', 'did you mean "max"?'),
+        ('[summary]\nstroke = { of = "B.x", take = "Stroke" }', 'did you mean "range"?'),
+        ('[summary]\nworst = { of = "B.x", take = "minn" }', 'did you mean "min"?'),
     ],
 )
 def test_what_cannot_be(lines, message):

@@ -73,6 +73,7 @@ def test_faults(dialect):
             "functions: sin cos tan asin acos atan atan2 sqrt abs sign min max exp ln radians degrees hypot where",
         ),
         ("pi()", 'pi is a number: write it without parentheses, "2*pi"'),
+        ("theta14 + 90 deg", "write radians(90) for so many degrees"),
         ("30°", 'angles are in radians here; write "radians(30)" for 30 degrees'),
     ],
 )

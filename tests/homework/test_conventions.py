@@ -69,6 +69,16 @@ def test_a_convention_is_not_blamed(tmp_path, how):
     assert found.follow_through == found.plain == found.of
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("task", first(list(TASKS), 2))
+def test_the_workbook_of_a_task_is_right_itself(tmp_path, task):
+    """Its verdicts say `worst 33.8° at -108°`: words, beside a summary that is called `worst`."""
+    (built,) = mechsheet.build(TASKS[task].mechanism, tmp_path / "own.xlsx")
+    found = audit(built, TASKS[task].mechanism)
+    assert found.right, found.asked
+    assert found.faults == ()
+
+
 CLOCKWISE = RIGHT["four-bar, clockwise"][1]
 OFFSET = RIGHT["four-bar, from the other side"][1]
 IN_DEGREES = RIGHT["steering, in degrees"][1]

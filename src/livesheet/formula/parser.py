@@ -64,6 +64,8 @@ class _DescriptionParser(Parser):
             hint = say('write "^" for a power')
         elif token.kind == "separator" and self.depth == 0:
             hint = say('the decimal sign is "."; "," stands between arguments only')
+        elif token.text in ("deg", "degrees", "°") and before is not None and before.kind == "number":
+            hint = say("write radians({number}) for so many degrees", number=before.text)
         elif token.kind in ("name", "number", "open") and expected.startswith("an operator"):
             hint = say('a product is written with "*"')
         return super().unexpected(expected, hint)

@@ -110,6 +110,14 @@ MEANT = {
 }
 """What to write in place of a type of joints that others know by this name."""
 
+TAKES_MEANT = {
+    **dict.fromkeys(("largest", "maximum", "greatest", "biggest", "highest", "peak"), "max"),
+    **dict.fromkeys(("smallest", "minimum", "least", "lowest"), "min"),
+    **dict.fromkeys(("average", "avg"), "mean"),
+    **dict.fromkeys(("swing", "stroke", "span", "difference"), "range"),
+}
+"""What to write in place of a take that people call by this name."""
+
 _TYPE = Key(Text(), "kind of the joint", True)
 _NAME = Key(Text(), "what the driver calls it; the symbol by default")
 _ON = Key(Text(names="link"), "the link that carries the line", True)

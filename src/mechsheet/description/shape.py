@@ -30,7 +30,7 @@ from mechsheet.description.grammar import (
 from mechsheet.description.kinds import plain_unit
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, alternatives, found, listed, suggestion
-from mechsheet.description.schema import MEANT, REASONS
+from mechsheet.description.schema import MEANT, REASONS, TAKES_MEANT
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.measured import LARGEST, SMALLEST, measured
 from mechsheet.description.text.numbers import typed_number, with_points
@@ -198,7 +198,10 @@ def _choice_hint(value: str, shape: Text) -> str:
     plain = plain_unit(value)
     if plain in shape.choices:
         return say('write "{plain}"', plain=plain)
-    meant = MEANT.get(value.strip().lower(), "") if "prismatic" in shape.choices else ""
+    spoken = value.strip().lower()
+    if (take := TAKES_MEANT.get(spoken)) in shape.choices:
+        return say('did you mean "{name}"?', name=take)
+    meant = MEANT.get(spoken, "") if "prismatic" in shape.choices else ""
     return say(meant) if meant else near_miss(value, shape.choices)
 
 

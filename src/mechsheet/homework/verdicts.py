@@ -223,8 +223,10 @@ def _single(sheet: Sheet, truth: Truth, summary: Summary) -> Finding | None:
             for place, strip in some
             if any(map(named, (label_of(work, place), *names_over(work, [place]))))
         ]
-        if claims:
-            return finding(*claims[-1])
+        # a formula that makes a text beside such a word, "worst 33.8° at 60°", is a remark
+        numbers = [claim for claim in claims if not isinstance(work.value(claim[0], sheet.values), str)] or claims
+        if numbers:
+            return finding(*numbers[-1])
     best: tuple[tuple[bool, bool], Finding] | None = None
     for place, strip in cells:
         one = finding(place, strip)

@@ -455,7 +455,9 @@ def _over(motion: SearchedMotion, part: Segment, order: int, taus: Array) -> Arr
 
 def _fastest(motion: SearchedMotion, part: Segment, order: int) -> float:
     """The largest derivative over a segment, whichever way."""
-    return float(np.max(np.abs(_over(motion, part, order, TAUS))))
+    sizes = np.abs(_over(motion, part, order, TAUS))
+    near = TAUS[int(np.argmax(sizes))] + (TAUS - 0.5) * 2.0 * TAUS[1]  # and between its neighbours once more
+    return float(max(sizes.max(), np.abs(_over(motion, part, order, np.clip(near, 0.0, 1.0))).max()))
 
 
 def _leaps(motion: SearchedMotion, segments: Segments, order: int) -> list[tuple[float, float]]:
