@@ -92,7 +92,7 @@ def _halves(motion: Segments, tau: Symbol, ledger: Ledger) -> dict[str, Node]:
 
     half = Call("IF", (Binary(">", tau, Number(0.5 + MEETING)), al.ONE, al.ZERO))
     later = ledger.column("q", half, NUMBER, phrase("segment_half"))
-    nearer = Call("IF", (Binary("=", later, al.ONE), al.sub(al.ONE, tau), tau))
+    nearer = al.add(tau, al.mul(later, al.sub(al.ONE, al.mul(Number(2.0), tau))))
     piece = al.total([al.ONE, beyond(EIGHTH), beyond(MOST_RISING)])
     wave = al.mul(al.mul(Number(4.0), al.PI), nearer)
     return {

@@ -327,14 +327,24 @@ class Extremes:
 NOTHING = Text("")
 
 
-def about(plan: Plan, symbol: str, ways: Sequence[Way] = ("min", "max"), sure: Node = NOTHING) -> Node:
+def about(
+    plan: Plan,
+    symbol: str,
+    ways: Sequence[Way] = ("min", "max"),
+    sure: Node = NOTHING,
+    none: Node | None = None,
+) -> Node:
     """What is added to the words of an extreme, or of two: how much it is to be doubted; `sure` where the search has no
-    doubt."""
+    doubt. `none`: whether there is no number; then some row has no value, as at a dead centre, or there is no bound."""
     rows = plan.text("verdict.rows.only")
+    gaps = plan.text("verdict.gaps")
     if plan.between_unseen:
-        return Text(rows)
+        return Text(rows) if none is None else formula("IF(none,gaps,rows)", none=none, gaps=gaps, rows=rows)
     doubts = [plan.searched.extremes[way, symbol].doubt for way in ways]
-    said = _doubt(plan, symbol, ways, doubts, ("about", "beyond", "rows.only"), sure)
+    said = _doubt(plan, doubts, ("about", "beyond", "rows.only"), sure)
+    if none is not None:
+        said = formula("IF(none,gaps,said)", none=none, gaps=gaps, said=said)
+    said = _without_bound(plan, symbol, ways, said)
     if not may_grow(plan, symbol):
         return said
     # whether there is a bound nobody knows where only rows are known
@@ -345,21 +355,18 @@ def about_turns(plan: Plan, symbol: str) -> Node:
     """The same of a ratio of times over whole turns: places count, too; one that may be elsewhere makes it about right."""
     ends = [plan.searched.extremes[way, symbol] for way in WAYS.values()]
     doubts = [*(end.doubt for end in ends), *(there(end.turns_doubt) for end in ends)]
-    return _doubt(plan, symbol, ("min", "max"), doubts, ("about", "about"))
+    return _without_bound(plan, symbol, ("min", "max"), _doubt(plan, doubts, ("about", "about")))
 
 
-def _doubt(
-    plan: Plan,
-    symbol: str,
-    ways: Sequence[Way],
-    doubts: Sequence[Spot],
-    words: Sequence[str],
-    sure: Node = NOTHING,
-) -> Node:
+def _doubt(plan: Plan, doubts: Sequence[Spot], words: Sequence[str], sure: Node = NOTHING) -> Node:
     """The words of the largest doubt: those of the cells' numbers from 2 on, and `sure` of 1."""
     cells = tuple(each.cell for each in doubts)
     doubt = Call("MAX", cells) if len(cells) > 1 else cells[0]
-    said: Node = Call("CHOOSE", (doubt, sure, *(Text(plan.text(f"verdict.{word}")) for word in words)))
+    return Call("CHOOSE", (doubt, sure, *(Text(plan.text(f"verdict.{word}")) for word in words)))
+
+
+def _without_bound(plan: Plan, symbol: str, ways: Sequence[Way], said: Node) -> Node:
+    """Where a quantity grows without bound that, else what is said."""
     without = boundless(plan, symbol, ways)
     if without is not None:
         said = formula("IF(without,words,said)", without=without, words=plan.text("verdict.boundless"), said=said)

@@ -8,7 +8,7 @@ from livesheet.workbook import Area
 from mechsheet.model import WAYS, Output, Summary, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.boundless import may_grow
-from mechsheet.sheet.checks.extremes import about, boundless, has_column, where_bounded
+from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.deleted import sheets_of
 from mechsheet.sheet.first.blocks import Writer, value_style
@@ -41,10 +41,9 @@ def _write(writer: Writer, summary: Summary) -> None:
     searched = summary.take.ways and summary.of != plan.mechanism.driver.symbol and has_column(plan, summary.of)
     if searched:
         same = same_angle(plan, summary.of)
-        doubts = about(
-            plan, same.group.transmission if same else summary.of, ("min", "max") if same else summary.take.ways
-        )
-        words = joined(words, _doubted(plan, summary, doubts))
+        ways = ("min", "max") if same else summary.take.ways
+        none = _has_none(plan, summary) if plan.rows_only or may_grow(plan, summary.of) else None
+        words = joined(words, about(plan, same.group.transmission if same else summary.of, ways, none=none))
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     _said(writer, row, words)
     unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
@@ -59,16 +58,6 @@ def _write(writer: Writer, summary: Summary) -> None:
     writer.formula(row, VALUE, _where_it_closes(plan, value), style)
     if where is not None:
         writer.formula(row, TOLERANCE, _where_it_closes(plan, where), value_style(plan, ANGLE))
-
-
-def _doubted(plan: Plan, summary: Summary, doubts: Node) -> Node:
-    """How much an extreme is to be doubted; or that it is not known, since some row has no value, as at a dead centre."""
-    if not (plan.rows_only or may_grow(plan, summary.of)):
-        return doubts
-    none, without = _has_none(plan, summary), boundless(plan, summary.of, summary.take.ways)
-    if without is not None:
-        none = formula("AND(none,NOT(without))", none=none, without=without)
-    return formula("IF(none,words,doubts)", none=none, words=plan.text("verdict.gaps"), doubts=doubts)
 
 
 def _has_none(plan: Plan, summary: Summary) -> Node:
