@@ -141,7 +141,10 @@ def _in_radians(node: Node) -> tuple[Said, Said]:
     return say("{number} would be radians, as angles in expressions are", number=number), say(_ADVICE, number=number)
 
 
-def is_plain_number(node: Node) -> bool:
-    """Whether an expression is made of numbers alone (30, 360/7) and is not 0: an angle in degrees, to most who write it."""
+def is_number_of_degrees(node: Node) -> bool:
+    """Whether an expression is made of numbers alone, and one is of degrees (30, 360/72) or it is itself above a turn: an
+    angle in degrees, to most who write it."""
     parts = list(walk(node))
-    return not any(isinstance(part, Symbol | Call) for part in parts) and any(_plain(part) for part in parts)
+    if any(isinstance(part, Symbol | Call) for part in parts):
+        return False
+    return any(map(_is_degrees, parts)) or abs(_plain(node) or 0.0) > math.tau

@@ -20,7 +20,7 @@ from mechsheet.description.kinds import (
     ANY,
     DEGREES,
     LENGTH,
-    is_plain_number,
+    is_number_of_degrees,
     kind_of,
     meant_in_degrees,
     plain_unit,
@@ -283,7 +283,7 @@ class Scope:
 
     def is_in_radians(self, tree: Node, text: str, unit: Unit, path: Path) -> bool:
         """True unless an angle that people type in degrees is numbers alone, "30": these would be radians."""
-        if not unit.in_degrees or not is_plain_number(tree):
+        if not unit.in_degrees or not is_number_of_degrees(tree):
             return True
         message = say("{text} in quotes is an expression, and angles in expressions are in radians", text=quoted(text))
         hint = say("write {degrees} for degrees", degrees=quoted(f"radians({text.strip()})"))

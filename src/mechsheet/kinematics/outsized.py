@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
+from livesheet import portable
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.kinematics.dimensions import dimension_values
@@ -22,7 +23,7 @@ def inertia_doubts(mechanism: Mechanism) -> Iterator[Fault]:
     if dynamics is None:
         return
     values = dimension_values(mechanism)
-    size = max(math.hypot(*place) for link in mechanism.links for place in number_points(link, values).values())
+    size = max(portable.hypot(*place) for link in mechanism.links for place in number_points(link, values).values())
     for each in dynamics.masses:
         if each.mass is None or each.inertia is None:
             continue

@@ -153,13 +153,13 @@ class TestPairs:
 @pytest.mark.skipif(libreoffice_command() is None, reason="LibreOffice is not installed")
 def test_commands_read_it(pairs, tmp_path):
     path = pairs["four-bar"][1]
-    run = run("check", path)
-    assert run.exit_code == 0, run.output
-    run = run("recalc", path, "--set", "a2=30", "--print", "Mechanism!B8")
-    assert (run.exit_code, run.stdout) == (0, "ok\n"), run.output
-    run = run("recalc", path, "-o", tmp_path / "new.xls")
-    assert run.exit_code == 2
-    assert "an .xls is read, not written" in run.output
+    done = run("check", path)
+    assert done.exit_code == 0, done.output
+    done = run("recalc", path, "--set", "a2=30", "--print", "Mechanism!B8")
+    assert (done.exit_code, done.stdout) == (0, "ok\n"), done.output
+    done = run("recalc", path, "-o", tmp_path / "new.xls")
+    assert done.exit_code == 2
+    assert "an .xls is read, not written" in done.output
     assert not list(tmp_path.iterdir())
 
 
