@@ -70,7 +70,7 @@ def test_a_convention_is_not_blamed(tmp_path, how):
 
 
 TAKEN_WORD = pytest.mark.xfail(
-    strict=True, reason="a summary called left is sought below the heading left of a hidden sheet"
+    strict=True, reason="a summary called left is sought below a heading left"
 )
 
 
