@@ -69,9 +69,7 @@ def test_a_convention_is_not_blamed(tmp_path, how):
     assert found.follow_through == found.plain == found.of
 
 
-TAKEN_WORD = pytest.mark.xfail(
-    strict=True, reason="a summary called left is sought below a heading left"
-)
+TAKEN_WORD = pytest.mark.xfail(strict=True, reason="a summary called left is sought below a heading left")
 
 
 @pytest.mark.slow
