@@ -421,8 +421,10 @@ class _Writer:
         if not turns:
             return phrase("sliding_velocity" if order == 1 else "sliding_acceleration", symbol=symbol)
         link = next((link for link in self.mechanism.links if link.angle_symbol == symbol), None)
-        if link is None:  # driven against another link than the ground
-            link = next(self.poses.links[driver.link] for driver in self.mechanism.drivers if driver.symbol == symbol)
+        if link is None:  # driven against another link than the ground, or called otherwise, as a cam's angle
+            link = next(
+                self.poses.links[driver.link] for driver in self.mechanism.all_drivers if driver.symbol == symbol
+            )
         key = "angular_velocity" if order == 1 else "angular_acceleration"
         return phrase(key, number=str(link.number), link=link_words(link))
 
