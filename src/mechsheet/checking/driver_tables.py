@@ -161,7 +161,9 @@ class _Judge:
         return self.table.request.value in {closes, *readers(self.plan.equations, {closes})}
 
     def _note(self, across: int, apart: Array, ours: Array, theirs: Array) -> None:
-        address = lambda row: cell_address(self.table.title, FIRST + row, 1 + across)  # noqa: E731
+        def address(row: int) -> str:
+            return cell_address(self.table.title, FIRST + row, 1 + across)
+
         self.tally.note_column(self.table.request.value, apart, address, ours, theirs)
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from livesheet.formula.nodes import Node, symbols
 from livesheet.said import say
 from mechsheet.description.asked import synthesis
-from mechsheet.description.kinds import ANGLE, unit_kind
+from mechsheet.description.kinds import unit_kind
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import REPORTED, Scope, circle_message, cycles, words
 from mechsheet.description.text.index import Path
@@ -76,11 +76,7 @@ def _formulas(data: dict[str, Any], scope: Scope) -> dict[str, Node]:
             continue
         good = scope.only_dimensions(tree, text, path)
         fits = scope.fits(tree, text, scope.kinds[symbol], path)
-        if (
-            fits
-            and good
-            and (scope.kinds[symbol] != ANGLE or scope.is_in_radians(tree, text, scope.units[symbol], path))
-        ):
+        if fits and good and scope.is_in_radians(tree, text, scope.units[symbol], path):
             trees[symbol] = tree
     return trees
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from livesheet import portable
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.points_in_link import number, number_points
+from mechsheet.kinematics.lengths import largest_length
+from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import Mechanism
 
 OUTSIZED = 100.0
@@ -23,7 +23,7 @@ def inertia_doubts(mechanism: Mechanism) -> Iterator[Fault]:
     if dynamics is None:
         return
     values = dimension_values(mechanism)
-    size = max(portable.hypot(*place) for link in mechanism.links for place in number_points(link, values).values())
+    size = largest_length(mechanism, values)
     for each in dynamics.masses:
         if each.mass is None or each.inertia is None:
             continue

@@ -87,14 +87,8 @@ def _halves(motion: Segments, tau: Symbol, ledger: Ledger) -> dict[str, Node]:
     if not {WAVE, HALF, PIECE} & {name for each in motion.parts for way in each.way for name in symbols(way)}:
         return {}
 
-    def beyond(part: float) -> Node:
-        return Call("IF", (Binary(">", nearer, Number(part + MEETING)), al.ONE, al.ZERO))
-
-    half = Call("IF", (Binary(">", tau, Number(0.5 + MEETING)), al.ONE, al.ZERO))
-    later = ledger.column("q", half, NUMBER, phrase("segment_half"))
-    nearer = al.add(tau, al.mul(later, al.sub(al.ONE, al.mul(Number(2.0), tau))))
-    piece = al.total([al.ONE, beyond(EIGHTH), beyond(MOST_RISING)])
-    wave = al.mul(al.mul(Number(4.0), al.PI), nearer)
+    later = ledger.column("q", _later(tau), NUMBER, phrase("segment_half"))
+    piece, wave = _of_half(tau, later)
     return {
         HALF: later,
         PIECE: ledger.column("p", piece, NUMBER, phrase("segment_piece")),
@@ -102,12 +96,27 @@ def _halves(motion: Segments, tau: Symbol, ledger: Ledger) -> dict[str, Node]:
     }
 
 
+def _beyond(node: Node, part: float) -> Node:
+    return Call("IF", (Binary(">", node, Number(part + MEETING)), al.ONE, al.ZERO))
+
+
+def _later(tau: Node) -> Node:
+    """1 in the later half of a segment."""
+    return _beyond(tau, 0.5)
+
+
+def _of_half(tau: Node, later: Node) -> tuple[Node, Node]:
+    """Which piece of its half it is, and the wave's angle: both halves are alike, seen from their ends."""
+    nearer = al.add(tau, al.mul(later, al.sub(al.ONE, al.mul(Number(2.0), tau))))
+    piece = al.total([al.ONE, _beyond(nearer, EIGHTH), _beyond(nearer, MOST_RISING)])
+    return piece, al.mul(al.mul(Number(4.0), al.PI), nearer)
+
+
 def ways_over(part: Segment, tau: Array) -> list[Array]:
     """f, f', f'' and f''' of a segment's law at parts of it, as numbers."""
-    half = tau > 0.5
-    nearer = np.where(half, 1.0 - tau, tau)
-    piece = 1.0 + (nearer > EIGHTH) + (nearer > MOST_RISING)
-    known = {TAU: tau, HALF: half * 1.0, PIECE: piece, WAVE: 4.0 * np.pi * nearer}
+    known = {TAU: tau}
+    known[HALF] = value(_later(Symbol(TAU)), known)
+    known[PIECE], known[WAVE] = (value(node, known) for node in _of_half(Symbol(TAU), Symbol(HALF)))
     return [np.broadcast_to(np.asarray(value(way, known), float), tau.shape) for way in part.way]
 
 

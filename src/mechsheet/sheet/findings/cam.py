@@ -152,14 +152,13 @@ class LeastRadius(Finding):
         found, allowed = _extremes(motion, self.key, symbol)
         if found is None:
             return {}
-        least, place = found[:2] if face else found[2:]
-        missed, sense = allowed, -1.0 if face else 1.0
+        best, place = found[:2] if face else found[2:]
+        least, missed, sense = best, allowed, -1.0 if face else 1.0
         if not face:
-            roller, bent = _number(motion, cam.radius if cam and cam.radius else 0.0), least
-            if bent <= 0:
+            if best <= 0:
                 return {self.key: Expected([])}
-            least, missed = 1 / bent - roller, allowed / bent**2
-        best = found[0] if face else found[2]
+            roller = _number(motion, cam.radius if cam and cam.radius else 0.0)
+            least, missed = 1 / best - roller, allowed / best**2
         words = _either(motion, least, 0.0, f"{self.key}.undercut", f"{self.key}.fine", missed)
         return {self.key: Expected([least], missed, words=words)} | motion.where(
             self.key, place, lambda rows: sense * (best - motion.search.known(rows)[symbol]), allowed
