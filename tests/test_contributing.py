@@ -126,6 +126,7 @@ def test_turkish_words_stand_in_one_place():
 OF_CAMS = {"cam", "cams", "Cam", "CAM", "CONTACT", "segments", "Segments"}
 
 
+@pytest.mark.slow
 def test_modules_that_name_a_cam_are_those_that_the_page_gives_a_reason_for():
     """Another module that asks about a cam is to be seen, and said why."""
     page = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")

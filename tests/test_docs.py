@@ -348,6 +348,7 @@ def test_the_example_of_the_spreadsheet_library(monkeypatch, tmp_path):
     assert openpyxl.load_workbook("plan.xlsx", data_only=True)["Plan"]["C11"].value == pytest.approx(1000 * 1.05**10)
 
 
+@pytest.mark.slow
 def test_one_number_on_its_way():
     """What the page says of A.x at each stage is there."""
     page = (DOCS / "architecture.md").read_text(encoding="utf-8")

@@ -335,6 +335,7 @@ def of_sheet(path):
     return names - {path.relative_to(SOURCE / "sheet").with_suffix("").parts[0]}
 
 
+@pytest.mark.slow
 def test_folders_of_sheet_import_downwards():
     rank = {name: number for number, names in enumerate(SHEET) for name in names}
     members, wrong = {}, []

@@ -154,6 +154,7 @@ def test_a_function_gives_what_basic_says(name):
     assert found == pytest.approx([EXPECTED[name](x) for x in ARGUMENTS], rel=1e-12)
 
 
+@pytest.mark.slow
 def test_columns_of_calls_are_computed_row_by_row():
     """Filled down over cells, where rows take other branches and more rounds than others."""
     names, _ = names_of(MODULE)
@@ -245,6 +246,7 @@ def test_the_five_link_that_calls_vba_agrees_with_its_module(tmp_path):
         assert max(worst) < 1e-10
 
 
+@pytest.mark.slow
 def test_typical_mistakes_have_a_message(tmp_path):
     """A file that is not there, or no module, is refused with exit code 2."""
     book = tmp_path / "b.xlsx"

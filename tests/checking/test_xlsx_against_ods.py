@@ -188,6 +188,7 @@ def test_a_difference_on_the_command_line(folder, tmp_path):
     assert "this file" in shown.output
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("program", ["ironcalc", "formulas"])
 def test_judges_that_read_xlsx_only(folder, program):
     ods = folder / "page.ods"

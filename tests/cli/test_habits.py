@@ -41,6 +41,7 @@ def test_nonsense_on_standard_input(content):
     assert b"<stdin>" in done.stderr and b"Traceback" not in done.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "expected"),
     [

@@ -50,6 +50,7 @@ COMMANDS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_command_loads_no_room_that_it_does_not_use(command, tmp_path):
     arguments = command.format(folder=tmp_path).split()

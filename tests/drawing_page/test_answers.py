@@ -78,6 +78,7 @@ def test_pictures_and_the_text_are_given_away(kind, begin):
     assert Studio(None).answer("file", {"text": TEXT, "kind": kind, "at": 40}).startswith(begin)
 
 
+@pytest.mark.slow
 def test_a_workbook_is_that_of_build(tmp_path):
     """Byte for byte what the command line writes, in the language and the layout that were asked for."""
     path = tmp_path / "mine.toml"
@@ -88,6 +89,7 @@ def test_a_workbook_is_that_of_build(tmp_path):
     assert "Açılar" in zipfile.ZipFile(BytesIO(content)).read("xl/sharedStrings.xml").decode()
 
 
+@pytest.mark.slow
 def test_the_check_says_whether_the_workbook_is_right_and_by_whom():
     answer = Studio(None).answer("check", {"text": TEXT})
     assert answer["agrees"]
@@ -139,6 +141,7 @@ def test_what_cannot_be_joined_is_told_in_turkish_with_the_links_in_turkish():
     assert faults[0]["links"] == ["coupler", "rocker"]
 
 
+@pytest.mark.slow
 def test_the_check_is_told_in_the_language_of_the_workbook(tmp_path):
     path = tmp_path / "mine.toml"
     path.write_text(TEXT, encoding="utf-8")

@@ -54,6 +54,7 @@ def names_in(path):
 CASES = [(path, point) for path in but(TEMPLATE_FILES, *SHARED, *TIED, *FOUND, *CAMS) for point in names_in(path)]
 
 
+@pytest.mark.slow
 @pytest.mark.cases(5)
 @pytest.mark.parametrize(("path", "point"), part(CASES, 9), ids=lambda part: getattr(part, "stem", part))
 def test_a_dragged_point_lies_where_it_was_dragged(path, point):

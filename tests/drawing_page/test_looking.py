@@ -76,6 +76,7 @@ def test_what_cannot_be_drawn_is_said(name, said):
     assert said <= set(looked(path.read_text(encoding="utf-8"))["undrawn"])
 
 
+@pytest.mark.slow
 def test_a_shaper_is_shown_as_it_cuts():
     """The position that a workbook shows first; at 0 degrees no load acts."""
     path = FOUR_BAR.with_stem("shaper")

@@ -196,6 +196,7 @@ def test_it_stops_when_the_last_page_has_been_closed(tmp_path):
     server.stop()
 
 
+@pytest.mark.slow
 def test_it_waits_for_the_first_page(tmp_path):
     server = DrawingServer(Studio(None, tmp_path), patience=0.1)
     server.start()

@@ -90,6 +90,7 @@ def test_behind_random_dyads_it_is_the_references(seed):
     assert worst < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.cases(5)
 @pytest.mark.parametrize("face", [False, True], ids=["roller", "face"])
 @pytest.mark.parametrize("name", [*CHAINS, *DRIVEN_PAIRS, *GEARS, *DYADS])
@@ -113,6 +114,7 @@ def test_a_press_whose_ram_is_to_move_by_the_law(ram):
     assert worst < 1e-11
 
 
+@pytest.mark.slow
 def test_power_in_is_power_out(ram):
     """The cam's torque, and what its force does on the bell crank, is how fast the energy of all the rest changes."""
     mechanism = loads(ram)

@@ -108,6 +108,7 @@ def worst_of(text):
     return worst, len(found)
 
 
+@pytest.mark.slow
 @pytest.mark.cases(5)
 @pytest.mark.parametrize(
     "template", some(but(TEMPLATE_FILES, *LISTED, "four-bar-forces"), 4), ids=lambda path: path.stem

@@ -14,6 +14,7 @@ def template(name):
     return next(path for path in TEMPLATE_FILES if path.stem == name).read_text(encoding="utf-8")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["scissor-lift-between-arms", "stephenson-ii-motor"])
 def test_templates_against_all_reactions_at_once(name):
     for seed, static in ((1, False), (2, True)) if IN_CI else ((1, False),):

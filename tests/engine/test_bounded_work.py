@@ -86,6 +86,7 @@ def test_what_ends_is_computed(little_patience):
     assert ours([FIB.format(n=8)] * 20, []) == [21.0] * 20
 
 
+@pytest.mark.slow
 def test_many_endless_formulas_end_together(monkeypatch):
     """A column of them takes the steps of a few: the workbook's own limit."""
     monkeypatch.setattr(budget, "MOST_STEPS", 2000)
@@ -96,6 +97,7 @@ def test_many_endless_formulas_end_together(monkeypatch):
     assert time.process_time() - start < 5
 
 
+@pytest.mark.slow
 def test_time_is_over_in_the_midst_of_a_formula():
     start = time.monotonic()
     with pytest.raises(TimeLimitError, match=r"not finished after 0\.3 seconds"), limited(0.3):

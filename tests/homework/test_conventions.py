@@ -60,6 +60,7 @@ RIGHT = {
 """Workbook -> (task, columns in other words): 25 of them."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", first(list(RIGHT), 6))
 def test_a_convention_is_not_blamed(tmp_path, how):
     task, changes = RIGHT[how]
@@ -142,6 +143,7 @@ FAULTS = {
 """Number -> (task, its convention, the fault: a formula, or a number typed over one; the asked quantities it stands in)."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", first(list(FAULTS), 6))
 def test_one_fault_is_found_with_exact_marks(tmp_path, number):
     name, convention, fault, lost = FAULTS[number]

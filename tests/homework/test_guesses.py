@@ -123,6 +123,7 @@ def test_answers_cover_the_rows_asked_for(tmp_path, mechanism, rows):
     assert mechsheet.audit(tmp_path / "book.xlsx", mechanism).right
 
 
+@pytest.mark.slow
 def test_a_number_of_a_few_rows_is_not_that_of_all(tmp_path):
     """The least transmission angle of the first rows; typed over all rows in the same cell it is right."""
     text = mechsheet.template("four-bar").text + "\n[exercise]\nasked = { mu_min = 1 }\n"
@@ -206,6 +207,7 @@ LIKE_FORMULAS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", LIKE_FORMULAS)
 def test_pasted_numbers_have_half_marks(tmp_path, mechanism, how):
     """A sheet of values alone could not be judged; values of another zero that formulas read were right."""
@@ -219,6 +221,7 @@ def test_pasted_numbers_have_half_marks(tmp_path, mechanism, how):
     assert mark == 1.5
 
 
+@pytest.mark.slow
 def test_pasted_numbers_without_any_dimension_have_half_marks(tmp_path):
     """No dimension could be retyped, so nothing showed that the formulas follow none."""
     mechanism = mechsheet.template("four-bar", {name: value for _, name, value in FOUR_BAR})
@@ -237,6 +240,7 @@ NUMBERS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", NUMBERS)
 def test_a_table_of_numbers_is_read_in_any_direction(tmp_path, mechanism, how):
     """Where nothing is computed no formula says where the table goes: it was not found, or only in the other direction."""
@@ -247,6 +251,7 @@ def test_a_table_of_numbers_is_read_in_any_direction(tmp_path, mechanism, how):
     assert found.faults == ()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("value", "kind"), [(77.7, "wrong number"), (None, "no number")])
 def test_a_wrong_number_among_numbers_is_told(tmp_path, mechanism, value, kind):
     columns = pasted(mechanism)
@@ -258,6 +263,7 @@ def test_a_wrong_number_among_numbers_is_told(tmp_path, mechanism, value, kind):
     assert mark == 1.0
 
 
+@pytest.mark.slow
 def test_noise_beyond_the_tolerance_has_no_marks(tmp_path, mechanism):
     draw = np.random.default_rng(7)
     columns = [
@@ -277,6 +283,7 @@ SINGLE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", SINGLE)
 def test_a_single_number_is_the_cell_that_is_called_so(tmp_path, how):
     text = mechsheet.template("four-bar").text + "\n[exercise]\nasked = { mu_min = 1 }\n"
@@ -285,6 +292,7 @@ def test_a_single_number_is_the_cell_that_is_called_so(tmp_path, how):
     assert marked(tmp_path, mechsheet.loads(text, "least"), table)[0] == mark
 
 
+@pytest.mark.slow
 def test_pasted_numbers_of_a_task_have_half_marks(tmp_path):
     """The lengths follow from a task: that they cannot be retyped one by one was taken for being live."""
     mechanism = mechsheet.template("crank-rocker-swing")
@@ -295,6 +303,7 @@ def test_pasted_numbers_of_a_task_have_half_marks(tmp_path):
     assert {one.verdict for symbol, one in found.asked.items() if symbol.startswith("theta")} == {"not live"}
 
 
+@pytest.mark.slow
 def test_pasted_numbers_of_another_assembly_have_half_marks_at_most(tmp_path, mechanism):
     """None, as for any other assembly; with `--assembly any` half, as for pasted numbers."""
     other = mechsheet.template("four-bar", {name: value for _, name, value in FOUR_BAR} | {"mode_1": -1}).solve()

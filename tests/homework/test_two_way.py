@@ -61,12 +61,14 @@ def few_are_tried(monkeypatch):
     assert sum(tried) < MOST_TRIED
 
 
+@pytest.mark.slow
 def test_all_columns_are_right(tmp_path, pump):
     found = audit(saved(tmp_path / "pump.xlsx"), pump)
     assert (found.asked["s15"].verdict, found.asked["s15"].cells) == ("right", "Sayfa1!B8:G26")
     assert found.faults == ()
 
 
+@pytest.mark.slow
 def test_nothing_but_the_table_is_missing(tmp_path):
     """The angles that the template asks for besides are no fault of these columns."""
     found = audit(saved(tmp_path / "pump.xlsx"), loads(template_text("adjustable-pump"), "pump"))
@@ -75,11 +77,13 @@ def test_nothing_but_the_table_is_missing(tmp_path):
     }  # fmt: skip
 
 
+@pytest.mark.slow
 def test_other_settings_than_the_descriptions_are_read_from_their_row(tmp_path, pump):
     found = audit(saved(tmp_path / "pump.xlsx", settings=(30, 60, 90, 120, 180, 210)), pump)
     assert found.right
 
 
+@pytest.mark.slow
 def test_a_table_wider_than_it_is_high_goes_down_all_the_same(tmp_path, pump):
     found = audit(saved(tmp_path / "pump.xlsx", rows=5), pump)
     assert (found.asked["s15"].verdict, found.asked["s15"].cells) == ("in part", "Sayfa1!B8:G12")
@@ -88,6 +92,7 @@ def test_a_table_wider_than_it_is_high_goes_down_all_the_same(tmp_path, pump):
 SWAPPED = CALL.replace("Biyel,Arakol", "Arakol,Biyel")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("only", "cells"), [("BCDEFG", "B8:G26"), ("D", "D8:D26")])
 def test_a_wrong_formula_is_found_in_the_columns_that_have_it(tmp_path, pump, only, cells):
     found = audit(saved(tmp_path / "pump.xlsx", SWAPPED, only=only), pump)
@@ -97,6 +102,7 @@ def test_a_wrong_formula_is_found_in_the_columns_that_have_it(tmp_path, pump, on
     assert found.follow_through == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("cell", "wanted"), [("B12", "252.093"), ("E12", "290.755")])
 def test_a_number_typed_over_is_found_in_its_column(tmp_path, pump, cell, wanted):
     found = audit(saved(tmp_path / "pump.xlsx", cells={cell: 123.4}), pump)

@@ -33,6 +33,7 @@ def test_by_how_it_reads_angles(formula, change):
         assert Periods(columns, compiled.mechanism.driven_symbols).of(parse_description(formula)) == change
 
 
+@pytest.mark.slow
 def test_what_the_mechanism_has_comes_back_or_goes_on_by_turns():
     compiled = compiled_of(loads(template_text("four-bar-forces")))
     periods = compiled.plan.periods
@@ -44,6 +45,7 @@ def test_what_the_mechanism_has_comes_back_or_goes_on_by_turns():
     assert names["F34.x"] == names["T12"] == names["omega14"] == "nothing"
 
 
+@pytest.mark.slow
 def test_the_way_along_a_guide_is_no_time():
     """In the equations of a guide at an angle a part is called t, as time is where a motion law drives."""
     text = template_text("slider-crank").replace('through = [0, "a1"]', 'through = [0, "a1"]\nangle = "10 deg"')

@@ -64,6 +64,7 @@ def sketched(name, *, pin=False):
         )
 
 
+@pytest.mark.slow
 def test_no_template_is_doubtful():
     """Every packaged sketch is one of the first position, rough as it is."""
     for name in some(template_names(), 2):

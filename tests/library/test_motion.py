@@ -109,6 +109,7 @@ def test_a_driver_whose_values_are_listed_has_its_columns_alone():
     assert "theta13.d" not in mechsheet.template("five-bar-robot").solve()
 
 
+@pytest.mark.slow
 def test_the_numbers_of_the_whole_motion(motion):
     assert motion.summary["swing"] == pytest.approx(np.ptp(motion["theta14"]), abs=0.5)
     assert motion.summary["mu_min"] == pytest.approx(33.89, abs=0.1)
@@ -124,6 +125,7 @@ def test_a_notebook_shows_a_table(motion):
     assert "⋮ 140 ⋮" in long
 
 
+@pytest.mark.slow
 def test_a_notebook_shows_a_linkage_as_its_drawing():
     shown = mechsheet.template("four-bar")._repr_mimebundle_()
     assert "<svg" in shown["image/svg+xml"]
@@ -153,6 +155,7 @@ def test_a_notebook_shows_what_a_check_prints(tmp_path):
 # --- what is said of it ---------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_verdicts_are_objects():
     verdicts = mechsheet.template("four-bar").verdicts()
     angle = verdicts["transmission_1"]
@@ -173,10 +176,12 @@ def test_a_number_of_the_rows_alone_is_not_sure():
     assert not mechsheet.template("planar-3rpr").verdicts()["largest_effort"].sure
 
 
+@pytest.mark.slow
 def test_they_print_as_the_command_line_prints_them():
     assert "transmission_1 = 33.8" in str(mechsheet.template("four-bar").verdicts())
 
 
+@pytest.mark.slow
 def test_bands_are_objects():
     text = FORCES.replace("[70, 0] }", '["a1", 0] }').replace(
         "[links.ground]", "[dimensions]\na1 = { value = 70, tolerance = 0.2 }\n[links.ground]"

@@ -39,6 +39,7 @@ def of(inertia="", speed="6"):
     return mechsheet.loads(FOUR_BAR.replace("INERTIA", inertia).replace("SPEED", speed))
 
 
+@pytest.mark.slow
 def test_a_mass_that_turns_without_inertia_is_told():
     assert verdict(told(of())).endswith(SAID)
 
@@ -49,11 +50,13 @@ def test_one_that_is_given_is_not(inertia):
     assert "inertia" not in verdict(told(of(inertia)))
 
 
+@pytest.mark.slow
 def test_a_crank_that_speeds_up_is_told_too():
     line = verdict(told(of(speed='"5 + cos(theta12)"')))
     assert line.endswith("of what turns unevenly: crank, coupler")
 
 
+@pytest.mark.slow
 def test_what_does_not_turn_needs_none():
     assert "inertia" not in verdict(told(mechsheet.template("engine")))
 
@@ -70,6 +73,7 @@ def test_it_has_a_cell_and_what_is_typed_there_comes_back(tmp_path):
     assert "inertia = 0.002" in pull(built).text
 
 
+@pytest.mark.slow
 def test_in_turkish():
     linkage = mechsheet.loads(of().text, language="tr")
     assert verdict(told(linkage)).endswith("; atalet momentleri verilmedi, 0 alındı; düzgün dönmeyen uzuvlar: biyel")

@@ -41,6 +41,7 @@ def test_the_root_mean_square_of_a_torque_heats_the_motor(layout, form, tmp_path
     assert found == pytest.approx(root_of_mean_square(linkage.solve()["T12"]), rel=1e-12)
 
 
+@pytest.mark.slow
 def test_a_study_says_what_the_workbook_says():
     asked = 'heat = { of = "T12", take = "rms" }\n'
     grid = "\n[study]\nvary = { a = { values = [2.0, 1.9] }, c = { values = [9.5, 9.0] } }\n"

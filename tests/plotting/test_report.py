@@ -53,6 +53,7 @@ def test_true_scale(path):
             assert paper.MARGIN - 1 < low < top < paper.HIGH - paper.MARGIN + 1
 
 
+@pytest.mark.slow
 def test_the_worst_position():
     """Where the worst of all angles of transmission is worst; with forces where the driver needs most."""
     excavator = mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "excavator"))
@@ -65,6 +66,7 @@ def test_the_worst_position():
     assert any(text.startswith(f"θ₁₂ = {first.worst:g}°") for text in texts_of(pages[0]))
 
 
+@pytest.mark.slow
 def test_it_says_what_the_first_sheet_says():
     mechanism = mechsheet.loads(SUSPENSION)
     _, pages = pages_of(mechanism)
@@ -83,6 +85,7 @@ def test_it_says_what_the_first_sheet_says():
     assert float(row[1].split()[0]) == pytest.approx(np.nanmax(mechanism.solve()["F13"]), rel=0.01)
 
 
+@pytest.mark.slow
 def test_where_the_spring_is_longest():
     """By the distance of its ends in the reference's positions of the sweep."""
     mechanism = mechsheet.loads(SUSPENSION)
@@ -96,6 +99,7 @@ def test_where_the_spring_is_longest():
     assert shortest.endswith(f"{lengths.min():.1f} mm @ {places[lengths.argmin()]:g}°".replace("-", "−"))
 
 
+@pytest.mark.slow
 def test_which_pin_carries_most():
     """Behind the driver's effort stands the largest force of all, and where it is."""
     mechanism = mechsheet.loads(SUSPENSION)
@@ -109,6 +113,7 @@ def test_which_pin_carries_most():
     assert all(float(row[1].split()[0]) <= forces[most] for row in others)
 
 
+@pytest.mark.slow
 def test_which_way_the_cutting_force_acts():
     """The report of the shaper draws it as it cuts: an arrow from the ram against its motion, with its amount."""
     mechanism = mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "shaper"))
@@ -134,6 +139,7 @@ def test_a_value_ends_before_what_it_means_begins():
     assert all(one.x1 < other.x0 for one, other in pairwise(boxes))
 
 
+@pytest.mark.slow
 def test_a_line_says_what_is_of_the_motion():
     """No place where there is none, no unit without a number, nothing of sheets."""
     first = report._FirstSheet(Compiled(mechsheet.load(next(p for p in TEMPLATE_FILES if p.stem == "double-wishbone"))))
@@ -149,6 +155,7 @@ def _sampled(mechanism, at=None):
     return stage.sample, stage.positions
 
 
+@pytest.mark.slow
 def test_turkish_and_a_position_of_ones_own(tmp_path):
     mechanism = mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "four-bar"))
     path = mechsheet.plot(mechanism, tmp_path / "r.pdf", at=60, language="tr")

@@ -20,6 +20,7 @@ def four_bar(a, mode, angle):
     return np.where(exists[:, None], place, np.nan), exists, np.sqrt(np.abs(1 - cosine**2))
 
 
+@pytest.mark.slow
 @pytest.mark.cases(4)
 @pytest.mark.parametrize("seed", range(24))
 def test_four_bar(seed):

@@ -71,6 +71,7 @@ def test_names_of_templates(path):
         judge(found, row)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", [SUSPENSION, LAMP], ids=["suspension", "lamp"])
 def test_names_beside_springs_and_arrows(text):
     compiled = Compiled(loads(text))
@@ -79,6 +80,7 @@ def test_names_beside_springs_and_arrows(text):
         judge(found, row)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four-bar-forces", "engine"])
 def test_names_beside_all_arrows(name):
     compiled = Compiled(load(next(path for path in TEMPLATE_FILES if path.stem == name)))
@@ -87,6 +89,7 @@ def test_names_beside_all_arrows(name):
         judge(found, row)
 
 
+@pytest.mark.slow
 def test_every_point_is_named():
     for path in TEMPLATE_FILES[::5]:
         compiled = Compiled(load(path))

@@ -67,6 +67,7 @@ def test_no_heading_stands_over_two_columns(name):
     assert len(set(heads)) == len(heads)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "layout"), [*((name, "sheets") for name in TEMPLATE_NAMES), *((name, "page") for name in PAGES)]
 )

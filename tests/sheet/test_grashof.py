@@ -43,6 +43,7 @@ def test_both_layouts_say_the_same_type(language):
         assert fully == (said[0].partition(sheets.plan.text("verdict.grashof.unless"))[0] not in stuck), lengths
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 def test_no_length_is_advised_that_no_link_can_have(layout):
     """A first link of a sixtieth of its length, or of less than nothing, would turn fully."""
@@ -70,6 +71,7 @@ def test_of_a_linkage_of_more_links_it_is_the_type_of_the_loop_alone(layout, lan
     assert "A0AKB0" not in book.line and book.line_colour == "amber"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("language", "words"), [("en", "tolerances reach a change point"), ("tr", "toleranslar sınır duruma")]
 )
@@ -85,6 +87,7 @@ def test_tolerances_that_reach_a_change_point(language, words):
         assert book.line_colour == "amber" or not reached
 
 
+@pytest.mark.slow
 def test_how_far_tolerances_reach_follows_from_where_points_are():
     """The ground's length is the hypotenuse of two dimensions with a tolerance."""
     book = Book(template_text("toggle-press").partition("[[charts]]")[0], "sheets")
@@ -93,6 +96,7 @@ def test_how_far_tolerances_reach_follows_from_where_points_are():
     assert book.values.get(spot.sheet, spot.row, spot.col - 1) == pytest.approx(expected, rel=1e-12)
 
 
+@pytest.mark.slow
 def test_a_change_point_does_not_depend_on_lengths_outside_its_loop():
     """A long arm of the coupler is none of the four lengths."""
     book = Book(FOUR_BAR, "sheets")

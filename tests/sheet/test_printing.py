@@ -12,6 +12,7 @@ from mechsheet.sheet import printing
 TEMPLATES = Path(__file__).parents[2] / "templates"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["klann", "double-wishbone", "shaper"])
 def test_no_page_of_the_first_sheet_goes_on_upon_another(name):
     """The end of a block stood alone on a page where blocks were larger than an even part of the sheet."""

@@ -22,6 +22,7 @@ def worst_of(a1, a2, a3, a4, rows=25):
     return min(found)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_what_is_said(layout, language):
@@ -43,6 +44,7 @@ def test_what_is_said(layout, language):
             assert book.colour(book.row("transmission_1"), 4) != ("green" if worst < 40 else "amber")
 
 
+@pytest.mark.slow
 def test_of_rows_only_nothing_is_said_of_what_lies_between_them():
     """Of two stretches no row is at a right angle, though one of them ends below it and the other begins above."""
     book = Book(FOUR_BAR, "sheets").type(a1=60, a2=50, a3=45, a4=48)
@@ -52,6 +54,7 @@ def test_of_rows_only_nothing_is_said_of_what_lies_between_them():
     assert few.type(a2=15).words("transmission_1") == "worst 55.1° at 0° (rows only)"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 def test_the_worst_of_several_groups_decides(layout):
     """A rod against its guide counts from a right angle to it, two links from each other."""

@@ -96,6 +96,7 @@ def test_a_killed_study_frees_its_folder(tmp_path):
         assert (folder / NAME).exists()
 
 
+@pytest.mark.slow
 def test_parts_of_another_study_are_computed_again(tmp_path):
     """They have the same name and as many designs: only what they say of themselves tells them from this one's."""
     one, other = tmp_path / "one", tmp_path / "other"
@@ -115,6 +116,7 @@ def _reseeded():
     return loads(small(9_000).text.replace("seed = 3", "seed = 4"))
 
 
+@pytest.mark.slow
 def test_without_locks_a_mixed_folder_is_told(tmp_path, monkeypatch):
     """On a file system that knows no locks the parts tell it, before anything is counted or ranked."""
 

@@ -395,6 +395,7 @@ def test_toggle_press_dwells_at_the_bottom():
 # ---- springs and loads
 
 
+@pytest.mark.slow
 def test_the_lamp_stays_where_it_is_put_when_its_spring_has_no_free_length():
     motion = template("desk-lamp", {"l0": 0}).solve()
     weight = motion["of_weight"].max()
@@ -404,6 +405,7 @@ def test_the_lamp_stays_where_it_is_put_when_its_spring_has_no_free_length():
     assert np.ptp(common["theta14"]) < 1e-9  # the head stays upright
 
 
+@pytest.mark.slow
 def test_the_shaper_has_the_stroke_and_the_time_ratio_of_the_formulas():
     linkage = template("shaper")
     motion, verdicts = linkage.solve(), linkage.verdicts()

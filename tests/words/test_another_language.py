@@ -163,6 +163,7 @@ def test_the_drawing_page_has_its_words_in_every_language():
     assert all(re.fullmatch("⟦.*⟧", text, re.DOTALL) for text in page.values())
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:Cannot parse header or footer")
 def test_another_language_is_one_file(folder, tmp_path):
     """The program takes what it has a catalogue of, and speaks it."""

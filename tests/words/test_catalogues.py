@@ -121,6 +121,7 @@ def used(key):
     return any(name in plain or keys.fullmatch(name) for name in names)
 
 
+@pytest.mark.slow
 def test_no_text_lies_about():
     """What no code asks for; keys that are put together are taken for used."""
     assert [key for key in texts("tr") if not used(key)] == []

@@ -26,6 +26,7 @@ MOVES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", MOVES)
 def test_what_a_program_moves_is_no_edit(yoke, tmp_path, what):
     title, rows, cols, remark = MOVES[what]

@@ -77,6 +77,7 @@ WHOLE_LINE = Call("INDEX", (LINE, CellRef(FIRST, 0)))
 """A place of 0 is the whole line, of which a list of truths takes every cell."""
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(300), deadline=None, report_multiple_bugs=False)
 @example(
     [[0.0] * (ROWS + 2), [ErrorValue("#N/A"), *[0.0] * (ROWS + 1)], [0.0] * (ROWS + 2)], (1.0, 0.0), Number(1.0),
@@ -111,6 +112,7 @@ def test_code_gives_what_the_interpreter_gives(data, singles, first, second, lon
             same(plan.evaluate(), expected, signs=True)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [21, 22])
 def test_formulas_of_all_functions(seed):
     """Whatever is not said in code is asked of the interpreter, or left to it."""

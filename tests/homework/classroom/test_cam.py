@@ -81,6 +81,7 @@ def filled(path, sign=""):
     book.save(path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("sign", "marks"), [("", 4.0), ("0.9*", 2.0)])
 def test_a_task_filled_in_by_hand_is_marked(tmp_path, sign, marks):
     people = tmp_path / "class.csv"
@@ -92,6 +93,7 @@ def test_a_task_filled_in_by_hand_is_marked(tmp_path, sign, marks):
     assert (one.id, one.mark) == ("101", marks)
 
 
+@pytest.mark.slow
 def test_the_workbook_itself_has_all_marks(tmp_path):
     people = tmp_path / "class.csv"
     people.write_text("id\n7\n", encoding="utf-8")

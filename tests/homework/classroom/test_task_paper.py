@@ -36,6 +36,7 @@ def lines(name, language="en"):
     return ["".join(piece for _, piece in sorted(row)) for row in rows.values()]
 
 
+@pytest.mark.slow
 def test_it_is_a4_and_says_what_is_given_and_asked_with_lowered_digits():
     found = lines("four-bar")
     assert "2  crank: A0, A;  A0A = a2" in found
@@ -56,6 +57,7 @@ def test_no_answer_stands_on_it():
     assert not [answer for answer in answers if len(answer) > 4 and answer in text]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["shaper", "desk-lamp"])
 def test_no_line_is_cut_off(name):
     """Every piece of text ends inside the margins."""
@@ -74,6 +76,7 @@ def test_no_line_is_cut_off(name):
                 assert box.y0 >= 0.04 * height
 
 
+@pytest.mark.slow
 def test_each_student_has_a_task_of_their_own_and_it_is_the_same_again():
     made = mechanism("shaper")
     people = [("1", "Ayşe"), ("2", "Bob")]

@@ -105,6 +105,7 @@ def test_every_template_can_be_told(name, language):
     assert len(told(found.links())) == len(mechanism.whole_links)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_the_sheet_has_the_figure_and_no_answer(tmp_path, language):
     """The figure is of the description's own dimensions, its places rounded; it stands on the first sheet."""
@@ -126,6 +127,7 @@ def test_the_sheet_has_the_figure_and_no_answer(tmp_path, language):
     )
 
 
+@pytest.mark.slow
 def test_who_has_which_numbers_is_told(tmp_path):
     text = TASKS["steering"].text + "vary = { arm = [160, 200, 5], beta = [14, 22, 1] }\n"
     (tmp_path / "class.csv").write_text("id,name\n7,Ayşe\n8,=Bora\n", encoding="utf-8")
@@ -140,6 +142,7 @@ def test_who_has_which_numbers_is_told(tmp_path):
     assert tmp_path / "out" / "numbers.csv" in found.files
 
 
+@pytest.mark.slow
 def test_a_task_filled_in_by_hand_is_right(tmp_path):
     """The sheet itself, with the solution's formulas typed into its columns; its figure is no table."""
     task = TASKS["steering"]

@@ -48,6 +48,7 @@ def test_several_numbers_are_each_told(tmp_path, mechanism):
     assert {symbol: one.verdict for symbol, one in found.asked.items()} == {"theta13": "follows", "theta14": "wrong"}
 
 
+@pytest.mark.slow
 def test_a_number_beside_another_fault_does_not_hide_it(tmp_path, mechanism):
     table = Table(FOUR_BAR, four_bar(b="ATAN2(-{yA},{a1}-{xA})"), cells={"F15": 0.7})
     found = audit(table.save(tmp_path / "b.xlsx"), mechanism)
@@ -57,6 +58,7 @@ def test_a_number_beside_another_fault_does_not_hide_it(tmp_path, mechanism):
     assert {one.verdict for one in found.asked.values()} == {"follows"}
 
 
+@pytest.mark.slow
 def test_a_rounded_number_and_the_start_of_an_iteration_are_no_faults(tmp_path, mechanism):
     right = mechsheet.open_book(Table(FOUR_BAR, four_bar()).save(tmp_path / "right.xlsx"))["Sayfa1!K15"]
     found = audit(Table(FOUR_BAR, four_bar(), cells={"K15": round(right, 5)}).save(tmp_path / "book.xlsx"), mechanism)

@@ -38,6 +38,7 @@ def test_an_assembly_that_the_sketch_leaves(name, overrides, words, hint):
     assert [words in fault.message and hint in fault.hint for fault in found] == [True] * bool(words)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("other", [{"language": "tr"}, {"layout": "page"}])
 def test_what_the_workbook_is_like_does_not_matter(other):
     mechanism = changed.loads(template_text("planar-3rpr"), overrides=Overrides({"y2": "2.4"}, **other))

@@ -75,6 +75,7 @@ def test_the_assembly_drawn_is_the_one_that_moves(name, at):
     assert taken + refused == len(sketches)
 
 
+@pytest.mark.slow
 def test_a_position_that_is_none_is_not_shown():
     before, points, behind = described("planar-3rpr")
     sketch = "".join(f"{point} = [3, 4]\n" for point in points)

@@ -148,6 +148,7 @@ def test_two_cranks_guide_a_body_through_its_poses(seed):
         assert apart(other, (0.0, *second.turns)[at]) < 1e-9
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_slider_crank_has_its_stroke_and_time_ratio(seed):
     """Just where the reference knows a transmission angle: else the slider's ends lie on both assemblies."""

@@ -1,12 +1,14 @@
 """What rests while its cam turns fits, too: a number in every row, and no rounding over rounding."""
 
 import numpy as np
+import pytest
 from laid import Laid
 
 from mechsheet.description.templates import template_text
 from mechsheet.sheet.checks.checks import Checks
 
 
+@pytest.mark.slow
 def test_a_dwell_is_a_row_with_velocities():
     """Where all velocities of a group were 0 there was no number, and where they were rounding one in some programs only."""
     laid = Laid(template_text("cam-linkage"))

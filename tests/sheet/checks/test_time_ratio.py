@@ -28,6 +28,7 @@ def of_tangents(a, d, offset):
     return of_way(math.pi + one - other)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "lengths",
     [(70, 45, 62.3, 56), (70, 35, 62.3, 56), (70, 45, 60, 56), (70, 40, 62.3, 56), (75.471, 46.816, 52.5, 79.549)],
@@ -39,6 +40,7 @@ def test_crank_rockers(lengths):
     assert "about" not in laid.words("time_ratio_theta14")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("d", [0.2, 0.21, 0.25, 0.3])
 def test_inverted_slider_crank(d):
     laid = Laid(INVERTED).change(d=d)
@@ -47,6 +49,7 @@ def test_inverted_slider_crank(d):
     assert found == pytest.approx(expected, rel=2e-2 if about else 1e-4)
 
 
+@pytest.mark.slow
 def test_a_speed_that_follows_from_the_angle_leaves_none():
     """Ways of the same length do not take the same time then."""
     text = re.sub(r"(?m)^step = .*$", r'\g<0>\nspeed = "5 + 3*cos(theta12)"', FOUR_BAR)

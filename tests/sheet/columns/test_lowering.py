@@ -152,6 +152,7 @@ def test_a_row_without_a_position_keeps_what_does_not_depend_on_the_group():
         assert all(cell == NA for cell, there in zip(laid.column(symbol), exists, strict=True) if not there)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four-bar", "jansen", "slider-crank", "slotted-lever", "scissor-lift"])
 def test_one_column_for_each_equation(name):
     """A column a quantity, none twice under one heading, and one more for the margin of a group that can come apart."""

@@ -102,6 +102,7 @@ def charts(text):
     return {chart.title: chart for chart in laid(text)[0].sheets[0].charts}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_dwell_far_from_0_fills_its_chart(sign):
     """The output of the six-link is between 71 and 99 degrees: on an axis from 0 its dwell would be a line among lines."""
@@ -203,6 +204,7 @@ def test_true_scale(name):
             assert (axis.low, axis.high, axis.visible) == (-1, 1, False)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["four-bar", "six-link-dwell", "four-bar-forces", "jansen"])
 def test_the_first_sheet_can_be_read_on_paper(name):
     """A4: letters of 10 points are at least 6.5 high; on a sheet of several pages charts have some of their own, uncut."""

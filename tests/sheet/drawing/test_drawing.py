@@ -198,6 +198,7 @@ def test_paths_leave_gaps():
     assert np.nanmax(np.abs(places)) <= 1.0
 
 
+@pytest.mark.slow
 def test_no_positions_at_all():
     """Nothing closes anywhere: a window round the fixed pins, no error but #N/A."""
     laid = template("four-bar")
@@ -210,6 +211,7 @@ def test_no_positions_at_all():
                 assert isinstance(value, float) or value == ErrorValue("#N/A")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("step", "rows", "drawn"), [("1", 361, 361), ("0.1", 3601, 721), ("0.01", 36001, 721)])
 def test_long_tables_are_thinned(step, rows, drawn):
     mechanism = loads(FOUR_BAR.replace("step = 15", f"step = {step}"))

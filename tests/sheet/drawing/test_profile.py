@@ -23,6 +23,7 @@ def chart(laid, title):
     return next(each for each in laid.workbook.sheets[0].charts if each.title == title)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["cam-slide", "cam-valve"])
 def test_profile_and_base_circle_are_at_true_scale(name):
     laid = Laid(template_text(name))
@@ -40,6 +41,7 @@ def test_profile_and_base_circle_are_at_true_scale(name):
     assert np.min(np.hypot(*(outline - middle).T)) == pytest.approx(radii[0])
 
 
+@pytest.mark.slow
 def test_the_place_touched_goes_round_with_the_position():
     laid = Laid(template_text("cam-slide"))
     found = chart(laid, PROFILE)
@@ -49,6 +51,7 @@ def test_the_place_touched_goes_round_with_the_position():
         assert series(laid, found, "place touched")[0] == pytest.approx(outline[row])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "titles"),
     [
@@ -65,12 +68,14 @@ def test_curves_of_the_follower_stand_one_under_another(name, titles):
     assert chart(laid, titles[0]).smooth
 
 
+@pytest.mark.slow
 def test_without_a_speed_they_are_derivatives_by_the_cams_angle():
     text = template_text("cam-slide").replace('speed = { value = 600, unit = "rpm" }', "")
     titles = [each.title for each in Laid(text).workbook.sheets[0].charts]
     assert {"s against φ", "s′ against φ", "s″ against φ", "s‴ against φ"} < {*titles}
 
 
+@pytest.mark.slow
 def test_a_chart_of_the_profile_can_be_asked_for():
     laid = Laid(template_text("cam-rocker") + "[[charts]]\nprofile = true\ntitle = 'Kurve'\n")
     assert [each.title for each in laid.workbook.sheets[0].charts] == ["", "Kurve"]

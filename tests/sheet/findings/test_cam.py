@@ -26,6 +26,7 @@ def line(mechanism, key):
     return tuple(compiled.cells.values().get(compiled.plan.main, row, col) for col in (1, WORDS))
 
 
+@pytest.mark.slow
 def test_pressure_angle():
     number, words = line(load(TEMPLATES / "cam-slide.toml"), "pressure_angle")
     assert 23.9 < number < 24.0
@@ -35,6 +36,7 @@ def test_pressure_angle():
     assert words.startswith("pressure angle: more than usual")
 
 
+@pytest.mark.slow
 def test_undercut_face_and_the_base_circle_that_would_do():
     radius, words = line(load(TEMPLATES / "cam-flat.toml"), "least_rho")
     assert words == "least radius of curvature of the profile"
@@ -48,6 +50,7 @@ def test_undercut_face_and_the_base_circle_that_would_do():
     assert number > 0 and not words.startswith("undercut")
 
 
+@pytest.mark.slow
 def test_a_knife_edge_is_a_roller_without_radius():
     """The search of `check` says the same: it has a position in every row, and the radius is that of the pitch curve."""
     mechanism = load(TEMPLATES / "cam-slide.toml", Overrides({"rr": "0"}))
@@ -58,6 +61,7 @@ def test_a_knife_edge_is_a_roller_without_radius():
     assert line(loads(text), "inputs")[0] == 0  # the radius has a cell of its own
 
 
+@pytest.mark.slow
 def test_undercut_roller():
     number, words = line(load(TEMPLATES / "cam-slide.toml", Overrides({"rb": "5", "rr": "30"})), "least_rho")
     assert number <= 0 and words == "undercut: this profile cannot be made"
@@ -99,6 +103,7 @@ def test_beside_leaps_of_the_acceleration_an_extreme_is_about_right():
     assert line(loads(text.replace("cycloidal", "parabolic")), "least_rho")[1].endswith("(about)")
 
 
+@pytest.mark.slow
 def test_outputs_summaries_and_charts_read_the_cams_columns_without_a_speed():
     text = (
         (TEMPLATES / "cam-slide.toml")
@@ -115,6 +120,7 @@ def test_outputs_summaries_and_charts_read_the_cams_columns_without_a_speed():
     assert 55 < compiled.cells.values().get(compiled.plan.main, row, 1) < 61
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["cam-slide", "cam-valve", "cam-rocker"])
 def test_extremes_are_those_between_the_rows(name):
     """With rows of 5 degrees the lines say what rows of a twentieth of a degree have."""
@@ -132,6 +138,7 @@ def test_extremes_are_those_between_the_rows(name):
     assert dimensions["rb"] == 20
 
 
+@pytest.mark.slow
 def test_where_the_follower_lifts_off_and_the_spring_that_holds_it():
     book = Book(template_text("cam-valve"), "sheets")
     assert book.words("contact_force") == "the follower stays on the cam"
@@ -169,6 +176,7 @@ def test_the_largest_rates_have_the_units_of_their_columns():
     assert [units[compiled.plan.places.lines[key].row] for key in keys] == ["mm/s", "mm/s²", "mm/s³"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("key", "factor", "power", "law"),
     [("largest_velocity", 2, 1, "factor 2"), ("largest_acceleration", 2 * math.pi, 2, "factor 6.2832"),
@@ -183,6 +191,7 @@ def test_largest_rates_are_those_of_the_laws(key, factor, power, law):
     assert words == f"segment 1, cycloidal: {law}"
 
 
+@pytest.mark.slow
 def test_factors_of_all_laws_are_those_of_their_formulas():
     for law, factors in FACTORS.items():
         if law in ("dwell", "uniform"):
@@ -195,6 +204,7 @@ def test_factors_of_all_laws_are_those_of_their_formulas():
             assert largest == pytest.approx(factor, rel=1e-5, abs=1e-9), (law, ending)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("law", "radius", "colour"), [("cycloidal", 30, "green"), ("cycloidal", 14, "amber"), ("uniform", 30, "red")]
 )
@@ -206,6 +216,7 @@ def test_the_line_under_the_title_is_as_bad_as_the_worst_line(law, radius, colou
     assert book.line_colour == colour
 
 
+@pytest.mark.slow
 def test_a_page_says_the_same_of_its_rows():
     text = template_text("cam-valve")
     page, sheets = Book(text, "page"), Book(text, "sheets")

@@ -80,6 +80,7 @@ gain = { formula = "omega14/omega12", label = { en = "gain", tr = "oran" } }
 """
 
 
+@pytest.mark.slow
 def test_an_output_that_reads_a_deleted_sheet_is_not_there():
     laid = Laid(template_text("four-bar-forces") + GAIN, "en")
     plan, spot = laid.plan, laid.plan.at.spots["gain"]

@@ -41,6 +41,7 @@ def test_a_stroke_that_is_not_the_one_asked_for(layout, further):
     assert title.startswith(f"{words}; closes in all 37 positions")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 def test_rounding_is_a_doubt(layout):
     assert line(SLIDER, layout)[:2] == (0.0, "does exactly what is asked")
@@ -51,6 +52,7 @@ def test_rounding_is_a_doubt(layout):
     assert title.endswith(words)
 
 
+@pytest.mark.slow
 def test_poses_are_missed_by_rounding_alone():
     """The lengths before rounding are compared with themselves, not with the rounded ones."""
     number, words, _ = line(template_text("rigid-body-guidance").replace("[synthesis]\n", "[synthesis]\nround = 0.5\n"))
@@ -58,6 +60,7 @@ def test_poses_are_missed_by_rounding_alone():
     assert words.startswith("misses what is asked by up to 0.1")
 
 
+@pytest.mark.slow
 def test_a_number_in_the_place_of_a_result():
     """The mechanism has it, so it is what is judged."""
     text = template_text("function-generator").replace('a2 = { synthesis = "a2"', "a2 = { value = 12")
@@ -66,6 +69,7 @@ def test_a_number_in_the_place_of_a_result():
     assert words == "misses what is asked by up to 1.5187°"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["function-generator", "crank-rocker-swing", "rigid-body-guidance"])
 def test_a_task_and_the_assembly_that_the_mechanism_has(name):
     """Whichever link is described first; and the other assembly, which a sketch may mean, is not what is asked."""

@@ -51,6 +51,7 @@ def _ratio(way):
     return max(way, math.tau - way) / min(way, math.tau - way)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("offset", [0, 20, 60])
 def test_slider_crank(offset):
     """Time ratio from the two dead centres, the rod's worst angle against the guide."""
@@ -170,6 +171,7 @@ def test_what_became_amber_or_red_is_named_under_the_line_with_its_cell():
     assert laid.values.get(laid.plan.main, LEGEND_ROW, MEANING) == laid.plan.text("legend.missing")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("phi", "lam"), [(190, 3), (170, 2.5)])
 def test_the_driver_turns_by_phi_during_the_slow_way(phi, lam):
     """A crank-rocker that a task finds for so many degrees between its dead centres has these between them."""
@@ -177,6 +179,7 @@ def test_the_driver_turns_by_phi_during_the_slow_way(phi, lam):
     assert laid.spot("slow_way_theta14") == pytest.approx(max(phi, 360 - phi), abs=1e-3)
 
 
+@pytest.mark.slow
 def test_a_motion_law_turns_the_driver_otherwise_than_time_goes_by():
     text = re.sub(r"(?m)^(start|stop|step) *=.*\n", "", template_text("slider-crank"))
     law = 'start = 0\nstop = 360\nmotion = { law = "cycloidal", duration = 3, rows = 73 }'

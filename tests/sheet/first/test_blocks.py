@@ -37,6 +37,7 @@ def test_what_may_be_typed(symbol, yes, no):
     assert rule.input_message[0] == rule.error_message[0] == said
 
 
+@pytest.mark.slow
 def test_what_was_asked_for_stands_below_the_dimensions_and_what_went_wrong_stays_in_sight():
     """The numbers asked for are beside the drawing while a dimension is typed; the line that names the first cell that
     became amber or red does not scroll away, however far below one types."""
@@ -47,6 +48,7 @@ def test_what_was_asked_for_stands_below_the_dimensions_and_what_went_wrong_stay
     assert min(chart.anchor.row for chart in first.charts) >= first.freeze[0], "no chart is cut in two"
 
 
+@pytest.mark.slow
 def test_no_word_of_the_last_blocks_goes_on_over_its_column():
     """In print it stood alone on a page behind the charts."""
     workbook, plan = compile_workbook(load(TEMPLATES / "excavator.toml"))

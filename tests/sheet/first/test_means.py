@@ -64,6 +64,7 @@ def means(laid):
     return [laid.spot(f"summary {name}") for name in ("angle", "place")]
 
 
+@pytest.mark.slow
 def test_over_a_turn_in_300_linkages():
     """Any crank-rocker, from any start, with the closing row and without it: what a fine quadrature finds. A plain average
     counted the first position twice and was up to several parts in a thousand of the range off."""
@@ -85,6 +86,7 @@ def test_over_a_turn_in_300_linkages():
             assert place == pytest.approx(wanted[1], abs=2e-3)
 
 
+@pytest.mark.slow
 def test_over_a_part_of_a_turn():
     """Over 0 to 180 degrees the ends count half, as the trapezoidal rule has it."""
     laid = Laid(FOUR_BAR.replace("stop = 360", "stop = 180"))
@@ -131,6 +133,7 @@ def test_two_means_of_one_sheet_agree():
     assert Laid(template_text("four-bar-forces")).spot("summary mean") == pytest.approx(-42.2776, abs=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stop", [360, 350, 140])
 def test_page_table_and_study_say_the_same(stop):
     text = FOUR_BAR.replace("stop = 360", f"stop = {stop}")

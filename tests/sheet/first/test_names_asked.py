@@ -26,6 +26,7 @@ def with_speed(speed, text=FOUR_BAR):
     return text.replace("step = 15", f"step = 15\nspeed = {speed}")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "name", "value"),
     [
@@ -50,6 +51,7 @@ def test_what_is_the_same_in_every_row(text, name, value):
     assert searched.agrees, searched
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "value"), [("B0.x", 70.0), ("A0.y", 0.0)])
 def test_on_a_page_in_a_table_and_in_a_study(name, value):
     mechanism = loads(asked(FOUR_BAR, name))
@@ -103,6 +105,7 @@ def test_a_speed_that_changes_has_a_curve():
     loads(with_speed('"10 + cos(theta12)"') + '[[charts]]\nx = "theta12"\ny = ["omega12", "alpha12"]\n')
 
 
+@pytest.mark.slow
 def test_the_way_out_of_a_refused_chart_is_one():
     """The output that the message proposes has a column."""
     text = FOUR_BAR + '[outputs]\nfoot = { formula = "B0.x + 0" }\n'
@@ -113,6 +116,7 @@ def test_the_way_out_of_a_refused_chart_is_one():
 EVERY = ("four-bar-forces", "engine", "scissor-lift", "rack-slider", "geared-five-bar", "adjustable-pump")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("template", EVERY)
 def test_every_name_of_a_template(template):
     """All summaries of all names that may be asked for: the search finds the same."""

@@ -101,6 +101,7 @@ def test_position_shown_starts_at_a_row_that_exists(start):
     assert isinstance(laid.values.get(laid.plan.main, laid.plan.blocks["variables"].rows["theta14"], 1), float)
 
 
+@pytest.mark.slow
 def test_an_extreme_says_where_it_is_and_other_summaries_do_not():
     """The crank's pin is farthest to the left at 180 degrees; a range and a mean have no place."""
     laid = Laid(FOUR_BAR)
@@ -122,6 +123,7 @@ def test_an_output_of_summaries_reads_an_angle_as_radians():
     assert cell(laid, "rise") == pytest.approx(math.sin(math.radians(swing / 2)))
 
 
+@pytest.mark.slow
 def test_of_a_task_without_a_solution_no_summary_says_an_error():
     """No margin says where rows end there; nothing closes, so there is no row to count from."""
     laid = Laid(template_text("quick-return-lever")).change(time_ratio=0.99)
@@ -157,6 +159,7 @@ least = { of = "theta14", take = "min" }
 """
 
 
+@pytest.mark.slow
 def test_a_dead_centre_in_the_last_row_is_why_a_velocity_has_no_largest_value():
     """The sweep ends exactly where coupler and rocker are in line: no velocity there, so none is known to be the largest."""
     laid = Laid(DEAD_CENTRE)
@@ -165,6 +168,7 @@ def test_a_dead_centre_in_the_last_row_is_why_a_velocity_has_no_largest_value():
     assert isinstance(cell(laid, "least"), float)
 
 
+@pytest.mark.slow
 def test_check_agrees_with_it(tmp_path):
     mechanism = mechsheet.loads(DEAD_CENTRE, "mine")
     (book,) = mechanism.build(tmp_path / "mine.xlsx")

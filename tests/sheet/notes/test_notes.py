@@ -92,6 +92,7 @@ def test_rows_are_high_enough(name):
     assert high
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "said"), [("four-bar", True), ("slider-crank", False)])
 def test_what_the_number_of_grashof_is(name, said):
     """A student who wants to turn a crank further learns which number must change its sign."""

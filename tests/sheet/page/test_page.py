@@ -114,6 +114,7 @@ def test_values_are_those_of_the_equations(name):
     assert page.cell("rows_closed") == np.count_nonzero(page.compiled.closed)
 
 
+@pytest.mark.slow
 @pytest.mark.cases(8)
 @pytest.mark.parametrize("seed", part(range(30), of=3))
 def test_values_of_random_mechanisms(seed):
@@ -209,6 +210,7 @@ def test_names_on_request():
     assert any(isinstance(part_, NameRef) for tree in page.formulas() for part_ in walk(tree))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "name", ["four-bar", "slider-crank", "inverted-slider-crank", "adjustable-pump", "klann", "drag-link"]
 )

@@ -63,6 +63,7 @@ def test_no_row_where_the_slide_is_no_length():
     assert not any(there for there, length in zip(laid.exists, slide, strict=True) if length <= 0)
 
 
+@pytest.mark.slow
 def test_boom_by_the_law_of_cosines():
     """theta14 = -atan(2/3) + acos((4^2 + 13 - s^2) / (2 * 4 * sqrt(13)))"""
     laid = Laid(text_of("cylinder"))

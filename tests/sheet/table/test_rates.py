@@ -78,6 +78,7 @@ def test_the_sheet_stands_behind_the_positions_with_their_rows():
     assert {"Velocity and acceleration", "θ′13", "ω13 [rad/s]", "α14 [rad/s²]", "vC [mm/s]"} <= set(texts(sheet))
 
 
+@pytest.mark.slow
 def test_headings_stand_over_the_columns_of_their_group():
     """Each across all of its columns and no others; the sheet's own over the driver and the word about the row."""
     laid = Laid(FOUR_BAR)
@@ -182,6 +183,7 @@ def test_notes_have_the_loop_equations():
     assert any(isinstance(line, str) and "2·ṡ3·ω13" in line for line in lines)  # Coriolis's term
 
 
+@pytest.mark.slow
 def test_nothing_of_it_without_a_speed():
     laid = Laid(template_text("four-bar"))
     assert not laid.plan.rates

@@ -129,6 +129,7 @@ FIXED = [("stephenson-iii-output", "sheets"), ("engine", "sheets")]
 """Of Newton's method, whose links do not reach much farther, and with a flywheel, which needs a whole turn."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "layout"), [*CASES, *FIXED])
 def test_the_first_row_filled_down_over_the_table(name, layout):
     made = once(name, layout)
@@ -142,6 +143,7 @@ def test_the_first_row_filled_down_over_the_table(name, layout):
     assert line(plan, values) == line(plan, evaluate(book_of(made.layout)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "layout"), CASES)
 def test_the_last_row_filled_further_down(name, layout):
     made = once(name, layout)
@@ -167,6 +169,7 @@ def inserted(plan, workbook, place, count=MORE):
     return workbook
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "layout"), CASES)
 def test_rows_inserted_at_three_places(name, layout):
     made = once(name, layout)
@@ -183,6 +186,7 @@ def test_rows_inserted_at_three_places(name, layout):
     assert line(plan, values) == line(longer.plan, evaluate(book_of(longer.layout)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 def test_rows_inserted_over_the_first(layout):
     """They come before the start: nothing is said of them, and what is said of the others stays."""
@@ -195,6 +199,7 @@ def test_rows_inserted_over_the_first(layout):
     assert line(plan, values) == line(plan, evaluate(book_of(made.layout)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_rows_inserted_in_one_sheet_alone_are_told(language):
     """The other sheets would say what they say of other rows."""

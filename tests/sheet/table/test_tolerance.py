@@ -205,6 +205,7 @@ def test_ranges_of_another_sheet_are_written_as_they_are_read():
     assert not any(":Extremes!" in text for text in written)
 
 
+@pytest.mark.slow
 def test_a_cams_follower_stands_where_base_circle_and_offset_put_it():
     """s is moved by the cam and no driver: its derivatives are those of neighbours."""
     text = template_text("cam-slide") + '\n[tolerance]\nof = ["s"]\n'
