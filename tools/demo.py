@@ -15,8 +15,9 @@ from mechsheet.description.reader import with_settings
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.library.building import FORMATS, Target, build, told, write_all
 
-SMALLEST = ("cardan-gear", "five-bar-robot", "slider-crank")
-"""The templates of the fewest formulas are also judged by the library `formulas`, which needs 10 ms a cell and more."""
+SMALLEST = "five-bar-robot"
+"""The template of the fewest formulas is also judged by the library `formulas`, which needs 10 ms a cell and more; the tests ask
+it about others."""
 
 PAGES = ("adjustable-pump", "fivelink", "four-bar", "slider-crank")
 """Templates that are built in both layouts."""
@@ -37,7 +38,7 @@ def demo(templates: Path, generated: Path) -> bool:
     # millions of tree nodes and few cycles: what is left over is collected once a template, not while it is worked on
     with ProcessPoolExecutor(max_workers=os.cpu_count(), initializer=gc.disable) as pool:
         # those that take longest first, so that no core waits for them at the end
-        order = sorted(descriptions, key=lambda path: path.stem not in SMALLEST)
+        order = sorted(descriptions, key=lambda path: path.stem != SMALLEST)
         for lines, agrees in pool.map(partial(_built, generated=generated), order):
             print(lines, flush=True)
             fine = fine and agrees
@@ -51,7 +52,7 @@ def _built(description: Path, generated: Path) -> tuple[str, bool]:
     mechanism = load(description)
     files = build(mechanism, generated, FORMATS, force=True)
     # not pages: there `formulas` counts empty texts as texts, and so rows that close wrongly
-    asked = {path for path in files if path.suffix == ".xlsx" and description.stem in SMALLEST}
+    asked = {path for path in files if path.suffix == ".xlsx" and description.stem == SMALLEST}
     if description.stem in PAGES:
         pages = [Target(generated / f"{description.stem}-page.{ending}", ending) for ending in FORMATS]
         files += write_all(told(with_settings(mechanism, Overrides(layout="page"))), pages)
