@@ -16,8 +16,8 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.library.building import FORMATS, Target, build, told, write_all
 
 SMALLEST = "five-bar-robot"
-"""The template of the fewest formulas is also judged by the library `formulas`, which needs 10 ms a cell and more; the tests ask
-it about others."""
+"""The template of the fewest formulas is also judged by the library `formulas`, which needs 10 ms a cell and more; the tests
+ask it about others."""
 
 PAGES = ("adjustable-pump", "fivelink", "four-bar", "slider-crank")
 """Templates that are built in both layouts."""

@@ -6,6 +6,7 @@ Angles that people read in degrees are read as RADIANS(cell), so that every form
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from livesheet.formula.nodes import Call, CellRef, NameRef, Node, Previous, RangeRef, Symbol, transform
@@ -50,7 +51,7 @@ class Spot:
         return RangeRef(start, end)
 
 
-@dataclass
+@dataclass(frozen=True)
 class Addresses:
     """Where the quantities of a workbook stand.
 
@@ -59,10 +60,14 @@ class Addresses:
     first, last  rows of the table of positions
     """
 
-    titles: dict[str, str]
+    titles: Mapping[str, str]
     first: int
     last: int
-    spots: dict[str, Spot] = field(default_factory=dict)
+    spots: Mapping[str, Spot] = field(default_factory=dict)
+
+    def beside(self, spots: Mapping[str, Spot]) -> Addresses:
+        """These and further quantities, or the same ones elsewhere."""
+        return replace(self, spots={**self.spots, **spots})
 
     def reference(self, symbol: str, sheet: str, row: int | None, above: int | None = None) -> Node:
         """The quantity in internal units as a formula on `sheet` reads it.

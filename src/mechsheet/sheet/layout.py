@@ -35,11 +35,7 @@ DESCRIPTION_SHEET = "description"
 def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]:
     """The workbook (its formulas have no values yet) and the plan that it follows."""
     plan = plan_of(mechanism, equations)
-    extremes = Extremes(plan)
-    plan.extremes = extremes.places
-    checks = Checks(plan)
-    plan.checks = checks.places
-    tolerance = Tolerance(plan)
+    extremes, checks, tolerance = Extremes(plan), Checks(plan), Tolerance(plan)
     requests = chart_requests(plan)
     drawing = drawing_of(plan, requests)
     notes, places = notes_sheet(plan)

@@ -1,12 +1,13 @@
 """The plan of a workbook: every row of the first sheet and every column of the table, before any cell is written.
 
-Everything that is read by a formula gets its address here; the writers of the sheets only fill in.
+Everything that is read by a formula has its address here; the writers of the sheets only fill in. A plan is not changed: it
+is made in steps (`planning`, `page.plan`), each of which makes one that knows more.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Literal
@@ -89,6 +90,10 @@ class Block:
     rows: dict[str, int]
 
 
+Kind = Literal["number", "driver", "status", "time", "listed", "equation"]
+"""What a column of the table holds."""
+
+
 @dataclass(frozen=True, slots=True)
 class TableColumn:
     """One column of the table: the row's number, the driver, what it says of the row, the time of a law, what is listed
@@ -100,13 +105,13 @@ class TableColumn:
 
     col: int
     symbol: str
-    kind: Literal["number", "driver", "status", "time", "listed", "equation"]
+    kind: Kind
     group: int
     inner: bool
     equation: Assignment | None = None
 
 
-@dataclass
+@dataclass(frozen=True)
 class Plan:
     """Addresses of everything; see `Addresses` for `at`.
 
@@ -115,8 +120,7 @@ class Plan:
     iterations  those of the sheet of Newton's method, where a group is solved by it
     forces  those of the sheet of forces, behind the driver's value and what is said of the row
     bands   those of the sheet of tolerances, likewise;  sensitivities: what these say
-    window  cells with the middle ("x", "y") and half the side ("half") of the drawing's window, once it is drawn
-    places, extremes, checks  what stands where on the first sheet and in the tables, and on those two
+    placed, extremes, checks  what stands where on the first sheet and in the tables, and on those two
     synthesis   rows of the sheet of synthesis; None where no dimension is found from a task
     """
 
@@ -125,20 +129,18 @@ class Plan:
     language: Language
     at: Addresses
     rows: int
-    driver: list[float]
+    driver: Sequence[float]
     found: Classification
-    blocks: dict[str, Block] = field(default_factory=dict)
-    columns: list[TableColumn] = field(default_factory=list)
-    rates: list[TableColumn] = field(default_factory=list)
-    forces: list[TableColumn] = field(default_factory=list)
-    iterations: list[TableColumn] = field(default_factory=list)
-    bands: list[TableColumn] = field(default_factory=list)
     sensitivities: Sensitivities = NO_BANDS
-    names: list[Name] = field(default_factory=list)
-    next_row: int = 0
-    window: dict[str, Spot] = field(default_factory=dict)
+    columns: Sequence[TableColumn] = ()
+    rates: Sequence[TableColumn] = ()
+    forces: Sequence[TableColumn] = ()
+    iterations: Sequence[TableColumn] = ()
+    bands: Sequence[TableColumn] = ()
+    blocks: Mapping[str, Block] = field(default_factory=dict)
+    names: Sequence[Name] = ()
     synthesis: Rows | None = None
-    places: Places = field(init=False)
+    placed: Places | None = None
     extremes: Searched | None = None
     checks: Checked | None = None
 
@@ -283,6 +285,11 @@ class Plan:
         return self.text("status.ok")
 
     @property
+    def places(self) -> Places:
+        """Places on the first sheet and in the tables."""
+        return there(self.placed)
+
+    @property
     def searched(self) -> Searched:
         """Places on the sheet of extremes, which a page does not have."""
         return there(self.extremes)
@@ -303,13 +310,30 @@ class Plan:
         return self.at.titles["positions"]
 
 
+class Blocks:
+    """Hands out the rows of blocks, from above.
+
+    headed  whether a block has a heading above its entries and an empty row below them
+    """
+
+    def __init__(self, row: int, headed: bool) -> None:
+        self.next_row, self.headed, self.of = row, headed, dict[str, Block]()
+
+    def add(self, key: str, entries: Iterable[str]) -> Block:
+        """The next block."""
+        names, first = list(entries), self.next_row + self.headed
+        block = self.of[key] = Block(first - 1, {entry: first + index for index, entry in enumerate(names)})
+        self.next_row = first + len(names) + self.headed
+        return block
+
+
 class Named:
     """Gives names to cells, each its own; those that the description asks for are taken beforehand."""
 
     def __init__(self, plan: Plan) -> None:
-        self.plan, mechanism = plan, plan.mechanism
+        self.plan, self.names, mechanism = plan, [*plan.names], plan.mechanism
         named = (*mechanism.dimensions, *mechanism.motion_numbers, *mechanism.outputs)
-        self.taken = {folded(each.cell) for each in named if each.cell}
+        self.taken = {folded(each.cell) for each in named if each.cell} | {folded(each.name) for each in plan.names}
 
     def cell(
         self, row: int, wish: str, col: int = VALUE, degrees: bool = False, own: str | None = "", sheet: str = ""
@@ -317,7 +341,7 @@ class Named:
         """A cell of the first sheet where no other is said, under a name that is asked for or one like the wish."""
         title, name = sheet or self.plan.main, own or safe_name(wish, self.taken)
         self.taken.add(folded(name))
-        self.plan.names.append(Name(name, title, row, col))
+        self.names.append(Name(name, title, row, col))
         return Spot(title, row, col, 0, degrees, name, self.plan.mechanism.references == "names")
 
     def sweep(self, rows: Mapping[str, Mapping[str, int]]) -> tuple[Spot | None, Spot | None]:

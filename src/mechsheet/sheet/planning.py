@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
-from typing import Literal
 
-from livesheet.formula.nodes import RangeRef
 from livesheet.workbook import Name
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import BANDS, FORCES, INNER, RATES, Equations, Role
 from mechsheet.kinematics.newton.system import FIRST_PASSES
 from mechsheet.kinematics.rates.sensitivity import toleranced
-from mechsheet.model import ENERGY, Mechanism
+from mechsheet.model import ENERGY, Mechanism, Synthesis
 from mechsheet.sheet.addresses import Addresses, Spot
+from mechsheet.sheet.checks.checks import Checks
+from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.classification import classification
 from mechsheet.sheet.columns.averaged import with_averaged
 from mechsheet.sheet.columns.bands import found_bands, tolerance_symbol, with_bands
 from mechsheet.sheet.columns.flywheel import MEAN, with_energy
 from mechsheet.sheet.columns.lowering import Assignment, in_pass, lowered
 from mechsheet.sheet.columns.start_columns import start_columns
+from mechsheet.sheet.findings.finding import Finding
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.places import Places, Starts
@@ -41,6 +42,8 @@ from mechsheet.sheet.plan import (
     VALUE,
     VERDICT_ROW,
     Block,
+    Blocks,
+    Kind,
     Named,
     Plan,
     TableColumn,
@@ -48,7 +51,7 @@ from mechsheet.sheet.plan import (
 )
 from mechsheet.sheet.table.rates import dead_words
 from mechsheet.sheet.table.status import words_looked_up
-from mechsheet.sheet.task_rows import plan_rows
+from mechsheet.sheet.task_rows import Rows, plan_rows
 from mechsheet.synthesis.kinds import kind_of
 from mechsheet.words.catalogue import words
 
@@ -72,55 +75,35 @@ def plan_of(mechanism: Mechanism, equations: Equations) -> Plan:
         mechanism, with_bands(mechanism, with_energy(mechanism, lowered(mechanism, equations)), found_of_bands)
     )
     found = classification(mechanism, assignments)
-    plan = Plan(mechanism, assignments, language, at, rows, [float(value) for value in values], found)
-    plan.sensitivities = found_of_bands
-    starts = _plan_columns(plan)
-    _plan_names_and_blocks(plan, starts)
-    return plan
+    driver = [float(value) for value in values]
+    plan = Plan(mechanism, assignments, language, at, rows, driver, found, found_of_bands)
+    plan, starts = _with_columns(plan)
+    plan = _with_rows(plan, starts)
+    return _with_proof(plan)
 
 
-def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
+# --- the first sheet -------------------------------------------------------------------------------------------------
+
+
+def _with_rows(plan: Plan, starts: Mapping[int, Starts]) -> Plan:
+    """The plan with the rows of the first sheet, and with the places and names of its cells."""
     mechanism = plan.mechanism
-    order = {symbol: index for index, symbol in enumerate(dimension_order(mechanism))}
-    own = [dim for dim in mechanism.dimensions if not dim.path]
-    found = {} if mechanism.synthesis is None else mechanism.synthesis.taken
-    inputs = [dim for dim in own if not dim.derived or dim.symbol in found]
-    derived = sorted((dim for dim in own if dim not in inputs), key=lambda dim: order[dim.symbol])
-    named, singles = Named(plan), mechanism.motion_numbers
-    plan.next_row = FIRST_BLOCK
-    shown = [f"show_{kind}" for kind in plan.arrows]
-    _block(plan, "position", ["position", mechanism.driver.symbol, "status", *shown])
-    _block(plan, "dimensions", [dim.symbol for dim in inputs])
-    if mechanism.summaries:  # what one asked for, in sight beside the drawing while one types a dimension
-        _block(plan, "summary", [each.symbol for each in singles])
-    if mechanism.driver.stepped:
-        _block(plan, "sweep", ["start", "step", "stop"])
-    for key in INPUT_BLOCKS:
-        entries = [dim.symbol for dim in mechanism.dimensions if block_of(dim) == key]
-        if entries:
-            _block(plan, key, entries)
-    modes = [group.mode for group in plan.equations.groups if group.mode]
-    if modes:
-        _block(plan, "assembly", modes)
-    variables = [*mechanism.given_by_row]
-    variables += [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
-    variables += [symbol for symbol in plan.banded if plan.equations.of(symbol).role == "point"]
-    variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
-    _block(plan, "variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
-    if mechanism.bands:
-        _block(plan, "bands", [*mechanism.bands.quantities, *mechanism.bands.summaries])
     findings = findings_of(mechanism, plan.found)
-    keys = [finding.key for finding in findings]
-    _block(plan, "verdicts", keys)
-    _block(plan, "derived", [dim.symbol for dim in derived] + [eq.symbol for eq in plan.equations.constants])
-    spots, rows = plan.at.spots, {key: block.rows for key, block in plan.blocks.items()}
+    shown = {kind: f"show_{kind}" for kind in plan.arrows}
+    blocks, named = _blocks(plan, findings, list(shown.values())), Named(plan)
+    rows = {key: block.rows for key, block in blocks.items()}
+    spots = {}
     placed = [dim for dim in mechanism.dimensions if block_of(dim) != "synthesis"]
-    called = names_of_dimensions(mechanism, placed, named.taken, kept_names(mechanism, [*keys, *shown]))
+    kept = kept_names(mechanism, [*rows["verdicts"], *shown.values()])
+    called = names_of_dimensions(mechanism, placed, named.taken, kept)
     for dim in placed:
         own_rows = rows[block_of(dim) or ("dimensions" if dim.symbol in rows["dimensions"] else "derived")]
         row, name = own_rows[dim.symbol], called[dim.symbol]
         spots[dim.symbol] = named.cell(row, dim.symbol, degrees=dim.unit.in_degrees, own=name)
-    unsolved, line = _place_synthesis(plan, named)
+    unsolved = line = task_rows = None
+    if mechanism.synthesis is not None:
+        task_rows, of_task, line, unsolved = _place_synthesis(plan, mechanism.synthesis, named)
+        spots |= of_task
     for equation in plan.equations.constants:
         symbol, degrees = equation.symbol, mechanism.shown(equation.unit).in_degrees
         spots[symbol] = named.cell(rows["derived"][symbol], symbol, degrees=degrees)
@@ -130,17 +113,18 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
             row = rows["dimensions"][dim.symbol]
             spots[tolerance_symbol(dim.symbol)] = named.cell(row, f"tol_{dim.symbol}", TOLERANCE)
         bands = {symbol: named.cell(row, f"band_{symbol}") for symbol, row in rows["bands"].items()}
-    for mode in modes:
-        spots[mode] = named.cell(rows["assembly"][mode], mode)
+    for mode, row in rows.get("assembly", {}).items():
+        spots[mode] = named.cell(row, mode)
     start, step = named.sweep(rows)
-    summaries = {each.symbol: named.cell(rows["summary"][each.symbol], each.symbol, own=each.cell) for each in singles}
+    summaries = {
+        each.symbol: named.cell(rows["summary"][each.symbol], each.symbol, own=each.cell)
+        for each in mechanism.motion_numbers
+    }
     for output in mechanism.outputs:
         if output.cell:
-            plan.names.append(Name(output.cell, plan.main, rows["variables"][output.symbol], VALUE))
+            named.names.append(Name(output.cell, plan.main, rows["variables"][output.symbol], VALUE))
     position = named.cell(rows["position"]["position"], plan.text("name.position"))
-    arrows: dict[str, Spot] = {
-        kind: named.cell(rows["position"][key], key) for kind, key in zip(plan.arrows, shown, strict=True)
-    }
+    arrows: dict[str, Spot] = {kind: named.cell(rows["position"][key], key) for kind, key in shown.items()}
     verdict = named.cell(VERDICT_ROW, "verdict", SYMBOL)
     lines, occurs = {}, {}
     for finding in findings:
@@ -154,108 +138,157 @@ def _plan_names_and_blocks(plan: Plan, starts: dict[int, Starts]) -> None:
     number, status = (Spot(plan.table, first, col, plan.rows) for col in (NUMBER, STATUS))
     rates = Spot(plan.at.titles["rates"], first, RATES_STATUS, plan.rows) if plan.rates else None
     count = Spot(plan.main, rows["verdicts"]["rows_closed"], UNIT)
-    plan.places = Places(
+    reasons, dead = (
+        Spot(plan.main, blocks[key].row + 1, MEANING, len(rows[key])).whole() if key in blocks else None
+        for key in ("reasons", "dead")
+    )
+    sheets = {key: Spot(plan.main, row, VALUE) for key, row in rows["sheets"].items()}
+    left = replace(sheets.pop(LEFT), col=MEANING)
+    places = Places(
         status, count, verdict, lines, summaries, number, rates, position, start, step, unsolved, line, arrows, occurs,
-        bands, starts=starts,
+        bands, starts=starts, reasons=reasons, dead=dead, sheets=sheets, left=left,
     )  # fmt: skip
-    _plan_below(plan)
+    return replace(plan, at=plan.at.beside(spots), blocks=blocks, names=named.names, synthesis=task_rows, placed=places)
 
 
-def _plan_below(plan: Plan) -> None:
-    """The last blocks of the first sheet: the words that tables look up, and which other sheets there are."""
-
-    def looked_up(key: str, said: list[str]) -> RangeRef | None:
-        if not said:
-            return None
-        block = _block(plan, key, [f"{key}_{number}" for number in range(len(said))])
-        return Spot(plan.main, block.row + 1, MEANING, len(said)).whole()
-
-    reasons, dead = looked_up("reasons", words_looked_up(plan)), looked_up("dead", dead_words(plan))
-    block = _block(plan, "sheets", ["left", *(key for key in MAY_GO if key in plan.at.titles)])
-    spots = {key: Spot(plan.main, row, VALUE) for key, row in block.rows.items()}
-    left = replace(spots.pop("left"), col=MEANING)
-    plan.places = replace(plan.places, left=left, reasons=reasons, dead=dead, sheets=spots)
+LEFT = "left"
+"""The entry of what can be said where sheets were deleted, among those that say whether they are there."""
 
 
-def _place_synthesis(plan: Plan, named: Named) -> tuple[Spot | None, Spot | None]:
-    """The task's inputs and its steps; whether it has a solution, and the line of what is said of it."""
-    task = plan.mechanism.synthesis
-    if task is None:
-        return None, None
+def _blocks(plan: Plan, findings: Iterable[Finding], shown: Sequence[str]) -> Mapping[str, Block]:
+    """The blocks of the first sheet, from above."""
+    mechanism, blocks = plan.mechanism, Blocks(FIRST_BLOCK, headed=True)
+    order = {symbol: index for index, symbol in enumerate(dimension_order(mechanism))}
+    own = [dim for dim in mechanism.dimensions if not dim.path]
+    found = {} if mechanism.synthesis is None else mechanism.synthesis.taken
+    inputs = [dim for dim in own if not dim.derived or dim.symbol in found]
+    derived = sorted((dim for dim in own if dim not in inputs), key=lambda dim: order[dim.symbol])
+    blocks.add("position", ["position", mechanism.driver.symbol, "status", *shown])
+    blocks.add("dimensions", [dim.symbol for dim in inputs])
+    if mechanism.summaries:  # what one asked for, in sight beside the drawing while one types a dimension
+        blocks.add("summary", [each.symbol for each in mechanism.motion_numbers])
+    if mechanism.driver.stepped:
+        blocks.add("sweep", ["start", "step", "stop"])
+    for key in INPUT_BLOCKS:
+        entries = [dim.symbol for dim in mechanism.dimensions if block_of(dim) == key]
+        if entries:
+            blocks.add(key, entries)
+    modes = [group.mode for group in plan.equations.groups if group.mode]
+    if modes:
+        blocks.add("assembly", modes)
+    variables = [*mechanism.given_by_row]
+    variables += [eq.symbol for eq in plan.equations.columns if eq.role in ("variable", "rate", "output")]
+    variables += [symbol for symbol in plan.banded if plan.equations.of(symbol).role == "point"]
+    variables += [column.symbol for column in plan.forces if column.symbol in plan.shown_forces]
+    blocks.add("variables", [symbol for symbol in variables if symbol != mechanism.driver.symbol])
+    if mechanism.bands:
+        blocks.add("bands", [*mechanism.bands.quantities, *mechanism.bands.summaries])
+    blocks.add("verdicts", [finding.key for finding in findings])
+    blocks.add("derived", [dim.symbol for dim in derived] + [eq.symbol for eq in plan.equations.constants])
+    for key, said in (("reasons", words_looked_up(plan)), ("dead", dead_words(plan))):
+        if said:  # the words that tables look up
+            blocks.add(key, [f"{key}_{number}" for number in range(len(said))])
+    blocks.add("sheets", [LEFT, *(key for key in MAY_GO if key in plan.at.titles)])
+    return blocks.of
+
+
+def _place_synthesis(plan: Plan, task: Synthesis, named: Named) -> tuple[Rows, dict[str, Spot], Spot, Spot]:
+    """See `plan_rows`: what it places has names."""
 
     def place(row: int, col: int, degrees: bool, wish: str) -> Spot:
         return named.cell(row, wish, col, degrees, sheet=plan.at.titles["synthesis"])
 
-    plan.synthesis, spots, line, unsolved = plan_rows(plan.mechanism, task, bool(plan.found.four_bars), place)
-    plan.at.spots.update(spots)
-    return unsolved, line
+    return plan_rows(plan.mechanism, task, bool(plan.found.four_bars), place)
 
 
-def _block(plan: Plan, key: str, entries: list[str]) -> Block:
-    """Reserve rows for a block: a heading, its entries, one empty row."""
-    first = plan.next_row + 1
-    block = Block(plan.next_row, {entry: first + index for index, entry in enumerate(entries)})
-    plan.blocks[key] = block
-    plan.next_row = first + len(entries) + 1
-    return block
+def _with_proof(plan: Plan) -> Plan:
+    """The plan with the sheets of extremes and of checks; the driver's value at a limit has a name, the same in all
+    languages."""
+    searched, named = Extremes(plan).places, Named(plan)
+    limits = [
+        named.cell(spot.row, f"limit_{number}", spot.col, sheet=spot.sheet)
+        for number, spot in enumerate(searched.limits, 1)
+    ]
+    plan = replace(plan, names=named.names, extremes=replace(searched, limits=limits))
+    return replace(plan, checks=Checks(plan).places)
 
 
-def _plan_columns(plan: Plan) -> dict[int, Starts]:
-    """One column a quantity: as people read it, and as formulas do."""
+# --- the tables ------------------------------------------------------------------------------------------------------
+
+
+def _with_columns(plan: Plan) -> tuple[Plan, Mapping[int, Starts]]:
+    """The plan with one column a quantity: as people read it, and as formulas do; and where Newton's method begins."""
     driver = plan.mechanism.driver
-    _add_column(plan, "", "number", 0, False)
-    _add_column(plan, driver.symbol, "driver", 0, driver.unit.in_degrees)
-    _add_column(plan, "", "status", 0, False)
+    columns, spots = list[TableColumn](), dict[str, Spot]()
+
+    def add(symbol: str, kind: Kind, group: int = 0, degrees: bool = False, equation: Assignment | None = None) -> None:
+        col, inner = len(columns), equation is not None and equation.role in INNER
+        columns.append(TableColumn(col, symbol, kind, group, inner, equation))
+        if symbol:
+            spots[symbol] = Spot(plan.table, plan.at.first, col, plan.rows, degrees)
+
+    add("", "number")
+    add(driver.symbol, "driver", degrees=driver.unit.in_degrees)
+    add("", "status")
     for symbol in plan.mechanism.given_by_row:
         own = plan.mechanism.given_unit(symbol)
         in_degrees = symbol in plan.mechanism.listed_symbols and own is not None and own.in_degrees
-        _add_column(plan, symbol, "time" if driver.law else "listed", 0, in_degrees)
+        add(symbol, "time" if driver.law else "listed", degrees=in_degrees)
     for equation in plan.equations.columns:
         if equation.role in (*RATES, *FORCES, *BANDS, "iteration"):
             continue
         degrees = equation.role != "intermediate" and plan.mechanism.shown(equation.unit).in_degrees
         group = -1 if equation.role == "output" else equation.group
-        _add_column(plan, equation.symbol, "equation", group, degrees, equation)
-    starts = _plan_iterations(plan)
-    plan.rates += _columns_beside(plan, "rates", RATES)
-    plan.forces += _columns_beside(plan, "forces", FORCES)
-    plan.bands += _columns_beside(plan, "tolerance", BANDS)
-    return starts
+        add(equation.symbol, "equation", group, degrees, equation)
+    iterations, starts, of_iterations = _iterations(plan)
+    rates, forces, bands = (_columns_beside(plan, roles) for roles in (RATES, FORCES, BANDS))
+    spots |= of_iterations
+    for key, beside in (("rates", rates), ("forces", forces), ("tolerance", bands)):
+        for column in beside:
+            equation = plan.equations.of(column.symbol)
+            degrees = key == "rates" and not column.inner and plan.mechanism.shown(equation.unit).in_degrees
+            spots[column.symbol] = Spot(plan.at.titles[key], plan.at.first, column.col, plan.rows, degrees)
+    plan = replace(
+        plan, at=plan.at.beside(spots), columns=columns, rates=rates, forces=forces, iterations=iterations, bands=bands
+    )
+    return plan, starts
 
 
-def _columns_beside(plan: Plan, key: str, roles: Collection[Role]) -> list[TableColumn]:
+def _columns_beside(plan: Plan, roles: Collection[Role]) -> list[TableColumn]:
     """The columns of a sheet of its own in the rows of the positions: the driver's effort both ways and what holds for the
     whole mechanism first, then group by group as they are solved."""
     first = (*plan.equations.equations.forces("effort", "work", "whole"), ENERGY)
     found = [equation for equation in plan.equations.columns if equation.role in roles]
     found.sort(key=lambda equation: equation.symbol not in first)
-    columns = []
-    for col, equation in enumerate(found, RATES_STATUS + 1):
-        group = 0 if equation.symbol in first else equation.group
-        inner = equation.role in INNER
-        columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
-        degrees = key == "rates" and not inner and plan.mechanism.shown(equation.unit).in_degrees
-        plan.at.spots[equation.symbol] = Spot(plan.at.titles[key], plan.at.first, col, plan.rows, degrees)
-    return columns
+    return [
+        TableColumn(
+            col, each.symbol, "equation", 0 if each.symbol in first else each.group, each.role in INNER, each
+        )
+        for col, each in enumerate(found, RATES_STATUS + 1)
+    ]  # fmt: skip
 
 
-def _plan_iterations(plan: Plan) -> dict[int, Starts]:
-    """A block of columns for each pass of each group that Newton's method solves; the last says where it has arrived."""
+def _iterations(plan: Plan) -> tuple[list[TableColumn], Mapping[int, Starts], dict[str, Spot]]:
+    """A block of columns for each pass of each group that Newton's method solves; the last says where it has arrived. Where
+    each group starts, and where all of these quantities stand."""
     found = [equation for equation in plan.equations.columns if equation.role == "iteration"]
-    title = plan.at.titles.get("iterations", "")
+    if not found:
+        return [], {}, {}
+    title, columns, spots = plan.at.titles["iterations"], [], {}
     for col, equation in enumerate(found, RATES_STATUS + 1):
         number = equation.symbol.rpartition(" ")[2]
         system = plan.equations.groups[equation.group - 1].system
         passes = system.passes if system else 0
         block = BLOCKS * equation.group + (int(number) if number.isdecimal() else passes + 1)
-        plan.iterations.append(TableColumn(col, equation.symbol, "equation", block, True, equation))
-        plan.at.spots[equation.symbol] = Spot(title, plan.at.first, col, plan.rows)
-    return _place_starts(plan, title) if found else {}
+        columns.append(TableColumn(col, equation.symbol, "equation", block, True, equation))
+        spots[equation.symbol] = Spot(title, plan.at.first, col, plan.rows)
+    starts, of_starts = _starts(plan, title, columns[-1].col + 1)
+    return columns, starts, spots | of_starts
 
 
-def _place_starts(plan: Plan, title: str) -> dict[int, Starts]:
+def _starts(plan: Plan, title: str, col: int) -> tuple[Mapping[int, Starts], dict[str, Spot]]:
     """Behind the blocks: how many passes each row needs, where each group starts, and the start values."""
-    found, first, col = {}, plan.at.first, plan.iterations[-1].col + 1
+    found, spots, first = {}, {}, plan.at.first
     for group in plan.equations.groups:
         system = group.system
         if system is None:
@@ -269,21 +302,6 @@ def _place_starts(plan: Plan, title: str) -> dict[int, Starts]:
             Spot(title, first, values),
         )
         for place, symbol in enumerate(reversed(columns.passes), 3):
-            plan.at.spots[in_pass(symbol, 0)] = Spot(title, first + FIRST_PASSES, values - place)
+            spots[in_pass(symbol, 0)] = Spot(title, first + FIRST_PASSES, values - place)
         col = values + len(system.unknowns) + 2
-    return found
-
-
-def _add_column(
-    plan: Plan,
-    symbol: str,
-    kind: Literal["number", "driver", "status", "time", "listed", "equation"],
-    group: int,
-    degrees: bool,
-    equation: Assignment | None = None,
-) -> None:
-    inner = equation is not None and equation.role in INNER
-    col = len(plan.columns)
-    plan.columns.append(TableColumn(col, symbol, kind, group, inner, equation))
-    if symbol:
-        plan.at.spots[symbol] = Spot(plan.table, plan.at.first, col, plan.rows, degrees)
+    return found, spots

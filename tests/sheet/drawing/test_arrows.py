@@ -55,10 +55,6 @@ def places(laid, series):
     return np.array(columns).T
 
 
-def half_window(laid):
-    return laid.values.get(*(getattr(laid.plan.window["half"], key) for key in ("sheet", "row", "col")))
-
-
 def charts(laid):
     return laid.workbook.sheets[0].charts
 

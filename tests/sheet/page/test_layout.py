@@ -1,7 +1,7 @@
 """The one sheet: the axis of its charts, and what stands beside the position."""
 
-import copy
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -23,8 +23,7 @@ def laid():
 ])  # fmt: skip
 def test_grid_lines_of_the_drivers_axis(laid, start, stop, step):
     """At most eight of them, however the sweep lies."""
-    plan = copy.copy(laid[1])
-    plan.driver = [math.radians(start), math.radians(stop)]
+    plan = replace(laid[1], driver=[math.radians(start), math.radians(stop)])
     axis = _axis(plan, "theta12")
     assert (axis.title, axis.step) == ("θ₁₂ [°]", step)
     assert _axis(plan, "theta14").step is None

@@ -8,11 +8,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from livesheet.formula.names import folded, safe_name
 from livesheet.formula.nodes import Call, CellRef, Node, Symbol, with_symbols
-from livesheet.workbook import Name
 from mechsheet.sheet import styles
-from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks import search_rules as rules
 from mechsheet.sheet.checks.search_table import KNOWN, LABEL, PLACE_COL, VERTEX_COL, SearchTable, whole
 from mechsheet.sheet.driving import driver_at
@@ -53,18 +50,11 @@ class Limits:
         start = row + 2 + rules.STRETCHES + 1
         self.rows = [start + number * (rules.LIMIT_PROBES + 2) for number in range(self.count)]
         self.end = start + self.count * (rules.LIMIT_PROBES + 2)
-        self.found = [self._named(number, table.spot(first, DRIVER)) for number, first in enumerate(self.rows, 1)]
+        self.found = [table.spot(first, DRIVER) for first in self.rows]
         self.stretches = [
             Stretch(*(table.spot(first, work) for work in (FIRST_ROW, LAST_ROW, FROM, TO, WORDS)))
             for first in self.stretch_rows
         ]
-
-    def _named(self, number: int, spot: Spot) -> Spot:
-        """The driver's value at a limit has a name, the same in all languages."""
-        names = self.plan.names
-        name = safe_name(f"limit_{number}", {folded(each.name) for each in names})
-        names.append(Name(name, spot.sheet, spot.row, spot.col))
-        return replace(spot, name=name, named=self.plan.mechanism.references == "names")
 
     def of_stretch(self, number: int, work: int) -> CellRef:
         """A cell of a stretch, counted from 1."""

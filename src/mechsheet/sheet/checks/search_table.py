@@ -52,7 +52,7 @@ class SearchTable:
         ]
         # the table's columns on this sheet
         spots = {each.symbol: replace(plan.at.spots[each.symbol], sheet=title, col=each.col) for each in self.columns}
-        self.at = replace(plan.at, spots=plan.at.spots | spots)
+        self.at = plan.at.beside(spots)
         self.value_col = DRIVER_COL + len(self.columns)
         self.side = self.value_col + 1
         self.cells: list[Cell] = []

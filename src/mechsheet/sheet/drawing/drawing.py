@@ -17,7 +17,6 @@ from mechsheet.shapes.colors import INK
 from mechsheet.shapes.forms import CAPTION, CAPTION_AT, LETTERS
 from mechsheet.shapes.names import POINTS
 from mechsheet.sheet import styles
-from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.drawing.frames import (
     CHART_X,
     CHART_Y,
@@ -77,8 +76,6 @@ def drawing_of(plan: Plan, requests: Sequence[ChartRequest]) -> Drawing:
     page.put(NAME, text("drawing.note"), styles.SUBTITLE)
     page.row += 1
     listed = Listed(page, letters_in(SIZE), lambda: caption(page))
-    half = listed.frame.half
-    plan.window["half"] = Spot(page.title, half.row, half.col)
     shown = _shown(page, requests, listed.points)
     paths = {request: _path_chart(page, request, listed.points) for request in requests if request.paths}
     paths |= {

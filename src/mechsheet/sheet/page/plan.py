@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from livesheet.diagnostics import Fault
@@ -26,7 +26,7 @@ from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.page.paper import CHART_HEIGHT
 from mechsheet.sheet.places import Places
-from mechsheet.sheet.plan import SHEETS, SPARE, UNIT, VERDICT_ROW, Block, Named, Plan, TableColumn
+from mechsheet.sheet.plan import SHEETS, SPARE, UNIT, VERDICT_ROW, Blocks, Named, Plan, TableColumn
 from mechsheet.words.catalogue import words
 
 FIRST_ROW = 3
@@ -42,7 +42,7 @@ STATUS_GROUP = -2
 """The number under which the column stands that says what does not close: it has no heading."""
 
 
-@dataclass
+@dataclass(frozen=True)
 class PagePlan(Plan):
     """A plan of one sheet.
 
@@ -55,7 +55,7 @@ class PagePlan(Plan):
     page: PageAssignments = field(kw_only=True)
     drawn: bool = field(kw_only=True)
     note_row: int = 0
-    lengths: dict[str, Node] = field(default_factory=dict)
+    lengths: Mapping[str, Node] = field(default_factory=dict)
 
     @property
     def symbol_row(self) -> int:
@@ -116,10 +116,7 @@ def plan_page(mechanism: Mechanism, equations: Equations) -> PagePlan:
         mechanism, page, language, at, len(values), [float(value) for value in values], classification(mechanism, page),
         page=page, drawn=drawn,
     )  # fmt: skip
-    _plan_top(plan)
-    _plan_table(plan)
-    _name_places(plan)
-    return plan
+    return _with_places(_with_columns(_with_rows(plan)))
 
 
 MOST_STEPS = 12
@@ -167,38 +164,62 @@ def sides_of(plan: PagePlan, loop: FourBar) -> list[tuple[str, Node]]:
 # --- the top ---------------------------------------------------------------------------------------------------------
 
 
-def _plan_top(plan: PagePlan) -> None:
-    mechanism, found = plan.mechanism, plan.found
-    plan.next_row = FIRST_ROW
-    _block(plan, "dimensions", (dim.symbol for dim in mechanism.dimensions if not dim.derived))
+def _with_rows(plan: PagePlan) -> PagePlan:
+    """The plan with the rows of the top, and of the note below it."""
+    mechanism, found, blocks = plan.mechanism, plan.found, Blocks(FIRST_ROW, headed=False)
+    blocks.add("dimensions", (dim.symbol for dim in mechanism.dimensions if not dim.derived))
     if mechanism.driver.stepped:
-        _block(plan, "sweep", ("start", "step"))
-    modes = [group.mode for group in plan.equations.groups if group.mode]
-    _block(plan, "assembly", modes)
+        blocks.add("sweep", ("start", "step"))
+    blocks.add("assembly", (group.mode for group in plan.equations.groups if group.mode))
     if plan.drawn:
-        _block(plan, "position", ("position",))
+        blocks.add("position", ("position",))
     order = {symbol: index for index, symbol in enumerate(dimension_order(mechanism))}
     derived = sorted((dim for dim in mechanism.dimensions if dim.derived), key=lambda dim: order[dim.symbol])
     constants = [each.symbol for each in plan.equations.constants]
-    for loop in found.four_bars:
-        plan.lengths |= {key: tree for key, tree in sides_of(plan, loop) if len(set(symbols(tree))) > 1}
-    _block(plan, "derived", [*(dim.symbol for dim in derived), *(f"length {key}" for key in plan.lengths), *constants])
+    sides = (side for loop in found.four_bars for side in sides_of(plan, loop))
+    lengths = {key: tree for key, tree in sides if len(set(symbols(tree))) > 1}
+    blocks.add("derived", [*(dim.symbol for dim in derived), *(f"length {key}" for key in lengths), *constants])
     findings = findings_of(mechanism, found, by_rows=True)
-    _block(plan, "verdicts", [key for each in findings for key in (each.key, each.key_beside(plan)) if key])
-    _block(plan, "summary", (each.symbol for each in mechanism.motion_numbers))
-    _block(plan, "variables", ())
+    blocks.add("verdicts", [key for each in findings for key in (each.key, each.key_beside(plan)) if key])
+    blocks.add("summary", (each.symbol for each in mechanism.motion_numbers))
+    blocks.add("variables", ())
+    note_row = max(blocks.next_row, FIRST_ROW - 1 + CHART_ROWS) + 1
+    first = note_row + 3 + plan.grouped
+    at = replace(plan.at, first=first, last=first + plan.rows - 1)
+    return replace(plan, at=at, blocks=blocks.of, lengths=lengths, note_row=note_row)
 
 
-def _block(plan: PagePlan, key: str, entries: Iterable[str]) -> None:
-    names = list(entries)
-    first = plan.next_row
-    plan.blocks[key] = Block(first - 1, {entry: first + index for index, entry in enumerate(names)})
-    plan.next_row += len(names)
+# --- the table -------------------------------------------------------------------------------------------------------
 
 
-def _name_places(plan: PagePlan) -> None:
-    """A place and a name for everything on top, whether the page's own formulas read names or not."""
-    mechanism, rows, spots = plan.mechanism, {key: block.rows for key, block in plan.blocks.items()}, plan.at.spots
+def _with_columns(plan: PagePlan) -> PagePlan:
+    """The plan with the columns of the table."""
+    driver = plan.mechanism.driver
+    outputs = {output.symbol for output in plan.mechanism.outputs}
+    columns = [TableColumn(0, driver.symbol, "driver", 0, False)]
+    degrees = {driver.symbol: driver.unit.in_degrees}
+    for symbol in plan.mechanism.given_by_row:
+        columns.append(TableColumn(len(columns), symbol, "time" if driver.law else "listed", 0, False))
+        degrees[symbol] = symbol in plan.mechanism.listed_symbols and plan.mechanism.driver_of(symbol).unit.in_degrees
+    for col, equation in enumerate(plan.equations.columns, len(columns)):
+        inner = equation.role in INNER
+        group = -1 if equation.symbol in outputs else equation.group
+        columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
+        degrees[equation.symbol] = plan.mechanism.shown(equation.unit).in_degrees
+    columns.append(TableColumn(len(columns), "", "status", STATUS_GROUP, False))
+    spots = {
+        column.symbol: Spot(plan.main, plan.at.first, column.col, plan.rows, degrees.get(column.symbol, False))
+        for column in columns[:-1]
+    }
+    return replace(plan, at=plan.at.beside(spots), columns=columns)
+
+
+# --- places ----------------------------------------------------------------------------------------------------------
+
+
+def _with_places(plan: PagePlan) -> PagePlan:
+    """The plan with a place and a name for everything on top, whether the page's own formulas read names or not."""
+    mechanism, rows, spots = plan.mechanism, {key: block.rows for key, block in plan.blocks.items()}, {}
     named = Named(plan)
     called = names_of_dimensions(mechanism, mechanism.dimensions, named.taken, kept_names(mechanism, rows["verdicts"]))
     for dim in mechanism.dimensions:
@@ -220,32 +241,7 @@ def _name_places(plan: PagePlan) -> None:
     verdict = named.cell(VERDICT_ROW, "verdict", 0)
     status = Spot(plan.main, plan.at.first, plan.columns[-1].col, plan.rows)
     count = Spot(plan.main, rows["verdicts"]["rows_closed"], UNIT)
-    plan.places = Places(
+    places = Places(
         status, count, verdict, lines, summaries, position=position, start=start, step=step, lengths=lengths
     )
-
-
-# --- the table -------------------------------------------------------------------------------------------------------
-
-
-def _plan_table(plan: PagePlan) -> None:
-    plan.note_row = max(plan.next_row, FIRST_ROW - 1 + CHART_ROWS) + 1
-    plan.at.first = plan.note_row + 3 + plan.grouped
-    plan.at.last = plan.at.first + plan.rows - 1
-    driver = plan.mechanism.driver
-    outputs = {output.symbol for output in plan.mechanism.outputs}
-    columns = [TableColumn(0, driver.symbol, "driver", 0, False)]
-    degrees = {driver.symbol: driver.unit.in_degrees}
-    for symbol in plan.mechanism.given_by_row:
-        columns.append(TableColumn(len(columns), symbol, "time" if driver.law else "listed", 0, False))
-        degrees[symbol] = symbol in plan.mechanism.listed_symbols and plan.mechanism.driver_of(symbol).unit.in_degrees
-    for col, equation in enumerate(plan.equations.columns, len(columns)):
-        inner = equation.role in INNER
-        group = -1 if equation.symbol in outputs else equation.group
-        columns.append(TableColumn(col, equation.symbol, "equation", group, inner, equation))
-        degrees[equation.symbol] = plan.mechanism.shown(equation.unit).in_degrees
-    columns.append(TableColumn(len(columns), "", "status", STATUS_GROUP, False))
-    plan.columns += columns
-    for column in columns[:-1]:
-        shown = degrees.get(column.symbol, False)
-        plan.at.spots[column.symbol] = Spot(plan.main, plan.at.first, column.col, plan.rows, shown)
+    return replace(plan, at=plan.at.beside(spots), names=named.names, placed=places)
