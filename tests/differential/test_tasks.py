@@ -12,7 +12,7 @@ import subprocess
 import openpyxl
 import pytest
 
-from chosen import IN_CI, first
+from chosen import ALL, first
 from livesheet.engine import evaluate
 from livesheet.formats import read, update_values, write
 from mechsheet.checking.inputs import description_in, plan_inside
@@ -98,14 +98,14 @@ TYPED = {
 def test_what_is_typed_moves_everything_as_if_it_were_built_anew(tmp_path, monkeypatch):
     """Drawing, curves, table, verdicts: every formula of the workbook in which the number was typed.
 
-    Outside CI one half of the tasks as .xlsx, the other half as .ods. Beside which way of its point a name stands is chosen
-    when a workbook is built: here for all alike.
+    Outside full runs one half of the tasks as .xlsx, the other half as .ods. Beside which way of its point a name stands is
+    chosen when a workbook is built: here for all alike.
     """
     monkeypatch.setattr("mechsheet.sheet.drawing.labels._changes", lambda *_: [(1, 0, 0.05, 0.05)])
     (tmp_path / "answers").mkdir()
     typed, anew = [], []
     for number, (name, (symbol, key, value)) in enumerate(TYPED.items()):
-        for suffix in FORMATS if IN_CI else (FORMATS[number % 2],):
+        for suffix in FORMATS if ALL else (FORMATS[number % 2],):
             built, fresh = (tmp_path / f"{name}-{suffix}-{which}.{suffix}" for which in ("built", "anew"))
             spots = compiled_into(built, name)
             compiled_into(fresh, name, {key: str(value)})

@@ -187,7 +187,7 @@ BUILT = {
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", first(list(BUILT), 3))
+@pytest.mark.parametrize("number", first(list(BUILT), 2))
 def test_one_formula_changed_in_a_workbook_that_was_built(tmp_path, number):
     name, column, was, now, lost = BUILT[number]
     text = TASKS[name].text.replace('"B.x" = 1, ', "")  # no column of the built one

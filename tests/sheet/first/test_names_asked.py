@@ -117,6 +117,7 @@ EVERY = ("four-bar-forces", "engine", "scissor-lift", "rack-slider", "geared-fiv
 
 
 @pytest.mark.slow
+@pytest.mark.cases(1)
 @pytest.mark.parametrize("template", EVERY)
 def test_every_name_of_a_template(template):
     """All summaries of all names that may be asked for: the search finds the same."""
