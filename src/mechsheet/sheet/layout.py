@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from livesheet.workbook import Cell, Column, Properties, Sheet, Workbook
 from mechsheet.kinematics.equations import Equations
@@ -11,7 +12,7 @@ from mechsheet.sheet.asked.requested import table_sheets
 from mechsheet.sheet.checks.checks import Checks, checks_sheet
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.drawing.charts import chart_requests, charts_of, with_room
+from mechsheet.sheet.drawing.charts import chart_requests, charts_of, with_charts
 from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.first.mechanism import controls, mechanism_sheet
 from mechsheet.sheet.notes.formulas import with_formulas
@@ -40,8 +41,9 @@ def lay_out(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, Plan]
     drawing = drawing_of(plan, requests)
     notes, places = notes_sheet(plan)
     sheets = (
-        with_room(
-            mechanism_sheet(plan, checks, extremes, tolerance, charts_of(plan, requests, drawing), controls(plan))
+        with_charts(
+            mechanism_sheet(plan, checks, extremes, tolerance, controls(plan)),
+            partial(charts_of, plan, requests, drawing),
         ),
         *((synthesis_sheet(plan),) if plan.synthesis else ()),
         *((alt_sheet(plan),) if "alt" in plan.at.titles else ()),

@@ -87,9 +87,9 @@ def _columns(sizes: Sequence[float], repeated: tuple[int, int], wide: float) -> 
         pages += 1
 
 
-def first_setup(sheet: Sheet, starts: Sequence[int], last_col: int) -> PrintSetup:
+def first_setup(sheet: Sheet, starts: Sequence[int], last_col: int) -> tuple[PrintSetup, bool]:
     """Of the first sheet, whose row heights are all given: lying where one page takes it, else upright, its blocks on pages
-    down, its charts on pages of their own behind them.
+    down, its charts on pages of their own behind them. And whether all blocks are whole.
 
     starts  columns that begin a page of charts
     """
@@ -97,20 +97,22 @@ def first_setup(sheet: Sheet, starts: Sequence[int], last_col: int) -> PrintSetu
     rows = max(heights) + 1
     edges = [0.0, *accumulate(heights[row] for row in range(rows))]
     if edges[-1] <= ROWS_OF_ONE_PAGE * heights[rows - 1] and len(starts) == 1:
-        return sheet.print_setup
+        return sheet.print_setup, True
     down = SURE * UPRIGHT_DOWN
-    pages = math.ceil(edges[-1] * READABLE / down)
-    largest = math.floor(100 * min(WIDE, pages * down / edges[-1]))
-    found = ((scale, _between_blocks(sheet, edges, 100 * down / scale)) for scale in _scales(largest))
-    # as large as whole blocks fill as many pages; where no size does, the last page goes on upon a further one
-    scale, row_at = next(
-        ((scale, begins) for scale, begins in found if _fits(edges, begins, 100 * down / scale)),
-        (largest, _between_blocks(sheet, edges, 100 * down / largest)),
-    )
-    return replace(
+    fewest = math.ceil(edges[-1] * READABLE / down)
+    # as large as whole blocks fill so many pages, else one page more
+    found = [
+        (scale, _between_blocks(sheet, edges, 100 * down / scale, pages))
+        for pages in (fewest, fewest + 1)
+        for scale in _scales(math.floor(100 * min(WIDE, pages * down / edges[-1])))
+    ]
+    whole = [(scale, begins) for scale, begins in found if _fits(edges, begins, 100 * down / scale)]
+    scale, row_at = (whole or found)[0]
+    setup = replace(
         sheet.print_setup, landscape=False, fit_width=0, fit_height=0, scale=scale, page_at=tuple(starts), row_at=row_at,
         area=Area(0, 0, rows - 1, last_col),
     )  # fmt: skip
+    return setup, bool(whole)
 
 
 def _scales(largest: int) -> range:
@@ -124,12 +126,12 @@ def _fits(edges: Sequence[float], begins: Sequence[int], page: float) -> bool:
     return all(end - begin <= page for begin, end in parts)
 
 
-def _between_blocks(sheet: Sheet, edges: Sequence[float], page: float) -> tuple[int, ...]:
-    """Headings of blocks that begin a page: the first that leave no more behind them than pages take; no chart is cut."""
-    headings = sorted({cell.row for cell in sheet.cells if cell.col == 0 and cell.style == styles.SECTION})
-    free = [row for row in headings if not any(_crosses(chart, edges, edges[row]) for chart in sheet.charts)]
+def _between_blocks(sheet: Sheet, edges: Sequence[float], page: float, pages: int) -> tuple[int, ...]:
+    """Headings of blocks that begin one of so many pages: the first that leave no more behind them than other pages take; no
+    chart is cut."""
+    free = [row for row in headings_of(sheet) if not any(_crosses(chart, edges, edges[row]) for chart in sheet.charts)]
     begins: list[int] = []
-    begun, left = 0.0, math.ceil(edges[-1] / page) - 1
+    begun, left = 0.0, pages - 1
     while left > 0:
         fitting = [row for row in free if begun < edges[row] <= begun + page]
         enough = [row for row in fitting if edges[-1] - edges[row] <= left * page]
@@ -138,6 +140,11 @@ def _between_blocks(sheet: Sheet, edges: Sequence[float], page: float) -> tuple[
         begins.append(min(enough, default=max(fitting)))
         begun, left = edges[begins[-1]], left - 1
     return tuple(begins)
+
+
+def headings_of(sheet: Sheet) -> list[int]:
+    """Rows of the headings of blocks."""
+    return sorted({cell.row for cell in sheet.cells if cell.col == 0 and cell.style == styles.SECTION})
 
 
 def _crosses(chart: Chart, edges: Sequence[float], edge: float) -> bool:

@@ -2,7 +2,7 @@
 
 import math
 import re
-from copy import copy
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -143,8 +143,7 @@ def test_curves_are_bent_unless_they_leap():
 ])  # fmt: skip
 def test_steps_of_the_driver(start, stop, low, high, step):
     """At most twelve of them, or those of ten turns: hundreds of grid lines would be a black area."""
-    plan = copy(laid(SLIDER_CRANK)[1])
-    plan.driver = [math.radians(start), math.radians(stop)]
+    plan = replace(laid(SLIDER_CRANK)[1], driver=[math.radians(start), math.radians(stop)])
     axis = driver_axis(plan, "theta12")
     assert (axis.low, axis.high, axis.step) == (low, high, step)
 

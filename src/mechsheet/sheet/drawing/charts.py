@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain
 from typing import Literal
 
 import numpy as np
@@ -24,7 +25,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.columns.bands import HIGH, LOW, part_of
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.plan import CHARTS, VALUE, Plan
-from mechsheet.sheet.printing import CHARTS_DOWN, first_setup
+from mechsheet.sheet.printing import CHARTS_DOWN, first_setup, headings_of
 from mechsheet.sheet.shown import shown_unit
 from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.symbols import plain
@@ -36,7 +37,10 @@ HEIGHT = 230
 COLUMN_WIDTH, COLUMN_CHARACTERS = 80, 10.7
 """Pixels and characters of a column beside the blocks, by which charts are placed: set, not left to a program."""
 
-PAGE_COLUMNS = math.ceil((2 * SIZE + GAP) / COLUMN_WIDTH)
+EDGE = 2
+"""Pixels between the page's first column and a chart: on the edge itself its frame was printed on the page before, too."""
+
+PAGE_COLUMNS = math.ceil((EDGE + 2 * SIZE + GAP) / COLUMN_WIDTH)
 """So many columns take two charts side by side: an upright page."""
 
 FIRST_ROW = 3
@@ -348,9 +352,9 @@ def driver_axis(plan: Plan, symbol: str, ends: Ends = (None, None)) -> Axis:
 # --- places ------------------------------------------------------------------------------------------------------
 
 
-def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing) -> tuple[Chart, ...]:
-    """The drawing under the scroll bar, the other charts beside and below it in two columns, as many as a page takes; what
-    has no room there stands to the right of it, on a page of its own.
+def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing, down: int) -> tuple[Chart, ...]:
+    """The drawing under the scroll bar, the other charts beside and below it in two columns, `down` so many pixels; what has
+    no room there stands to the right of it, on a page of its own.
     """
     curves = {
         request: curve_chart(
@@ -368,7 +372,7 @@ def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing) ->
     page = 0
     for chart in (*left, *curves.values(), *paths):
         side = 0 if chart in left or (chart not in right and heights[0] <= heights[1]) else 1
-        if heights[side] + chart.anchor.height > CHARTS_DOWN:
+        if heights[side] + chart.anchor.height > down:
             page, heights = page + 1, [0, 0]
             side = int(chart in right)
         placed.append(_placed(chart, page * PAGE_COLUMNS * COLUMN_WIDTH + side * (SIZE + GAP), heights[side]))
@@ -377,14 +381,25 @@ def charts_of(plan: Plan, requests: Sequence[ChartRequest], drawing: Drawing) ->
 
 
 def _placed(chart: Chart, x: int, y: int) -> Chart:
-    cols, dx = divmod(x, COLUMN_WIDTH)
+    cols, dx = divmod(EDGE + x, COLUMN_WIDTH)
     rows, dy = divmod(y, ROW_HEIGHT)
     anchor = replace(chart.anchor, row=FIRST_ROW + rows, col=CHARTS + cols, dx=dx, dy=dy)
     return replace(chart, anchor=anchor)
 
 
-def with_room(sheet: Sheet) -> Sheet:
-    """The sheet with the sizes of rows and columns by which its charts were placed, where it does not set them itself."""
+def with_charts(sheet: Sheet, charts: Callable[[int], tuple[Chart, ...]]) -> Sheet:
+    """The sheet with the charts that stand down to so many pixels: as many beside its blocks as a page takes, or fewer, down
+    to the heading of a block, where otherwise a block would be cut in print."""
+    headings = [(row - FIRST_ROW) * ROW_HEIGHT for row in reversed(headings_of(sheet))]
+    fewer = [down for down in headings if SIZE <= down < CHARTS_DOWN]
+    found = (_with_room(replace(sheet, charts=charts(down))) for down in (CHARTS_DOWN, *fewer))
+    as_many = next(found)
+    return next((laid for laid, whole in chain([as_many], found) if whole), as_many[0])
+
+
+def _with_room(sheet: Sheet) -> tuple[Sheet, bool]:
+    """The sheet with the sizes of rows and columns by which its charts were placed, where it does not set them itself; and
+    whether its blocks are whole in print."""
     last = max(chart.anchor.row + math.ceil(chart.anchor.height / ROW_HEIGHT) + 1 for chart in sheet.charts)
     given = {row for row, _ in sheet.row_heights}
     heights = tuple((row, float(ROW_HEIGHT)) for row in range(last + 1) if row not in given)
@@ -392,4 +407,5 @@ def with_room(sheet: Sheet) -> Sheet:
     starts = [CHARTS + page * PAGE_COLUMNS for page in range(pages)]
     columns = tuple(Column(start, start + PAGE_COLUMNS - 1, COLUMN_CHARACTERS) for start in starts)
     sheet = replace(sheet, row_heights=sheet.row_heights + heights, columns=(*sheet.columns, *columns))
-    return replace(sheet, print_setup=first_setup(sheet, starts, starts[-1] + PAGE_COLUMNS - 1))
+    setup, whole = first_setup(sheet, starts, starts[-1] + PAGE_COLUMNS - 1)
+    return replace(sheet, print_setup=setup), whole

@@ -6,7 +6,6 @@ from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbo
 from livesheet.workbook import (
     Anchor,
     Area,
-    Chart,
     Column,
     Control,
     PrintSetup,
@@ -66,10 +65,9 @@ def mechanism_sheet(
     checks: Checks,
     extremes: Extremes,
     tolerance: Tolerance,
-    charts: tuple[Chart, ...],
     controls: tuple[Control, ...],
 ) -> Sheet:
-    """The sheet, with the charts and controls that others have made for it."""
+    """The sheet, with the controls that others have made for it."""
     writer = Writer(plan, plan.main)
     mechanism = plan.mechanism
     writer.put(0, 0, mechanism.title.of(plan.language), styles.TITLE)
@@ -107,7 +105,6 @@ def mechanism_sheet(
             *((row, writer.heights.get(row, float(ROW_HEIGHT))) for row in range(LEGEND_ROW, _last_row(plan) + 1)),
         ),
         merges=tuple(merges),
-        charts=charts,
         controls=controls,
         validations=tuple(writer.validations),
         conditionals=tuple(writer.conditionals),
