@@ -100,7 +100,7 @@ def test_every_template_can_be_told(name, language):
     found = statement(mechanism)
     lines = told(found.meanings())
     for symbol in found.asked:
-        (line,) = [line for line in lines if line.startswith((f"{symbol}:", f"{symbol} ["))]
+        (line,) = [line for line in lines if line.startswith((f"{symbol}:", f"{symbol} [", f"{symbol} ="))]
         assert len(line) > len(symbol) + 3
     assert len(told(found.links())) == len(mechanism.whole_links)
 
