@@ -72,4 +72,4 @@ def test_lines_are_those_of_the_file(options):
 def test_an_option_has_no_line():
     result = run("build", "-", "--tolerance", "--layout", "page", text=template_text("engine"))
     lines = [line for line in result.stderr.splitlines() if line.startswith("<stdin>")]
-    assert [line.split(": ")[0] for line in lines] == ["<stdin>", "<stdin>", "<stdin>:63"]
+    assert [line.split(": ")[0] for line in lines] == ["<stdin>", "<stdin>", "<stdin>:64"]
