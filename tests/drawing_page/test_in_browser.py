@@ -47,13 +47,14 @@ def test_dragging_a_point_changes_its_dimensions_and_nothing_else(opening, four_
 
 def test_a_number_that_is_typed_moves_the_drawing(opening, four_bar):
     opened = opening(four_bar)
-    x, _ = opened.place("A")
+    drawn = "async () => (await import('./geometry.js')).place('A')[0]"
+    assert opened.page.evaluate(drawn) == pytest.approx(35, abs=1e-4)
     field = opened.page.locator("[data-name=a2]")
     field.fill("50")
     field.press("Enter")
     opened.until("document.querySelector('#text').value.includes('a2 = { value = 50,')")
     opened.said("It can be joined only at")
-    assert opened.place("A")[0] > x + 20
+    assert opened.page.evaluate(drawn) == pytest.approx(50, abs=1e-4)
     field.fill("nonsense")
     field.press("Enter")
     opened.until("document.querySelector('[data-name=a2]').classList.contains('bad')")
@@ -71,6 +72,30 @@ def test_what_is_not_drawn_is_inserted_and_undone(opening, four_bar):
     assert chosen.startswith("m_crank = {")
     opened.page.click("#undo")
     assert opened.text() == before
+
+
+@pytest.mark.ci
+def test_faults_and_the_bar_of_the_position_hide_nothing(opening, tmp_path):
+    """As faults are listed the sheet becomes lower: what was drawn at its lower edge was hidden, and the last tool."""
+    opened = opening(None, tmp_path)
+    page = opened.page
+    page.set_viewport_size({"width": 1366, "height": 768})
+    sheet = page.locator("#canvas").bounding_box()
+    lowest = page.evaluate("async h => (await import('./view.js')).toPlane(0, h - 25)[1]", sheet["height"])
+    for tool, *places in (("ground", (0, 0)), ("link", (20, lowest), (50, lowest)), ("link", (60, 30), (80, 40))):
+        page.click(f"#tool-{tool}")
+        for place in places:
+            before = opened.text()
+            opened.click(place)
+        opened.until("before => document.querySelector('#text').value !== before", before)
+    opened.until("h => document.querySelector('#canvas').clientHeight < h - 50", sheet["height"])
+    left, top, width, height = (page.locator("#canvas").bounding_box()[side] for side in ("x", "y", "width", "height"))
+    for name in ("A", "B"):
+        x, y = opened.place(name)
+        assert left < x < left + width
+        assert top < y < top + height
+    tools, bar = (page.locator(which).bounding_box() for which in ("#tool-delete", "#motion"))
+    assert tools["x"] + tools["width"] <= bar["x"] or tools["y"] + tools["height"] <= bar["y"]
 
 
 def test_a_four_bar_is_drawn_with_the_mouse_and_becomes_a_workbook(opening, tmp_path):

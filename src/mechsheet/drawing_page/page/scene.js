@@ -1,7 +1,7 @@
 // The mechanism on the sheet: SVG elements, built when the mechanism changes, moved when its position does.
 
 import { state, on } from "./state.js";
-import { canvas, size, spacing, toPlane, toScreen } from "./view.js";
+import { canvas, size, spacing, toPlane, toScreen, keepInSight } from "./view.js";
 import { at, cornersOf, fromStretch, ground, isPin, lastPlace, linkNamed, linksAt, parts, shown } from "./geometry.js";
 import { word } from "./language.js";
 import { sides } from "./names.js";
@@ -401,7 +401,8 @@ on("chosen paths", () => {
   move();
 });
 
-// A sheet that becomes larger or smaller shows more or less at its right and below: what is there stays where it is.
+// A sheet that becomes larger or smaller shows more or less at its right and below: what is there stays where it is, unless
+// it would be hidden, as by the faults of a new drawing.
 let extent = null;
 new ResizeObserver(() => {
   const now = size();
@@ -409,6 +410,8 @@ new ResizeObserver(() => {
     state.view.x += (now.width - extent.width) / 2 / state.view.scale;
     state.view.y -= (now.height - extent.height) / 2 / state.view.scale;
   }
+  const before = extent?.height ?? now.height;
   extent = now;
+  if (now.height < before && state.view) keepInSight(before);
   all();
 }).observe(canvas);

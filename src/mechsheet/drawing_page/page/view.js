@@ -3,6 +3,7 @@
 import { cornersOf } from "./geometry.js";
 import { state, changed } from "./state.js";
 
+const EDGE = 40; // pixels that the ground's hatching and a name take below a point
 const BUTTONS = 48; // pixels at the right that the buttons over the sheet take
 
 export const canvas = document.getElementById("canvas");
@@ -70,8 +71,8 @@ function reached(shape) {
   return frames.flatMap((frame) => cornersOf(shape, frame));
 }
 
-/** Show all that the mechanism reaches, below the advice and beside the buttons. */
-export function fit() {
+/** The box around all that the mechanism reaches: left, right, low and high; left beyond right where nothing is drawn. */
+function box() {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
   for (const [xs, ys] of Object.values(state.look?.frames?.points ?? {})) {
     for (const x of xs) if (x !== null) [left, right] = [Math.min(left, x), Math.max(right, x)];
@@ -82,6 +83,24 @@ export function fit() {
       [left, right, low, high] = [Math.min(left, x), Math.max(right, x), Math.min(low, y), Math.max(high, y)];
     }
   }
+  return [left, right, low, high];
+}
+
+/** Raise what was in sight on a sheet so many pixels high and would now be below its edge, or show it smaller. */
+export function keepInSight(before) {
+  const [left, right, low, high] = box();
+  if (!(left <= right)) return;
+  const now = size().height;
+  const [above, below] = [toScreen(0, high)[1], toScreen(0, low)[1]];
+  if (below > before || below <= now - EDGE) return;
+  const over = below - now + EDGE;
+  if (above - over >= document.getElementById("advice").offsetHeight) shift(0, -over);
+  else fit();
+}
+
+/** Show all that the mechanism reaches, below the advice and beside the buttons. */
+export function fit() {
+  let [left, right, low, high] = box();
   if (!(left <= right)) [left, right, low, high] = [-20, 120, -20, 80];
   const { width: whole, height: tall } = size();
   const above = document.getElementById("advice").offsetHeight;
