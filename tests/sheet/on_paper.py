@@ -30,7 +30,7 @@ TOUCHING = 0.6
 """So near its end [points] a smaller word is an index of another."""
 IN_CHARTS = "#404040"
 FOOTER = 0.94
-"""What begins below this part of the height of a page is the footer."""
+"""What begins below this part of the height of a page is the footer; in its middle stand the sheet and the page."""
 NUMBER = re.compile(r"[-−+]?\d+([.,]\d+)?(E[-+]\d+)?")
 ZOOM = 3
 """Of pdftohtml: it takes no more, and counts in whole pixels."""
@@ -96,12 +96,13 @@ def _parts(text: str, tag: str) -> list[str]:
 
 
 def _page(tagged: str, boxes: str) -> Page:
-    height = float(re.search(r'height="([\d.]+)"', boxes)[1])
+    width, height = (float(re.search(rf'{side}="([\d.]+)"', boxes)[1]) for side in ("width", "height"))
     areas, found = list(_areas(tagged)), list(_words(boxes))
     words, footer = [], []
     for place, text in found:
         if place[1] > FOOTER * height:
-            footer.append(text)
+            if width / 3 < place[0] < 2 * width / 3:
+                footer.append(text)
             continue
         colour, slants = _around(areas, place)
         if _is_index(place, found):
@@ -111,12 +112,12 @@ def _page(tagged: str, boxes: str) -> Page:
         else:
             kind = "formula" if slants else "number" if NUMBER.fullmatch(text) else "word"
         words.append(Print(text, kind, (place[3] - place[1]) / HEIGHT_OF_SIZE, place[3]))
-    return Page(" ".join(footer), height, _without_indexes(words))
+    return Page(" ".join(footer).rpartition(", ")[0], height, _without_indexes(words))
 
 
 def _without_indexes(words: Sequence[Print]) -> tuple[Print, ...]:
-    """An index above an index touches none of the letters before it: it is as small beside the page's numbers."""
-    sizes = Counter(round(word.size, 1) for word in words if word.kind == "number")
+    """An index below a dotted letter, or above an index, touches no letters: it is as small beside the page's words."""
+    sizes = Counter(round(word.size, 1) for word in words if word.kind in ("number", "word"))
     usual = sizes.most_common(1)[0][0] if sizes else 0.0
     return tuple(
         replace(word, kind="index") if word.kind == "number" and word.size < SIZE_OF_INDEX * usual else word

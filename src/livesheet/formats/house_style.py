@@ -11,8 +11,8 @@ DIGIT_PIXELS, EXCEL_DIGIT_PIXELS, PADDING_PIXELS = 7.4, 7, 5
 """A column of n characters is n digits and a padding wide. Excel rounds a digit of this font to 7 pixels, LibreOffice not:
 the columns of an .xlsx are as wide there as those of an .ods."""
 
-MARGIN_SIDE, MARGIN_END, MARGIN_HEADER = 0.6, 0.6, 0.3
-"""Of printed pages [inches]: left and right, above and below the cells, above and below header and footer."""
+MARGIN_SIDE, MARGIN_TOP, MARGIN_END, MARGIN_HEADER = 0.6, 0.4, 0.6, 0.3
+"""Of printed pages [inches]: left and right, above the cells, below them, where the footer is, and below that."""
 
 TITLE_SIZE, TEXT_SIZE = 11, 10
 """Text of charts [points]."""

@@ -10,7 +10,7 @@ from itertools import accumulate, pairwise
 from livesheet.workbook import Area, Chart, PrintSetup, Sheet
 from mechsheet.sheet import styles
 
-ACROSS, DOWN = 1007, 660
+ACROSS, DOWN = 1007, 679
 """Pixels across A4, lying, and down it to the footer, at full size."""
 
 READABLE = 0.67
@@ -28,7 +28,7 @@ ROW = 17
 ROWS_OF_ONE_PAGE = 49
 """So many rows of the first sheet, with its charts beside them, can be read on one page, lying."""
 
-UPRIGHT_DOWN, WIDE = 985, 0.78
+UPRIGHT_DOWN, WIDE = 1004, 0.78
 """Pixels down an upright page to the footer; as large two charts side by side are as wide as it."""
 
 CHARTS_DOWN = math.floor(SURE * UPRIGHT_DOWN / WIDE) - 100

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import unicodedata
 
+from livesheet.formula.nodes import Binary, Call, Node, Text
 from livesheet.workbook import Content, plain_text
 
 _WIDTHS = {
@@ -41,6 +42,22 @@ def label_lines(text: str, columns: float) -> int:
             lines += math.ceil(used / room) - 1
             used = used % room
     return lines
+
+
+NUMBER = "000.0"
+"""About as wide as a number in a text that a formula writes."""
+
+
+def longest_said(node: Node) -> str:
+    """The longest of the texts that a formula may write."""
+    match node:
+        case Text(value):
+            return value
+        case Binary("&", left, right):
+            return longest_said(left) + longest_said(right)
+        case Call("IF" | "CHOOSE", (_, *chosen)) | Call("IFERROR", (*chosen,)):
+            return max(map(longest_said, chosen), key=_pixels, default="")
+    return NUMBER
 
 
 def height_of(lines: int, one: int = ROW_HEIGHT) -> float:

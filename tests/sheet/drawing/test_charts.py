@@ -10,7 +10,7 @@ import pytest
 
 from chosen import some
 from folders import TEMPLATE_NAMES
-from livesheet.formats.house_style import MARGIN_END
+from livesheet.formats.house_style import MARGIN_END, MARGIN_TOP
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
@@ -211,10 +211,10 @@ def test_the_first_sheet_can_be_read_on_paper(name):
     setup = sheet.print_setup
     heights = dict(sheet.row_heights)
     pixels = sum(heights.values())
-    inches = 11.69 - 2 * MARGIN_END  # of an upright page
+    inches = 11.69 - MARGIN_TOP - MARGIN_END  # of an upright page
     if not setup.scale:
         assert (setup.fit_width, setup.fit_height, setup.landscape) == (1, 1, True)
-        assert 10 * (8.27 - 2 * MARGIN_END) * 96 / pixels >= 6.5
+        assert 10 * (8.27 - MARGIN_TOP - MARGIN_END) * 96 / pixels >= 6.5
         return
     assert 10 * setup.scale / 100 >= 6.5
     assert setup.page_at[0] == CHARTS

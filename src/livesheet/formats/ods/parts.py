@@ -9,7 +9,7 @@ from xml.sax.saxutils import escape
 from livesheet.workbook import Module, PrintSetup, Properties, Sheet, Workbook
 
 from ..archive import FIXED_TIME
-from ..house_style import MARGIN_END, MARGIN_HEADER, MARGIN_SIDE
+from ..house_style import MARGIN_END, MARGIN_HEADER, MARGIN_SIDE, MARGIN_TOP
 from ..xml_text import attribute, escaped
 from .styles import FONT_FACES, OdsStyles
 from .text import DECLARATION, VERSION, opened
@@ -142,7 +142,7 @@ def _layout(number: int, setup: PrintSetup) -> str:
     bands = ""
     for side, kind, text in (("top", "header", ""), ("bottom", "footer", setup.footer)):
         # A page's margin ends at its header where it has one.
-        margins += f' fo:margin-{side}="{MARGIN_HEADER if text else MARGIN_END}in"'
+        margins += f' fo:margin-{side}="{MARGIN_HEADER if text else MARGIN_TOP}in"'
         inner = "bottom" if side == "top" else "top"
         bands += (
             f'<style:{kind}-style><style:header-footer-properties fo:min-height="{MARGIN_END - MARGIN_HEADER:.2f}in"'

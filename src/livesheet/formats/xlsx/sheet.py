@@ -8,7 +8,16 @@ from livesheet.formula.nodes import Node
 from livesheet.formula.printer import print_formula
 from livesheet.workbook import Control, PrintSetup, Properties, Sheet, Validation
 
-from ..house_style import MARGIN_END, MARGIN_SIDE, NOTE_PIXELS, TEXT_SIZE, excel_column_pixels, locale, note_height
+from ..house_style import (
+    MARGIN_END,
+    MARGIN_SIDE,
+    MARGIN_TOP,
+    NOTE_PIXELS,
+    TEXT_SIZE,
+    excel_column_pixels,
+    locale,
+    note_height,
+)
 from ..xml_text import legal
 from .charts import new_chart
 from .controls import PlacedControl
@@ -66,7 +75,7 @@ def _print_setup(page: DataWorksheet, setup: PrintSetup) -> None:
     if setup.landscape:
         page.set_landscape()
     page.set_paper(_A4)
-    page.set_margins(MARGIN_SIDE, MARGIN_SIDE, MARGIN_END, MARGIN_END)
+    page.set_margins(MARGIN_SIDE, MARGIN_SIDE, MARGIN_TOP, MARGIN_END)
     if setup.scale:
         page.set_print_scale(setup.scale)
     elif setup.fit_width or setup.fit_height:

@@ -99,6 +99,7 @@ def _page(plan: PagePlan) -> Sheet:
         print_setup=PrintSetup(
             footer=plan.footer,
             repeat_rows=(plan.symbol_row, plan.symbol_row),
+            repeat_cols=(0, 0) if paper.begins else None,
             area=Area(0, 0, plan.at.last, last),
             fit_width=0 if paper.scale else 1,
             fit_height=0 if paper.scale else 1,

@@ -5,22 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate
+
+from mechsheet.sheet.printing import ACROSS, DOWN, READABLE, SURE, column_pixels
 
 NARROW = 9.3
 """Width of a column beside the table, in characters: with a gap, six are as wide as a chart of curves."""
 
-ACROSS, DOWN = 1007, 660
-"""Pixels across A4, landscape, and down it to the footer, at full size."""
-
-ONE_SHEET = 0.66
-"""Where all is printed at least so large, it stands on one sheet of paper: letters of 10 points are 6.6 high."""
-
 SEVERAL = 0.7
-"""As large it is printed where it takes several."""
-
-SURE = 0.97
-"""Of the paper so much is used where the scale is given: programs round the widths of columns, each its own way."""
+"""As large it is printed where it takes several sheets of paper; less large where the top then stands on one."""
 
 FEWEST_ROWS = 5
 """With fewer rows of it on the first sheet of paper, the table begins on the next one."""
@@ -72,30 +65,28 @@ def on_paper(widths: Sequence[float], down: Down, top: int, left: int, squares: 
     top     height of the rows above the charts [pixels]
 
     Curves stand above the table as far as it reaches, and below one another to the right of it. Where all takes several
-    sheets of paper, a chart that would be cut begins on the next one.
+    sheets of paper, a chart that would be cut begins on the next one, and the first column stands on each.
     """
     table = sum(map(pixels, widths))
     boxes = _beside(table, left, squares, curves, down.height - top)
-    right = max([table, *(box.right for box in boxes)]) + GAP
-    if min(ACROSS / right, DOWN / down.height) >= ONE_SHEET:
+    *_, widest = _cut(widths, math.inf, boxes)
+    if min(ACROSS / widest, DOWN / down.height) >= READABLE:
         return Paper(boxes)
     boxes = _beside(table, left, squares, curves, down.first - top)
-    edges, boxes = _cut(widths, SURE * ACROSS / SEVERAL, boxes)
-    right = max([table, *(box.right for box in boxes)])
-    bounds = [0, *(edge for _, edge in edges), right + pixels(NARROW)]  # to the end of the last column
-    widest = max(after - before for before, after in pairwise(bounds))
-    scale = min(SEVERAL, SURE * ACROSS / widest)
-    return Paper(boxes, tuple(col for col, _ in edges), down.rows, int(100 * scale))
+    begins, boxes, widest = _cut(widths, SURE * ACROSS / down.scale, boxes)
+    scale = min(down.scale, SURE * ACROSS / widest)
+    return Paper(boxes, begins, down.rows, int(100 * scale))
 
 
 @dataclass(frozen=True, slots=True)
 class Down:
     """Where rows are cut when all takes several sheets of paper: how high all rows are, and those of the first sheet of
-    paper [pixels]; `rows` begin the other ones."""
+    paper [pixels]; `rows` begin the other ones; at most so large it is printed."""
 
     height: int
     first: int
     rows: tuple[int, ...]
+    scale: float = SEVERAL
 
 
 def cut_down(heights: Mapping[int, float], heading: int, table: int, rows: int, row: int) -> Down:
@@ -109,11 +100,25 @@ def cut_down(heights: Mapping[int, float], heading: int, table: int, rows: int, 
     if height <= page:
         return Down(height, height, ())
     begins = math.ceil(sum(high for at, high in heights.items() if at < heading))
+    scale = SEVERAL
+    if page < begins <= SURE * DOWN / READABLE:
+        scale, page = SURE * DOWN / begins, begins
     fitting = max(0, (page - above) // row)
     each = max(1, (page - (above - begins)) // row)
     if fitting < FEWEST_ROWS or math.ceil(rows / each) <= math.ceil((rows - fitting) / each):
-        return Down(height, min(begins, page), (heading, *_evenly(table, rows, each)))
+        first, inside = _parts(heights, heading, page)
+        return Down(height, first, (*inside, heading, *_evenly(table, rows, each)), scale)
     return Down(height, above + fitting * row, (table + fitting, *_evenly(table + fitting, rows - fitting, each)))
+
+
+def _parts(heights: Mapping[int, float], heading: int, page: int) -> tuple[int, tuple[int, ...]]:
+    """Of the rows above the heading: how high those of the first sheet of paper are, and which rows begin a further one."""
+    edges = list(accumulate(heights.get(row, 0.0) for row in range(heading)))
+    parts = math.ceil(edges[-1] / page)
+    rows = tuple(
+        next(row for row, edge in enumerate(edges) if edge > edges[-1] * part / parts) for part in range(1, parts)
+    )
+    return math.ceil(edges[rows[0] - 1] if rows else edges[-1]), rows
 
 
 def _evenly(first: int, rows: int, most: int) -> tuple[int, ...]:
@@ -142,21 +147,27 @@ def _beside(table: int, left: int, squares: int, curves: int, room: int) -> tupl
     return tuple(boxes)
 
 
-def _cut(widths: Sequence[float], wide: float, boxes: Sequence[Box]) -> tuple[list[tuple[int, int]], tuple[Box, ...]]:
-    """The columns that begin the second sheet of paper and further ones, with their left edges; the charts, none cut."""
-    edges: list[tuple[int, int]] = []
+def _cut(widths: Sequence[float], wide: float, boxes: Sequence[Box]) -> tuple[tuple[int, ...], tuple[Box, ...], float]:
+    """The columns that begin the second sheet of paper and further ones; the charts, none cut; how wide the widest sheet is.
+
+    The first column stands on each.
+    """
+    begins: list[int] = []
     table = sum(map(pixels, widths))
     placed = tuple(boxes)
-    begun = reached = col = 0
+    reached = col = 0
+    used = widest = 0.0
     while reached < max([table, *(box.right for box in placed)]):
-        column = pixels(widths[col] if col < len(widths) else NARROW)
-        if reached + column - begun > wide:
-            edges.append((col, reached))
-            begun = reached
+        width = widths[col] if col < len(widths) else NARROW
+        if used + column_pixels(width) > wide:
+            begins.append(col)
+            used = column_pixels(widths[0])
             placed = _moved(placed, reached)
-        reached += column
+        used += column_pixels(width)
+        widest = max(widest, used)
+        reached += pixels(width)
         col += 1
-    return edges, placed
+    return tuple(begins), placed, widest
 
 
 def _moved(boxes: Sequence[Box], edge: int) -> tuple[Box, ...]:
