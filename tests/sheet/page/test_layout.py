@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import pytest
 
-from mechsheet.description import loads
+from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.page.layout import _axis, lay_out_page
@@ -40,3 +40,17 @@ def test_bar_and_button_move_the_position_from_the_first_row_to_the_last(laid):
     assert (bar.kind, button.kind) == ("scroll", "spin")
     assert (button.anchor.row, button.anchor.col) == (row, UNIT)
     assert bar.page == 2
+
+
+@pytest.mark.parametrize("name", ["four-bar", "fivelink"])
+def test_the_scroll_bar_stands_just_below_the_drawing(name):
+    """It covered the length of the drawing's scale, or stood apart where rows above it had two lines."""
+    mechanism = loads(template_text(name), "x.toml", Overrides(layout="page"))
+    sheet = lay_out_page(mechanism, solve(mechanism))[0].sheets[0]
+    heights = dict(sheet.row_heights)
+
+    def top(anchor):
+        return sum(int(heights[row]) for row in range(anchor.row)) + anchor.dy
+
+    drawing, bar = sheet.charts[0].anchor, sheet.controls[0].anchor
+    assert 0 <= top(bar) - (top(drawing) + drawing.height) <= 10

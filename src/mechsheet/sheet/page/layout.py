@@ -46,6 +46,9 @@ character's width."""
 CHARTS_ROW, CHARTS_BELOW = 2, 4
 """The row where the drawing and the first charts begin, and so many pixels below its upper end."""
 
+BELOW_DRAWING = 4
+"""Pixels from the drawing, whose scale is in its lower corner, to the scroll bar."""
+
 VERDICT_HEIGHT, TITLE_HEIGHT, HEAD_HEIGHT = 34.0, 28.0, 24.0
 
 
@@ -89,7 +92,7 @@ def _page(plan: PagePlan) -> Sheet:
         row_heights=tuple(sorted(heights.items())),
         merges=(*top.merges, *table.merges),
         charts=charts,
-        controls=_controls(plan),
+        controls=_controls(plan, heights),
         validations=tuple(top.validations),
         conditionals=(*top.conditionals, *table.colours()),
         comments=(*top.comments, *table.comments),
@@ -163,13 +166,19 @@ def _placed(
         while dx >= (wide := pixels(widths[col] if col < len(widths) else NARROW)):
             dx -= wide
             col += 1
-        row, dy = CHARTS_ROW, box.y + CHARTS_BELOW
-        while dy >= (high := int(heights.get(row, ROW_HEIGHT))):
-            dy -= high
-            row += 1
+        row, dy = _row_at(heights, box.y)
         anchor = Anchor(row, col, box.width, box.height, dx=dx, dy=dy)
         found.append(replace(chart, anchor=anchor))
     return tuple(found)
+
+
+def _row_at(heights: Mapping[int, float], y: int) -> tuple[int, int]:
+    """The row that stands so far below the upper end of the charts, and how far into it [pixels]."""
+    row, dy = CHARTS_ROW, y + CHARTS_BELOW
+    while dy >= (high := int(heights.get(row, ROW_HEIGHT))):
+        dy -= high
+        row += 1
+    return row, dy
 
 
 def _curves(plan: PagePlan, request: ChartRequest, drawing: PageDrawing | None) -> Chart:
@@ -191,9 +200,10 @@ def _axis(plan: PagePlan, symbol: str, ends: Ends = (None, None)) -> Axis:
     return Axis(title, *ends, next((float(step) for step in STEPS if extent / step <= 8), None) if extent else None)
 
 
-def _controls(plan: PagePlan) -> tuple[Control, ...]:
+def _controls(plan: PagePlan, heights: Mapping[int, float]) -> tuple[Control, ...]:
     """The scroll bar under the drawing."""
     if not plan.drawn or plan.rows < 2:
         return ()
-    below = Anchor(CHARTS_ROW + CHART_HEIGHT // ROW_HEIGHT, LAST + 1, CHART_HEIGHT, 18, dx=GAP, dy=8)
+    row, dy = _row_at(heights, CHART_HEIGHT + BELOW_DRAWING)
+    below = Anchor(row, LAST + 1, CHART_HEIGHT, 18, dx=GAP, dy=dy)
     return position_controls(plan, below, VALUE, UNIT)
