@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from livesheet.formula import algebra as al
@@ -80,7 +80,9 @@ def read(
         cam = Cam(links[-1].name, data["center"], clockwise, radius, face["point"], limit, None, link, angle)
     start = None
     if isinstance(driver, dict) and "start" not in driver:
-        start = _Start(cam, driver, links, joints, scope).node()
+        found = _Start(cam, driver, links, joints, scope)
+        start = found.node()
+        cam = replace(cam, offset=found.offset)
     return ReadCam(cam, tuple(cells), start)
 
 
@@ -106,7 +108,7 @@ def _moves(point: str, links: tuple[Link, ...], path: tuple[str, ...], scope: Sc
 class _Start:
     """Where the follower stands when its roller or face touches the base circle, of a slide or a rocker on the ground.
 
-    Of two such places it is the one from which the first rise goes outwards.
+    Of two such places it is the one from which the first rise goes outwards. `offset`: see `Cam`, once that is found.
     """
 
     def __init__(
@@ -114,6 +116,7 @@ class _Start:
     ) -> None:
         self.cam, self.driver, self.links, self.joints, self.scope = cam, driver, links, joints, scope
         self.ground = links[0]
+        self.offset: Node | None = None
 
     def node(self) -> Node | None:
         """The displacement or angle; None where the base circle alone does not say it."""
@@ -155,6 +158,7 @@ class _Start:
         if self.cam.radius is not None:
             reach = al.add(al.as_node(self.cam.base_radius), al.as_node(self.cam.radius))
             across, before = cross(way, along), dot(way, along)
+            self.offset = across
             square = al.sub(al.square(reach), al.square(across))
             if self.scope.number(square) < 0:
                 message = say("the slide passes the centre at {offset:.6g}: a base circle of {radius:.6g} does not reach it",

@@ -30,7 +30,7 @@ from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.by_follower import ByFollower
 from mechsheet.kinematics.rates.motions import Motions, PointRate
 from mechsheet.kinematics.rates.rate_columns import RateColumns
-from mechsheet.model import Cam, FurtherDriver, Link, touched_by
+from mechsheet.model import BASE, Cam, FurtherDriver, Link, touched_by
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
@@ -114,10 +114,22 @@ class _Writer:
         self._curve("cam", place if al.is_zero(part) else minus(place, times(part, outwards)))
         way = self._way(self.poses.xy[self.cam.point])
         self._alpha(self._sense(al.neg(dot(way, tangent))), cross(way, tangent), way)
+        if self.cam.offset is not None:
+            self._base(Call("ABS", (dot(place, way),)), al.as_node(radius), al.as_node(self.cam.offset))
         there = Condition(Call("ABS", (al.mul(kappa, self.ledger.size()),)), Number(STRAIGHT))
         self._define("rho", al.sub(al.div(al.ONE, kappa), al.as_node(radius)), LENGTH, there)
         x, y = (over(part, long) for part in outwards)
         return self._contact(self.poses.xy[self.cam.point], (x, y), way)
+
+    def _base(self, far: Node, roller: Node, offset: Node) -> None:
+        """The base circle with which the roller of a slide would be pressed at the usual angle: |s' - e| = u tan alpha stays
+        what it is, so u, how far the roller has come along its slide, has to grow by u (tan alpha/tan usual - 1)."""
+        usual = Call("TAN", (al.as_node(self.cam.pressure_angle),))
+        steep = al.div(Call("TAN", (Call("ABS", (Symbol("alpha"),)),)), usual)
+        aside = al.square(offset)
+        begun = al.sqrt(al.sub(al.square(al.add(al.as_node(self.cam.base_radius), roller)), aside))
+        grown = Call("MAX", (al.ZERO, al.add(begun, al.mul(far, al.sub(steep, al.ONE)))))
+        self._define(BASE, al.sub(al.sqrt(al.add(al.square(grown), aside)), roller), LENGTH)
 
     def _face(self, place: Vector, moved: PointRate) -> Contact:
         link = self.cam.follower

@@ -6,7 +6,7 @@ is in internal units. The reader has parsed it and checked that it names only di
 """
 
 from .asked import EXTREME, Condition, Exercise, Need, Objective, Range, Study, Synthesis, TaskPlace, Tolerances, Vary
-from .cams import CONTACT, HALF, LAWS_THAT_LEAP, PIECE, SEGMENT_LAWS, TAU, WAVE, Cam, Segment, Segments
+from .cams import BASE, CONTACT, HALF, LAWS_THAT_LEAP, PIECE, SEGMENT_LAWS, TAU, WAVE, Cam, Segment, Segments
 from .loads import Dynamics, Load, Mass, Spring, energy_unit, inertia_label, inertia_unit, torque_unit
 from .mechanism import (
     LAWS,
@@ -47,6 +47,7 @@ from .symbols import (
 from .takes import TAKES, WAYS, Take, Way
 
 __all__ = [
+    "BASE",
     "CONTACT",
     "ENERGY",
     "EXTREME",

@@ -19,6 +19,9 @@ LAWS_THAT_LEAP = {"uniform": 1, "parabolic": 2, "harmonic": 2}
 CONTACT = "N"
 """The force with which a cam presses on its follower."""
 
+BASE = "base"
+"""The radius of the base circle with which the pressure angle would be just the usual one, row by row."""
+
 TAU, WAVE, HALF, PIECE = "tau", "w", "half", "piece"
 """Stand in a law for the part of the segment that has been passed; and in one that is made of pieces for 4 pi times that
 part, counted from the nearer end, 1 in the second half, and the number of the piece."""
@@ -67,6 +70,7 @@ class Cam:
     pressure_angle  up to which followers are said to run well [rad]
     radius       of the roller; None for a flat face
     follower     the link with the face, "" for a roller;  face: direction of the face against its x axis [rad]
+    offset       by how much a roller's slide passes the centre, where the base circle decides where it starts; else None
     """
 
     link: str
@@ -78,9 +82,12 @@ class Cam:
     radius: Quantity | None = None
     follower: str = ""
     face: Quantity = 0.0
+    offset: Quantity | None = None
 
     @property
     def symbols(self) -> tuple[str, ...]:
-        """What its columns are called: pitch curve, profile, curvature, pressure angle, radius of curvature, contact."""
+        """What its columns are called: pitch curve, profile, curvature, pressure angle, radius of curvature, contact, base
+        circle."""
         own = ("contact",) if self.radius is None else ("pitch.x", "pitch.y", "kappa")
-        return (*own, "cam.x", "cam.y", "alpha", "rho")
+        base = () if self.offset is None else (BASE,)
+        return (*own, *base, "cam.x", "cam.y", "alpha", "rho")

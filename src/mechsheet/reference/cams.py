@@ -8,6 +8,7 @@ Source: any text on plane curves; nothing is taken from the workbook's formulas.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -77,7 +78,22 @@ def _of_roller(
         "pitch.x": z.real, "pitch.y": z.imag, "cam.x": outline.real, "cam.y": outline.imag, "kappa": kappa, "rho": rho,
         "alpha": sense * _between(way, normal / turn),
     }  # fmt: skip
+    if cam.offset is not None:
+        columns["base"] = _base(solution, cam, known, z / turn, way / np.abs(way))
     return columns, z, normal
+
+
+def _base(solution: Solution, cam: Cam, known: dict[str, tuple[Array, Array]], place: Plane, way: Plane) -> Array:
+    """The base circle with which the normal would lean by the usual angle: along the way it has u, across it e + s' of this
+    cam's sense."""
+    roller, usual, radius = (
+        number(each or 0.0, solution.dimensions) for each in (cam.radius, cam.pressure_angle, cam.base_radius)
+    )
+    once = known[f"{cam.point}.x"][0] + 1j * known[f"{cam.point}.y"][0]
+    u, e = (np.conj(way) * place).real, (np.conj(way) * place).imag
+    across = np.abs(e + (-1.0 if cam.clockwise else 1.0) * (np.conj(way) * once).real)
+    begun = np.sqrt((radius + roller) ** 2 - e**2)
+    return np.asarray(np.hypot(np.maximum(0.0, begun + across / math.tan(usual) - np.abs(u)), e) - roller)
 
 
 def _of_face(

@@ -12,7 +12,7 @@ from itertools import combinations
 
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import Group
-from mechsheet.model import CONTACT, Joint, Link, Mechanism, Synthesis
+from mechsheet.model import BASE, CONTACT, Joint, Link, Mechanism, Synthesis
 from mechsheet.sheet.columns.lowering import Assignments
 
 
@@ -119,8 +119,8 @@ def _of_cam(mechanism: Mechanism, equations: Assignments, moving: Set[str]) -> t
     """How the follower is pressed, how sharp the profile is, what would hold the follower."""
     if mechanism.cam is None:
         return ()
-    sharp = "rho" if mechanism.cam.radius is None else "kappa"
-    wanted = ("alpha", sharp, CONTACT, *equations.equations.forces("hold"))
+    shape = ("rho", "contact") if mechanism.cam.radius is None else ("kappa", BASE)
+    wanted = ("alpha", *shape, CONTACT, *equations.equations.forces("hold"))
     return tuple(name for name in wanted if name in moving)
 
 

@@ -202,7 +202,7 @@ class Said:
     ("key", "words"),
     [
         ("pressure_angle", "pressure angle: more than usual, it may jam"),
-        ("least_rho", "undercut: this profile cannot be made"),
+        ("least_rho", "undercut: it cannot be made"),
         ("contact_force", "the follower lifts off at 69°: N = -1 N"),
         ("largest_velocity", "segment 3, modified sine: factor 1.7596"),
         ("largest_acceleration", "segment 1, modified trapezoid: factor 5.528"),

@@ -1,6 +1,7 @@
 """What the first sheet says of a cam, as its cells are changed."""
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -64,7 +65,57 @@ def test_a_knife_edge_is_a_roller_without_radius():
 @pytest.mark.slow
 def test_undercut_roller():
     number, words = line(load(TEMPLATES / "cam-slide.toml", Overrides({"rb": "5", "rr": "30"})), "least_rho")
-    assert number <= 0 and words == "undercut: this profile cannot be made"
+    assert number <= 0
+    assert words == "undercut: it cannot be made; see study"
+
+
+@pytest.mark.slow
+@pytest.mark.cases(2)
+@pytest.mark.parametrize("offset", [0, 8, -6])
+@pytest.mark.parametrize("base", [12, 40])
+def test_the_base_circle_that_makes_the_pressure_angle_usual(offset, base):
+    """Its largest angle is the limit then, from a smaller base circle and from a larger one."""
+    changes = {"e": str(offset), "rb": str(base)}
+    needed, words = line(load(TEMPLATES / "cam-slide.toml", Overrides(changes)), "needed_base")
+    assert words == "with this base circle the pressure angle is just as usual"
+    mechanism = load(TEMPLATES / "cam-slide.toml", Overrides(changes | {"rb": repr(needed)}))
+    rows = sweep(mechanism, solve(mechanism), {"phi": np.radians(np.arange(0, 360, 0.05))})
+    assert np.degrees(np.abs(rows["alpha"]).max()) == pytest.approx(30, abs=1e-4)
+    assert line(mechanism, "needed_base")[0] == pytest.approx(needed, rel=1e-6)
+
+
+@pytest.mark.slow
+def test_where_no_closed_form_says_what_would_do_a_study_is_named():
+    rocker = load(TEMPLATES / "cam-rocker.toml")
+    assert line(rocker, "pressure_angle")[1] == "pressure angle: no more than usual"
+    text = rocker.text.replace("[cam]\n", "[cam]\npressure_angle = 20\n")
+    assert line(loads(text), "pressure_angle")[1].endswith("it may jam; see study")
+    assert "needed_base" not in compiled_of(rocker).plan.blocks["verdicts"].rows
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+def test_how_long_a_face_must_be(layout):
+    """A slide is touched s' beside its axis: a cycloidal rise by h over b is up to 2 h/b away."""
+    mechanism = load(TEMPLATES / "cam-flat.toml", Overrides(layout=layout))
+    compiled = compiled_of(mechanism)
+    spot = compiled.plan.places.lines["face_length"]
+    fine = sweep(mechanism, solve(mechanism), {"phi": np.radians(np.arange(0, 360, 0.05))})["contact"]
+    assert compiled.number(spot) == pytest.approx(np.ptp(fine), rel=1e-5 if layout == "sheets" else 1e-2)
+    words = compiled.cells.values().get(spot.sheet, spot.row, WORDS if layout == "sheets" else 3)
+    ends = [float(number) for number in re.findall(r"-?\d+\.\d+", words)]
+    assert ends == pytest.approx([fine.min(), fine.max()], abs=6e-3 if layout == "sheets" else 0.1)
+
+
+@pytest.mark.slow
+def test_a_page_says_where_in_the_rows():
+    """It has no cell for that: its words do."""
+    mechanism = load(TEMPLATES / "cam-slide.toml", Overrides(layout="page"))
+    compiled = compiled_of(mechanism)
+    alpha = np.abs(compiled.values["alpha"])
+    spot = compiled.plan.places.lines["pressure_angle"]
+    words = compiled.cells.values().get(spot.sheet, spot.row, 3)
+    assert words.endswith(f"(rows only), at {5 * int(np.argmax(alpha))}°")
 
 
 @pytest.mark.slow
@@ -222,10 +273,10 @@ def test_a_page_says_the_same_of_its_rows():
     page, sheets = Book(text, "page"), Book(text, "sheets")
     for key in ("pressure_angle", "largest_velocity", "largest_acceleration", "largest_jerk", "velocity_leaps"):
         assert page.number(key) == pytest.approx(sheets.number(key))
-        assert page.words(key) == sheets.words(key)
+        assert page.words(key).partition(", at ")[0] == sheets.words(key)
     for key in ("least_rho", "contact_force", "holding_spring"):
         assert page.number(key) == pytest.approx(sheets.number(key), rel=0.02)
-        assert page.words(key).endswith("(rows only)")
+        assert page.words(key).partition(", at ")[0].endswith("(rows only)")
     assert page.type(speed=4000).words("contact_force").startswith("the follower lifts off at 70°: N = -81.61 N")
     assert page.line_colour == "red"
     mechanism = loads(text)

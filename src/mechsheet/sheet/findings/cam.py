@@ -16,6 +16,7 @@ from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.search import Extremes
 from mechsheet.kinematics.segments import ways_over
 from mechsheet.model import (
+    BASE,
     CONTACT,
     LAWS_THAT_LEAP,
     TAU,
@@ -29,6 +30,7 @@ from mechsheet.model import (
 from mechsheet.sheet.findings.finding import Finding, Level, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
+from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.shown import shown_unit, unit_of_column
 from mechsheet.sheet.symbols import rich
@@ -79,18 +81,17 @@ class PressureAngle(Finding):
 
     def line(self, on: Reading) -> Line:
         value = on.value(self.key)
-        (high, at_high), (low, at_low) = on.extreme("max", "alpha"), on.extreme("min", "alpha")
+        largest, place = on.largest_size(self.key, "alpha")
         cam, unit = on.plan.mechanism.cam, on.plan.mechanism.angle_unit
         shown = "DEGREES(x)" if unit.in_degrees else "x"
         usual = al.as_node(cam.pressure_angle if cam else 0.0)
         known = Symbol(SHOWN + usual.name) if isinstance(usual, Symbol) else formula(shown, x=usual)
         limit = on.plan.at.bind(known, on.plan.main)
-        words = formula("IF(value>limit,much,fine)&doubt", value=value, limit=limit, much=on.text(f"{self.key}.much"),
+        much = on.text(f"{self.key}.much") + ("" if cam and cam.offset is not None else on.text("cam.study"))
+        words = formula("IF(value>limit,much,fine)&doubt", value=value, limit=limit, much=much,
                         fine=on.text(f"{self.key}.fine"), doubt=_doubt(on, "alpha", "max", "min"))  # fmt: skip
         return Line(
-            rich("alpha"), formula(shown, x=formula("MAX(ABS(high),ABS(low))", high=high, low=low)),
-            on.where_it_closes(words), unit.text, decimals_of_kind(on.plan, "angle"),
-            occurs=formula("IF(ABS(high)>=ABS(low),place,other)", high=high, low=low, place=at_high, other=at_low),
+            rich("alpha"), largest, on.where_it_closes(words), unit.text, decimals_of_kind(on.plan, "angle"), occurs=place,
             levels=(look("value>limit", value=value, limit=limit), good("value<=limit", value=value, limit=limit)),
         )  # fmt: skip
 
@@ -137,6 +138,8 @@ class LeastRadius(Finding):
             cutter = formula("ROUNDDOWN(roller-1/hollow,2)", roller=roller, hollow=hollow)
             concave = joined(on.text(f"{self.key}.concave"), " ", cutter)
             fine = joined(fine, formula('IF(hollow<0,concave,"")', hollow=hollow, concave=concave))
+        if cam is None or cam.radius is not None or plan.mechanism.drivers[0].link:
+            undercut = joined(undercut, on.text("cam.study"))
         words = formula("IF(IFERROR(value<=0,FALSE),undercut,fine)&doubt", value=value, fine=fine, undercut=undercut,
                         doubt=doubt)  # fmt: skip
         return Line(
@@ -165,10 +168,74 @@ class LeastRadius(Finding):
         )
 
 
+class NeededBase(Finding):
+    """The radius of the base circle with which the largest pressure angle of a slide's roller is just the usual one."""
+
+    key, placed, by_rows = "needed_base", True, True
+    needs = ("rates",)
+
+    def line(self, on: Reading) -> Line:
+        plan = on.plan
+        needed, place = on.extreme("max", BASE)
+        words = joined(on.text(self.key), _doubt(on, BASE, "max"))
+        return Line(
+            rich("r_b"), needed, on.where_it_closes(words), plan.mechanism.length_unit, decimals_of_kind(plan, "length"),
+            occurs=place,
+        )  # fmt: skip
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        found, allowed = _extremes(motion, self.key, BASE)
+        if found is None:
+            return {}
+        most, place = found[2:]
+        return {self.key: Expected([most], allowed)} | motion.where(
+            self.key, place, lambda rows: most - motion.search.known(rows)[BASE], allowed
+        )
+
+
+class FaceLength(Finding):
+    """How long a flat face must be at least: from where to where along it the cam touches it."""
+
+    key, by_rows = "face_length", True
+    needs = ("rates",)
+
+    def line(self, on: Reading) -> Line:
+        plan, point = on.plan, there(on.plan.mechanism.cam).point
+        (most, _), (least, _) = (on.extreme(way, "contact") for way in WAYS_OF_FACE)
+        before, between, after = on.text(self.key, least="#", most="#", point=point).split("#")
+        places = (formula("ROUND(place,2)", place=place) for place in (least, most))
+        words = joined(before, next(places), between, next(places), after)
+        return Line(
+            on.text(f"{self.key}.symbol"), formula("most-least", most=most, least=least),
+            on.where_it_closes(joined(words, _doubt(on, "contact", *WAYS_OF_FACE))), plan.mechanism.length_unit,
+            decimals_of_kind(plan, "length"),
+        )  # fmt: skip
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        found, allowed = _extremes(motion, self.key, "contact")
+        return {} if found is None else {self.key: Expected([found[2] - found[0]], 2 * allowed)}
+
+
+WAYS_OF_FACE: tuple[Way, Way] = ("max", "min")
+
+
+def profile_findings(mechanism: Mechanism) -> Iterator[Finding]:
+    """How the cam presses, and whether its profile can be made."""
+    cam = mechanism.cam
+    if cam is None:
+        return
+    yield PressureAngle()
+    if cam.offset is not None:
+        yield NeededBase()
+    yield LeastRadius()
+    if cam.radius is None:
+        yield FaceLength()
+
+
 class ContactForce(Finding):
     """The least force of the cam on its follower: where it would have to pull, the follower lifts off."""
 
-    key, placed, by_rows = "contact_force", True, True
+    key, placed, by_rows, tells_place = "contact_force", True, True, True
 
     def line(self, on: Reading) -> Line:
         value = on.value(self.key)

@@ -113,6 +113,7 @@ class Finding(ABC):
     key     the name of its cell, in every language
     placed  whether it says where in the motion it occurs: that cell is `key`_at
     by_rows whether it can be said of rows alone, so that a page has it, too
+    tells_place  whether its words say where it occurs; else those of a page do, which has no cell for that
     needs   keys of other sheets without which nothing can be said, beside those that its formulas read
     """
 
@@ -120,6 +121,7 @@ class Finding(ABC):
     needs: Sequence[str] = ()
     placed: bool = False
     by_rows: bool = False
+    tells_place: bool = False
 
     def key_beside(self, plan: Plan) -> str:
         """The key of the line that a page has for what stands beside the number; "" where nothing does."""

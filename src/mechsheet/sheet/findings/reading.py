@@ -16,7 +16,7 @@ from mechsheet.sheet.grashof import Sides
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.places import Searched, there
 from mechsheet.sheet.plan import MEANING, SPARE, TOLERANCE, VALUE, Plan
-from mechsheet.sheet.quoted import ALL, formula, joined
+from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import behind_number
 
@@ -161,6 +161,15 @@ class Reading(ABC):
     def occurs_at_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
         """The driver's value where what follows from a quantity is least, which the finding's cell shows. It is the smaller
         of two, `folded`: where the quantity is smallest, and where it is largest."""
+
+    def largest_size(self, finding: str, symbol: str) -> tuple[Node, Node]:
+        """The largest size of a quantity of either sign, as people read it, which the finding's cell shows; and where it
+        occurs."""
+        if not self.plan.at.spots[symbol].column:  # it is one number
+            return formula("ABS(x)", x=Symbol(SHOWN + symbol)), Text("")
+        (high, at_high), (low, at_low) = (self.extreme_of_column(way, symbol) for way in ("max", "min"))
+        place = formula("IF(ABS(high)>=ABS(low),place,other)", high=high, low=low, place=at_high, other=at_low)
+        return formula("MAX(ABS(high),ABS(low))", high=high, low=low), place
 
     @abstractmethod
     def where_known(self, value: Node) -> Node:

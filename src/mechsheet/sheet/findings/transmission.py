@@ -32,7 +32,7 @@ class Transmission(Finding):
     all  the groups that have one: the line under the title names the worst
     """
 
-    placed = by_rows = True
+    placed = by_rows = tells_place = True
 
     def __init__(self, group: Group, all: tuple[Group, ...]) -> None:
         self.group, self.all = group, all

@@ -125,6 +125,13 @@ class PageReading(Reading):
         return formula(f"INDEX(drivers,{row})", drivers=self.drivers, cell=self.value(finding), other=folded[1], high=high,
                        low=low, column=self.column(symbol))  # fmt: skip
 
+    def largest_size(self, finding: str, symbol: str) -> tuple[Node, Node]:
+        size, place = super().largest_size(finding, symbol)
+        if not isinstance(place, Text):
+            row = "IFERROR(MATCH(size,all,0),MATCH(-size,all,0))"
+            place = self.driver_in_row(row, size=self.value(finding), all=self.column(symbol))
+        return size, place
+
     def where_known(self, value: Node) -> Node:
         return formula("IF(n=0,NA(),IFERROR(value,NA()))", n=self.plan.places.closed.cell, value=value)
 

@@ -20,7 +20,7 @@ from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_ou
 from mechsheet.sheet.page.plan import ROW_HEIGHT, PagePlan
 from mechsheet.sheet.page.reading import MEANING, PageReading
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
-from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.shown import input_validation, unit_of_column
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import decimals_of_unit
@@ -183,7 +183,12 @@ class Top(Cells):
         lines = {finding: finding.line(on) for finding in findings}
         for finding, line in lines.items():
             row = on.rows[finding.key]
-            words = line.words.value if isinstance(line.words, Text) else line.words
+            said = line.words
+            if line.occurs is not None and not finding.tells_place:
+                before, after = on.text("occurs", place="#").split("#")
+                place = joined(before, on.driver_text(line.occurs), after)
+                said = joined(said, formula('IFERROR(place,"")', place=place))
+            words = said.value if isinstance(said, Text) else said
             self.line(row, line.symbol, line.unit if isinstance(line.unit, str) else None, words)
             if not isinstance(line.unit, str):
                 self.formula(row, UNIT, line.unit, styles.numbered(styles.UNIT, '"/ "0'))
