@@ -45,6 +45,9 @@ FOOTER = 0.07
 """Part of a page's height, from below."""
 BORDER = 8
 
+BESIDE_THE_TEXT = ("slider-crank", "fivelink", "six-link-dwell-positions")
+"""Workbooks of docs/beside-the-text.md, as one sheet, that no other page shows."""
+
 PATTERN = re.compile(r"```toml\n(.*?)```", re.DOTALL)
 """A description of docs/patterns.md."""
 
@@ -219,6 +222,8 @@ def wanted(prints: Prints) -> Iterator[tuple[str, Callable[[], Image.Image]]]:
     for theme in ("light", "dark"):
         yield f"draw-{theme}", lambda theme=theme: drawn_page(theme)  # type: ignore[misc]
     yield "workbook-page", lambda: page(prints.pdf("four-bar", "page"), 1, 120)
+    for name in BESIDE_THE_TEXT:
+        yield f"page-{name}", lambda name=name: page(prints.pdf(name, "page"), 1, 100)  # type: ignore[misc]
 
 
 def save(image: Image.Image, name: str) -> None:
