@@ -42,7 +42,10 @@ def test_dxf_of_the_profile():
     document = ezdxf.read(io.StringIO(write(job)[0].decode("utf-8").replace("\r\n", "\n")))
     assert not document.audit().errors
     lines = {line.dxf.layer: line for line in document.modelspace().query("LWPOLYLINE")}
-    assert lines["cam"].closed and lines["pitch curve"].closed and lines["base circle"].closed
+    assert lines["cam"].closed and lines["pitch curve"].closed
+    circles = {circle.dxf.layer: circle.dxf for circle in document.modelspace().query("CIRCLE")}
+    assert (circles["base circle"].radius, circles["roller"].radius) == pytest.approx((40, 10))
+    assert tuple(circles["base circle"].center) == pytest.approx((0, 0, 0), abs=1e-9)
     found = np.array([point[:2] for point in lines["cam"].get_points()])
     assert len(found) == 720
     values = job.compiled.values

@@ -55,6 +55,8 @@ def read(
     slides = isinstance(driver, dict) and "joint" in driver and "link" not in driver
     usual = scope.angle_unit.written(math.radians(USUAL_OF_SLIDE if slides else USUAL_OF_ROCKER))
     limit = cell("alpha_limit", data.get("pressure_angle", usual), ANGLE, ("pressure_angle",))
+    if data.get("turns", 1) == 0:
+        scope.report.at(("cam", "turns"), say("1 turns the cam counter-clockwise, -1 clockwise; 0 is neither"))
     clockwise = data.get("turns", 1) == -1
     if "roller" in data:
         roller = data["roller"]
@@ -78,12 +80,24 @@ def read(
             return None
         angle = cell("face_angle", face.get("angle", 0), ANGLE, ("face", "angle"))
         cam = Cam(links[-1].name, data["center"], clockwise, radius, face["point"], limit, None, link, angle)
+    _beside_its_axis(cam, driver, links, scope)
     start = None
     if isinstance(driver, dict) and "start" not in driver:
         found = _Start(cam, driver, links, joints, scope)
         start = found.node()
         cam = replace(cam, offset=found.offset)
     return ReadCam(cam, tuple(cells), start)
+
+
+def _beside_its_axis(cam: Cam, driver: Any, links: tuple[Link, ...], scope: Scope) -> None:
+    """Refuse a rocker that turns about the cam's own centre: no profile could turn it."""
+    link = driver.get("link", BAD) if isinstance(driver, dict) else BAD
+    touching = touched_by(cam, links)
+    if touching is not None and link == touching.name and cam.center in touching.points:
+        message = say(
+            "the rocker turns about {center}, the centre of the cam: no profile could turn it", center=cam.center
+        )
+        scope.report.at(("cam", "center"), message)
 
 
 def declare(cam: Cam, scope: Scope) -> None:

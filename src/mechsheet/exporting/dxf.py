@@ -65,6 +65,10 @@ def _file(drawn: Drawn) -> bytes:
     space = document.modelspace()
     for item in filter(there, drawn.scene.items):
         match item:
+            case Stroke(name=name, points=points, color=color, circle=True):
+                middle = points[:-1].mean(axis=0)
+                radius = float(np.hypot(*(points[0] - middle)))
+                space.add_circle(middle.tolist(), radius, dxfattribs={"layer": _layer(document, name, color)})
             case Stroke(name=name, points=points, color=color):
                 layer = _layer(document, name or "PATHS", color)
                 corners = points[np.isfinite(points).all(axis=1)]

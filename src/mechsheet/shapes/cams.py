@@ -10,10 +10,9 @@ from livesheet.formula.vectors import Vector, minus, plus, size, times, turned
 from mechsheet.model import Cam
 from mechsheet.shapes.colors import INK
 from mechsheet.shapes.described import Described
-from mechsheet.shapes.forms import PAD, Frame, Path, Shape, Shapes, along, arc, place_of, sized, unit
+from mechsheet.shapes.forms import CIRCLE, PAD, Frame, Shape, Shapes, along, place_of, sized, unit
 
 PALE = "A0A8B0"
-CIRCLE: Path = arc(0.0, 360.0, 72)
 PRESSED = 0.35
 """How far the line along which the cam presses is drawn, in half windows."""
 

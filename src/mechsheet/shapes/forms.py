@@ -200,6 +200,9 @@ def arc(start: float, stop: float, steps: int) -> Path:
     return tuple((portable.cos(angle), portable.sin(angle)) for angle in angles)
 
 
+CIRCLE: Path = arc(0.0, 360.0, 72)
+"""Fine enough for a screen; a drawing for CAD has a true circle."""
+
 WHEEL: Path = ((0.0, 0.0), *arc(0.0, 360.0, 48))
 """From the middle to a mark on the rim, and once around."""
 

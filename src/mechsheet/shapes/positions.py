@@ -27,6 +27,7 @@ from mechsheet.shapes.forms import (
     BOTTOM,
     CAPTION,
     CAPTION_AT,
+    CIRCLE,
     EDGE,
     HALF,
     LEAST,
@@ -67,6 +68,7 @@ class Stroke:
     """A line through `points` (n, 2), with gaps where they are NaN; `width` in points, colours as RRGGBB, no `fill` "".
 
     border  of a plate, as of a shape
+    circle  whether it stands for a circle through its points
     """
 
     kind: Kind
@@ -76,6 +78,7 @@ class Stroke:
     width: float
     fill: str = ""
     border: float = 0.0
+    circle: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -273,7 +276,8 @@ class Positions:
             x, y = places[row].tolist()
             return Disc(shape.kind, shape.name, x, y, shape.radius * self.window.half, shape.fill, INK)
         points = places if shape.kind == "path" else places[row]
-        return Stroke(shape.kind, shape.name, points, shape.color, shape.width, shape.fill, shape.border)
+        circle = shape.path is CIRCLE
+        return Stroke(shape.kind, shape.name, points, shape.color, shape.width, shape.fill, shape.border, circle)
 
     def _trace(self, places: Array) -> Array:
         """A path has the positions of the sweep, without one that was asked for outside of it."""
