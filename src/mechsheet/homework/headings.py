@@ -166,15 +166,15 @@ def around(work: Work, place: Place) -> list[str]:
     return found
 
 
-def label_of(work: Work, place: Place) -> str:
-    """The text directly to the left of a single cell, else directly above it; "" where neither is one."""
+def labels_of(work: Work, place: Place) -> tuple[str, str]:
+    """The text directly beside a single cell, and the one directly over it where there is none beside it; "" for none."""
     sheet, pos, line = place
     left, above = (sheet, pos, line - 1), (sheet, pos - 1, line)
-    for cell in (above, left) if work.across else (left, above):
-        value = work.value(cell) if min(cell[1:]) >= 0 else None
-        if isinstance(value, str) and value.strip():
-            return value
-    return ""
+    values = (
+        work.value(cell) if min(cell[1:]) >= 0 else None for cell in ((above, left) if work.across else (left, above))
+    )
+    beside, over = (value if isinstance(value, str) and value.strip() else "" for value in values)
+    return beside, "" if beside else over
 
 
 def labels(mechanism: Mechanism, symbol: str) -> Sequence[str]:

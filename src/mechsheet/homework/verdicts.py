@@ -17,7 +17,7 @@ from mechsheet.homework.claims import answers, claimed, exchanged, read_on, riva
 from mechsheet.homework.counting import as_counted
 from mechsheet.homework.expected_values import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.formula_strips import Place, Strip
-from mechsheet.homework.headings import around, contains, label_of, labels, names_over, says
+from mechsheet.homework.headings import around, contains, labels, labels_of, names_over, says
 from mechsheet.homework.inputs import MOST_UNREAD, is_length, single_cells, typed_numbers
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
@@ -198,8 +198,9 @@ def _left_over(sheet: Sheet, truth: Truth, results: dict[str, Finding], spare: S
 
 
 def _single(sheet: Sheet, truth: Truth, summary: Summary) -> Finding | None:
-    """The single cell that is a summary. One that is called so is the answer, right or wrong: of several the last one, a
-    formula before a typed number. Else a formula beside words that name it, or one that is computed from the table."""
+    """The single cell that is a summary. One that is called so is the answer, right or wrong: a formula before a typed
+    number, one with the name beside it before one below it, and of several the last one. Else a formula beside words that
+    name it, or one that is computed from the table."""
     found = sheet.found
     work = found.work
     span = span_of(truth, summary.symbol)
@@ -218,11 +219,15 @@ def _single(sheet: Sheet, truth: Truth, summary: Summary) -> Finding | None:
     cells: list[tuple[Place, Strip | None]] = [(place, strip) for strip in singles for place in strip.places()]
     typed = list(itertools.islice(typed_numbers(found.graph), MOST_UNREAD))
     for some in (cells, [(place, None) for place in typed]):
-        claims = [
-            (place, strip)
-            for place, strip in some
-            if any(map(named, (label_of(work, place), *names_over(work, [place]))))
-        ]
+        beside: list[tuple[Place, Strip | None]] = []
+        over: list[tuple[Place, Strip | None]] = []
+        for place, strip in some:
+            left, above = labels_of(work, place)
+            if named(left):
+                beside.append((place, strip))
+            elif any(map(named, (above, *names_over(work, [place])))):
+                over.append((place, strip))
+        claims = beside or over
         # a formula that makes a text beside such a word, "worst 33.8° at 60°", is a remark
         numbers = [claim for claim in claims if not isinstance(work.value(claim[0], sheet.values), str)] or claims
         if numbers:
