@@ -35,25 +35,26 @@ Test = tuple[RangeRef, str]
 """A column beside the one a number is taken of, and what stands there in rows that count."""
 
 
-def mean_of_motion(driver: Driver, column: RangeRef, tests: Sequence[Test], turns: Node | None) -> Node:
+def mean_of_motion(
+    driver: Driver, column: RangeRef, tests: Sequence[Test], turns: Node | None, headed: bool = True
+) -> Node:
     """The mean of a column over the motion: by the trapezoidal rule between neighbouring rows that both count.
 
     So the row that closes a turn is not counted twice. All rows count alike where the driver's values are listed, where no
     two that count are neighbours, and where the rows are a whole turn without the one that closes it.
 
-    tests  what rows that count have beside the column;  turns: whether they are such a turn; None where they cannot be
+    tests   what rows that count have beside the column;  turns: whether they are such a turn; None where they cannot be
+    headed  whether a text stands above the columns
     """
     alike = Call("AVERAGEIFS", (column, *(part for each, text in tests for part in (each, Text(text)))))
     if driver.values or column.start.row == column.end.row:
         return alike
-    upper, lower = _but_last(column), _but_first(column)
-    both = tuple(
-        part for each, text in tests for half in (_but_last(each), _but_first(each)) for part in (half, Text(text))
-    )
+    upper, lower = _halves(column, headed)
+    both = tuple(part for each, text in tests for half in _halves(each, headed) for part in (half, Text(text)))
     mean = formula("(one+other)/2", one=Call("AVERAGEIFS", (upper, *both)), other=Call("AVERAGEIFS", (lower, *both)))
     if turns is not None:
         mean = formula("IF(turns,NA(),mean)", turns=turns, mean=mean)
-    # rows that are inserted beside the first or the last one are in one half only
+    # rows that are inserted above the first or beside the last one are in one half only
     return formula(
         "IFERROR(mean,IF(ROWS(upper)=ROWS(lower),alike,NA()))", mean=mean, alike=alike, upper=upper, lower=lower
     )
@@ -138,12 +139,13 @@ def is_back(angle: bool) -> Node:
     return formula("ABS(last-first)<1E-9*size")
 
 
-def _but_last(column: RangeRef) -> RangeRef:
-    return replace(column, end=replace(column.end, row=column.end.row - 1))
-
-
-def _but_first(column: RangeRef) -> RangeRef:
-    return replace(column, start=replace(column.start, row=column.start.row + 1))
+def _halves(column: RangeRef, headed: bool) -> tuple[RangeRef, RangeRef]:
+    """The row before each, and each: from the heading on, which is no number, so that both begin above rows that are
+    inserted below the first; else all rows but the last, and all but the first."""
+    start, end = (replace(cell, row=cell.row - 1) for cell in (column.start, column.end))
+    if headed:
+        return RangeRef(start, end), column
+    return replace(column, end=end), replace(column, start=replace(column.start, row=column.start.row + 1))
 
 
 def but_last(column: RangeRef) -> Node:

@@ -188,6 +188,20 @@ def test_rows_inserted_at_three_places(name, layout):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
+def test_a_mean_counts_rows_inserted_below_the_first(layout):
+    """The halves of neighbouring rows were of different lengths then, and the mean #N/A."""
+    made = once("six-link-dwell", layout)
+    plan = made.plan
+    values = evaluate(book_of(inserted(plan, made.layout, 1)))
+    (mean,) = (each for each in plan.mechanism.summaries if each.symbol == "mean")
+    spot, shown = plan.at.spots[mean.of], plan.places.summaries["mean"]
+    column = np.array([values.get(spot.sheet, spot.row + row, spot.col) for row in range(plan.rows + MORE)], float)
+    wanted = np.mean((column[1:] + column[:-1]) / 2)
+    assert values.get(shown.sheet, shown.row, shown.col) == pytest.approx(wanted, rel=1e-12)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("layout", ["sheets", "page"])
 def test_rows_inserted_over_the_first(layout):
     """They come before the start: nothing is said of them, and what is said of the others stays."""
     made = once("drag-link", layout)

@@ -224,7 +224,7 @@ class Helpers:
             turns = formula(
                 "AND(whole=2,COUNT(column)=rows)", whole=plan.searched.whole.cell, column=self.column, rows=self.of_rows
             )
-        return mean_of_motion(plan.mechanism.driver, self.column, [(self.column, NUMBERS)], turns)
+        return mean_of_motion(plan.mechanism.driver, self.column, [(self.column, NUMBERS)], turns, headed=False)
 
     def _wraps(self) -> CellRef | None:
         """Whether the rows at the ends are neighbours, as on the sheet of extremes: nothing is missing, and what is asked
