@@ -24,18 +24,31 @@ _BLANK_CELL = Cells(np.zeros((1, 1)), np.full((1, 1), BLANK, np.uint8))
 
 
 class Range(NamedTuple):
-    """The cells of a range that hold anything, and how large it is with the blank ones beyond them."""
+    """The cells of a range that hold anything, and how large it is with the blank ones beyond them.
+
+    lost  the code of the error that stands in place of the range, as #REF! of a deleted sheet does; else 0
+    """
 
     table: Cells
     height: int
     width: int
+    lost: int = 0
 
 
 def _range(ev: Evaluator, node: Node, frame: Frame) -> Range:
     table = table_of(ev, node, frame)
     span = ev.span(node, frame)
-    height, width = table.numbers.shape if span is None else (span.height, span.width)
-    return Range(table, height, width)
+    if span is not None:
+        return Range(table, span.height, span.width)
+    code = int(np.max(codes_of(table), initial=0)) if np.size(table.numbers) == 1 else 0
+    height, width = table.numbers.shape
+    return Range(table, height, width, code if code >= ERROR else 0)
+
+
+def _lost(ranges: list[Range]) -> Cells | None:
+    """The error that stands in place of a range."""
+    lost = next((part.lost for part in ranges if part.lost), 0)
+    return error(lost) if lost else None
 
 
 class Selection:
@@ -112,7 +125,10 @@ def _conditional(result: Callable[[Any, Any], tuple[float, int]], values_first: 
             return error(VALUE)
         selection = Selection([_range(ev, node, frame) for node in pairs[::2]])
         summed = _range(ev, values, frame)
-        if not selection.fits or (values_first and (summed.height, summed.width) != selection.ranges[0][1:]):
+        lost = _lost([summed, *selection.ranges])
+        if lost is not None:
+            return lost
+        if not selection.fits or (values_first and (summed.height, summed.width) != selection.ranges[0][1:3]):
             return error(VALUE)
         height = min(selection.shape[0], summed.table.numbers.shape[0])
         width = min(selection.shape[1], summed.table.numbers.shape[1])
@@ -135,6 +151,9 @@ def counting(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     if len(args) % 2:
         return error(VALUE)
     selection = Selection([_range(ev, node, frame) for node in args[::2]])
+    lost = _lost(selection.ranges)
+    if lost is not None:
+        return lost
     if not selection.fits:
         return error(VALUE)
     outside = selection.ranges[0].height * selection.ranges[0].width - selection.shape[0] * selection.shape[1]
