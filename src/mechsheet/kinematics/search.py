@@ -22,6 +22,7 @@ from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.means import LEAST_OF_TURN, rows_count_alike
 from mechsheet.kinematics.numeric import Array, runs_of, value
 from mechsheet.kinematics.period import SAME_AGAIN
+from mechsheet.kinematics.segments import seams
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 
@@ -339,8 +340,8 @@ class Search:
     def _closer(
         self, symbol: str, change: Change, column: Array, sign: float, starts: Array, shown: Mask, end: int
     ) -> tuple[float, float]:
-        """The least value (with a sign) between the places of the grid, up to the row `end`, and at the edges of what is
-        shown; its place."""
+        """The least value (with a sign) between the places of the grid, up to the row `end`, at the edges of what is shown,
+        and where pieces of the motion meet; its place."""
         held, turns = self._held(column), self.is_angle(symbol)
 
         def near(u: Array) -> Array:
@@ -352,6 +353,9 @@ class Search:
             return np.where(self.exists(known) & (u <= end), sign * raw, np.nan)
 
         places, values = self._narrow(near, starts)
+        if len(self._seams):
+            places = np.concatenate((places, self._seams))
+            values = np.concatenate((values, np.nan_to_num(near(self._seams), nan=np.inf)))
         last = len(shown) - 1
         beside = [
             edge for edge in self.edges
@@ -363,6 +367,17 @@ class Search:
             values = np.concatenate((values, np.nan_to_num(self._at_edges(near, np.array(beside)), nan=np.inf)))
         pick = int(np.argmin(values))
         return float(values[pick]), float(places[pick])
+
+    @cached_property
+    def _seams(self) -> Array:
+        """Places where pieces of the driver's motion meet: what follows from it need not turn back there to be extreme."""
+        motion = self.mechanism.segments
+        if motion is None or not self.stepped:
+            return np.zeros(0)
+        angles = np.array([float(value(each, self.dimensions)) for each in seams(motion)])
+        ahead = (angles - float(self.driver(1))) * math.copysign(1.0, self.step) % TURN
+        places = 1 + ahead / abs(self.step)
+        return np.asarray(places[places <= self.last])
 
     @staticmethod
     def _at_edges(near: Change, edges: Array) -> Array:

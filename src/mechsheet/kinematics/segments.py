@@ -8,6 +8,7 @@ where phi is the angle within the turn. At an angle at which two segments meet t
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
@@ -17,7 +18,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, with_symbols
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.numeric import Array, value
-from mechsheet.model import HALF, PIECE, TAU, WAVE, FurtherDriver, Segment, Segments
+from mechsheet.model import HALF, LAWS_THAT_LEAP, PIECE, TAU, WAVE, FurtherDriver, Segment, Segments
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
@@ -33,6 +34,16 @@ SYMBOLS = {"begins": "phi_i", "over": "beta", "lift": "L", "by": "h"}
 
 EIGHTH, MOST_RISING = 0.125, 0.375
 """Parts of a segment at which the pieces of a modified law meet."""
+
+INNER_SEAMS = {
+    "parabolic": (0.5,),
+    "modified trapezoid": (EIGHTH, MOST_RISING, 1 - MOST_RISING, 1 - EIGHTH),
+    "modified sine": (EIGHTH, 1 - EIGHTH),
+}
+"""Parts of a segment at which the pieces of its law meet, in the second half, too."""
+
+BEHIND = 1e-7
+"""So far [rad] behind a seam the later piece is asked: beyond `MEETING`, which laws count in parts of a segment, too."""
 
 
 def write_segments(driver: FurtherDriver, angle: str, ledger: Ledger) -> None:
@@ -134,3 +145,23 @@ def _within(motion: Segments, angle: str, ledger: Ledger) -> Symbol:
         last = motion.parts[-1]
         within = Call("MAX", (al.ZERO, Call("MIN", (phi, al.add(last.begins, last.over)))))
     return ledger.column(f"{angle}_t", within, ANGLE, phrase("within_turn"))
+
+
+def seams(motion: Segments) -> list[Node]:
+    """Angles at which pieces of the motion meet: what follows from it may be extreme there without turning back.
+
+    Of two segments, and where the acceleration leaps within one, the last of the earlier piece and the first of the later.
+    """
+    found: list[Node] = [al.ZERO]
+    for place, part in enumerate(motion.parts):
+        found += _both_sides(part.begins) if place else []
+        for share in INNER_SEAMS.get(part.law, ()):
+            angle = al.add(part.begins, al.mul(Number(share), part.over))
+            found += _both_sides(angle) if part.law in LAWS_THAT_LEAP else [angle]
+    last = motion.parts[-1]
+    end = al.add(last.begins, last.over)
+    return [*found, al.sub(Number(2 * math.pi), Number(BEHIND)) if motion.closed else end]
+
+
+def _both_sides(angle: Node) -> list[Node]:
+    return [angle, al.add(angle, Number(BEHIND))]

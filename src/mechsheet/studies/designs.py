@@ -26,9 +26,10 @@ from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.period import Periods
+from mechsheet.kinematics.segments import seams
 from mechsheet.model import Condition, Mechanism, Study, Way
 from mechsheet.sheet.checks.boundless import bounded, divisor_of, seen_by_rates
-from mechsheet.sheet.checks.search_rules import WRAPS
+from mechsheet.sheet.checks.search_rules import CORNER_PLACE, WRAPS
 from mechsheet.sheet.classification import classification
 from mechsheet.sheet.columns.lowering import lowered
 from mechsheet.sheet.over_rows import is_back, meeting, whole_turns
@@ -253,6 +254,24 @@ class Designs:
         turns = {"covered": covered, "more": covered * self.rows / (self.rows - 1), "back": back}
         return np.broadcast_to(value(whole_turns(driver.law is not None, bool(tied)), turns), (designs,)).astype(float)
 
+    def unchanged(self, inside: Mapping[str, Array], count: int) -> dict[str, Array]:
+        """What rows do not change, of so many designs."""
+        with np.errstate(all="ignore"):
+            out = self.constants.both(self.constants.designs(inside), given=inside)
+        return {key: np.broadcast_to(column, (count, 1))[:, 0] for key, column in out.items()}
+
+    def corners(self, inside: Mapping[str, Array], whole: Array) -> list[Array]:
+        """Places of each design where pieces of its motion meet (`sheet/checks/corners.py`)."""
+        motion = self.mechanism.segments
+        if motion is None or self.rows_only:
+            return []
+        known = {**self.dimensions, **self.unchanged(inside, len(whole))}
+        known |= {symbol: column[:, 0] for symbol, column in inside.items()}
+        known |= {"start": float(self.given[self.mechanism.driver.symbol][0]), "step": self.step, "turn": math.tau}
+        known |= {"rows": self.rows, "whole": whole}
+        angles = (value(angle, known) for angle in dict.fromkeys(seams(motion)))
+        return [value(CORNER_PLACE, known | {"angle": angle}) * np.ones(len(whole)) for angle in angles]
+
     def is_angle(self, symbol: str) -> bool:
         """Whether a quantity is an angle, which may go on by whole turns."""
         unit = self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit
@@ -337,9 +356,7 @@ class _Chunk:
         self.inside = {symbol: units[symbol].to_internal(column)[:, None] for symbol, column in self.shown.items()}
         self.found: dict[str, Array] = {}
         self.remarks: dict[str, Codes] = {}
-        with np.errstate(all="ignore"):
-            out = designs.constants.both(designs.constants.designs(self.inside), given=self.inside)
-        self.out = {key: np.broadcast_to(column, (len(numbers), 1))[:, 0] for key, column in out.items()}
+        self.out = designs.unchanged(self.inside, len(numbers))
 
     def keep(self, fine: Mask) -> int:
         """Go on with the designs that are fine; how many are left behind."""

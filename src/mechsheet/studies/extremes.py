@@ -8,7 +8,7 @@ them. Places count rows from 1.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Literal, TypeVar
 
@@ -90,6 +90,7 @@ class Anchors:
     of_rows, other   the best value of all rows, and the other extreme of them;  best: the row (from 1) of the best
     here, value      the row from which the probes go on, and its value;  before, after: those of the rows beside it
     of_first, of_last  values in the first and in the last row of the stretch
+    whole            1, 2 or 0: what the rows cover
     wraps            1, 2 where the ends of the motion are neighbours for probes (their row twice, or not), else 0
     angles           (n, angles, 3) of the angles without jumps that probes need, in the rows `HERE`, `FIRST`, `LAST`
     offer            the most that another row promises beside it (`rivals`)
@@ -105,6 +106,7 @@ class Anchors:
     after: Array
     of_first: Array
     of_last: Array
+    whole: Array
     wraps: Array
     angles: Array
     offer: Array
@@ -275,10 +277,11 @@ def _probed(state: State, probe: Probe) -> State:
 
 def refined(
     way: Way, anchors: Anchors, stretches: Stretches, edges: tuple[Array, Array], rows_only: Mask,
-    probe: Callable[[Array, Rows], Array],
+    probe: Callable[[Array, Rows], Array], corners: Sequence[Array] = (),
 ) -> tuple[Array, Codes]:  # fmt: skip
     """The extremes of designs, and what is to be said of them.
 
+    corners  places of each where pieces of its motion meet
     edges  where their stretches begin and end, between rows;  rows_only: of which nothing is known there
     probe  the quantity at a place of each design, angles near what they are in a row (`HERE`, `FIRST`, `LAST`)
     """
@@ -293,13 +296,21 @@ def refined(
                 values = probe(state[end], np.full(len(limited), row))
                 values = np.where(np.isfinite(values), values, state["value"])
                 state[name] = np.where(limited, values, state[name])
-        state["start"] = start = value_of(rules.START, state)
-        state |= {"lower": value_of(rules.LOWER, state), "upper": value_of(rules.UPPER, state)}
+        if corners:
+            _best_corner(state, corners, probe)
+        trees = rules.begun(corners=bool(corners))
+        state["start"] = start = value_of(trees.pop("start"), state)
+        state |= {name: value_of(trees.pop(name), state) for name in ("lower", "upper")}
+        near = np.where(start == state["here"], HERE, np.where(start == state["low"], FIRST, LAST))
         state["of_lower"] = np.where(start == state["here"], anchors.before, anchors.of_last)
         state["of_upper"] = np.where(start == state["here"], anchors.after, anchors.of_first)
-        for name, tree in rules.BEGUN.items():  # the limit depends on the side
+        if corners:
+            near = np.where(state["cornered"], HERE, near)
+            for name in ("lower", "upper"):
+                of_row = probe(state[name], near)
+                state[f"of_{name}"] = np.where(state["cornered"], of_row, state[f"of_{name}"])
+        for name, tree in trees.items():  # the limit depends on the side
             state[name] = value_of(tree, state)
-        near = np.where(start == state["here"], HERE, np.where(start == state["low"], FIRST, LAST))
         state = _probed(state, lambda places: probe(places, near))
         state["found"] = state["f_middle"]
         state["extreme"] = extreme = value_of(rules.EXTREME, state)
@@ -308,8 +319,21 @@ def refined(
         given = state | {"allowed": value_of(rivals.ALLOWED, state), "found": extreme}
         given["promise"] = value_of(rivals.PROMISE_BEYOND, given)
         state["elsewhere"] = value_of(rivals.MORE, given)
+        if corners:
+            for name in ("before", "last_probe"):
+                state[name] = value_of(rules.UNLESS_CORNER, state | {"probed": state[name]})
         doubts = value_of(rules.DOUBT, state)
     return np.asarray(extreme, float), OF_DOUBTS[np.asarray(doubts, np.intp)]
+
+
+def _best_corner(state: State, corners: Sequence[Array], probe: Callable[[Array, Rows], Array]) -> None:
+    """The best value of all corners, its place, and whether it is better than the best row."""
+    here = np.full(len(state["here"]), HERE)
+    values = np.stack([probe(places, here) for places in corners])
+    best = (np.argmin if state["sense"] > 0 else np.argmax)(values, axis=0)
+    each = np.arange(len(best))
+    state["at_corner"], state["corner"] = values[best, each], np.stack(corners)[best, each]
+    state["cornered"] = value_of(rules.CORNERED, state)
 
 
 def edges_of(first: Array, last: Array, rows: int, margin: Probe) -> tuple[Array, Array, Mask]:

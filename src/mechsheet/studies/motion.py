@@ -117,11 +117,12 @@ class Motion:
         doubts: dict[Extreme, Codes] = {}
         low, high, only_rows = self._edges(stretches, inside)
         if not designs.rows_only:
+            corners = designs.corners(inside, next(iter(anchors.values())).whole) if anchors else []
             for (symbol, way), own in anchors.items():
                 if symbol not in designs.given:
                     probe = self._probe(symbol, own, inside)
                     key = (symbol, way)
-                    found[key], doubts[key] = refined(way, own, stretches, (low, high), only_rows, probe)
+                    found[key], doubts[key] = refined(way, own, stretches, (low, high), only_rows, probe, corners)
         spikes = self._spikes(anchors, found, count)
         for quantity in designs.questions.quantities:
             if quantity.ways:

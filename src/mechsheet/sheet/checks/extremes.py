@@ -19,6 +19,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.boundless import may_grow
 from mechsheet.sheet.checks.checks import rows_apart
+from mechsheet.sheet.checks.corners import WORKING, Corners, corners_of
 from mechsheet.sheet.checks.limits import COUNT, FIRST_ROW, FROM, LAST_ROW, ROWS_ONLY, TO, UNSETTLED, Limits
 from mechsheet.sheet.checks.one_extreme import (
     ABOUT_VALUE,
@@ -88,6 +89,10 @@ class Extremes:
         if self.limits.count and self.quantities and plan.rows >= LEAST_PROBED:
             self.ends = {FROM: row, TO: row + 1}
             row += 3
+        self.corners: Corners | None = None
+        if self.quantities and (angles := corners_of(plan)):
+            self.corners = Corners(self.table, row, angles, COLUMNS + 1)
+            row += len(angles) + 1
         self.head = row
         row += 1
         self.gaps: dict[int, int] = {}
@@ -105,7 +110,7 @@ class Extremes:
             self.bands[extreme] = row
             row += 1
         self.searches = Searches(
-            self.table, self.limits, self.ends, self.sought, self.table.fixed(self.whole_row, STEEP)
+            self.table, self.limits, self.ends, self.corners, self.sought, self.table.fixed(self.whole_row, STEEP)
         )
 
     @property
@@ -186,6 +191,8 @@ class Extremes:
         self._heads()
         for end, row in self.ends.items():
             self._end(end, row)
+        if self.corners is not None:
+            self.corners.write(self.quantities)
         for number, row in self.gaps.items():
             self._gap(number, row)
         for sought in self.sought.values():
@@ -198,7 +205,7 @@ class Extremes:
             tuple(table.fills),
             columns=(
                 Column(LABEL, LABEL, 16), Column(COLUMN, SIDE, 7), Column(KNOWN, PLACE_COL, 10),
-                Column(DRIVER_COL, table.side + COLUMNS, 11),
+                Column(DRIVER_COL, table.side + COLUMNS + len(WORKING if self.corners else ()), 11),
             ),
             row_heights=((TITLE_ROW, 26.0), (HEAD_ROW, 30.0)),
             freeze=(FIRST, NEAR),

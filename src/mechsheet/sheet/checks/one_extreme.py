@@ -14,6 +14,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.checks import boundless, rivals
 from mechsheet.sheet.checks import search_rules as rules
 from mechsheet.sheet.checks.boundless import in_row, may_grow, seen_by_rates, unsigned_divisor
+from mechsheet.sheet.checks.corners import Corners
 from mechsheet.sheet.checks.limits import FIRST_ROW, FROM, LAST_ROW, TO, Limits
 from mechsheet.sheet.checks.search_table import (
     COLUMN,
@@ -97,12 +98,14 @@ class Searches:
     """All of them.
 
     ends     rows with all quantities where the stretch begins and ends; none where nobody looks for limits
+    corners  rows with all quantities where pieces of the motion meet
     sought   by quantity and way;  steep: the cell that says whether velocities and forces have a spike
     """
 
     table: SearchTable
     limits: Limits
     ends: Mapping[int, int]
+    corners: Corners | None
     sought: Mapping[tuple[str, Way], Sought]
     steep: CellRef
 
@@ -140,8 +143,10 @@ class Searches:
         table, plan, row = self.table, self.plan, sought.row
         near = {"best": BEST, "here": HERE, "of_rows": OF_ROWS, "extreme": VALUE}
         stretch = {"first": FIRST_ROW, "last": LAST_ROW, "low": FROM, "high": TO}
+        corners = {} if self.corners is None else self.corners.beside(row)
         return {
             **{name: table.near(row, work) for name, work in near.items()},
+            **corners,
             **{name: self.limits.of_stretch(1, work) for name, work in stretch.items()},
             "sense": CellRef(row, SENSE, False, True),
             "wraps": self._around(sought),
@@ -200,28 +205,38 @@ class Searches:
         )  # fmt: skip
 
     def _begin(self, sought: Sought, value: Node) -> dict[str, Node]:
-        """What the first row knows: the best row (or the end of the stretch, where that is better) and its neighbours."""
+        """What the first row knows: the best row (a corner or the end of the stretch, where these are better) and its
+        neighbours."""
         table, row, symbol = self.table, sought.row, sought.symbol
         sense = al.number(1.0 if sought.way == "min" else -1.0)
-        begin: dict[str, Node] = {"sense": sense}
         known = self._read(sought) | {"value": value}
+        trees = rules.begun(corners=self.corners is not None, limits=bool(self.ends))
+        if self.corners is not None:
+            self.corners.write_beside(row, symbol, sought.way, known)
         if not self.ends:
-            for name, tree in (("left", rules.LOWER), ("right", rules.UPPER)):
-                begin[name] = with_symbols(tree, known | {"start": known["here"]})
-                begin[f"f_{name}"] = self._at_place(sought, known | {"place": begin[name]})
-            return begin | {"near": known["here"], "middle": known["here"], "f_middle": value}
+            return {"sense": sense, **self._between_rows(sought, known, trees)}
         for name, work, at in zip(("at_low", "at_high"), (AT_LOW, AT_HIGH), self.ends.values(), strict=True):
             cell = table.probed(symbol, at, anchored=True)
             known[name] = table.work(row, work, "IFERROR(cell,value)", cell=cell, value=value)
-        for name, work, tree in (
-            ("start", START, rules.START),
-            ("lower", LEFT, rules.LOWER),
-            ("upper", RIGHT, rules.UPPER),
-        ):
-            known[name] = table.work(row, work, "place", place=with_symbols(tree, known))
+        for name, work in (("start", START), ("lower", LEFT), ("upper", RIGHT)):
+            known[name] = table.work(row, work, "place", place=with_symbols(trees.pop(name), known))
         for name in ("lower", "upper"):
             known[f"of_{name}"] = self._at_place(sought, known | {"place": known[name]})
-        return begin | {name: with_symbols(tree, known) for name, tree in rules.BEGUN.items()}
+        return {"sense": sense} | {name: with_symbols(tree, known) for name, tree in trees.items()}
+
+    def _between_rows(self, sought: Sought, known: dict[str, Node], trees: Mapping[str, Node]) -> dict[str, Node]:
+        """The same where the sheet looks for no limits: between two rows."""
+        begun: dict[str, Node] = {}
+        start = known["here"]
+        if self.corners is not None:
+            start = self.table.work(sought.row, START, "place", place=with_symbols(trees["start"], known))
+        known["start"] = begun["middle"] = start
+        begun["near"] = start if self.corners is None else with_symbols(trees["near"], known)
+        begun["f_middle"] = with_symbols(trees["f_middle"], known)
+        for name, side in (("left", "lower"), ("right", "upper")):
+            begun[name] = with_symbols(trees[side], known)
+            begun[f"f_{name}"] = self._at_place(sought, known | {"place": begun[name]})
+        return begun
 
     def _at_place(self, sought: Sought, known: Mapping[str, Node]) -> Node:
         """The value in a row beside the one from which a search begins."""
@@ -292,6 +307,9 @@ class Searches:
         within = with_symbols(rules.ROW_AT, known)
         table.work(row, WHERE, "driver", styles.RESULT, driver=driver_at(self.plan, within))
         known["elsewhere"] = self._elsewhere(sought)
+        if self.corners is not None:
+            for name in ("before", "last_probe"):
+                known[name] = with_symbols(rules.UNLESS_CORNER, known | {"probed": known[name]})
         table.work(row, ABOUT_VALUE, "doubt", doubt=with_symbols(rules.DOUBT, known))
         rivals.write(table, row, RIVALS, sought.symbol, known | {"found": known["extreme"]})
 

@@ -125,6 +125,43 @@ BEGUN = _trees(
 }
 """What the first row of a search knows; `of_lower`, `of_upper`: what the rows beside have. Angles are taken near a row."""
 
+# --- extremes: corners ----------------------------------------------------------------------------------------------------
+# Where pieces of a motion meet a quantity may be extreme without turning back there: such places are asked beforehand, and
+# a search begins from the best of them where that is better than the best row.
+
+CORNER_PLACE = formula(
+    "IF(whole>0,place,MEDIAN(1,place,rows))", place=formula("1+MOD((angle-start)*SIGN(step),turn)/ABS(step)")
+)
+"""The place of a corner, at an angle of the driver that goes from `start` by `step`: of rows that do not cover the turn the
+nearest that they have."""
+
+SAME_CORNER = 1e-9
+"""A corner and a row whose values differ by no more than this part of the range are one place."""
+
+CORNERED = formula("IFERROR(sense*(at_corner-of_rows)<-same*ABS(of_rows-other),FALSE)", same=SAME_CORNER)
+"""Whether the best corner is better than the best row."""
+
+UNLESS_CORNER = formula(
+    "IFERROR(IF(ABS(extreme-at_corner)<=same*ABS(of_rows-other),extreme,probed),probed)", same=SAME_CORNER
+)
+"""What the last probe has found, for `DOUBT`: that it is worse than a corner says nothing."""
+
+
+def begun(corners: bool, limits: bool = True) -> dict[str, Node]:
+    """`START`, `LOWER`, `UPPER` and `BEGUN`: where corners may be better than rows, and where there are no limits."""
+    start: Node = START if limits else Symbol("here")
+    middle: Node = BEGUN["f_middle"] if limits else Symbol("value")
+    lower, upper = LOWER, UPPER
+    if corners:  # one lies between two rows
+        start = formula("IF(cornered,corner,start)", start=start)
+        middle = formula("IF(cornered,at_corner,middle)", middle=middle)
+        lower, upper = (
+            with_symbols(tree, {"start": formula(f"{rounded}(start,0)")})
+            for tree, rounded in ((LOWER, "ROUNDUP"), (UPPER, "ROUNDDOWN"))
+        )
+    return {"start": start, "lower": lower, "upper": upper, **BEGUN, "f_middle": middle}
+
+
 # --- extremes: the probes -------------------------------------------------------------------------------------------------
 
 BRACKET = ("left", "f_left", "middle", "f_middle", "right", "f_right")

@@ -101,7 +101,7 @@ class SearchTable:
         """
         return Binary(":", *(self.in_row(sought, row, place) for place in (first, self.rows)))
 
-    def probed(self, sought: str, probe: int, anchored: bool = False) -> Node:
+    def probed(self, sought: str, probe: int, anchored: bool = False) -> CellRef:
         """What a row here has found of a quantity: by its cell, as a column inserted into the table is not here."""
         return CellRef(probe, self.at.spots[sought].col, anchored, True)
 

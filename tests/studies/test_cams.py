@@ -1,0 +1,36 @@
+"""A study of cams says what the workbook says: also where pieces of the motion meet, which follows what varies."""
+
+import numpy as np
+import pytest
+
+import random_cams
+from mechsheet.description import loads
+from mechsheet.studies.designs import Designs
+from studying import in_workbook
+
+STUDY = """
+[dimensions]
+first = { value = 40, unit = "deg" }
+[summary]
+sharpest = { of = "SHARP", take = "WAY" }
+steepest = { of = "alpha", take = "max" }
+hardest = { of = "s.dd", take = "min" }
+[study]
+vary = { first = { values = [20, 37.5, 70] } }
+"""
+
+
+@pytest.mark.parametrize("laws", [("parabolic",), ("modified sine", "3-4-5"), ("modified trapezoid", "harmonic")])
+@pytest.mark.parametrize(("kind", "sharp", "way"), [("slide", "kappa", "max"), ("flat slide", "rho", "min")])
+def test_summaries_are_those_of_the_workbook(kind, sharp, way, laws):
+    head, _, tail = random_cams.cam(7, kind, laws).partition("over = ")
+    study = STUDY.replace("SHARP", sharp).replace("WAY", way)
+    mechanism = loads(f'{head}over = "first"\n{tail.partition(chr(10))[2]}{study}')
+    designs = Designs(mechanism)
+    found = designs.kept(0, designs.sampling.total)
+    assert len(found.numbers) == 3
+    for number, first in enumerate(found.columns["first"]):
+        book = in_workbook(mechanism, {"first": float(first)}, designs.modes)
+        for name in ("sharpest", "steepest", "hardest"):
+            assert found.columns[name][number] == pytest.approx(book[name], rel=1e-11, abs=1e-11), (name, first)
+    assert np.all(np.isfinite(found.columns["sharpest"]))
