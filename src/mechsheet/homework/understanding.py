@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from livesheet.diagnostics import Fault, WorkbookError
 from mechsheet import reference
 from mechsheet.diagnostics import MechanismError
-from mechsheet.homework.agreement import DEGREE, POWERS, Reading, allowance, likely, reading_of
+from mechsheet.homework.agreement import DEGREE, POWERS, Reading, allowance, likely, nearest_unit, reading_of
 from mechsheet.homework.expected_values import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.formula_strips import Place, Work
 from mechsheet.homework.headings import Called, aliases_of, called, contains, heading, labels, names_over, tokens
@@ -75,6 +75,10 @@ class Understanding:
     def allowed(self, quantity: Quantity) -> float:
         """How far a column may be from a quantity."""
         return allowance(quantity, self.truth.size, self.tolerance)
+
+    def meant_unit(self, column: Array, quantity: Quantity) -> float:
+        """The unit in which a column that is wrong is meant: of lengths that of the dimensions."""
+        return self.length_unit if quantity.kind == "length" else nearest_unit(column, quantity)
 
     def heading(self, series: Series) -> str:
         """The words over a series, with the workbook's names for it."""
