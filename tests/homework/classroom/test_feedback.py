@@ -8,46 +8,11 @@ import pytest
 
 import mechsheet
 from homework.handmade import STEPS, Table, four_bar
+from homework.shaper import shaped
 from mechsheet import reference
 from mechsheet.homework.classroom.feedback import pictures
 
 GIVEN = (("a1", "a1", 70.0), ("a2", "a2", 35.0), ("a3", "a3", 62.3), ("a4", "a4", 56.0))
-
-SHAPER = """
-format = 1
-mechanism.name = "shaper"
-dimensions = { d = 300, r = 90, L = 550, c = 120, h = 520 }
-links.frame.points = { O2 = [0, "d"], O4 = [0, 0] }
-links.crank.points = { O2 = [0, 0], A = ["r", 0] }
-links.lever.points = { O4 = [0, 0], B = ["L", 0] }
-links.rod.points = { B = [0, 0], C = ["c", 0] }
-links.ram.points = { C = [0, 0] }
-joints = [
-    { type = "pin-slot", point = "A", on = "lever", through = "O4", symbol = "s4" },
-    { type = "prismatic", link = "ram", on = "frame", point = "C", through = [0, "h"], symbol = "s" },
-]
-driver = { link = "crank", start = 0, stop = 360, step = 15 }
-assembly.C = [60, 520]
-outputs.reach = "hypot(C.x, C.y)"
-exercise.asked = { theta13 = 2, s = 2, reach = 1 }
-"""
-
-
-def shaped(tmp_path, **slips):
-    """A shaper by a student who counts the lever clockwise from the vertical."""
-    columns = {
-        "deg": STEPS,
-        "xA": "{r}*COS(RADIANS({deg}))",
-        "yA": "{d}+{r}*SIN(RADIANS({deg}))",
-        "lean": "ATAN({xA}/{yA})",
-        "xB": "{L}*SIN({lean})",
-        "yB": "{L}*COS({lean})",
-        "s": "{xB}-SQRT({c}^2-({h}-{yB})^2)",
-        "reach": "SQRT({s}^2+{h}^2)",
-    }
-    given = tuple((name, name, value) for name, value in (("d", 300), ("r", 90), ("L", 550), ("c", 120), ("h", 520)))
-    table = Table(given, [(name, name, slips.get(name, formula)) for name, formula in columns.items()])
-    return mechsheet.audit(table.save(tmp_path / "shaper.xlsx"), mechsheet.loads(SHAPER))
 
 
 def audited(tmp_path, **slips):
