@@ -427,3 +427,15 @@ def test_a_coordinate_is_not_a_force_of_that_size(tmp_path):
     found = shaped(tmp_path, text)
     assert {one.verdict for one in found.asked.values()} == {"right"}
     assert found.given.keys() == {"r", "L", "c", "h"}
+
+
+@pytest.mark.parametrize(("formula", "verdict"), [("{d}/TAN({fi})", "right"), ("{d}/TAN({fi})+1", "wrong")])
+def test_a_row_at_a_pole_is_not_asked_for(tmp_path, formula, verdict):
+    """At 180 degrees 1/tan is 8e15, but for rounding: with no number there a sheet was wrong, off elsewhere right."""
+    text = SHAPER.replace('"hypot(C.x, C.y)"', '"d/tan(theta12)"')
+    found = shaped(
+        tmp_path,
+        text,
+        reach=f"IF(MOD({{deg}};180)=0;NA();{formula})".replace(";", ",").replace("{fi}", "RADIANS({deg})"),
+    )
+    assert found.asked["reach"].verdict == verdict
