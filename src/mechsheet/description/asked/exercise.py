@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from livesheet.formula.nodes import symbols
-from livesheet.said import say
+from livesheet.said import Said, say
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.forces.force_names import CENTER, OF_MOTION
 from mechsheet.description.quoting import quoted
@@ -57,7 +57,7 @@ def _asked(data: Any, summaries: Mapping[str, Any], driver: str, scope: Scope) -
             message = say(
                 "no variable, coordinate, rate, force, output or summary is called {symbol}", symbol=quoted(symbol)
             )
-            hint = suggestion(symbol, known, "allowed")
+            hint: Said | str = suggestion(symbol, known, "allowed")
             if symbol in scope.motion_outputs:
                 message = say("{symbol} follows from summaries: ask for these", symbol=quoted(symbol))
             elif is_rate(symbol, scope) or symbol in scope.forces:
