@@ -119,6 +119,8 @@ def wrong_in(case, path):
         found.append(f"edits: {[edit.where for edit in report.edits][:4]}")
     if (case.check == "agrees" and not report.agrees) or (case.check == "any" and not (report.agrees or report.edits)):
         found.append(f"does not agree: {[c for c in report.comparisons if not c.agrees]}")
+    if [part for part in report.comparisons if part.judge == "reference" and not part.cells]:
+        found.append("is not compared with the reference")
     if report.stored.unstored:
         found.append(f"{report.stored.unstored} have no stored value")
     return found
