@@ -91,9 +91,9 @@ def test_one_peak_or_several_alike_are_none_to_doubt(formula, rows):
         assert not shown(loads(text), name)[1].endswith(SAID)
 
 
-RIVALS = {"cam-rocker", "cam-valve", "chebyshev", "klann", "roberts", "six-bar-r-rrr-rrt"}
+RIVALS = {"cam-rocker", "cam-slide", "cam-valve", "chebyshev", "klann", "roberts", "six-bar-r-rrr-rrt"}
 """Templates in which something has several extremes that are nearly alike: straight lines, the walker's foot, a cam that
-rises and returns by like laws."""
+rises and returns by like laws, or one whose dwells need no base circle at all."""
 
 
 @pytest.mark.ci

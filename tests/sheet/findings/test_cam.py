@@ -77,7 +77,7 @@ def test_the_base_circle_that_makes_the_pressure_angle_usual(offset, base):
     """Its largest angle is the limit then, from a smaller base circle and from a larger one."""
     changes = {"e": str(offset), "rb": str(base)}
     needed, words = line(load(TEMPLATES / "cam-slide.toml", Overrides(changes)), "needed_base")
-    assert words == "with this base circle the pressure angle is just as usual"
+    assert words == "base circle for just the usual pressure angle"
     mechanism = load(TEMPLATES / "cam-slide.toml", Overrides(changes | {"rb": repr(needed)}))
     rows = sweep(mechanism, solve(mechanism), {"phi": np.radians(np.arange(0, 360, 0.05))})
     assert np.degrees(np.abs(rows["alpha"]).max()) == pytest.approx(30, abs=1e-4)
