@@ -95,10 +95,7 @@ def _compare_rows(book: Book, values: Any, plan: Plan, inputs: Inputs, tally: Ta
     closed = closed_rows(mechanism, solution, ours | placed, beyond)
     _judge_status(plan, tally, opened, solution.exists | (beyond & closed & ~opened[EVERY]))
     elsewhere = beyond & closed & _elsewhere(plan, ours, theirs, solution.size)
-    proof = all(book.sheet(plan.at.titles[key]) is not None for key in ("checks", "extremes"))
     for symbol, column in ours.items():
-        if symbol == ENERGY and not proof:  # the mean torque of the first sheet is not there, which is told as an edit
-            continue
         if symbol == ENERGY:
             apart = steep.energy_apart(column, solution, theirs)
         elif steep.concerns(symbol):
