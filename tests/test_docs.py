@@ -96,6 +96,19 @@ def test_every_key_has_an_example():
     assert known - shown == set()
 
 
+AT_THE_OTHER_CRANK = {("synthesis", "A", "turns"), ("synthesis", "B", "moving")}
+"""Keys of `guidance` that a pattern shows at the other one of its two cranks, which are given in the same ways."""
+
+
+def test_every_key_stands_in_a_template_or_a_pattern():
+    """Who looks for how a feature is used finds it in a whole mechanism that works."""
+    known = set(keys_of(DESCRIPTION))
+    patterns = [text for page, _, text in EXAMPLES if page == "patterns.md"]
+    whole = [*patterns, *(template_text(name) for name in template_names())]
+    shown = {key for text in whole for key in used(tomllib.loads(text), (), known)}
+    assert known - shown == AT_THE_OTHER_CRANK
+
+
 @pytest.mark.slow
 def test_the_site_is_built_and_its_links_lead_somewhere(tmp_path):
     command = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(tmp_path / "site")]

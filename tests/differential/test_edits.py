@@ -29,7 +29,9 @@ BUILT = [
     for layout, form, name in product(("sheets", "page"), ("xlsx", "ods"), TEMPLATES)
     if (layout, name) != ("page", "engine")  # its flywheel needs sheets of its own
 ]
-SAVED_BY_GNUMERIC = ("four-bar", "slider-crank", "adjustable-pump")
+NAMES_OF_CELLS = {"fivelink": ("Alfa1", "Alfa2"), "six-link-dwell": ("beta1",)}
+"""Names that gnumeric, whose sheets of an .ods have more columns, takes for cells: it writes NAMEAlfa1."""
+
 WIDE = "BZ"
 """A column behind all that a sheet has."""
 
@@ -119,6 +121,8 @@ def wrong_in(case, path):
         found.append(f"edits: {[edit.where for edit in report.edits][:4]}")
     if (case.check == "agrees" and not report.agrees) or (case.check == "any" and not (report.agrees or report.edits)):
         found.append(f"does not agree: {[c for c in report.comparisons if not c.agrees]}")
+    if [part for part in report.comparisons if part.judge == "reference" and not part.cells]:
+        found.append("is not compared with the reference")
     if report.stored.unstored:
         found.append(f"{report.stored.unstored} have no stored value")
     return found
@@ -152,13 +156,16 @@ def test_what_a_person_does_is_true_or_told(layout, form, name, tmp_path):
 @pytest.mark.gnumeric
 @pytest.mark.slow
 @pytest.mark.cases(4)
-@pytest.mark.parametrize(("layout", "form", "name"), [case for case in BUILT if case[2] in SAVED_BY_GNUMERIC])
+@pytest.mark.parametrize(("layout", "form", "name"), BUILT)
 def test_what_gnumeric_saves_is_the_same_workbook(layout, form, name, tmp_path):
     mechanism = load(ROOT / f"templates/{name}.toml", overrides=Overrides(layout=layout))
     (file,) = build(mechanism, tmp_path, (form,))
     saved = tmp_path / f"saved.{form}"
     subprocess.run(["ssconvert", "--recalc", file, saved], check=True, capture_output=True, timeout=120)
     report = check(saved)
-    assert report.edits == ()
-    assert report.agrees
+    renamed = NAMES_OF_CELLS.get(name, ()) if form == "ods" else ()
+    assert [edit.where for edit in report.edits if edit.kind == "name"] == [*renamed]
+    assert all(edit.now == "missing" or "NAME" in str(edit.now) for edit in report.edits)
+    assert all(part.agrees for part in report.comparisons)
+    assert report.agrees or renamed
     assert not report.unjudged

@@ -469,8 +469,8 @@ def test_on_a_telephone_nothing_over_the_sheet_covers_a_point(opening, four_bar)
 
 
 @pytest.mark.ci
-@pytest.mark.parametrize("name", ["shaper", "klann", "double-wishbone", "four-bar"])
-def test_names_of_points_stand_on_no_link_and_on_no_other(opening, name, tmp_path):
+@pytest.mark.parametrize("name", ["shaper", "klann", "double-wishbone", "four-bar", "six-link-dwell-positions"])
+def test_names_of_points_stand_on_no_link_no_block_and_on_no_other(opening, name, tmp_path):
     path = tmp_path / f"{name}.toml"
     path.write_text(template_text(name), encoding="utf-8")
     opened = opening(path)
@@ -497,6 +497,17 @@ def test_names_of_points_stand_on_no_link_and_on_no_other(opening, name, tmp_pat
               boxes.forEach((b, n) => {
                 const away = Math.hypot(p.x - (b[0] + b[2]) / 2, p.y - (b[1] + b[3]) / 2);
                 if (away < 6) found.push(`drive ${names[n].textContent}`);
+              });
+            }
+          }
+          for (const block of document.querySelectorAll(".block:not(.inside)")) {
+            const moved = block.getCTM();
+            for (let at = 0; at <= block.getTotalLength(); at += 2) {
+              const p = block.getPointAtLength(at).matrixTransform(moved);
+              boxes.forEach((b, n) => {
+                const height = b[3] - b[1]; // letters leave some room above and below them
+                const on = b[0] < p.x && p.x < b[2] && b[1] + height / 5 < p.y && p.y < b[3] - height / 5;
+                if (on) found.push(`block ${names[n].textContent}`);
               });
             }
           }

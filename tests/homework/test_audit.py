@@ -14,6 +14,7 @@ from chosen import first
 from command_line import printed
 from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
 from homework.plain_export import plain_book
+from homework.shaper import SHAPER, shaped
 from mechsheet import description
 from mechsheet.homework.audit import FaultFound, audit, audited
 from mechsheet.homework.formula_strips import upright
@@ -418,3 +419,23 @@ def test_the_force_of_the_other_link_is_right_and_said_so(tmp_path, loaded):
     got, found = forces(tmp_path, loaded, along=FORCES["along"][1:])
     assert got == ALL_FORCES
     assert "F34.x is counted in the other direction" in found.remarks
+
+
+def test_a_coordinate_is_not_a_force_of_that_size(tmp_path):
+    """The sheet's cell for the height of O2 was taken for the force of 300 N, which theta13 then did not follow."""
+    text = SHAPER.replace("d = 300", 'F = "300 N"').replace('O2 = [0, "d"]', "O2 = [0, 300]")
+    found = shaped(tmp_path, text)
+    assert {one.verdict for one in found.asked.values()} == {"right"}
+    assert found.given.keys() == {"r", "L", "c", "h"}
+
+
+@pytest.mark.parametrize(("formula", "verdict"), [("{d}/TAN({fi})", "right"), ("{d}/TAN({fi})+1", "wrong")])
+def test_a_row_at_a_pole_is_not_asked_for(tmp_path, formula, verdict):
+    """At 180 degrees 1/tan is 8e15, but for rounding: with no number there a sheet was wrong, off elsewhere right."""
+    text = SHAPER.replace('"hypot(C.x, C.y)"', '"d/tan(theta12)"')
+    found = shaped(
+        tmp_path,
+        text,
+        reach=f"IF(MOD({{deg}};180)=0;NA();{formula})".replace(";", ",").replace("{fi}", "RADIANS({deg})"),
+    )
+    assert found.asked["reach"].verdict == verdict

@@ -1,4 +1,4 @@
-"""A moment of inertia in another unit than the one that counts: said once, and nothing is refused."""
+"""A number in another unit than the one that counts: said once, and nothing is refused."""
 
 import warnings
 
@@ -6,7 +6,7 @@ import pytest
 
 from mechsheet.description import loads
 from mechsheet.diagnostics import DescriptionWarning
-from mechsheet.kinematics.outsized import inertia_doubts
+from mechsheet.kinematics.outsized import inertia_doubts, sweep_doubts
 from mechsheet.kinematics.sketched import tell
 from mechsheet.kinematics.solve import solve
 
@@ -47,3 +47,45 @@ def test_it_is_told_as_a_warning():
         warnings.simplefilter("always")
         tell(mechanism, solve(mechanism))
     assert [warning.category for warning in caught] == [DescriptionWarning]
+
+
+ARM = """
+format = 1
+mechanism = { name = "arm", angle_unit = "UNIT" }
+links.ground.points = { O = [0, 0] }
+links.arm.points = { O = [0, 0], A = [60, 0] }
+driver = { link = "arm", ROWS }
+"""
+
+
+def said_of_rows(rows, unit="rad"):
+    return list(sweep_doubts(loads(ARM.replace("ROWS", rows).replace("UNIT", unit))))
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        "start = 0, stop = 360, step = 5",
+        "start = 0, stop = -90, step = -5",
+        "values = [0, 30, 60]",
+        'start = 0, stop = 90, motion = { law = "harmonic", duration = 1 }',
+    ],
+)
+def test_degrees_for_radians(rows):
+    (fault,) = said_of_rows(rows)
+    assert fault.key == "driver"
+    assert 'angle_unit = "deg"' in str(fault.hint)
+    assert said_of_rows(rows, "deg") == []
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        "start = 0, stop = 6.2, step = 0.1",
+        "start = 0, stop = 62, step = 0.5",  # ten turns, finely
+        'start = "0°", stop = "360°", step = "60°"',  # coarsely, one turn
+        "values = [0, 1.57, 3.14, 4.71]",
+    ],
+)
+def test_radians_are_not_doubted(rows):
+    assert said_of_rows(rows) == []

@@ -64,3 +64,11 @@ def test_the_worst_of_several_groups_decides(layout):
     worst = min(book.number(key) for key in keys)
     assert f"{worst:.1f}".removesuffix(".0") in book.line
     assert book.line_colour == ("amber" if worst < 40 else "green")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+def test_of_two_places_that_rounding_tells_apart_both_layouts_name_one(layout):
+    """The slide of a Whitworth mechanism is as far from a right angle at 90 degrees as at 270."""
+    book = Book(template_text("whitworth").partition("[[charts]]")[0], layout)
+    assert "worst 72.5° at 270°" in book.line

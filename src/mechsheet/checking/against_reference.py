@@ -32,7 +32,9 @@ from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import ENERGY, Mechanism
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.columns.flywheel import MEAN_NEEDS
+from mechsheet.sheet.deleted import with_what_they_read
+from mechsheet.sheet.plan import MAY_GO, Plan
 
 
 def against_plan(
@@ -83,17 +85,17 @@ def _compare_rows(book: Book, values: Any, plan: Plan, inputs: Inputs, tally: Ta
     if plan.newton and equations is not None:
         solution, beyond = _reached(solution, as_typed, equations, inputs.given[mechanism.driver.symbol])
     known = _Known(plan, values)
+    deleted, lost = _lost(book, plan)  # told in a remark; the rest is compared
+    known.update({symbol: np.full(plan.rows, math.nan) for symbol in deleted})
+    _without(plan, values, tally, lost)
     steep = Steepness(plan, known)
-    ours = {symbol: known[symbol] for symbol in _judged(plan)}
+    ours = {symbol: known[symbol] for symbol in _judged(plan) if symbol not in deleted | lost}
     theirs = _theirs(solution, ours, plan.efforts)
     placed = {symbol: known[symbol] for symbol in theirs if symbol in plan.at.spots or symbol in plan.plain}
     closed = closed_rows(mechanism, solution, ours | placed, beyond)
     _judge_status(plan, tally, opened, solution.exists | (beyond & closed & ~opened[EVERY]))
     elsewhere = beyond & closed & _elsewhere(plan, ours, theirs, solution.size)
-    proof = all(book.sheet(plan.at.titles[key]) is not None for key in ("checks", "extremes"))
     for symbol, column in ours.items():
-        if symbol == ENERGY and not proof:  # the mean torque of the first sheet is not there, which is told as an edit
-            continue
         if symbol == ENERGY:
             apart = steep.energy_apart(column, solution, theirs)
         elif steep.concerns(symbol):
@@ -220,6 +222,17 @@ def _theirs(solution: reference.Solution, ours: Mapping[str, Array], efforts: tu
         effort, by_work = efforts
         found[by_work] = found[effort]
     return found | reference.outputs(solution, found)
+
+
+def _lost(book: Book, plan: Plan) -> tuple[set[str], set[str]]:
+    """Quantities of sheets that somebody has deleted, and those of other sheets that can have no number without them."""
+    gone = {key for key, title in plan.at.titles.items() if key in MAY_GO and book.sheet(title) is None}
+    titles = {plan.at.titles[key] for key in gone}
+    deleted = {symbol for symbol, spot in plan.at.spots.items() if spot.sheet in titles}
+    lost = readers(plan.equations, deleted)
+    if plan.mechanism.flywheel is not None and gone & with_what_they_read(MEAN_NEEDS):
+        lost.add(ENERGY)
+    return deleted, lost - deleted
 
 
 def _judged(plan: Plan) -> list[str]:

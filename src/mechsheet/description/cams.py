@@ -80,16 +80,15 @@ def read(
             return None
         angle = cell("face_angle", face.get("angle", 0), ANGLE, ("face", "angle"))
         cam = Cam(links[-1].name, data["center"], clockwise, radius, face["point"], limit, None, link, angle)
-    _beside_its_axis(cam, driver, links, scope)
+    _turns_elsewhere(cam, driver, links, scope)
     start = None
     if isinstance(driver, dict) and "start" not in driver:
-        found = _Start(cam, driver, links, joints, scope)
-        start = found.node()
-        cam = replace(cam, offset=found.offset)
+        start, offset = _Start(cam, driver, links, joints, scope).found()
+        cam = replace(cam, offset=offset)
     return ReadCam(cam, tuple(cells), start)
 
 
-def _beside_its_axis(cam: Cam, driver: Any, links: tuple[Link, ...], scope: Scope) -> None:
+def _turns_elsewhere(cam: Cam, driver: Any, links: tuple[Link, ...], scope: Scope) -> None:
     """Refuse a rocker that turns about the cam's own centre: no profile could turn it."""
     link = driver.get("link", BAD) if isinstance(driver, dict) else BAD
     touching = touched_by(cam, links)
@@ -122,7 +121,7 @@ def _moves(point: str, links: tuple[Link, ...], path: tuple[str, ...], scope: Sc
 class _Start:
     """Where the follower stands when its roller or face touches the base circle, of a slide or a rocker on the ground.
 
-    Of two such places it is the one from which the first rise goes outwards. `offset`: see `Cam`, once that is found.
+    Of two such places it is the one from which the first rise goes outwards.
     """
 
     def __init__(
@@ -130,16 +129,15 @@ class _Start:
     ) -> None:
         self.cam, self.driver, self.links, self.joints, self.scope = cam, driver, links, joints, scope
         self.ground = links[0]
-        self.offset: Node | None = None
 
-    def node(self) -> Node | None:
-        """The displacement or angle; None where the base circle alone does not say it."""
+    def found(self) -> tuple[Node | None, Node | None]:
+        """The displacement or angle, None where the base circle alone does not say it; and the offset, see `Cam`."""
         touching = touched_by(self.cam, self.links)
         where = self.ground.points.get(self.cam.center)
         center = None if where is None else _place(where)
         own = None if touching is None else _place(touching.points[self.cam.point])
         if touching is None or center is None or own is None:
-            return None
+            return None, None
         if "joint" in self.driver and "link" not in self.driver:
             joint = next((one for one in self.joints if one.name == self.driver["joint"]), None)
             if (
@@ -147,23 +145,25 @@ class _Start:
                 or joint.kind != "prismatic"
                 or (joint.link, joint.on) != (touching.name, self.ground.name)
             ):
-                return None
+                return None, None
             pin = _place(touching.points[joint.point])
-            return None if pin is None else self._slide(joint, center, own, pin)
+            return (None, None) if pin is None else self._slide(joint, center, own, pin)
         link = self.driver.get("link", BAD)
         if link != touching.name or self.driver.get("relative_to", self.ground.name) != self.ground.name:
-            return None
+            return None, None
         shared = next((point for point in touching.points if point in self.ground.points), None)
         if shared is None or self.cam.radius is None:
-            return None
+            return None, None
         pivot, pin = _place(self.ground.points[shared]), _place(touching.points[shared])
-        return None if pivot is None or pin is None else self._rocker(minus(pivot, center), minus(own, pin))
+        if pivot is None or pin is None:
+            return None, None
+        return self._rocker(minus(pivot, center), minus(own, pin)), None
 
-    def _slide(self, joint: Joint, center: Vector, own: Vector, pin: Vector) -> Node | None:
+    def _slide(self, joint: Joint, center: Vector, own: Vector, pin: Vector) -> tuple[Node | None, Node | None]:
         through = joint.through
         base = _place(self.ground.points[through]) if isinstance(through, str) else _place(Cartesian(*through))
         if base is None:
-            return None
+            return None, None
         line = _angle(joint.angle)
         aside = line + _angle(joint.orientation)
         along = _direction(line)
@@ -172,24 +172,23 @@ class _Start:
         if self.cam.radius is not None:
             reach = al.add(al.as_node(self.cam.base_radius), al.as_node(self.cam.radius))
             across, before = cross(way, along), dot(way, along)
-            self.offset = across
             square = al.sub(al.square(reach), al.square(across))
             if self.scope.number(square) < 0:
                 message = say("the slide passes the centre at {offset:.6g}: a base circle of {radius:.6g} does not reach it",
                               offset=abs(self.scope.number(across)), radius=self.scope.number(reach))  # fmt: skip
                 self.scope.report.at(("cam", "base_radius"), message)
-                return None
+                return None, None
             root = al.sqrt(square)
-            return al.sub(root if outwards else al.neg(root), before)
+            return al.sub(root if outwards else al.neg(root), before), across
         normal = _direction(aside + _angle(self.cam.face) + Angle(degrees=90))
         moved = dot(normal, along)
         if abs(self.scope.number(moved)) < SQUARE:
             message = say("the face is nowhere tangent to the cam: it lies along the way of the slide")
             self.scope.report.at(("cam", "face"), message)
-            return None
+            return None, None
         radius = al.as_node(self.cam.base_radius)
         far = radius if (self.scope.number(moved) > 0) == outwards else al.neg(radius)
-        return al.div(al.sub(far, dot(normal, way)), moved)
+        return al.div(al.sub(far, dot(normal, way)), moved), None
 
     def _rocker(self, pivot: Vector, arm: Vector) -> Node | None:
         reach = al.add(al.as_node(self.cam.base_radius), al.as_node(self.cam.radius or 0.0))

@@ -108,8 +108,10 @@ def _check_of_row(name: str, tree: Node, entry: dict[str, Any], unit: Unit, scop
 
 
 def _wants_unit(entry: dict[str, Any]) -> str:
-    """What to write where the formula of an output without a unit is an angle."""
-    return "" if "unit" in entry else say('write unit = "deg" beside the formula: without a unit an output is a length')
+    """What to write where the formula of an output is an angle, and what stands behind it a length, or the other way."""
+    if "unit" in entry:
+        return say('write unit = "deg" for an angle; without a unit an output is a length')
+    return say('write unit = "deg" beside the formula: without a unit an output is a length')
 
 
 def _check_label(name: str, tree: Node, text: str, unit: Unit, scope: Scope) -> None:

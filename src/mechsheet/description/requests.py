@@ -34,7 +34,11 @@ def is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool:
     point, dot, axis = name.partition(".")
     if not dot:
         return False
-    if point not in scope.points:
+    if point in scope.outputs:
+        message = say("{where}the output {name} has no {axis}", where=where, name=quoted(point), axis=quoted(axis))
+        hint = say("angles, displacements and points have rates: write it with those, as theta13.d, s14.v, C.vx")
+        scope.report.at(path, message, hint)
+    elif point not in scope.points:
         hint = suggestion(point, scope.points, "points")
         if point in scope.centers:
             hint = say(

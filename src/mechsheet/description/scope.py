@@ -257,7 +257,8 @@ class Scope:
         return f"{shown:.6g}" + ("" if unit == NUMBER else f" {unit.symbol}")
 
     def fits(self, tree: Node, text: str, wanted: str, path: Path, instead: str = "") -> bool:
-        """True unless the expression surely is of another kind than `wanted`; `instead`: what to do about an angle."""
+        """True unless the expression surely is of another kind than `wanted`; `instead`: what to do about an angle or a
+        length in its place."""
         kind = kind_of(tree, self.kinds)
         needed = say("an angle") if wanted == ANGLE else say("a length")
         if wanted != ANY and (label := self.label_of(tree)):
@@ -267,7 +268,7 @@ class Scope:
         if ANY in (kind, wanted) or kind == wanted:
             return True
         hint = say("expressions compute in radians: leave degrees() out") if kind == DEGREES and wanted == ANGLE else ""
-        hint = instead if kind == ANGLE else hint
+        hint = instead if kind in (ANGLE, LENGTH) else hint
         is_now = say("an angle") if kind == ANGLE else say(f"a {kind}")
         self.report.at(
             path,

@@ -128,6 +128,8 @@ def _type_hint(value: Any, shape: Shape, path: Path) -> str:
     match shape:
         case Items(Table() | Kinds()) if isinstance(value, dict):
             return say("write [[{key}]] instead of [{key}]", key=path[-1])
+        case Items(Text()) if isinstance(value, str):
+            return say("write [{value}], with brackets", value=quoted(value))
         case Either((Number(), WithUnit(), Table())) if isinstance(value, str):
             return say('a derived dimension is written { formula = "…" }')
         case Table(keys) if isinstance(value, str) and "formula" in keys:

@@ -8,6 +8,8 @@ that is not the owner, the owner exerts on it what the pin exerts on both togeth
 
 from __future__ import annotations
 
+from collections.abc import Set
+
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node
 from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
@@ -165,6 +167,33 @@ class Joints:
             self.inner(point, moving, base, negative(total))
         else:
             self.inner(point, base, moving, total)
+
+    def shared(self, point: str, body: str, force: Vector, group: Set[str]) -> Vector:
+        """The force on a body at a pin about which a driver turns two of its group beside a third link: what hangs on it
+        is counted to the body where that bears the pin. The same over its columns.
+
+        group  the bodies of the group at the pin
+        """
+        hanging = NOWHERE
+        if body == self.bearers[point]:
+            hanging = together(each for other, each in self.pins.get(point, {}).items() if other not in group)
+        write = self._named if self._is_named(point, body) else self._hidden
+        own = write(point, body, minus(force, hanging))
+        self._settle(point, body, own)
+        force = plus(own, hanging)
+        self.contacts.setdefault(body, []).append(Force(force, self.poses.xy[point]))
+        return force
+
+    def close_shared(self, point: str, on_both: Vector, group: Set[str]) -> None:
+        """The rest at such a pin, whose force on the two is known: it is handed on to who bears the pin."""
+        done = self.pins[point]
+        rest = [body for body in self.poses.graph.bodies_at(point) if body not in done]
+        if len(rest) == 1 and self._is_named(point, rest[0]):
+            self._named(point, rest[0], negative(self._known(point)))
+        self._book_slotted(point)
+        bearer = self.bearers[point]
+        if bearer not in group and bearer != self.mechanism.ground.name:
+            self.acting.hang(bearer, Force(negative(on_both), self.poses.xy[point]))
 
     # --- slides -----------------------------------------------------------------------------------------------
 

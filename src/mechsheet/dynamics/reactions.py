@@ -50,11 +50,15 @@ from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.rates.motions import Motions
+from mechsheet.model import FurtherDriver
 from mechsheet.words.equations import phrase
 
 
 class Reactions:
-    """Of one mechanism."""
+    """Of one mechanism.
+
+    on_pairs  by the symbol of what is driven: the force of a pin, at which more are joined, on both links turned about it
+    """
 
     def __init__(self, found: Found) -> None:
         if found.rates.by_driver is None or found.poses.mechanism.dynamics is None:
@@ -66,6 +70,7 @@ class Reactions:
         self.joints = Joints(found, self.acting, self.columns)
         self.teeth = Teeth(found, self.motions, self.acting, self.joints, self.columns)
         self.contact = found.rates.contact
+        self.on_pairs: dict[str, Vector] = {}
 
     def write(self) -> dict[str, str]:
         """Write all columns down; the symbols of the efforts, by that of what is driven: a cam's follower has none."""
@@ -104,13 +109,14 @@ class Reactions:
             if len(assembly) < 2:
                 continue
             drive = self.found.order.pair(assembly)
-            self._refuse_shared_pin(group, drive)
+            if drive.symbol not in self.on_pairs:
+                self._refuse_shared_pin(group, drive)
             if len(assembly) != 2:
                 continue
             if self.contact is not None and drive.symbol == self.contact.follower:
                 self._let_go(drive, *self._all_on(drive.moving, self._place_of(drive)), on_known=False)
             else:
-                efforts[drive.symbol] = self._effort(drive, on_known=False)
+                efforts[drive.symbol] = self._effort(drive, on_known=False, group=group)
 
     # --- sums over an assembly --------------------------------------------------------------------------------
 
@@ -146,10 +152,33 @@ class Reactions:
     def _inner(self, dyad: Dyad, pin: Pin, force: Vector) -> Vector:
         """Write the force of the second on the first at the inner pin down; the same over its columns."""
         one, other = (self.motions.with_point(assembly, pin.point) for assembly in (dyad.first, dyad.second))
-        return self.joints.inner(pin.point, one, other, force)
+        pairs = [self._turned_about(assembly, pin) for assembly in (dyad.first, dyad.second)]
+        if pairs.count(None) != 1:
+            return self.joints.inner(pin.point, one, other, force)
+        if pairs[0] is not None:
+            force = negative(self.joints.shared(pin.point, other, negative(force), self._at_pin(dyad, pin)))
+            self.on_pairs[pairs[0].symbol] = force
+        elif pairs[1] is not None:
+            force = self.joints.shared(pin.point, one, force, self._at_pin(dyad, pin))
+            self.on_pairs[pairs[1].symbol] = negative(force)
+        return force
 
     def _outer(self, assembly: Assembly, pin: Pin, force: Vector) -> None:
-        self.joints.outer(pin.point, self.motions.with_point(assembly, pin.point), force)
+        drive = self._turned_about(assembly, pin)
+        if drive is None:
+            self.joints.outer(pin.point, self.motions.with_point(assembly, pin.point), force)
+        else:
+            self.on_pairs[drive.symbol] = force
+
+    def _turned_about(self, assembly: Assembly, pin: Pin) -> Drive | None:
+        """The driver of a pair that is turned about a pin by which it is joined to others, too."""
+        drive = self.found.order.pair(assembly) if len(assembly) == 2 else None
+        if drive is None or (self.contact is not None and drive.symbol == self.contact.follower):
+            return None
+        return drive if isinstance(drive.joint, Pin) and drive.joint.point == pin.point else None
+
+    def _at_pin(self, group: Dyad, pin: Pin) -> set[str]:
+        return {body for body in group.bodies if pin.point in self.poses.graph.points[body]}
 
     def _rrr(self, dyad: Dyad, outer: tuple[Pin, Pin], inner: Pin, det: Node) -> None:
         p, q = outer
@@ -261,14 +290,18 @@ class Reactions:
                 "the driver turns two moving links about {point}, where a third one is joined: no forces there yet",
                 point=drive.joint.point,
             )
-            raise MechanismError(
-                Fault(message, key="driver.link", hint=say("take masses and loads away, or drive another link"))
-            )
+            hint = say("take masses and loads away, or drive another link")
+            raise MechanismError(Fault(message, key=self._key(drive), hint=hint))
 
-    def _effort(self, drive: Drive, on_known: bool) -> str:
+    def _key(self, drive: Drive) -> str:
+        """Where the description names the link that is driven."""
+        driver = self.poses.mechanism.driver_of(drive.symbol)
+        return f"drivers.{driver.order}.link" if isinstance(driver, FurtherDriver) else "driver.link"
+
+    def _effort(self, drive: Drive, on_known: bool, group: Dyad | Chain | None = None) -> str:
         """The driven joint's own forces, from the equilibrium of the moving link alone.
 
-        on_known  whether its base was known before it; else both its sides are of one group
+        on_known  whether its base was known before it; else both its sides are of one `group`
         """
         moving, joint, at = drive.moving, drive.joint, self._place_of(drive)
         ground = self.poses.mechanism.ground.name
@@ -283,6 +316,8 @@ class Reactions:
         if isinstance(joint, Pin):
             if on_known:
                 self.joints.outer(joint.point, moving, negative(total))
+            elif isinstance(group, Dyad) and drive.symbol in self.on_pairs:
+                self._part(drive, joint, group, total)
             else:
                 self.joints.inner_of_pair(joint.point, drive.base, moving, total)
             torque = al.neg(moment)
@@ -293,6 +328,13 @@ class Reactions:
         if on_known and drive.base != ground:
             self.acting.hang(drive.base, Force(total, at), moment)
         return self.joints.driven_slide(joint, moving, negative(total), al.neg(moment))
+
+    def _part(self, drive: Drive, pin: Pin, group: Dyad, total: Vector) -> None:
+        """What a pin exerts on both links that are turned about it, in two. `total`: all else on the one that is driven."""
+        on_both, beside = self.on_pairs[drive.symbol], self._at_pin(group, pin)
+        on_moving = self.joints.shared(pin.point, drive.moving, negative(total), beside)
+        on_base = self.joints.shared(pin.point, drive.base, minus(on_both, on_moving), beside)
+        self.joints.close_shared(pin.point, plus(on_moving, on_base), beside)
 
     def _place_of(self, drive: Drive) -> Vector:
         joint = drive.joint

@@ -122,7 +122,7 @@ def truth_of(
         columns = reference.profile(solution, cam).columns | columns
     if cam is not None or (mechanism.driver.speed is not None and not mechanism.driver.speeds):
         columns = reference.by_time(solution) | columns
-    columns = reference.forces(solution) | columns
+    columns = _without_poles(reference.forces(solution) | columns, mechanism, solution.size)
     poses = {name: tuple(map(float, pose[rows[0]])) for name, pose in solution.poses.items()}
     return Truth(
         mechanism,
@@ -134,6 +134,16 @@ def truth_of(
         solution.size,
         poses,  # type: ignore[arg-type]
     )
+
+
+def _without_poles(columns: Mapping[str, Array], mechanism: Mechanism, size: float) -> dict[str, Array]:
+    """The columns without the numbers of outputs where there is none but for rounding: of 1/tan(theta13) straight ahead."""
+    found = dict(columns)
+    for output in mechanism.outputs:
+        most = reference.POLE * (size if output.unit.kind == "length" else 1.0)
+        column = columns[output.symbol]
+        found[output.symbol] = np.where(np.abs(column) < most, column, np.nan)
+    return found
 
 
 def kind_of(unit: str) -> Kind:

@@ -296,7 +296,7 @@ def _assembly(sheet: Sheet, first: dict[str, Finding]) -> tuple[Truth, dict[str,
     """The assembly that the sheet shows, and its findings: another one where all that is there is right for it.
 
     The angle of a rod in its other assembly may be that of the description's counted the other way round. It is of the other
-    assembly where something else in the sheet is, too.
+    assembly where something else in the sheet is, too; an angle that both assemblies have in common is not.
     """
     base = sheet.found.truth
     there = [symbol for symbol, finding in first.items() if finding.verdict != "missing"]
@@ -312,7 +312,8 @@ def _assembly(sheet: Sheet, first: dict[str, Finding]) -> tuple[Truth, dict[str,
         ):
             return truth, {
                 symbol: replace(one, verdict="other assembly")
-                if one.verdict == "right" and (first[symbol].verdict != "right" or symbol in turned)
+                if one.verdict == "right"
+                and (first[symbol].verdict != "right" or (symbol in turned and one.reading != first[symbol].reading))
                 else first[symbol]
                 for symbol, one in found.items()
             }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from livesheet.diagnostics import Fault, WorkbookError
 from mechsheet import reference
 from mechsheet.diagnostics import MechanismError
-from mechsheet.homework.agreement import DEGREE, POWERS, Reading, allowance, likely, reading_of
+from mechsheet.homework.agreement import DEGREE, POWERS, Reading, allowance, gaps, likely, nearest_unit, reading_of
 from mechsheet.homework.expected_values import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.formula_strips import Place, Work
 from mechsheet.homework.headings import Called, aliases_of, called, contains, heading, labels, names_over, tokens
@@ -26,6 +26,12 @@ ENOUGH = 2
 
 MOVING = 20
 """What changes by less than so many tolerances is told from nothing that stands still."""
+
+SMALL = 1e-3
+"""A change by less than this part of what is allowed is rounding."""
+
+ENOUGH_TO_SEE = 1.03
+"""A dimension that is larger by this factor shows on what depends on it."""
 
 
 @dataclass
@@ -75,6 +81,10 @@ class Understanding:
     def allowed(self, quantity: Quantity) -> float:
         """How far a column may be from a quantity."""
         return allowance(quantity, self.truth.size, self.tolerance)
+
+    def meant_unit(self, column: Array, quantity: Quantity) -> float:
+        """The unit in which a column that is wrong is meant: of lengths that of the dimensions."""
+        return self.length_unit if quantity.kind == "length" else nearest_unit(column, quantity)
 
     def heading(self, series: Series) -> str:
         """The words over a series, with the workbook's names for it."""
@@ -144,7 +154,28 @@ def understand(
             break
     if best is None:
         raise WorkbookError(Fault("no position", about="no position"))
-    return best[1]
+    return _without_namesakes(best[1], asked)
+
+
+def _without_namesakes(found: Understanding, asked: Sequence[str]) -> Understanding:
+    """Without cells that merely hold the number of a dimension: no name says that they are it, and nothing asked depends on
+    it. A coordinate of 60 mm is no spring of 60 N/mm."""
+    of = {summary.symbol: summary.of for summary in found.mechanism.summaries}
+    names = dict.fromkeys(of.get(symbol, symbol) for symbol in asked)
+    wanted = [found.truth.quantity(name) for name in names if name in found.truth.columns]
+    kept = tuple(one for one in found.inputs if one.told or _matters(found, one, wanted))
+    return found if len(kept) == len(found.inputs) else replace(found, inputs=kept)
+
+
+def _matters(found: Understanding, one: Input, wanted: Sequence[Quantity]) -> bool:
+    """Whether any of these quantities depends on a dimension."""
+    truth = found.truth
+    changed = {**dimensions_in(found.work, found.inputs), one.symbol: truth.dimensions[one.symbol] * ENOUGH_TO_SEE}
+    other = truth_of(found.mechanism, changed, truth.driver, truth.poses)
+    return other is None or any(
+        gaps(other.columns[quantity.name], quantity, Reading()).max(initial=0.0) > SMALL * found.allowed(quantity)
+        for quantity in wanted
+    )
 
 
 def _asked_values(mechanism: Mechanism, given: Mapping[str, float]) -> list[Array]:

@@ -21,7 +21,7 @@ from mechsheet.homework.headings import around, contains, labels, labels_of, nam
 from mechsheet.homework.inputs import MOST_UNREAD, is_length, single_cells, typed_numbers
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
-from mechsheet.homework.understanding import MOVING, Understanding, anything, retyped
+from mechsheet.homework.understanding import MOVING, SMALL, Understanding, anything, retyped
 from mechsheet.model import Summary
 
 Verdict: TypeAlias = Literal["right", "in part", "follows", "wrong", "other assembly", "not live", "unclear", "missing"]
@@ -31,8 +31,6 @@ SHARE = 0.1
 STEPS = (1.0, 0.4, 0.1, 0.02)
 """Parts of the retyped changes that are tried one after the other, until no row vanishes."""
 RETYPED = (0.03, -0.02)
-SMALL = 1e-3
-"""A change by less than this part of what is allowed is rounding."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,7 +1,8 @@
-"""Moments of inertia that no link of this size has: kg mm² written where kg m² count."""
+"""Numbers in another unit than the one that counts: kg mm² written where kg m² count, degrees where radians do."""
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator
 
@@ -11,10 +12,15 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import Mechanism
+from mechsheet.units import RAD
 
 OUTSIZED = 100.0
 """A radius of gyration of so many times the mechanism's size is a slip: mm for m make a thousand, while what a crank drives
 through gears may well be counted to it."""
+
+TURNS, STEP = 2.0, 1.0
+"""A driver that goes so many turns [turns] from 0 and beyond, by at least such a step [rad], is meant to go by degrees: rows
+that are 57 degrees apart show nothing of so long a motion."""
 
 
 def inertia_doubts(mechanism: Mechanism) -> Iterator[Fault]:
@@ -40,3 +46,27 @@ def inertia_doubts(mechanism: Mechanism) -> Iterator[Fault]:
             if dynamics.metre is not None:
                 hint = say('a plain number counts in kg m²; write "{number:g} kg mm²" if that is meant', number=inertia)
             yield Fault(message, key=f"links.{each.link}.inertia", hint=hint)
+
+
+def sweep_doubts(mechanism: Mechanism) -> Iterator[Fault]:
+    """What is to be said of a driver that turns on and on, by steps that are large in radians and usual in degrees."""
+    driver = mechanism.driver
+    if driver.unit != RAD:
+        return
+    values, law = dimension_values(mechanism), driver.law
+    if driver.values:
+        rows = [number(each, values) for each in driver.values]
+        step = min((abs(later - earlier) for earlier, later in itertools.pairwise(rows)), default=0.0)
+    elif law is not None:
+        rows = [values[law.start], values[law.stop]]
+        step = abs(rows[1] - rows[0]) / (law.rows - 1)
+    else:
+        rows = [number(each, values) for each in (driver.start, driver.stop)]
+        step = abs(number(driver.step, values))
+    farthest = max(rows, key=abs)
+    if step >= STEP and abs(farthest) > TURNS * math.tau:
+        message = say(
+            "the driver goes to {farthest:g} rad, {turns:.3g} turns, by {step:.3g} rad from row to row",
+            farthest=farthest, turns=abs(farthest) / math.tau, step=step,
+        )  # fmt: skip
+        yield Fault(message, key="driver", hint=say('if degrees are meant, write angle_unit = "deg" in [mechanism]'))

@@ -29,7 +29,7 @@ from mechsheet.kinematics.newton.changed_dimensions import assembly_doubts
 from mechsheet.kinematics.newton.steps import step_doubts
 from mechsheet.kinematics.newton.tracing import way
 from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.outsized import inertia_doubts
+from mechsheet.kinematics.outsized import inertia_doubts, sweep_doubts
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Gear, Mechanism, Rack, Relation
@@ -94,7 +94,7 @@ def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
         if mechanism.before is None or not any(group.system for group in equations.groups):
             return ()
         return tuple(assembly_doubts(mechanism.before, mechanism, equations))
-    return (*_left_out(mechanism), *_sketched(mechanism, equations), *inertia_doubts(mechanism))
+    return (*_left_out(mechanism), *_sketched(mechanism, equations), *inertia_doubts(mechanism), *sweep_doubts(mechanism))
 
 
 def _left_out(mechanism: Mechanism) -> list[Fault]:

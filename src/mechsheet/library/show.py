@@ -6,18 +6,20 @@ import csv
 import io
 import json
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
 from livesheet.formula.printer import print_formula
 from livesheet.formula.references import cell_name
+from livesheet.said import say
 from livesheet.workbook import Workbook
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.compiled.further import further_of
 from mechsheet.compiled.motion import motion_of
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.equations import FORCES, RATES
+from mechsheet.kinematics.equations import FORCES, RATES, Equations, Group
 from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.points_in_link import number
@@ -30,6 +32,7 @@ from mechsheet.sheet.shown import unit_of_column
 from mechsheet.synthesis.writing import says
 from mechsheet.units import NUMBER, behind_number, unit_of
 from mechsheet.words.catalogue import LANGUAGES, words
+from mechsheet.words.messages import text_in
 
 
 def overview_text(mechanism: Mechanism) -> str:
@@ -38,43 +41,70 @@ def overview_text(mechanism: Mechanism) -> str:
     equations = compiled.equations
     lines = [
         mechanism.title.of(mechanism.language),
-        f"links: {', '.join(f'{link.number} {link.name}' for link in mechanism.links)}",
-        f"mobility {mobility(graph_of(mechanism))}, driver {' and '.join(mechanism.driven_symbols)}",
+        say("links: {names}", names=", ".join(f"{link.number} {link.name}" for link in mechanism.links)),
+        say("mobility {count}, driver {symbols}", count=mobility(graph_of(mechanism)), symbols=_all(mechanism.driven_symbols)),
     ]
     lines += [_tie(mechanism, relation) for relation in mechanism.relations]
     lines += [
-        f"redundant: {each.link.name}, left out of the solution; {each.symbol} is how long it would have to be"
+        say("redundant: {link}, left out of the solution; {length} is how long it would have to be",
+            link=each.link.name, length=each.symbol)
         for each in mechanism.redundant
-    ]
+    ]  # fmt: skip
     for group in equations.groups:
-        mode = f"  {group.mode} = {group.mode_value:+d} ({group.mode_words.of('en')})" if group.mode else ""
-        if group.system is not None:
-            mode = f"  {group.mode} = {group.mode_value} of {len(group.assemblies)}, by Newton's method"
-        lines.append(f"group {group.number} {group.kind}: {group.label.of('en')}{mode}")
-        if group.system is not None:
-            lines += [f"  {number}: {words.of('en')}" for number, words in enumerate(group.assemblies, 1)]
-            lines.append(f"  {group.system.passes} passes a row")
-    variables = [equation.symbol for equation in equations.columns if equation.role == "variable"]
-    lines.append(f"variables: {', '.join(variables)}")
-    rates = [equation.symbol for equation in equations.columns if equation.role == "rate"]
-    if rates:
-        lines.append(f"velocities and accelerations: {', '.join(rates)}")
-    if equations.shown_forces:
-        lines.append(f"forces: {', '.join(equations.shown_forces)}")
-        lines += ["speed 0: static forces"] * _stands(mechanism)
+        lines += _group(group)
+    lines += _columns(equations)
+    if equations.shown_forces and _stands(mechanism):
+        lines.append(say("speed 0: static forces"))
     if (wheel := compiled.flywheel) is not None and mechanism.dynamics is not None:
-        torque = equations.of(equations.efforts[0]).unit.text
         energy, inertia = (unit(mechanism.dynamics, mechanism.length_unit) for unit in (energy_unit, inertia_unit))
-        lines.append(
-            f"flywheel: mean torque {wheel.mean:.6g} {torque}, change of energy {wheel.change:.6g} {energy}, "
-            f"moment of inertia {wheel.inertia:.6g} {inertia}"
-        )
+        message = say(
+            "flywheel: mean torque {mean:.6g} {torque}, change of energy {change:.6g} {energy}, "
+            "moment of inertia {inertia:.6g} {unit}",
+            mean=wheel.mean, torque=equations.of(equations.efforts[0]).unit.text, change=wheel.change, energy=energy,
+            inertia=wheel.inertia, unit=inertia,
+        )  # fmt: skip
+        lines.append(message)
     if mechanism.outputs:
-        lines.append(f"outputs: {', '.join(output.symbol for output in mechanism.outputs)}")
+        lines.append(say("outputs: {names}", names=", ".join(output.symbol for output in mechanism.outputs)))
     if numbers := [_single(compiled, single) for single in mechanism.motion_numbers]:
-        lines.append(f"over the whole sweep: {', '.join(numbers)}")
+        lines.append(say("over the whole sweep: {numbers}", numbers=", ".join(numbers)))
     lines.append(verdict(compiled))
-    return "\n".join(lines)
+    return "\n".join(text_in(line, mechanism.language) for line in lines)
+
+
+def _all(symbols: Sequence[str]) -> str:
+    """`a, b and c`."""
+    *others, last = symbols
+    return say("{first} and {last}", first=", ".join(others), last=last) if others else last
+
+
+def _group(group: Group) -> list[str]:
+    """A group with its mode; of one that is solved by Newton's method the assemblies that there are, and its passes."""
+    shown = {"number": group.number, "kind": group.kind, "links": group.label}
+    if group.system is not None:
+        line = say(
+            "group {number} {kind}: {links}  {mode} = {value} of {count}, by Newton's method",
+            **shown, mode=group.mode, value=group.mode_value, count=len(group.assemblies),
+        )  # fmt: skip
+        assemblies = [say("  {number}: {words}", number=number, words=one) for number, one in enumerate(group.assemblies, 1)]
+        return [line, *assemblies, say("  {passes} passes a row", passes=group.system.passes)]
+    if not group.mode:
+        return [say("group {number} {kind}: {links}", **shown)]
+    return [
+        say("group {number} {kind}: {links}  {mode} = {value:+d} ({words})", **shown, mode=group.mode,
+            value=group.mode_value, words=group.mode_words)
+    ]  # fmt: skip
+
+
+def _columns(equations: Equations) -> list[str]:
+    """The columns by what they are."""
+    of_role = {role: [one.symbol for one in equations.columns if one.role == role] for role in ("variable", "rate")}
+    lines = [say("variables: {symbols}", symbols=", ".join(of_role["variable"]))]
+    if of_role["rate"]:
+        lines.append(say("velocities and accelerations: {symbols}", symbols=", ".join(of_role["rate"])))
+    if equations.shown_forces:
+        lines.append(say("forces: {symbols}", symbols=", ".join(equations.shown_forces)))
+    return lines
 
 
 WITHOUT = ("verdict.boundless", "verdict.gaps")
@@ -87,10 +117,11 @@ def _single(compiled: Compiled, single: Summary | Output) -> str:
     spot = plan.places.summaries[single.symbol]
     value, said = compiled.value(spot), str(compiled.value(replace(spot, col=MEANING)))
     if not isinstance(value, float):
-        why = next((words("en", key).strip(" ()") for key in WITHOUT if said.endswith(plan.text(key))), "none")
+        none = text_in(say("none"), plan.mechanism.language)
+        why = next((plan.text(key).strip(" ()") for key in WITHOUT if said.endswith(plan.text(key))), none)
         return f"{single.symbol}: {why}"
     unit = plan.mechanism.shown(single.unit) if isinstance(single, Output) else unit_of_column(plan, single.of)
-    doubt = next((words("en", key) for key in DOUBTS if said.endswith(plan.text(key))), "")
+    doubt = next((plan.text(key) for key in DOUBTS if said.endswith(plan.text(key))), "")
     return f"{single.symbol} = {value:.6g}{behind_number(unit.text)}{doubt}"
 
 
@@ -101,13 +132,19 @@ def _tie(mechanism: Mechanism, relation: Relation) -> str:
     unit = unit_of(mechanism.length_unit, mechanism.length_unit) if rack else mechanism.angle_unit
     phase = unit.to_shown(number(relation.phase, values))
     if isinstance(relation, Rack):
-        what, own = f"rack {relation.joint} on {relation.link}", f"radius {number(relation.radius, values):.6g}"
+        what = say("rack {first} on {second}", first=relation.joint, second=relation.link)
+        own = say("radius {number:.6g}", number=number(relation.radius, values))
     else:
-        what = f"{relation.kind} {relation.link} on {relation.on}"
-        own = f"ratio {number(relation.ratio, values):.6g}"
-    arm = "" if relation.arm == mechanism.ground.name else f", arm {relation.arm}"
-    read = " (as sketched, or 0: the description gives none)" if relation.read_off else ""
-    return f"{what}{arm}: {own}, phase {phase:.6g} {unit.symbol}{read}"
+        what = say("gear {first} on {second}", first=relation.link, second=relation.on)
+        if relation.kind == "belt":
+            what = say("belt {first} on {second}", first=relation.link, second=relation.on)
+        own = say("ratio {number:.6g}", number=number(relation.ratio, values))
+    arm = "" if relation.arm == mechanism.ground.name else say(", arm {link}", link=relation.arm)
+    read = say(" (as sketched, or 0: the description gives none)") if relation.read_off else ""
+    return say(
+        "{what}{arm}: {own}, phase {phase:.6g} {unit}{read}",
+        what=what, arm=arm, own=own, phase=phase, unit=unit.symbol, read=read,
+    )  # fmt: skip
 
 
 def _stands(mechanism: Mechanism) -> bool:
@@ -122,24 +159,25 @@ def _stands(mechanism: Mechanism) -> bool:
 
 def equations_text(mechanism: Mechanism) -> str:
     """All equations, one a line, by group; constants first."""
-    equations = lowered(mechanism, told(mechanism).equations)
+    equations, language = lowered(mechanism, told(mechanism).equations), mechanism.language
     lines = _synthesis_lines(mechanism)
-    lines.append("constants")
+    lines.append(text_in(say("constants"), language))
     lines += [_line(equation) for equation in equations.constants]
     part: tuple[int, str] | None = None
     if given := given_by_law(mechanism):
-        lines += ["", _group_heading(equations, 0)]
+        lines += ["", text_in(_group_heading(equations, 0), language)]
         lines += [f"  {symbol} = {print_formula(node, 'text')}" for symbol, node in given.items()]
         part = (0, "")
     for equation in equations.columns:
-        what = ", velocities and accelerations" if equation.role in RATES else ""
-        what = ", forces" if equation.role in FORCES else what
+        what = say(", velocities and accelerations") if equation.role in RATES else ""
+        what = say(", forces") if equation.role in FORCES else what
         if (equation.group, what) != part:
             part = (equation.group, what)
-            lines += ["", _group_heading(equations, equation.group) + what]
+            lines += ["", text_in(_group_heading(equations, equation.group), language) + text_in(what, language)]
         lines.append(_line(equation))
         if equation.first is not None:
-            lines[-1] += f"    (first row: {print_formula(equation.first, 'text')})"
+            first = say("first row: {expression}", expression=print_formula(equation.first, "text"))
+            lines[-1] += f"    ({text_in(first, language)})"
     return "\n".join(lines)
 
 
@@ -155,7 +193,7 @@ def _synthesis_lines(mechanism: Mechanism) -> list[str]:
         for dim in steps
         if not isinstance(dim.value, float)
     ]
-    return [f"synthesis: {task.kind}", *lines, ""]
+    return [text_in(say("synthesis: {kind}", kind=task.kind), mechanism.language), *lines, ""]
 
 
 def given_by_law(mechanism: Mechanism) -> dict[str, Node]:
@@ -169,11 +207,11 @@ def given_by_law(mechanism: Mechanism) -> dict[str, Node]:
 
 def _group_heading(equations: Assignments, number: int) -> str:
     if number == 0:
-        return "driver"
+        return say("driver")
     if number < 0:
-        return "outputs"
+        return say("outputs")
     group = equations.groups[number - 1]
-    return f"group {number} {group.kind}: {group.label.of('en')}"
+    return say("group {number} {kind}: {links}", number=number, kind=group.kind, links=group.label)
 
 
 def _line(equation: Assignment) -> str:

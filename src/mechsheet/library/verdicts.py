@@ -17,6 +17,7 @@ from mechsheet.kinematics.search import Search
 from mechsheet.library.building import told
 from mechsheet.library.named import Named
 from mechsheet.model import Mechanism
+from mechsheet.sheet.findings.limits import InputEnd, Limits
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.findings.searched import SearchedMotion
 from mechsheet.sheet.plan import MEANING, TOLERANCE
@@ -168,9 +169,14 @@ def verdicts_of(mechanism: Mechanism) -> Named[Verdict]:
     names = {key: spot.name for key, spot in plan.places.lines.items()}
     names |= {f"limit_{number}": spot.name for number, spot in enumerate(plan.searched.limits, 1)}
     motion = SearchedMotion(plan, Search(mechanism, compiled.equations, compiled.given))
+    of_a_step = any(plan.text("verdict.within") in said.words for said in found.values())
     for finding in findings_of(mechanism, plan.found):
         for key, expected in finding.expected(motion).items():
-            if expected.told and (name := names.get(key, key)) in found:
+            if not expected.told or (name := names.get(key, key)) not in found:
+                continue
+            if of_a_step and isinstance(finding, Limits | InputEnd):  # words name the sheet's numbers, which have to agree
+                found[name] = replace(found[name], sure=False)
+            else:
                 found[name] = replace(found[name], value=next(iter(expected.numbers), None))
     return found
 

@@ -7,7 +7,7 @@ from .cams import profile
 from .forces import forces
 from .geometry import dimension_values, driver_values
 from .nearby import nearby
-from .outputs import outputs, variables
+from .outputs import POLE, outputs, variables
 from .poses import assemblies, solve
 from .rates import by_time, rates
 from .residual import residuals, worst
@@ -15,6 +15,7 @@ from .solution import Solution, reached
 from .whole_mechanism import further
 
 __all__ = [
+    "POLE",
     "Solution",
     "assemblies",
     "by_time",

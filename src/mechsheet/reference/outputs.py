@@ -13,6 +13,9 @@ from .geometry import Array
 from .solution import Solution, motion_of
 from .whole_mechanism import further
 
+POLE = 1e9
+"""An output of so many times its unit (or the size, of a length) is one only because rounding has missed a pole."""
+
 
 def variables(solution: Solution) -> dict[str, Array]:
     """Every variable and output over the sweep by its symbol: theta1N, displacements, the driver, `P.x`, `P.y`, outputs.

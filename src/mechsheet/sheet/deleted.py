@@ -24,9 +24,14 @@ def missing_words(plan: Plan) -> CellRef:
     return CellRef(plan.places.lines["sheets"].row, MEANING, True, True)
 
 
+def with_what_they_read(keys: Iterable[str]) -> set[str]:
+    """These sheets and those that they need."""
+    return {other for key in keys for other in (key, *READS.get(key, ()))}
+
+
 def are_there(plan: Plan, keys: Iterable[str]) -> Node | None:
     """Whether all these sheets are there, and what they need; None where the workbook has none of them."""
-    needed = {other for key in keys for other in (key, *READS.get(key, ()))}
+    needed = with_what_they_read(keys)
     found = [spot.cell for key, spot in plan.places.sheets.items() if key in needed]
     node: Node | None = None
     for cell in found:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import accumulate, pairwise
+from itertools import accumulate, chain, pairwise
 
 from livesheet.workbook import Area, Chart, PrintSetup, Sheet
 from mechsheet.sheet import styles
@@ -101,18 +101,20 @@ def first_setup(sheet: Sheet, starts: Sequence[int], last_col: int) -> tuple[Pri
     down = SURE * UPRIGHT_DOWN
     fewest = math.ceil(edges[-1] * READABLE / down)
     # as large as whole blocks fill so many pages, else one page more
-    found = [
+    found = (
         (scale, _between_blocks(sheet, edges, 100 * down / scale, pages))
         for pages in (fewest, fewest + 1)
         for scale in _scales(math.floor(100 * min(WIDE, pages * down / edges[-1])))
-    ]
-    whole = [(scale, begins) for scale, begins in found if _fits(edges, begins, 100 * down / scale)]
-    scale, row_at = (whole or found)[0]
+    )
+    largest = next(found)
+    tried = chain([largest], found)
+    whole = next(((scale, begins) for scale, begins in tried if _fits(edges, begins, 100 * down / scale)), None)
+    scale, row_at = whole or largest
     setup = replace(
         sheet.print_setup, landscape=False, fit_width=0, fit_height=0, scale=scale, page_at=tuple(starts), row_at=row_at,
         area=Area(0, 0, rows - 1, last_col),
     )  # fmt: skip
-    return setup, bool(whole)
+    return setup, whole is not None
 
 
 def _scales(largest: int) -> range:

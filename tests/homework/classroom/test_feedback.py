@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 import mechsheet
-from homework.handmade import Table, four_bar
+from homework.handmade import STEPS, Table, four_bar
+from homework.shaper import shaped
 from mechsheet import reference
 from mechsheet.homework.classroom.feedback import pictures
 
@@ -57,3 +58,36 @@ def test_the_page_shows_both_and_tells_the_numbers(turned):
 
 def test_what_is_right_has_no_picture(tmp_path):
     assert audited(tmp_path).picture is None
+
+
+def test_a_ram_put_together_the_other_way_is_drawn_where_the_sheet_has_it(tmp_path):
+    """The lever, which both assemblies have in common, is right; both pictures were those of the student's assembly."""
+    found = shaped(tmp_path, s="{xB}+SQRT({c}^2-({h}-{yB})^2)")
+    assert {symbol: one.verdict for symbol, one in found.asked.items()} == {
+        "theta13": "right",
+        "s": "other assembly",
+        "reach": "other assembly",
+    }
+    theirs, right = found.picture.numbers["s"]
+    assert theirs - right > 200
+    assert found.picture.theirs["ram"]["C"] == pytest.approx((theirs, 520))
+    assert found.picture.right["ram"]["C"] == pytest.approx((right, 520))
+    assert found.picture.theirs["rod"]["C"] == pytest.approx((right, 520))
+    assert found.picture.theirs["lever"]["B"] == pytest.approx(found.picture.right["lever"]["B"])
+
+
+def test_what_is_wrong_and_no_place_has_no_picture(tmp_path):
+    """Two pictures that were the same told nothing."""
+    found = shaped(tmp_path, reach="SQRT({s}^2-{h}^2/9)")
+    assert found.asked["reach"].verdict == "wrong"
+    assert found.picture is None
+
+
+def test_a_wrong_length_is_told_in_the_unit_of_the_dimensions(tmp_path):
+    """s, too large by far, was told as if it were meant in another unit: 3.0758 mm for 307.58."""
+    found = shaped(tmp_path, s="{xB}+40*SQRT({c}^2-({h}-{yB})^2)", reach="SQRT(40^2+{xB}^2)")
+    row = STEPS.index(round(math.degrees(found.picture.at)))
+    r, d, b, c, h = 90, 300, 550, 120, 520
+    lean = math.atan2(r * math.cos(math.radians(STEPS[row])), d + r * math.sin(math.radians(STEPS[row])))
+    own = b * math.sin(lean) + 40 * math.sqrt(c**2 - (h - b * math.cos(lean)) ** 2)
+    assert found.picture.numbers["s"][0] == pytest.approx(own)

@@ -86,6 +86,19 @@ def test_what_forces_follow_from_is_given():
     assert {"omega12", "m_3", "J_3", "M"} <= {dim.symbol for dim, _, _ in found.given()}
     assert "torque M on rocker" in told(found.loads())
     assert any("B0→G4: xG4 along B0→B, yG4 to the left of B0→B" in line for line in told(found.links()))
+    own = text.replace("[dimensions]", '[dimensions]\nk = "2 lbf/in"').replace(
+        "[exercise]",
+        """
+[[loads]]
+name = "K"
+between = ["A", "B0"]
+stiffness = "2*k"
+[exercise]""",
+    )
+    sprung = statement(loads(own, "sprung", Overrides(language="en")))
+    assert "k" in {dim.symbol for dim, _, _ in sprung.given()}
+    assert "k_K [lbf/in] = 2·k  (stiffness of the spring, load 3)" in told(sprung.derived())
+    assert any("stiffness kK, " in line for line in told(sprung.loads()))
     positions = mechsheet.template("four-bar-forces").text + "\n[exercise]\nasked = { theta14 = 1 }\n"
     plain = statement(loads(positions, "positions"))
     assert told(plain.loads()) == []

@@ -11,6 +11,7 @@ from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from livesheet.formula.nodes import CellRef, ErrorValue, NameRef, RangeRef, transform
 from mechsheet.description.templates import template_text
+from mechsheet.model import ENERGY
 from mechsheet.sheet.plan import MAY_GO, MEANING, VALUE
 
 
@@ -88,3 +89,14 @@ def test_an_output_that_reads_a_deleted_sheet_is_not_there():
         values = without(laid, plan.at.titles[key])
         found = [values.get(spot.sheet, row, spot.col) for row in range(plan.at.first, plan.at.last + 1)]
         assert all(isinstance(value, float) for value in found) if there else set(found) == {ErrorValue("#N/A")}, key
+
+
+@pytest.mark.slow
+def test_the_flywheels_energy_is_not_there_without_its_mean():
+    """Its column read an empty text, and was #VALUE! in every row."""
+    laid = Laid(template_text("engine"), "en")
+    plan, spot = laid.plan, laid.plan.at.spots[ENERGY]
+    for key in ("checks", "extremes"):
+        values = without(laid, plan.at.titles[key])
+        found = {values.get(spot.sheet, row, spot.col) for row in range(plan.at.first, plan.at.last + 1)}
+        assert found == {ErrorValue("#N/A")}, key

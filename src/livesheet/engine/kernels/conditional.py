@@ -34,6 +34,11 @@ class Range(NamedTuple):
     width: int
     lost: int = 0
 
+    @property
+    def size(self) -> tuple[int, int]:
+        """Rows and columns."""
+        return self.height, self.width
+
 
 def _range(ev: Evaluator, node: Node, frame: Frame) -> Range:
     table = table_of(ev, node, frame)
@@ -45,12 +50,6 @@ def _range(ev: Evaluator, node: Node, frame: Frame) -> Range:
     return Range(table, height, width, code if code >= ERROR else 0)
 
 
-def _lost(ranges: list[Range]) -> Cells | None:
-    """The error that stands in place of a range."""
-    lost = next((part.lost for part in ranges if part.lost), 0)
-    return error(lost) if lost else None
-
-
 class Selection:
     """The ranges of several criteria: which cells fit them all, and whether the blank ones beyond do."""
 
@@ -59,10 +58,11 @@ class Selection:
         self.shape = tuple(max(part.table.numbers.shape[axis] for part in ranges) for axis in (0, 1))
         self._known: dict[tuple[int, float, int], Any] = {}
 
-    @property
-    def fits(self) -> bool:
-        """Whether all ranges have the same size."""
-        return len({(part.height, part.width) for part in self.ranges}) == 1
+    def fault(self, *further: Range) -> int:
+        """The code of the error that stands in place of a range, of these or a further one; that of #VALUE! where not all
+        have the same size; else 0."""
+        lost = next((part.lost for part in (*further, *self.ranges) if part.lost), 0)
+        return lost or (VALUE if len({part.size for part in self.ranges}) > 1 else 0)
 
     def mask(self, place: int, key: tuple[float, int], ev: Evaluator) -> Any:
         """(mask, beyond) of one criterion."""
@@ -125,11 +125,11 @@ def _conditional(result: Callable[[Any, Any], tuple[float, int]], values_first: 
             return error(VALUE)
         selection = Selection([_range(ev, node, frame) for node in pairs[::2]])
         summed = _range(ev, values, frame)
-        lost = _lost([summed, *selection.ranges])
-        if lost is not None:
-            return lost
-        if not selection.fits or (values_first and (summed.height, summed.width) != selection.ranges[0][1:3]):
-            return error(VALUE)
+        fault = selection.fault(summed)
+        if not fault and values_first and summed.size != selection.ranges[0].size:
+            fault = VALUE
+        if fault:
+            return error(fault)
         height = min(selection.shape[0], summed.table.numbers.shape[0])
         width = min(selection.shape[1], summed.table.numbers.shape[1])
         numbers, codes = summed.table.numbers[:height, :width], summed.table.codes[:height, :width]
@@ -151,11 +151,9 @@ def counting(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     if len(args) % 2:
         return error(VALUE)
     selection = Selection([_range(ev, node, frame) for node in args[::2]])
-    lost = _lost(selection.ranges)
-    if lost is not None:
-        return lost
-    if not selection.fits:
-        return error(VALUE)
+    fault = selection.fault()
+    if fault:
+        return error(fault)
     outside = selection.ranges[0].height * selection.ranges[0].width - selection.shape[0] * selection.shape[1]
 
     def one(keys: tuple[tuple[float, int], ...]) -> tuple[float, int]:

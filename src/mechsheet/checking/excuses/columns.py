@@ -31,9 +31,6 @@ CLOSED = 1e-11
 HAIR = 1e-12
 """How far off, as a part of the size, or in radians: a thousand times what rounding makes."""
 
-FAR = 1e9
-"""So many times the unit (or the size, of a length) is a pole, when a hair away from it."""
-
 JUMP = 1e-3
 """So many times the unit (or the size) within two hairs is a jump, as of a direction where there is none."""
 
@@ -128,7 +125,7 @@ def given_by_rounding(
     found  the reference's variables and outputs;  scale  what a difference of this output is compared with
     """
     near = _near(solution, found, symbol)
-    far = FAR * scale
+    far = reference.POLE * scale
     with np.errstate(all="ignore"):
         tame = np.where(np.abs(near) < far, near, np.nan)  # neither a pole nor without a value
         low, high = np.fmin.reduce(tame), np.fmax.reduce(tame)

@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from livesheet.formula.nodes import symbols
-from livesheet.said import say
+from livesheet.said import Said, say
+from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.forces.force_names import CENTER, OF_MOTION
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
@@ -56,9 +57,14 @@ def _asked(data: Any, summaries: Mapping[str, Any], driver: str, scope: Scope) -
             message = say(
                 "no variable, coordinate, rate, force, output or summary is called {symbol}", symbol=quoted(symbol)
             )
+            hint: Said | str = suggestion(symbol, known, "allowed")
             if symbol in scope.motion_outputs:
                 message = say("{symbol} follows from summaries: ask for these", symbol=quoted(symbol))
-            scope.report.at(("exercise", "asked", symbol), message, suggestion(symbol, known, "allowed"))
+            elif is_rate(symbol, scope) or symbol in scope.forces:
+                message = say("{symbol} can be asked for by an output that names it", symbol=quoted(symbol))
+                name = symbol.replace(".", "_")
+                hint = say('write {name} = "{symbol}" in [outputs], and ask for {name}', name=name, symbol=symbol)
+            scope.report.at(("exercise", "asked", symbol), message, hint)
         elif driver and driver in (symbol, scope.summaries.get(symbol)):
             message = say("{symbol} is given: the driver is no question", symbol=quoted(symbol))
             others = [name for name in (*scope.variables, *scope.outputs) if name != driver]

@@ -73,7 +73,9 @@ def _of_sweep(driver: Driver, links: tuple[Link, ...], scope: Scope) -> list[tup
     message = say(
         "a flywheel needs a whole turn, first and last row alike: these rows cover {covered}", covered=covered
     )
-    return [(message, "")]
+    closing = driver.unit.written(start + math.copysign(math.tau, step))
+    hint = say("write stop = {stop:.10g}, a turn from start, and a step that divides it", stop=closing)
+    return [(message, hint)]
 
 
 def _of_speed(driver: Driver, dimensions: tuple[Dimension, ...], scope: Scope) -> list[tuple[Said, str]]:

@@ -3,9 +3,10 @@
 
 import { distance, fromStretch } from "./geometry.js";
 
-/** Pixels from a point to the middle of its name, at first and where that is not free; and around that middle what a name takes. */
-const AWAY = [19, 29];
-const HALF = 11;
+/** Pixels from a point to the middle of its name, at first and where that is not free: the last is beyond a block. */
+const AWAY = [19, 24, 29];
+/** Around that middle what a name takes: beside another, and beside a line, where its letters alone count. */
+const [HALF, LETTERS] = [11, 9];
 
 /** Upwards and to the right first, as one writes; straight down last, where supports are. */
 const SIDES = AWAY.flatMap((away) =>
@@ -21,9 +22,10 @@ const [ON_LINE, ON_POINT, ON_SUPPORT, FURTHER_SIDE] = [10, 20, 12, 0.1];
 function cost(middle, own, others, lines) {
   let found = 0;
   for (const other of others) if (distance(middle, other) < 2 * HALF) found += ON_POINT;
-  for (const corners of lines) {
-    const near = corners.some((corner, n) => n && fromStretch(middle, corners[n - 1], corner) < HALF);
-    if (near) found += ON_LINE;
+  for (const { corners, half } of lines) {
+    const nearest = Math.min(...corners.map((corner, n) => (n ? fromStretch(middle, corners[n - 1], corner) : Infinity)));
+    const over = 1 - nearest / (LETTERS + half);
+    if (over > 0) found += ON_LINE * (1 + over); // where no side is free: rather at its edge than on its middle
   }
   if (own.fixed && middle[1] > own.place[1] + 5) found += ON_SUPPORT;
   return found;
@@ -31,7 +33,8 @@ function cost(middle, own, others, lines) {
 
 /**
  * The side of each point on which its name stands, [dx, dy] from the point.
- * points: [{ place, fixed, side }], side as it was; lines: what is drawn, as corners on the screen.
+ * points: [{ place, fixed, side }], side as it was; lines: what is drawn, [{ corners, half }], places on the screen and
+ * half of its width.
  */
 export function sides(points, lines) {
   const taken = [];

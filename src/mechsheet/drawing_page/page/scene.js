@@ -9,6 +9,9 @@ import { sides } from "./names.js";
 const NAMESPACE = "http://www.w3.org/2000/svg";
 const TRIANGLE = "M0,0 L-9,15 L9,15 Z";
 const MIDDLE = 5; // how far the line under letters is below their middle
+const [BAR, THIN] = [11, 2]; // widths of links and of lines, as style.css has them
+const [SLOT, HATCHED] = [8, 6]; // half of a slot's width; how far the hatching of a guide on the ground reaches beyond it
+const BLOCKS = { "pin-slot": [18, 16], prismatic: [34, 22] }; // length along its guide, and height
 const HATCH = "M-13,15 L13,15 M-10,15 l-4,5 M-4,15 l-4,5 M2,15 l-4,5 M8,15 l-4,5";
 
 export function element(name, attributes = {}, parent = null) {
@@ -234,9 +237,10 @@ function moveNames(screen) {
   const points = there.map((pin) => ({ place: screen(pin.point), fixed: linkNamed(ground())?.points.includes(pin.point), side: pin.side }));
   const outlines = built.links.map(({ link }) => {
     const corners = link.points.map(screen).filter(Boolean);
-    return corners.length > 2 ? [...corners, corners[0]] : corners;
+    return { corners: corners.length > 2 ? [...corners, corners[0]] : corners, half: BAR / 2 };
   });
-  const found = sides(points, [...outlines, ...acting.map((each) => each.shown ?? []), driveLine]);
+  const thin = [...acting.map((each) => each.shown ?? []), driveLine].map((corners) => ({ corners, half: THIN / 2 }));
+  const found = sides(points, [...outlines, ...built.guides.flatMap((each) => each.taken), ...thin]);
   for (const [n, pin] of there.entries()) {
     pin.side = found[n];
     pin.text.setAttribute("x", pin.side[0].toFixed(1));
@@ -263,7 +267,10 @@ function moveLink(made, there, screen, faulty) {
   made.number.style.display = places.length > 1 ? "" : "none";
 }
 
-function moveGuide({ joint, group, line: guide, hatch, block, holder }, screen) {
+/** Moves a guide and its block, and keeps in `taken` what they cover, for the names. */
+function moveGuide(made, screen) {
+  const { joint, group, line: guide, hatch, block, holder } = made;
+  made.taken = [];
   const columns = state.look?.frames?.lines?.[joint.name];
   const point = screen(joint.point);
   const direction = columns ? at(columns[2]) : null;
@@ -281,12 +288,17 @@ function moveGuide({ joint, group, line: guide, hatch, block, holder }, screen) 
   const to = Math.max(onGround ? 60 : s, s + 30, ...reached);
   const spot = (distance, across = 0) => [start[0] + along[0] * distance - along[1] * across, start[1] + along[1] * distance + along[0] * across];
   if (joint.cylinder) return placeBlock(holder, block, joint, point, direction);
-  const width = onGround ? 11 : 8;
+  const width = onGround ? 11 : SLOT;
   const both = [spot(from, width), spot(to, width), spot(from, -width), spot(to, -width)];
-  guide.setAttribute("d", onGround && joint.kind === "prismatic" ? line(both.slice(0, 2)) : line(both.slice(0, 2)) + line(both.slice(2)));
+  const oneSided = onGround && joint.kind === "prismatic";
+  guide.setAttribute("d", oneSided ? line(both.slice(0, 2)) : line(both.slice(0, 2)) + line(both.slice(2)));
   let marks = "";
-  if (onGround) for (let d = from + 4; d < to; d += 9) marks += line([spot(d, width), spot(d - 5, width + 6)]);
+  if (onGround) for (let d = from + 4; d < to; d += 9) marks += line([spot(d, width), spot(d - 5, width + HATCHED)]);
   hatch.setAttribute("d", marks);
+  const [least, most] = [oneSided ? width : -width, onGround ? width + HATCHED : width];
+  const [length, height] = BLOCKS[joint.kind];
+  made.taken.push({ corners: [from, to].map((end) => spot(end, (least + most) / 2)), half: (most - least) / 2 });
+  made.taken.push({ corners: [spot(s - length / 2), spot(s + length / 2)], half: height / 2 });
   placeBlock(holder, block, joint, point, direction);
 }
 
@@ -294,8 +306,8 @@ function moveGuide({ joint, group, line: guide, hatch, block, holder }, screen) 
 function placeBlock(holder, block, joint, point, direction) {
   const degrees = (-direction * 180) / Math.PI;
   holder.setAttribute("transform", `translate(${point[0].toFixed(2)},${point[1].toFixed(2)}) rotate(${degrees.toFixed(2)})`);
-  const slot = joint.kind === "pin-slot";
-  for (const [key, value] of Object.entries({ width: slot ? 18 : 34, x: slot ? -9 : -17, height: slot ? 16 : 22, y: slot ? -8 : -11 })) {
+  const [width, height] = BLOCKS[joint.kind];
+  for (const [key, value] of Object.entries({ width, x: -width / 2, height, y: -height / 2 })) {
     block.setAttribute(key, value);
   }
   block.classList.toggle("chosen", state.chosen?.kind === "joint" && state.chosen.name === joint.name);

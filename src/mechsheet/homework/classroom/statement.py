@@ -60,17 +60,23 @@ class Statement:
         for dim in self.mechanism.dimensions:
             found = self.mechanism.synthesis is not None and not dim.written and not dim.path
             if found or (isinstance(dim.value, float) and (not dim.path or dim.symbol in self.needed)):
-                known = dim.path[:1] not in ((), ("synthesis",)) and "center" not in dim.path
-                label = given_words(self.compiled.mechanism, self.language, dim) if known else ""
-                number = round(float(dim.unit.to_shown(values[dim.symbol])), 10)
-                yield dim, number, dim.label.of(self.language) if dim.label is not None else label
+                yield dim, round(float(dim.unit.to_shown(values[dim.symbol])), 10), self._label(dim)
 
     def derived(self) -> Iterator[Rich]:
-        """What follows from the dimensions: `rod = track - 2*arm*sin(beta)`."""
+        """What follows from the dimensions: `rod = track - 2*arm*sin(beta)`; of speeds, masses and loads that are given by
+        them those that the asked quantities follow from."""
         for dim in self.mechanism.dimensions:
-            if not isinstance(dim.value, float) and not dim.path and dim.written:
+            told = dim.symbol in self.needed and dim.path[0] != "synthesis" if dim.path else bool(dim.written)
+            if told and not isinstance(dim.value, float):
                 unit = self.mechanism.shown(dim.unit).symbol
-                yield self._defined(dim.symbol, unit, dim.value, dim.label.of(self.language) if dim.label else "")
+                yield self._defined(dim.symbol, unit, dim.value, self._label(dim))
+
+    def _label(self, dim: Dimension) -> str:
+        """What a dimension is called."""
+        if dim.label is not None:
+            return dim.label.of(self.language)
+        known = dim.path[:1] not in ((), ("synthesis",)) and "center" not in dim.path
+        return given_words(self.mechanism, self.language, dim) if known else ""
 
     def links(self) -> Iterator[Rich]:
         """Each link: its number and name, its points."""

@@ -17,7 +17,6 @@ from mechsheet.homework.agreement import (
     agrees,
     gaps,
     likely,
-    nearest_unit,
     otherwise,
     reading_of,
     units_of,
@@ -450,12 +449,12 @@ def first_difference(
     column, truth = sheet.column(series), sheet.found.truth
     if symbol not in truth.columns:
         span = span_of(truth, symbol)
-        wanted = span.rows / _unit(sheet, column, replace(span.quantity, values=np.array([span.rows])))
+        wanted = span.rows / sheet.found.meant_unit(column, replace(span.quantity, values=np.array([span.rows])))
         row = 0
     else:
         quantity = truth.quantity(symbol)
         reading = mended[1] if mended else mostly(sheet, truth, symbol, series)
-        reading = reading or Reading(_unit(sheet, column, quantity))
+        reading = reading or Reading(sheet.found.meant_unit(column, quantity))
         gap = reading.of(column) - quantity.values
         gap = wrapped(gap) if quantity.kind == "angle" else gap
         rows = np.flatnonzero(~(np.abs(gap) <= sheet.found.allowed(quantity)) & np.isfinite(quantity.values))
@@ -468,11 +467,6 @@ def first_difference(
     if mended is not None:
         wanted = float(series.column(mended[0].found.work)[row])
     return Suspect(strip, series.places()[row], float(column[row]), wanted, symbol)
-
-
-def _unit(sheet: Sheet, column: Array, quantity: Quantity) -> float:
-    """The unit in which a column that is wrong is meant: of lengths that of the dimensions."""
-    return sheet.found.length_unit if quantity.kind == "length" else nearest_unit(column, quantity)
 
 
 def many(sheet: Sheet, results: Mapping[str, Finding], effort: Effort) -> tuple[list[Mend], Sheet, dict[str, Finding]]:

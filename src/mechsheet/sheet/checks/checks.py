@@ -141,6 +141,8 @@ class Checks:
             RangeRef(CellRef(row, cols[0], True, True, self.title), CellRef(row, cols[-1], True, True, self.title))
             for row in (self.most_row, self.at_row)
         )
+        if len(cols) == 1:  # gnumeric finds nothing by INDEX in a single cell
+            return places.start
         return formula("INDEX(places,MATCH(worst,most,0))", places=places, worst=self.worst(kind), most=most)
 
 

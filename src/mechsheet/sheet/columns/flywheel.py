@@ -19,6 +19,9 @@ from mechsheet.words.equations import phrase
 MEAN = "mean torque"
 """The symbol of the mean, which stands in a line of the first sheet."""
 
+MEAN_NEEDS = ("forces", "extremes")
+"""Keys of the sheets without which the mean is empty: of the torque, and of what says whether the rows are whole turns."""
+
 
 def with_energy(mechanism: Mechanism, equations: Assignments) -> Assignments:
     """The equations, with the flywheel's column where the description has one."""
@@ -34,8 +37,9 @@ def with_energy(mechanism: Mechanism, equations: Assignments) -> Assignments:
 
     unit = Unit("moment", energy_unit(mechanism.dynamics, mechanism.length_unit))
     mean = Symbol(MEAN)
-    # nothing is stored in the first row, above which are texts; 0 times the mean says where there is none
-    first = formula("0*mean", mean=mean)
+    # nothing is stored in the first row, above which are texts; 0 times the mean says where there is none, which is an
+    # empty text once a sheet that it needs was deleted
+    first = formula("IFERROR(0*mean,NA())", mean=mean)
     own = formula("N(energy)+IFERROR(step,first)", energy=Previous(ENERGY), step=step(mean), first=first)
     says = formula("energy+step", energy=Previous(ENERGY), step=step(Symbol("T_m")))
     column = Assignment(ENERGY, own, says, "force", unit, phrase("flywheel_energy"), 0, first)

@@ -20,6 +20,7 @@ from mechsheet.model import (
     CONTACT,
     LAWS_THAT_LEAP,
     TAU,
+    Cam,
     FurtherDriver,
     Mechanism,
     Segment,
@@ -30,7 +31,6 @@ from mechsheet.model import (
 from mechsheet.sheet.findings.finding import Finding, Level, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
-from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.shown import shown_unit, unit_of_column
 from mechsheet.sheet.symbols import rich
@@ -79,15 +79,17 @@ class PressureAngle(Finding):
     key, placed, by_rows = "pressure_angle", True, True
     needs = ("rates",)
 
+    def __init__(self, cam: Cam) -> None:
+        self.cam = cam
+
     def line(self, on: Reading) -> Line:
         value = on.value(self.key)
         largest, place = on.largest_size(self.key, "alpha")
-        cam, unit = on.plan.mechanism.cam, on.plan.mechanism.angle_unit
+        unit, usual = on.plan.mechanism.angle_unit, al.as_node(self.cam.pressure_angle)
         shown = "DEGREES(x)" if unit.in_degrees else "x"
-        usual = al.as_node(cam.pressure_angle if cam else 0.0)
         known = Symbol(SHOWN + usual.name) if isinstance(usual, Symbol) else formula(shown, x=usual)
         limit = on.plan.at.bind(known, on.plan.main)
-        much = on.text(f"{self.key}.much") + ("" if cam and cam.offset is not None else on.text("cam.study"))
+        much = on.text(f"{self.key}.much") + ("" if self.cam.offset is not None else on.text("cam.study"))
         words = formula("IF(value>limit,much,fine)&doubt", value=value, limit=limit, much=much,
                         fine=on.text(f"{self.key}.fine"), doubt=_doubt(on, "alpha", "max", "min"))  # fmt: skip
         return Line(
@@ -101,8 +103,7 @@ class PressureAngle(Finding):
             return {}
         low, at_low, high, at_high = found
         most, place = (abs(high), at_high) if abs(high) >= abs(low) else (abs(low), at_low)
-        cam, scale = motion.plan.mechanism.cam, motion.angle_scale
-        limit = _number(motion, cam.pressure_angle if cam else 0.0)
+        scale, limit = motion.angle_scale, _number(motion, self.cam.pressure_angle)
         words = _either(motion, most, limit, f"{self.key}.fine", f"{self.key}.much")
         return {self.key: Expected([most * scale], allowed * scale, words=words)} | motion.where(
             self.key, place, lambda rows: most - np.abs(motion.search.known(rows)["alpha"]), allowed
@@ -118,17 +119,20 @@ class LeastRadius(Finding):
     key, placed, by_rows = "least_rho", True, True
     needs = ("rates",)
 
+    def __init__(self, cam: Cam) -> None:
+        self.cam = cam
+
     def line(self, on: Reading) -> Line:
-        plan, value, cam = on.plan, on.value(self.key), on.plan.mechanism.cam
+        plan, value, cam = on.plan, on.value(self.key), self.cam
         fine: Node = Text(on.text(f"{self.key}.fine"))
-        undercut: Node = Text(on.text(f"{self.key}.undercut"))
-        if cam is None or cam.radius is None:
+        what_would_do: Node = Text(on.text("cam.study"))
+        if cam.radius is None:
             doubt = _doubt(on, "rho", "min")
             least, place = on.extreme("min", "rho")
-            if cam is not None and not plan.mechanism.drivers[0].link:  # rho grows as the base circle does
+            if not plan.mechanism.drivers[0].link:  # rho grows as the base circle does
                 radius = plan.at.bind(al.as_node(cam.base_radius), plan.main)
                 needed = formula("ROUNDUP(radius-value,3)", radius=radius, value=value)
-                undercut = joined(undercut, on.text(f"{self.key}.needed"), " ", needed)
+                what_would_do = joined(on.text(f"{self.key}.needed"), " ", needed)
         else:
             doubt = _doubt(on, "kappa", "max")
             bent, place = on.extreme("max", "kappa")
@@ -138,8 +142,7 @@ class LeastRadius(Finding):
             cutter = formula("ROUNDDOWN(roller-1/hollow,2)", roller=roller, hollow=hollow)
             concave = joined(on.text(f"{self.key}.concave"), " ", cutter)
             fine = joined(fine, formula('IF(hollow<0,concave,"")', hollow=hollow, concave=concave))
-        if cam is None or cam.radius is not None or plan.mechanism.drivers[0].link:
-            undercut = joined(undercut, on.text("cam.study"))
+        undercut = joined(on.text(f"{self.key}.undercut"), what_would_do)
         words = formula("IF(IFERROR(value<=0,FALSE),undercut,fine)&doubt", value=value, fine=fine, undercut=undercut,
                         doubt=doubt)  # fmt: skip
         return Line(
@@ -149,8 +152,7 @@ class LeastRadius(Finding):
         )  # fmt: skip
 
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
-        cam = motion.plan.mechanism.cam
-        face = cam is None or cam.radius is None
+        face = self.cam.radius is None
         symbol = "rho" if face else "kappa"
         found, allowed = _extremes(motion, self.key, symbol)
         if found is None:
@@ -160,7 +162,7 @@ class LeastRadius(Finding):
         if not face:
             if best <= 0:
                 return {self.key: Expected([])}
-            roller = _number(motion, cam.radius if cam and cam.radius else 0.0)
+            roller = _number(motion, self.cam.radius or 0.0)
             least, missed = 1 / best - roller, allowed / best**2
         words = _either(motion, least, 0.0, f"{self.key}.undercut", f"{self.key}.fine", missed)
         return {self.key: Expected([least], missed, words=words)} | motion.where(
@@ -199,16 +201,18 @@ class FaceLength(Finding):
     key, by_rows = "face_length", True
     needs = ("rates",)
 
+    def __init__(self, cam: Cam) -> None:
+        self.cam = cam
+
     def line(self, on: Reading) -> Line:
-        plan, point = on.plan, there(on.plan.mechanism.cam).point
-        (most, _), (least, _) = (on.extreme(way, "contact") for way in WAYS_OF_FACE)
-        before, between, after = on.text(self.key, least="#", most="#", point=point).split("#")
-        places = (formula("ROUND(place,2)", place=place) for place in (least, most))
-        words = joined(before, next(places), between, next(places), after)
+        plan = on.plan
+        (most, _), (least, _) = on.extreme("max", "contact"), on.extreme("min", "contact")
+        before, between, after = on.text(self.key, least="#", most="#", point=self.cam.point).split("#")
+        low, high = formula("ROUND(least,2)", least=least), formula("ROUND(most,2)", most=most)
+        words = joined(before, low, between, high, after, _doubt(on, "contact", "max", "min"))
         return Line(
-            on.text(f"{self.key}.symbol"), formula("most-least", most=most, least=least),
-            on.where_it_closes(joined(words, _doubt(on, "contact", *WAYS_OF_FACE))), plan.mechanism.length_unit,
-            decimals_of_kind(plan, "length"),
+            on.text(f"{self.key}.symbol"), formula("most-least", most=most, least=least), on.where_it_closes(words),
+            plan.mechanism.length_unit, decimals_of_kind(plan, "length"),
         )  # fmt: skip
 
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
@@ -216,20 +220,14 @@ class FaceLength(Finding):
         return {} if found is None else {self.key: Expected([found[2] - found[0]], 2 * allowed)}
 
 
-WAYS_OF_FACE: tuple[Way, Way] = ("max", "min")
-
-
-def profile_findings(mechanism: Mechanism) -> Iterator[Finding]:
-    """How the cam presses, and whether its profile can be made."""
-    cam = mechanism.cam
-    if cam is None:
-        return
-    yield PressureAngle()
+def profile_findings(cam: Cam) -> Iterator[Finding]:
+    """How a cam presses, and whether its profile can be made."""
+    yield PressureAngle(cam)
     if cam.offset is not None:
         yield NeededBase()
-    yield LeastRadius()
+    yield LeastRadius(cam)
     if cam.radius is None:
-        yield FaceLength()
+        yield FaceLength(cam)
 
 
 class ContactForce(Finding):

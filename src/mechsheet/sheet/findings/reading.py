@@ -20,6 +20,9 @@ from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import behind_number
 
+ALIKE = 1e-6
+"""Two angles that differ by no more are one but for rounding, which no two programs and layouts do alike."""
+
 
 class Reading(ABC):
     """What every layout has. A page has neither a search nor checks: who is said `by_rows` asks for none.
@@ -157,10 +160,15 @@ class Reading(ABC):
     def column_extreme(self, way: Way, symbol: str) -> Node:
         """The smallest or the largest value of a quantity, as its column has it."""
 
+    def occurs_at_least(self, symbol: str, smallest: Node, least: Node) -> Node:
+        """The driver's value where what follows from a quantity is `least`. That is the smaller of two: `smallest`, where
+        the quantity is smallest, which is taken where the other is as small, and where it is largest."""
+        there = formula("smallest<=least+alike", smallest=smallest, least=least, alike=ALIKE)
+        return self.place_of_extreme(symbol, there)
+
     @abstractmethod
-    def occurs_at_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
-        """The driver's value where what follows from a quantity is least, which the finding's cell shows. It is the smaller
-        of two, `folded`: where the quantity is smallest, and where it is largest."""
+    def place_of_extreme(self, symbol: str, smallest: Node) -> Node:
+        """The driver's value at the smallest value of a quantity where `smallest` is true, else at the largest."""
 
     def largest_size(self, finding: str, symbol: str) -> tuple[Node, Node]:
         """The largest size of a quantity of either sign, as people read it, which the finding's cell shows; and where it
@@ -233,9 +241,9 @@ class SheetReading(Reading):
     def column_extreme(self, way: Way, symbol: str) -> Node:
         return self.found.extremes[way, symbol].value.cell
 
-    def occurs_at_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
+    def place_of_extreme(self, symbol: str, smallest: Node) -> Node:
         low, high = (self.found.extremes[way, symbol].occurs.cell for way in ("min", "max"))
-        return formula("IF(one<=other+1E-6,place,elsewhere)", one=folded[0], other=folded[1], place=low, elsewhere=high)
+        return formula("IF(smallest,low,high)", smallest=smallest, low=low, high=high)
 
     def where_known(self, value: Node) -> Node:
         return formula("IFERROR(value,NA())", value=value)

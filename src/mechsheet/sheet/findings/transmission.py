@@ -45,13 +45,14 @@ class Transmission(Finding):
         right, straight = (Number(90.0), Number(180.0)) if shown else (RIGHT, STRAIGHT)
         folded = acute(low, high, group.kind != "RRR", right, straight)
         poor = formula("value<limit", value=value, limit=poor_limit(plan.mechanism))
-        place = on.occurs_at_least(self.key, group.transmission, folded)
+        converted = unit.in_degrees and not shown
+        place = on.occurs_at_least(group.transmission, folded[0], folded[1] if converted else value)
         said = worst_words(plan, value, on.beside(self.key, place), poor, on.of_rows_only)
         column = Symbol(ALL + group.transmission)
         in_rows = acute(over_rows(LEAST, column), over_rows(MOST, column), group.kind != "RRR")
         least = on.while_there("extremes", Call("MIN", folded), Call("MIN", in_rows))
         said = on.while_there("extremes", joined(said, on.about(group.transmission)), worst_of_rows(plan, value, poor))
-        if unit.in_degrees and not shown:
+        if converted:
             least = formula("DEGREES(least)", least=least)
         return Line(
             f"μ{group.number}", on.where_known(least), formula('IFERROR(said,"")', said=said), unit.text,

@@ -117,13 +117,10 @@ class PageReading(Reading):
     def driver_in_row(self, row: str, **holes: Node) -> Node:
         return formula(f'IFERROR(INDEX(drivers,{row}),"")', drivers=self.drivers, **holes)
 
-    def occurs_at_least(self, finding: str, symbol: str, folded: tuple[Node, Node]) -> Node:
+    def place_of_extreme(self, symbol: str, smallest: Node) -> Node:
         low, high = (self.column_extreme(way, symbol) for way in ("min", "max"))
-        row = "MATCH(IF(cell=other,high,low),column,0)"
-        if folded[0] == low:  # the cell itself is in the column, or what is missing to a straight angle
-            row = "IFERROR(MATCH(cell,column,0),MATCH(high,column,0))"
-        return formula(f"INDEX(drivers,{row})", drivers=self.drivers, cell=self.value(finding), other=folded[1], high=high,
-                       low=low, column=self.column(symbol))  # fmt: skip
+        return formula("INDEX(drivers,MATCH(IF(smallest,low,high),column,0))", drivers=self.drivers, smallest=smallest,
+                       low=low, high=high, column=self.column(symbol))  # fmt: skip
 
     def largest_size(self, finding: str, symbol: str) -> tuple[Node, Node]:
         size, place = super().largest_size(finding, symbol)
