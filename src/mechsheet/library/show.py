@@ -38,11 +38,11 @@ from mechsheet.words.messages import text_in
 def overview_text(mechanism: Mechanism) -> str:
     """Links, mobility, groups with their modes, what the sketch left open, and what the first sheet says of it all."""
     compiled = told(mechanism)
-    equations = compiled.equations
+    equations, degrees = compiled.equations, mobility(graph_of(mechanism))
     lines = [
         mechanism.title.of(mechanism.language),
         say("links: {names}", names=", ".join(f"{link.number} {link.name}" for link in mechanism.links)),
-        say("mobility {count}, driver {symbols}", count=mobility(graph_of(mechanism)), symbols=_all(mechanism.driven_symbols)),
+        say("mobility {count}, driver {symbols}", count=degrees, symbols=_all(mechanism.driven_symbols)),
     ]
     lines += [_tie(mechanism, relation) for relation in mechanism.relations]
     lines += [
@@ -96,7 +96,7 @@ def _group(group: Group) -> list[str]:
     ]  # fmt: skip
 
 
-def _columns(equations: Equations) -> list[str]:
+def _columns(equations: Equations) -> Sequence[str]:
     """The columns by what they are."""
     of_role = {role: [one.symbol for one in equations.columns if one.role == role] for role in ("variable", "rate")}
     lines = [say("variables: {symbols}", symbols=", ".join(of_role["variable"]))]
