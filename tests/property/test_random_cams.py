@@ -65,7 +65,9 @@ def meetings(mechanism, dimensions):
     motion = next(driver.segments for driver in mechanism.drivers if driver.segments)
     marks = [0.0, 2 * np.pi]
     for law, begins, over in ((p.law, p.begins, p.over) for p in motion.parts):
-        parts = np.array([0, 1, 3, 4, 5, 7] if law.startswith("modified") else [0, 4] if law == "parabolic" else [0]) / 8
+        parts = (
+            np.array([0, 1, 3, 4, 5, 7] if law.startswith("modified") else [0, 4] if law == "parabolic" else [0]) / 8
+        )
         marks += [*(number(begins, dimensions) + number(over, dimensions) * parts)]
     return np.array(marks)
 

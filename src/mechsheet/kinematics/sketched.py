@@ -94,7 +94,12 @@ def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
         if mechanism.before is None or not any(group.system for group in equations.groups):
             return ()
         return tuple(assembly_doubts(mechanism.before, mechanism, equations))
-    return (*_left_out(mechanism), *_sketched(mechanism, equations), *inertia_doubts(mechanism), *sweep_doubts(mechanism))
+    return (
+        *_left_out(mechanism),
+        *_sketched(mechanism, equations),
+        *inertia_doubts(mechanism),
+        *sweep_doubts(mechanism),
+    )
 
 
 def _left_out(mechanism: Mechanism) -> list[Fault]:

@@ -86,7 +86,9 @@ def _group(group: Group) -> list[str]:
             "group {number} {kind}: {links}  {mode} = {value} of {count}, by Newton's method",
             **shown, mode=group.mode, value=group.mode_value, count=len(group.assemblies),
         )  # fmt: skip
-        assemblies = [say("  {number}: {words}", number=number, words=one) for number, one in enumerate(group.assemblies, 1)]
+        assemblies = [
+            say("  {number}: {words}", number=number, words=one) for number, one in enumerate(group.assemblies, 1)
+        ]
         return [line, *assemblies, say("  {passes} passes a row", passes=group.system.passes)]
     if not group.mode:
         return [say("group {number} {kind}: {links}", **shown)]
