@@ -127,7 +127,7 @@ def test_listed_positions_count_alike():
 @pytest.mark.slow
 def test_two_means_of_one_sheet_agree():
     """The flywheel's mean torque and the summary's."""
-    text = template_text("four-bar-forces").replace("acceleration = -40", "")
+    text = template_text("four-bar-forces").replace('acceleration = { value = -40, unit = "rad/s^2" }', "")
     laid = Laid(text + "[flywheel]\nfluctuation = 0.02\n")
     wheel = laid.values.get(laid.plan.main, laid.plan.blocks["verdicts"].rows["mean_torque"], VALUE)
     assert laid.spot("summary mean") == pytest.approx(wheel, rel=1e-12)
