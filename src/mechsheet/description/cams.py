@@ -84,7 +84,7 @@ def read(
     start = None
     if isinstance(driver, dict) and "start" not in driver:
         start, offset = _Start(cam, driver, links, joints, scope).found()
-        cam = replace(cam, offset=offset)
+        cam = replace(cam, decides_start=start is not None, offset=offset)
     return ReadCam(cam, tuple(cells), start)
 
 

@@ -19,6 +19,7 @@ from livesheet import portable
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import DescriptionWarning
+from mechsheet.kinematics.base_circle import base_circle_doubts
 from mechsheet.kinematics.build_equations import write_equations
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values
@@ -99,6 +100,7 @@ def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
         *_sketched(mechanism, equations),
         *inertia_doubts(mechanism),
         *sweep_doubts(mechanism),
+        *base_circle_doubts(mechanism, equations),
     )
 
 

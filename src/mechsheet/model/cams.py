@@ -70,7 +70,8 @@ class Cam:
     pressure_angle  up to which followers are said to run well [rad]
     radius       of the roller; None for a flat face
     follower     the link with the face, "" for a roller;  face: direction of the face against its x axis [rad]
-    offset       by how much a roller's slide passes the centre, where the base circle decides where it starts; else None
+    decides_start  whether the base circle says where the follower starts
+    offset       by how much a roller's slide passes the centre, where the base circle decides its start; else None
     """
 
     link: str
@@ -82,6 +83,7 @@ class Cam:
     radius: Quantity | None = None
     follower: str = ""
     face: Quantity = 0.0
+    decides_start: bool = False
     offset: Quantity | None = None
 
     @property

@@ -94,6 +94,17 @@ def test_where_no_closed_form_says_what_would_do_a_study_is_named():
 
 
 @pytest.mark.slow
+def test_a_base_circle_that_decides_nothing_is_not_advised():
+    """Where a face's start is written out another base circle moves nothing."""
+    flat = load(TEMPLATES / "cam-flat.toml", Overrides({"rb": "2"}))
+    assert line(flat, "least_rho")[1].startswith("undercut: it cannot be made: a base circle of at least")
+    text = flat.text.replace("[driver]\n", "[driver]\nstart = 2\n")
+    assert (
+        line(loads(text, overrides=Overrides({"rb": "2"})), "least_rho")[1] == "undercut: it cannot be made; see study"
+    )
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 def test_how_long_a_face_must_be(layout):
     """A slide is touched s' beside its axis: a cycloidal rise by h over b is up to 2 h/b away."""

@@ -129,7 +129,7 @@ class LeastRadius(Finding):
         if cam.radius is None:
             doubt = _doubt(on, "rho", "min")
             least, place = on.extreme("min", "rho")
-            if not plan.mechanism.drivers[0].link:  # rho grows as the base circle does
+            if cam.decides_start and not plan.mechanism.drivers[0].link:  # rho grows as the base circle does
                 radius = plan.at.bind(al.as_node(cam.base_radius), plan.main)
                 needed = formula("ROUNDUP(radius-value,3)", radius=radius, value=value)
                 what_would_do = joined(on.text(f"{self.key}.needed"), " ", needed)

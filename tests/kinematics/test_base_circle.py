@@ -1,0 +1,49 @@
+"""A base circle that is not the one at which a follower starts is said to be another one."""
+
+import pytest
+
+from mechsheet.description import loads
+from mechsheet.description.templates import template_text
+from mechsheet.kinematics.base_circle import base_circle_doubts
+from mechsheet.kinematics.solve import solve
+
+SLIDE = """
+format = 1
+mechanism.name = "slide"
+links.ground.points = { O = [0, 0] }
+links.tappet.points = { F = [0, 0] }
+joints = [{ type = "prismatic", link = "tappet", on = "ground", point = "F", through = [5, 0], angle = 90, symbol = "s" }]
+driver = { joint = "s", step = 5, START segments = [{ law = "3-4-5", over = 90, by = 12 }, LATER] }
+cam = { center = "O", base_radius = 35, roller = { point = "F", radius = 8 } }
+"""
+BACK = '{ law = "3-4-5", over = 90, to = 0 }, { law = "dwell" }'
+BELOW = '{ law = "3-4-5", over = 90, by = -20 }, { law = "cycloidal", to = 0 }'
+
+
+def said(start, later=BACK):
+    mechanism = loads(SLIDE.replace("START", start).replace("LATER", later))
+    return list(base_circle_doubts(mechanism, solve(mechanism)))
+
+
+@pytest.mark.parametrize("start", ["", "start = 42.71,", 'start = "sqrt(43^2 - 5^2)",'])
+def test_a_start_on_the_base_circle_is_not_doubted(start):
+    assert said(start) == []
+
+
+@pytest.mark.parametrize(("start", "near"), [(60, 52.2080), (40, 32.3113)])
+def test_a_start_elsewhere_is(start, near):
+    (fault,) = said(f"start = {start},")
+    assert fault.key == "cam.base_radius"
+    assert f"as near to its centre as {near:g}" in str(fault.message)
+    assert "`start`" in str(fault.hint)
+
+
+def test_a_motion_that_goes_below_its_start_is():
+    (fault,) = said("", BELOW)
+    assert "lowest" in str(fault.hint)
+
+
+@pytest.mark.parametrize("name", ["cam-slide", "cam-flat", "cam-rocker", "cam-linkage", "cam-valve"])
+def test_templates_are_not_doubted(name):
+    mechanism = loads(template_text(name))
+    assert list(base_circle_doubts(mechanism, solve(mechanism))) == []
