@@ -14,7 +14,7 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.reference.expressions import number
-from random_cams import ALL_LAWS, KINDS, SMOOTH, cam, loaded
+from random_cams import ALL_LAWS, KINDS, cam, loaded
 
 CASES = part(range(300), 12)
 ROWS = 5
