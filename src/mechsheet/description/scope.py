@@ -22,6 +22,8 @@ from mechsheet.description.kinds import (
     LENGTH,
     is_number_of_degrees,
     kind_of,
+    length_as_angle,
+    length_for_angle,
     meant_in_degrees,
     plain_unit,
 )
@@ -180,9 +182,12 @@ class Scope:
     # ---- expressions
 
     def parse(self, text: str, path: Path) -> Node | None:
-        """The tree of an expression, which computes in radians; None when it does not parse, or was meant in degrees."""
+        """The tree of an expression, which computes in radians; None when it does not parse, or takes degrees or a length
+        for an angle."""
         tree = self._parsed(text, path)
-        slip = None if tree is None else meant_in_degrees(tree, self.kinds)
+        if tree is None:
+            return None
+        slip = meant_in_degrees(tree, self.kinds) or self._length_for_angle(tree)
         if slip is None:
             return tree
         message, hint = slip
@@ -265,10 +270,13 @@ class Scope:
             message = say("{text} is in {unit} where {needed} is needed", text=quoted(text), unit=label, needed=needed)
             self.report.at(path, message)
             return False
-        if ANY in (kind, wanted) or kind == wanted:
+        length = length_as_angle(tree, self.kinds) if wanted == ANGLE else None
+        if length is None and (ANY in (kind, wanted) or kind == wanted):
             return True
         hint = say("expressions compute in radians: leave degrees() out") if kind == DEGREES and wanted == ANGLE else ""
         hint = instead if kind in (ANGLE, LENGTH) else hint
+        if length is not None:
+            kind, hint = LENGTH, hint or self._as_angle(length)
         is_now = say("an angle") if kind == ANGLE else say(f"a {kind}")
         self.report.at(
             path,
@@ -281,6 +289,21 @@ class Scope:
             hint,
         )
         return False
+
+    def _length_for_angle(self, tree: Node) -> tuple[Said, Said] | None:
+        """What is wrong with an expression that takes a length for an angle, and what to write; None where nothing is."""
+        found = length_for_angle(tree, self.kinds)
+        return (found[1], self._as_angle(found[0])) if found else None
+
+    def _as_angle(self, length: Node) -> Said:
+        """What to write for a length that stands for an angle; its unit was forgotten, as a rule."""
+        name = length.name if isinstance(length, Symbol) else ""
+        if name in self.inputs and name in self.numbers:
+            new = f'{name} = {{ value = {self.numbers[name]:.15g}, unit = "deg" }}'
+            return say("if it is an angle, write {new}", new=new)
+        if name in self.units:
+            return say('if {name} is an angle, give it unit = "deg"', name=quoted(name))
+        return say('a length over a length makes an angle: an arc over its radius, "s/r"')
 
     def is_in_radians(self, tree: Node, text: str, unit: Unit, path: Path) -> bool:
         """True unless an angle that people type in degrees is numbers alone, "30": these would be radians."""
