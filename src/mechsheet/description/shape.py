@@ -31,7 +31,7 @@ from mechsheet.description.kinds import plain_unit
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, alternatives, found, listed, suggestion
 from mechsheet.description.schema import MEANT, REASONS, TAKES_MEANT
-from mechsheet.description.text.index import Path
+from mechsheet.description.text.index import Path, key_text
 from mechsheet.description.text.measured import LARGEST, SMALLEST, measured
 from mechsheet.description.text.numbers import typed_number, with_points
 from mechsheet.words.catalogue import ENGLISH, LANGUAGES
@@ -136,9 +136,21 @@ def _type_hint(value: Any, shape: Shape, path: Path) -> str:
             return say('a derived dimension is written { formula = "…" }')
         case Table(keys) if isinstance(value, str) and "formula" in keys:
             return say('write { formula = "…" }')
+        case Named(Number()) if isinstance(value, str | list):
+            return say("write {key} = {{ {name} = 1 }}", key=path[-1], name=_first_name(value))
+        case Named(Items(Number(), note=note)) if isinstance(value, str | list):
+            return say(
+                "write {key} = {{ {name} = [{numbers}] }}", key=path[-1], name=_first_name(value), numbers=say(note)
+            )
         case Named(_, what) if isinstance(value, list):
             return say("write one heading for each {what}: [{key}.name]", what=say(what), key=path[-1])
     return ""
+
+
+def _first_name(value: str | list[Any]) -> str:
+    """The first key of a table for somebody who has listed its keys only."""
+    names = [one for one in ([value] if isinstance(value, str) else value) if isinstance(one, str)]
+    return key_text(names[0]) if names else "…"
 
 
 def _wants_number(shape: Shape) -> bool:
