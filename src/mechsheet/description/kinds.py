@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, walk
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, symbols, walk
 from livesheet.said import Said, say
 from mechsheet.units import Unit
 
@@ -87,7 +87,7 @@ def _common(*kinds: str) -> str:
 
 _TAKE_ANGLES = frozenset(("SIN", "COS", "TAN"))
 
-_ADVICE = "write radians({number}) for so many degrees"
+_ADVICE = "write radians({number}) for {number} degrees"
 
 
 def meant_in_degrees(node: Node, kinds: Mapping[str, str]) -> tuple[Said, Said] | None:
@@ -139,6 +139,40 @@ def _plain(node: Node) -> float | None:
 def _in_radians(node: Node) -> tuple[Said, Said]:
     number = f"{_plain(node):g}"
     return say("{number} would be radians, as angles in expressions are", number=number), say(_ADVICE, number=number)
+
+
+_TWO = (2.0, 0.5)
+"""Twice a length and half of one are lengths to everybody; x/50 may be an arc over its radius."""
+
+
+def length_as_angle(node: Node, kinds: Mapping[str, str]) -> Node | None:
+    """The length in an expression that stands where an angle is needed: a length itself, or one beside a plain constant."""
+    match node:
+        case Unary(_, operand):
+            return length_as_angle(operand, kinds)
+        case Binary("+" | "-", left, right) if not symbols(left) or not symbols(right):
+            return length_as_angle(left if symbols(left) else right, kinds)
+        case Binary("*", Number(number), other) | Binary("*" | "/", other, Number(number)) if number in _TWO:
+            return length_as_angle(other, kinds)
+    return node if kind_of(node, kinds, multiples=False) == LENGTH else None
+
+
+def length_for_angle(node: Node, kinds: Mapping[str, str]) -> tuple[Node, Said] | None:
+    """A length that an expression takes for an angle, and where it does so; None where there is none."""
+    for part in walk(node):
+        beside: tuple[Node, ...] = ()
+        match part:
+            case Call(name, (arg,)) if name in (*_TAKE_ANGLES, "RADIANS", "DEGREES"):
+                if length := length_as_angle(arg, kinds):
+                    return length, say("{name}() of a length", name=name.lower())
+            case Binary("+" | "-", left, right):
+                beside = (left, right)
+            case Call(name, args) if name in _KEEP_KIND:
+                beside = args
+        by_kind = {kind_of(each, kinds, multiples=False): each for each in beside}
+        if LENGTH in by_kind and ANGLE in by_kind:
+            return by_kind[LENGTH], say("a length beside an angle")
+    return None
 
 
 def is_number_of_degrees(node: Node) -> bool:

@@ -22,6 +22,8 @@ from mechsheet.description.kinds import (
     LENGTH,
     is_number_of_degrees,
     kind_of,
+    length_as_angle,
+    length_for_angle,
     meant_in_degrees,
     plain_unit,
 )
@@ -106,6 +108,8 @@ class Scope:
     of_rates   names of outputs that read rates
     forces     names of joint forces, of the driver's effort and what else masses and loads bring -> what it is
     force_units  -> what stands behind its numbers
+    slides     name of a sliding joint -> the symbol of its displacement
+    undriven   names of efforts that no driver has -> the link that it would turn, and against which
     charted    columns that follow from all rows together: charts may show them
     centers    G3 of a mass centre that is a point of its link -> that point
     """
@@ -133,6 +137,8 @@ class Scope:
     forces: dict[str, str] = field(default_factory=dict)
     force_units: dict[str, str] = field(default_factory=dict)
     centers: dict[str, str] = field(default_factory=dict)
+    slides: dict[str, str] = field(default_factory=dict)
+    undriven: dict[str, tuple[str, str]] = field(default_factory=dict)
     charted: dict[str, None] = field(default_factory=dict)
     symbols: Space = field(init=False)
     cells: Space = field(init=False)
@@ -177,12 +183,35 @@ class Scope:
         self.cells.claim(name, "cell", place)
         return str(name)
 
+    def meant(self, name: str) -> Said | None:
+        """What to write in place of a name that is none, where that can be said: of a joint its displacement's symbol."""
+        owner, dot, part = name.partition(".")
+        if owner in self.slides:
+            new = self.slides[owner] + dot + part
+            return say(
+                "the joint {joint} slides by {symbol}: write {new}",
+                joint=quoted(owner),
+                symbol=self.slides[owner],
+                new=new,
+            )
+        if name in self.undriven:
+            link, against = self.undriven[name]
+            return say(
+                "it is there where a driver turns {link} against {against}: [[drivers]]",
+                link=quoted(link),
+                against=quoted(against),
+            )
+        return None
+
     # ---- expressions
 
     def parse(self, text: str, path: Path) -> Node | None:
-        """The tree of an expression, which computes in radians; None when it does not parse, or was meant in degrees."""
+        """The tree of an expression, which computes in radians; None when it does not parse, or takes degrees or a length
+        for an angle."""
         tree = self._parsed(text, path)
-        slip = None if tree is None else meant_in_degrees(tree, self.kinds)
+        if tree is None:
+            return None
+        slip = meant_in_degrees(tree, self.kinds) or self._length_for_angle(tree)
         if slip is None:
             return tree
         message, hint = slip
@@ -265,10 +294,13 @@ class Scope:
             message = say("{text} is in {unit} where {needed} is needed", text=quoted(text), unit=label, needed=needed)
             self.report.at(path, message)
             return False
-        if ANY in (kind, wanted) or kind == wanted:
+        length = length_as_angle(tree, self.kinds) if wanted == ANGLE else None
+        if length is None and (ANY in (kind, wanted) or kind == wanted):
             return True
         hint = say("expressions compute in radians: leave degrees() out") if kind == DEGREES and wanted == ANGLE else ""
         hint = instead if kind in (ANGLE, LENGTH) else hint
+        if length is not None:
+            kind, hint = LENGTH, hint or self._as_angle(length)
         is_now = say("an angle") if kind == ANGLE else say(f"a {kind}")
         self.report.at(
             path,
@@ -281,6 +313,21 @@ class Scope:
             hint,
         )
         return False
+
+    def _length_for_angle(self, tree: Node) -> tuple[Said, Said] | None:
+        """What is wrong with an expression that takes a length for an angle, and what to write; None where nothing is."""
+        found = length_for_angle(tree, self.kinds)
+        return (found[1], self._as_angle(found[0])) if found else None
+
+    def _as_angle(self, length: Node) -> Said:
+        """What to write for a length that stands for an angle; its unit was forgotten, as a rule."""
+        name = length.name if isinstance(length, Symbol) else ""
+        if name in self.inputs and name in self.numbers:
+            new = f'{name} = {{ value = {self.numbers[name]:.15g}, unit = "deg" }}'
+            return say("if it is an angle, write {new}", new=new)
+        if name in self.units:
+            return say('if {name} is an angle, give it unit = "deg"', name=quoted(name))
+        return say('a length over a length makes an angle: an arc over its radius, "s/r"')
 
     def is_in_radians(self, tree: Node, text: str, unit: Unit, path: Path) -> bool:
         """True unless an angle that people type in degrees is numbers alone, "30": these would be radians."""

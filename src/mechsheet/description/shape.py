@@ -31,7 +31,7 @@ from mechsheet.description.kinds import plain_unit
 from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, alternatives, found, listed, suggestion
 from mechsheet.description.schema import MEANT, REASONS, TAKES_MEANT
-from mechsheet.description.text.index import Path
+from mechsheet.description.text.index import Path, key_text
 from mechsheet.description.text.measured import LARGEST, SMALLEST, measured
 from mechsheet.description.text.numbers import typed_number, with_points
 from mechsheet.words.catalogue import ENGLISH, LANGUAGES
@@ -128,15 +128,29 @@ def _type_hint(value: Any, shape: Shape, path: Path) -> str:
     match shape:
         case Items(Table() | Kinds()) if isinstance(value, dict):
             return say("write [[{key}]] instead of [{key}]", key=path[-1])
+        case Table() if isinstance(value, list) and path == ("driver",):
+            return say("write [driver] once; what is driven besides stands under [[drivers]]")
         case Items(Text()) if isinstance(value, str):
             return say("write [{value}], with brackets", value=quoted(value))
         case Either((Number(), WithUnit(), Table())) if isinstance(value, str):
             return say('a derived dimension is written { formula = "…" }')
         case Table(keys) if isinstance(value, str) and "formula" in keys:
             return say('write { formula = "…" }')
+        case Named(Number()) if isinstance(value, str | list):
+            return say("write {key} = {{ {name} = 1 }}", key=path[-1], name=_first_name(value))
+        case Named(Items(Number(), note=note)) if isinstance(value, str | list):
+            return say(
+                "write {key} = {{ {name} = [{numbers}] }}", key=path[-1], name=_first_name(value), numbers=say(note)
+            )
         case Named(_, what) if isinstance(value, list):
             return say("write one heading for each {what}: [{key}.name]", what=say(what), key=path[-1])
     return ""
+
+
+def _first_name(value: str | list[Any]) -> str:
+    """The first key of a table for somebody who has listed its keys only."""
+    names = [one for one in ([value] if isinstance(value, str) else value) if isinstance(one, str)]
+    return key_text(names[0]) if names else "…"
 
 
 def _wants_number(shape: Shape) -> bool:
@@ -271,12 +285,12 @@ def _named(value: dict[str, Any], shape: Named, path: Path, report: Report) -> A
 
 def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> Any:
     result = {}
+    refused: dict[tuple[str, str], str] = {}
     for key, item in value.items():
         if key in shape.keys:
             result[key] = fit(item, shape.keys[key].shape, (*path, key), report)
         elif key in shape.later:
-            why, hint = REASONS.get(key, ("it is reserved for a later version", ""))
-            report.at((*path, key), say('"{key}" is not supported yet: {why}', key=key, why=say(why)), say(hint))
+            refused.setdefault(REASONS[key], key)
         else:
             report.at((*path, key), say("unknown key"), suggestion(key, shape.keys, "keys"))
     for key, rule in shape.keys.items():
@@ -285,7 +299,9 @@ def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> A
             hint = say("write {key} = {value} in the first line", key=key, value=only) if only is not None else say("")
             report.at((*path, key), say("is missing: {note}", note=say(rule.note)), hint)
             result[key] = BAD
-    for groups in shape.ways:
+    for (why, instead), key in refused.items():
+        report.at((*path, key), say(why), say(instead))
+    for groups in () if refused else shape.ways:  # what is missing is what should stand in their place
         _one_way(value, groups, path, report)
     return result
 

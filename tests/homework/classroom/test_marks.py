@@ -289,3 +289,25 @@ def test_an_exercise_in_which_nothing_varies_says_so(tmp_path):
     assert "everybody" not in output
     key = json.loads((tmp_path / "other" / "key.json").read_text(encoding="utf-8"))
     assert key["students"][0]["dimensions"] != key["students"][1]["dimensions"]
+
+
+def test_nothing_is_marked_where_a_path_holds_no_workbook(week, tmp_path):
+    """Marks of an earlier hour stay: with a folder misspelled, a whole class would have handed in nothing."""
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "list.csv").write_text("id\n101\n", encoding="utf-8")
+    kept = {name: f"earlier {name}" for name in ("marks.xlsx", "marks.csv", "moodle.csv")}
+    for name, text in kept.items():
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    written = ("-o", tmp_path / "marks.xlsx", "--csv", tmp_path / "marks.csv", "--moodle", tmp_path / "moodle.csv")
+    pages = ("--html", tmp_path / "pages")
+    handed = [week / "week" / "student", *(tmp_path / name for name in ("handde", "lost.xlsx", "empty", "list.csv"))]
+    output = printed("mark", *handed, "--against", week / "week" / "key.json", *written, *pages, code=2)
+    for told in (
+        "handde: there is no such file or folder",
+        "lost.xlsx: there is no such file or folder",
+        "empty: no workbook (.xlsx, ",
+        "list.csv: is no workbook (.xlsx, ",
+    ):
+        assert told in output
+    assert {name: (tmp_path / name).read_text(encoding="utf-8") for name in kept} == kept
+    assert not (tmp_path / "pages").exists()

@@ -11,6 +11,7 @@ from homework.conventions import TASKS
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_names
+from mechsheet.diagnostics import DescriptionError
 from mechsheet.homework.classroom.exercise import exercise
 from mechsheet.homework.classroom.statement import Statement
 from mechsheet.homework.marking_rules import asked_of
@@ -53,6 +54,23 @@ def test_an_output_that_reads_others_is_defined_with_them():
     assert "half [mm] = height/2" in lines
     assert "height [mm] = yB" in lines
     assert not any(line.startswith("other") for line in lines)
+
+
+def test_a_derived_dimension_is_asked_for_as_the_message_says():
+    """Each hint followed to the letter: an output of a length, an angle, a plain number."""
+    text = TASKS["steering"].text.split("[exercise]")[0]
+    text = text.replace(
+        "[links", 'both = { formula = "2*beta", unit = "deg" }\nslim = { formula = "track/arm", unit = "1" }\n[links', 1
+    )
+    names = ("rod", "both", "slim")
+    with pytest.raises(DescriptionError) as caught:
+        loads(f"{text}[exercise]\nasked = {{ {', '.join(f'{name} = 1' for name in names)} }}\n", "own")
+    hints = [fault.hint.removeprefix("write ").split(" in [outputs], and ask for ") for fault in caught.value.faults]
+    followed = text.replace("[outputs]", "\n".join(["[outputs]", *(line for line, _ in hints)]), 1)
+    asked = [name for _, name in hints]
+    made = loads(f"{followed}[exercise]\nasked = {{ {', '.join(f'{name} = 1' for name in asked)} }}\n", "own")
+    lines = told(statement(made).meanings())
+    assert lines[:3] == ["rod_asked [mm] = rod", "both_asked [deg] = both", "slim_asked = slim"]
 
 
 def test_points_stand_along_a_line_of_their_link(steering):

@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from livesheet.formula.names import folded
 from livesheet.formula.nodes import symbols
 from livesheet.said import Said, say
 from mechsheet.description.driving.rates import is_rate
@@ -60,6 +61,13 @@ def _asked(data: Any, summaries: Mapping[str, Any], driver: str, scope: Scope) -
             hint: Said | str = suggestion(symbol, known, "allowed")
             if symbol in scope.motion_outputs:
                 message = say("{symbol} follows from summaries: ask for these", symbol=quoted(symbol))
+            elif symbol in scope.inputs:
+                message, hint = say("{symbol} is given: a dimension is no question", symbol=quoted(symbol)), ""
+            elif _follows(symbol, scope):
+                message = say(
+                    "{symbol} is a dimension that follows from others; an output asks for it", symbol=quoted(symbol)
+                )
+                hint = _as_output(symbol, scope)
             elif is_rate(symbol, scope) or symbol in scope.forces:
                 message = say("{symbol} can be asked for by an output that names it", symbol=quoted(symbol))
                 name = symbol.replace(".", "_")
@@ -73,6 +81,19 @@ def _asked(data: Any, summaries: Mapping[str, Any], driver: str, scope: Scope) -
         elif marks is not BAD:
             found[symbol] = float(marks)
     return found
+
+
+def _follows(symbol: str, scope: Scope) -> bool:
+    """Whether a dimension is a formula of others."""
+    name, _, path = scope.symbols.taken.get(folded(symbol), ("", "", ()))
+    return name == symbol and path[:1] == ("dimensions",) and symbol not in scope.inputs
+
+
+def _as_output(symbol: str, scope: Scope) -> Said:
+    """How a dimension is asked for: by an output of another name, since names differ."""
+    name, unit = f"{symbol}_asked", scope.units[symbol].symbol
+    formula = f'"{symbol}"' if unit == scope.length_unit else f'{{ formula = "{symbol}", unit = "{unit}" }}'
+    return say("write {name} = {formula} in [outputs], and ask for {name}", name=name, formula=formula)
 
 
 def _varied(data: Any, scope: Scope) -> tuple[Vary, ...]:

@@ -12,6 +12,7 @@ from livesheet.diagnostics import Fault, readable_name, system_reason
 from livesheet.formats import FORMATS, read
 from livesheet.said import say
 from livesheet.time_limit import limited
+from mechsheet.arguments.outputs import is_there
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import OWN_FAILURES, MechsheetError, own_fault
 from mechsheet.homework.audit import Audit, audited
@@ -84,7 +85,7 @@ def mark(
 
     A workbook belongs to the student whose id is its file's name or stands in a cell, else to the one whose dimensions it
     has. A workbook that takes longer than `seconds` is not judged, and its line says so; None: as long as it takes. Raises
-    MechsheetError where the key cannot be read or there is no workbook.
+    MechsheetError where the key cannot be read, or where one of `books` is not there or holds no workbook.
     """
     key = against if isinstance(against, Key | Mechanism) else key_of_file(Path(against))
     key = key if isinstance(key, Key) else Key(key)
@@ -120,27 +121,41 @@ def key_of_file(path: Path) -> Key:
 
 
 def files_of(books: str | Path | Iterable[str | Path]) -> list[Path]:
-    """The workbooks that are meant; a folder stands for those in it and below, without those that only mark an open one."""
+    """The workbooks that are meant; a folder stands for those in it and below, without those that only mark an open one.
+
+    Raises MechsheetError with every path that is not there, that is another kind of file, or that holds no workbook: a
+    class of which a folder is misspelled is not marked at all, since everybody in it would have handed in nothing.
+    """
     given = [books] if isinstance(books, str | Path) else list(books)
     found: list[Path] = []
     faults = []
     for path in map(Path, given):
-        if path.is_dir():
-            inside = sorted(p for p in path.rglob("*") if p.suffix.lower() in SUFFIXES and p.is_file())
-            inside = [p for p in inside if not p.name.startswith((".", "~$"))]
-            found += inside
-            if not inside:
-                faults.append(
-                    Fault(
-                        say("no workbook ({suffixes}) in this folder", suffixes=", ".join(SUFFIXES)),
-                        readable_name(path),
-                    )
-                )
-        else:
-            found.append(path)
+        inside = _inside(path) if path.is_dir() else [path]
+        found += inside
+        message = _fault_of(path, inside)
+        if message:
+            faults.append(Fault(message, readable_name(path)))
     if faults or not found:
         raise MechsheetError(faults or Fault(say("no workbook is named")))
     return list(dict.fromkeys(found))
+
+
+def _inside(folder: Path) -> list[Path]:
+    """The workbooks of a folder and of those below it."""
+    found = sorted(path for path in folder.rglob("*") if path.suffix.lower() in SUFFIXES and path.is_file())
+    return [path for path in found if not path.name.startswith((".", "~$"))]
+
+
+def _fault_of(path: Path, inside: Sequence[Path]) -> str:
+    """What is wrong with a path that is to be marked, "" where it is a workbook's or a folder that holds some."""
+    suffixes = ", ".join(SUFFIXES)
+    if not is_there(path):
+        return say("there is no such file or folder")
+    if not inside:
+        return say("no workbook ({suffixes}) in this folder", suffixes=suffixes)
+    if not path.is_dir() and path.suffix.lower() not in SUFFIXES:
+        return say("is no workbook ({suffixes})", suffixes=suffixes)
+    return ""
 
 
 @dataclass(frozen=True, slots=True)
