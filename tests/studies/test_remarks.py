@@ -104,7 +104,7 @@ TWO_STRETCHES = '[study]\nvary = { a2 = [15, 60, 5], a3 = [40, 60, 4], a4 = [40,
 
 
 def test_designs_that_close_in_two_stretches_are_kept_but_not_ranked(tmp_path):
-    """An angle of each stretch's rows is none of the mechanism, however good it looks; a swing over the gap is none at all."""
+    """An angle of each stretch's rows is none of the mechanism, however good it looks; over the gap there is no swing."""
     pytest.importorskip("pyarrow")
     mechanism = study_of(TWO_STRETCHES + 'maximize = ["mu_min"]\nbest = 400')
     designs = Designs(mechanism)
