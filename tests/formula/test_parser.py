@@ -61,6 +61,9 @@ def test_faults(dialect):
         assert all(fault.source == text.removeprefix("=") for fault in caught.value.faults)
 
 
+COMPARED = "expressions have no comparisons; where(x, a, b) is a where x is greater than 0, otherwise b"
+
+
 @pytest.mark.parametrize(
     ("text", "hint"),
     [
@@ -73,8 +76,14 @@ def test_faults(dialect):
             "functions: sin cos tan asin acos atan atan2 sqrt abs sign min max exp ln radians degrees hypot where",
         ),
         ("pi()", 'pi is a number: write it without parentheses, "2*pi"'),
-        ("theta14 + 90 deg", "write radians(90) for so many degrees"),
-        ("30°", 'angles are in radians here; write "radians(30)" for 30 degrees'),
+        ("theta14 + 90 deg", "write radians(90) for 90 degrees"),
+        ("30°", "write radians(30) for 30 degrees"),
+        ("a1 + 22.5 °", "write radians(22.5) for 22.5 degrees"),
+        ("a1°", 'angles are in radians here; write "radians(30)" for 30 degrees'),
+        ("where(s.v < 0, P, 0)", f'{COMPARED}: for "u < v" write where(v - u, a, b)'),
+        ("P*(s.v >= 0)", f'{COMPARED}: for "u > v" write where(u - v, a, b)'),
+        ("where(x = 1, a, b)", f'{COMPARED}: for "u = v" there is where(d - abs(u - v), a, b), with a small d'),
+        ("if(s.v, 0, P)", COMPARED),
     ],
 )
 def test_hints(text, hint):

@@ -107,10 +107,24 @@ def _refusal(text: str, position: int, dialect: str) -> FormulaError:
     character = text[position]
     if character == '"' and dialect != "description":
         return fail(text, position + 1, say("a text without its closing quotation mark"))
-    return fail(
-        text, position + 1, say('unexpected character "{character}"', character=character), _HINTS.get(character, "")
-    )
+    hint = _HINTS.get(character, "")
+    if dialect == "description":
+        degrees = _BEFORE.search(text, 0, position) if character == "°" else None
+        if degrees:
+            hint = say("write radians({number}) for {number} degrees", number=degrees[1])
+        elif character in _COMPARISONS:
+            hint = say("{how}: {write}", how=COMPARED, write=_COMPARISONS[character])
+    return fail(text, position + 1, say('unexpected character "{character}"', character=character), hint)
 
+
+COMPARED = say("expressions have no comparisons; where(x, a, b) is a where x is greater than 0, otherwise b")
+_COMPARISONS = {
+    **dict.fromkeys("<≤", say('for "u < v" write where(v - u, a, b)')),
+    **dict.fromkeys(">≥", say('for "u > v" write where(u - v, a, b)')),
+    **dict.fromkeys("=", say('for "u = v" there is where(d - abs(u - v), a, b), with a small d')),
+}
+_BEFORE = re.compile(rf"(?<![\w.]){_NUMBER}\s*$")
+"""The number behind which something stands."""
 
 _HINTS = {
     "°": say('angles are in radians here; write "radians(30)" for 30 degrees'),

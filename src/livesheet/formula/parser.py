@@ -6,7 +6,7 @@ from ..diagnostics import Fault, FormulaError, near_miss
 from ..said import say, say_count
 from .dialects import DESCRIPTION, DIALECTS, Dialect
 from .functions import MANY
-from .lexer import Token
+from .lexer import COMPARED, Token
 from .nodes import Binary, Call, Node, Number, Symbol
 from .precedence import Parser, number_value
 from .sheet_parser import SheetParser
@@ -65,7 +65,7 @@ class _DescriptionParser(Parser):
         elif token.kind == "separator" and self.depth == 0:
             hint = say('the decimal sign is "."; "," stands between arguments only')
         elif token.text in ("deg", "degrees", "°") and before is not None and before.kind == "number":
-            hint = say("write radians({number}) for so many degrees", number=before.text)
+            hint = say("write radians({number}) for {number} degrees", number=before.text)
         elif token.kind in ("name", "number", "open") and expected.startswith("an operator"):
             hint = say('a product is written with "*"')
         return super().unexpected(expected, hint)
@@ -104,7 +104,9 @@ class _DescriptionParser(Parser):
         return Call(DESCRIPTION_FUNCTIONS.get(name.text, "SQRT"), tuple(args))
 
     def unknown(self, name: Token) -> None:
-        if name.text == "pi":
+        if name.text.lower() == "if":
+            hint = COMPARED
+        elif name.text == "pi":
             hint = say('pi is a number: write it without parentheses, "2*pi"')
         else:
             hint = near_miss(name.text.lower(), _ALLOWED) or say("functions: {names}", names=" ".join(_ALLOWED))

@@ -108,7 +108,7 @@ class Table:
 
     ways     alternatives: exactly one group must be there, whole: (("start", "stop", "step"), ("values",)); a key with "?"
              may be left out of its group
-    later    keys reserved for later versions, refused by name
+    later    keys that are expected here and do not exist, refused by name
     """
 
     keys: Mapping[str, Key]

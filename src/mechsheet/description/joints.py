@@ -64,6 +64,8 @@ def read(data: list[Any], ends: Ends, scope: Scope) -> tuple[Joint, ...]:
         path: Path = ("joints", place, "name") if "name" in entry else ("joints", place)
         names.claim(joint.name, "joint", path)
         joints.append(joint)
+        if joint.name != joint.symbol:
+            scope.slides[joint.name] = joint.symbol
     return tuple(joints)
 
 

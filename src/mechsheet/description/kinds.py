@@ -87,7 +87,7 @@ def _common(*kinds: str) -> str:
 
 _TAKE_ANGLES = frozenset(("SIN", "COS", "TAN"))
 
-_ADVICE = "write radians({number}) for so many degrees"
+_ADVICE = "write radians({number}) for {number} degrees"
 
 
 def meant_in_degrees(node: Node, kinds: Mapping[str, str]) -> tuple[Said, Said] | None:

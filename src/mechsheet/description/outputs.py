@@ -133,7 +133,7 @@ def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
     if "." in name or not (scope.complete and scope.solved):
         return False
     rates = scope.rates if scope.moves else ()
-    hint = suggestion(
+    hint = scope.meant(name) or suggestion(
         name, [*scope.variables, *coordinates(scope), *scope.units, *scope.outputs, *rates, *scope.forces], "allowed"
     )
     scope.report.at(path, say("{where}{name} is not a variable or dimension", where=where, name=quoted(name)), hint)

@@ -39,7 +39,7 @@ def is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool:
         hint = say("angles, displacements and points have rates: write it with those, as theta13.d, s14.v, C.vx")
         scope.report.at(path, message, hint)
     elif point not in scope.points:
-        hint = suggestion(point, scope.points, "points")
+        hint = scope.meant(name) or suggestion(point, scope.points, "points")
         if point in scope.centers:
             hint = say(
                 "the mass centre is the point {center}: write {center}.{axis}",
@@ -69,7 +69,8 @@ def check_column(name: Any, path: Path, scope: Scope) -> None:
     if is_coordinate(name, path, scope) or "." in name or not scope.complete:
         return
     rates = scope.rates if scope.moves else ()
-    hint = suggestion(name, [*scope.variables, *scope.outputs, *coordinates(scope), *rates, *scope.forces], "allowed")
+    allowed = [*scope.variables, *scope.outputs, *coordinates(scope), *rates, *scope.forces]
+    hint = scope.meant(name) or suggestion(name, allowed, "allowed")
     message = say("no variable or output is called {name}", name=quoted(name))
     if name in scope.charted:
         message = say("{name} follows from all rows together: only charts can show it", name=quoted(name))

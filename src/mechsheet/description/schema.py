@@ -96,11 +96,18 @@ LINK = Table(
 
 REASONS = {
     "friction": (
-        "joints are taken to be free of it",
+        '"friction" is not supported yet: joints are taken to be free of it',
         'a load against the motion may stand for it: [[loads]] with torque = "-0.2*omega14"',
-    )
+    ),
+    **dict.fromkeys(
+        ("start", "stop", "step", "speed", "acceleration"),
+        (
+            "there is one sweep, and one speed, that of [driver]",
+            'give `value`, one for all rows, `values`, one for each row, or `follows = "…"`, in which [driver] is named',
+        ),
+    ),
 }
-"""Reserved keys of which more can be said: why they are refused, and what to do instead."""
+"""Keys that are refused by name: why, and what to do instead."""
 
 PINNED = "links that name the same point are pinned there: no entry of [[joints]] is needed"
 SLIDES = 'write "prismatic"'

@@ -108,6 +108,8 @@ class Scope:
     of_rates   names of outputs that read rates
     forces     names of joint forces, of the driver's effort and what else masses and loads bring -> what it is
     force_units  -> what stands behind its numbers
+    slides     name of a sliding joint -> the symbol of its displacement
+    undriven   names of efforts that no driver has -> the link that it would turn, and against which
     charted    columns that follow from all rows together: charts may show them
     centers    G3 of a mass centre that is a point of its link -> that point
     """
@@ -135,6 +137,8 @@ class Scope:
     forces: dict[str, str] = field(default_factory=dict)
     force_units: dict[str, str] = field(default_factory=dict)
     centers: dict[str, str] = field(default_factory=dict)
+    slides: dict[str, str] = field(default_factory=dict)
+    undriven: dict[str, tuple[str, str]] = field(default_factory=dict)
     charted: dict[str, None] = field(default_factory=dict)
     symbols: Space = field(init=False)
     cells: Space = field(init=False)
@@ -178,6 +182,26 @@ class Scope:
             self.report.at(place, say("the cell name {name} {reason}", name=quoted(name), reason=reason))
         self.cells.claim(name, "cell", place)
         return str(name)
+
+    def meant(self, name: str) -> Said | None:
+        """What to write in place of a name that is none, where that can be said: of a joint its displacement's symbol."""
+        owner, dot, part = name.partition(".")
+        if owner in self.slides:
+            new = self.slides[owner] + dot + part
+            return say(
+                "the joint {joint} slides by {symbol}: write {new}",
+                joint=quoted(owner),
+                symbol=self.slides[owner],
+                new=new,
+            )
+        if name in self.undriven:
+            link, against = self.undriven[name]
+            return say(
+                "it is there where a driver turns {link} against {against}: [[drivers]]",
+                link=quoted(link),
+                against=quoted(against),
+            )
+        return None
 
     # ---- expressions
 
@@ -300,7 +324,7 @@ class Scope:
         name = length.name if isinstance(length, Symbol) else ""
         if name in self.inputs and name in self.numbers:
             new = f'{name} = {{ value = {self.numbers[name]:.15g}, unit = "deg" }}'
-            return say("if it is an angle, write {new}", new=new)
+            return say('if it is an angle, write {new}, or unit = "rad"', new=new)
         if name in self.units:
             return say('if {name} is an angle, give it unit = "deg"', name=quoted(name))
         return say('a length over a length makes an angle: an arc over its radius, "s/r"')

@@ -128,6 +128,8 @@ def _type_hint(value: Any, shape: Shape, path: Path) -> str:
     match shape:
         case Items(Table() | Kinds()) if isinstance(value, dict):
             return say("write [[{key}]] instead of [{key}]", key=path[-1])
+        case Table() if isinstance(value, list) and path == ("driver",):
+            return say("write [driver] once; what is driven besides stands under [[drivers]]")
         case Items(Text()) if isinstance(value, str):
             return say("write [{value}], with brackets", value=quoted(value))
         case Either((Number(), WithUnit(), Table())) if isinstance(value, str):
@@ -283,12 +285,12 @@ def _named(value: dict[str, Any], shape: Named, path: Path, report: Report) -> A
 
 def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> Any:
     result = {}
+    refused: dict[tuple[str, str], str] = {}
     for key, item in value.items():
         if key in shape.keys:
             result[key] = fit(item, shape.keys[key].shape, (*path, key), report)
         elif key in shape.later:
-            why, hint = REASONS.get(key, ("it is reserved for a later version", ""))
-            report.at((*path, key), say('"{key}" is not supported yet: {why}', key=key, why=say(why)), say(hint))
+            refused.setdefault(REASONS[key], key)
         else:
             report.at((*path, key), say("unknown key"), suggestion(key, shape.keys, "keys"))
     for key, rule in shape.keys.items():
@@ -297,7 +299,9 @@ def _table(value: dict[str, Any], shape: Table, path: Path, report: Report) -> A
             hint = say("write {key} = {value} in the first line", key=key, value=only) if only is not None else say("")
             report.at((*path, key), say("is missing: {note}", note=say(rule.note)), hint)
             result[key] = BAD
-    for groups in shape.ways:
+    for (why, instead), key in refused.items():
+        report.at((*path, key), say(why), say(instead))
+    for groups in () if refused else shape.ways:  # what is missing is what should stand in their place
         _one_way(value, groups, path, report)
     return result
 

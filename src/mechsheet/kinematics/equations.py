@@ -20,7 +20,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Node, Root, Symbol, symbols
 from livesheet.said import Words
 from mechsheet.kinematics.closures import Loop
-from mechsheet.model import FurtherDriver
+from mechsheet.model import FurtherDriver, Take
 from mechsheet.units import Unit
 
 Role = Literal[
@@ -320,6 +320,12 @@ class Equations:
     def shown_forces(self) -> tuple[str, ...]:
         """What people read of the forces: not the parts, nor the effort once more."""
         return self.forces("effort", "besides", *JOINT_FORCES, "couple", "whole", "center", "hold")
+
+    def range_has_gaps(self, symbol: str, take: Take) -> bool:
+        """Whether a take of several stretches is none: how far an angle goes that counts its turns anew after each gap."""
+        equation = next((each for each in self.columns if each.symbol == symbol), None)
+        angle = equation is not None and equation.role == "variable" and equation.unit.kind == "angle"
+        return angle and len(take.ways) > 1
 
     def impossible(self, driver: str) -> Node | None:
         """True while an input is none that a mechanism can have: a length between joints that is not above 0, another mode

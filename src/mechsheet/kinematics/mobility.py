@@ -62,13 +62,24 @@ def check_mobility(mechanism: Mechanism, graph: Graph) -> None:
         Fault(
             say('"{body}" is loose: it has too few joints to be held by the rest', body=body),
             key=_key(graph, body),
-            hint=say("every link but the ground needs at least two joints"),
+            hint=say("join it to another link, or drive it ([[drivers]])"),
         )
         for body in _loose(graph)
+        if body not in _held_by_drivers(mechanism)
     ]
     if count > drivers:
         faults += _once_beside_a_like(mechanism)
     raise MobilityError(faults, drivers - count)
+
+
+def _held_by_drivers(mechanism: Mechanism) -> set[str]:
+    """Links that a driver turns against a link to which they are pinned: a joint and the driver hold them."""
+    points = {link.name: {*link.points} for link in mechanism.whole_links}
+    return {
+        driver.link
+        for driver in mechanism.all_drivers
+        if driver.link and points[driver.link] & points[driver.relative_to or mechanism.ground.name]
+    }
 
 
 def _once_beside_a_like(mechanism: Mechanism) -> list[Fault]:

@@ -33,6 +33,7 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.outsized import inertia_doubts, sweep_doubts
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.sweep import sweep
+from mechsheet.kinematics.way_back import way_back_doubts
 from mechsheet.model import Gear, Mechanism, Rack, Relation
 
 FAR, NOWHERE = 0.25, 0.5
@@ -100,6 +101,7 @@ def doubts(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
         *_sketched(mechanism, equations),
         *inertia_doubts(mechanism),
         *sweep_doubts(mechanism),
+        *way_back_doubts(mechanism),
         *base_circle_doubts(mechanism, equations),
     )
 

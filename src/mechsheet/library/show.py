@@ -109,7 +109,7 @@ def _columns(equations: Equations) -> Sequence[str]:
     return lines
 
 
-WITHOUT = ("verdict.boundless", "verdict.gaps")
+WITHOUT = ("verdict.boundless", "verdict.gaps", "verdict.several")
 """Why a summary has no number, as its words end."""
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text
+from livesheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, symbols
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.plan import Plan
@@ -81,7 +81,7 @@ def type_of(
     )  # fmt: skip
     if bound is None:
         return words
-    return joined(words, formula('IF(bound="","",unless&bound)', bound=bound, unless=text("unless")))
+    return joined(words, formula('IF(bound="","",enough&bound)', bound=bound, enough=text("enough")))
 
 
 def _at_most(bound: Node, places: int) -> Node:
@@ -154,6 +154,24 @@ def in_summary(loop: FourBar, plan: Plan, words: Node, complete: Node) -> Node:
 def is_all(loop: FourBar, plan: Plan) -> bool:
     """Whether the mechanism has no links but those of the loop."""
     return len(plan.mechanism.links) == len(loop.sides(plan.mechanism.ground))
+
+
+def has_advice(loop: FourBar, plan: Plan) -> bool:
+    """Whether another length of one side would mend the loop: the mechanism has no other links, and no dimension decides two
+    of its sides, as that of both arms of a steering linkage."""
+    return is_all(loop, plan) and sum(map(len, sides := _decided_by(loop, plan))) == len(set().union(*sides))
+
+
+def _decided_by(loop: FourBar, plan: Plan) -> list[set[str]]:
+    """The dimensions that each side of a loop follows from."""
+    formulas = {dim.symbol: dim.value for dim in plan.mechanism.dimensions if not isinstance(dim.value, float)}
+
+    def behind(tree: Node) -> set[str]:
+        read = set(symbols(tree))
+        return read.union(*(behind(formulas[name]) for name in read if name in formulas))
+
+    sides = loop.sides(plan.mechanism.ground)
+    return [behind(length_in_cells(link, one, other, plan.equations.poses)) for link, one, other in sides]
 
 
 def turning_types(loop: FourBar, language: Language, text: Callable[..., str]) -> list[str]:

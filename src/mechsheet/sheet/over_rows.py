@@ -60,6 +60,13 @@ def mean_of_motion(
     )
 
 
+def stretches_of(column: RangeRef, besides: Sequence[RangeRef]) -> Node:
+    """How many stretches of rows a column has numbers in, where those `besides` have them: rows without one before them."""
+    every = tuple(part for each in (column, *besides) for part in (each, Text(NUMBERS)))
+    both = tuple(part for each in (column, *besides) for half in _halves(each, True) for part in (half, Text(NUMBERS)))
+    return formula("here-(with_before)", here=Call("COUNTIFS", every), with_before=Call("COUNTIFS", both))
+
+
 def mean_of_rows(plan: Plan, symbol: str, sheet: str) -> Node:
     """That of a column of the tables, over rows in which the mechanism closes, for a formula on a sheet."""
     said, turns = plan.places.status.whole(sheet), None

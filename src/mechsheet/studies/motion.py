@@ -35,7 +35,7 @@ from mechsheet.studies.extremes import (
     stretches_of,
 )
 from mechsheet.studies.lowering import ANCHOR, THERE
-from mechsheet.studies.remarks import BEYOND, BOUNDLESS, ROWS_ONLY, Codes
+from mechsheet.studies.remarks import BEYOND, BOUNDLESS, ROWS_ONLY, SEVERAL, Codes
 
 if TYPE_CHECKING:
     from mechsheet.studies.designs import Called, Designs
@@ -130,7 +130,8 @@ class Motion:
             else:
                 number = np.concatenate(of_rows[quantity.name])
             without = self._without_bound(quantity, anchors, found, stretches)
-            fine = (stretches.count > 0) & np.isfinite(number) & ~without
+            several = (stretches.number > 1) & designs.equations.range_has_gaps(quantity.of, quantity.take)
+            fine = (stretches.count > 0) & np.isfinite(number) & ~without & ~several
             self.quantities[quantity.name] = np.where(fine, number * quantity.factor, np.nan)
             said = np.zeros(count, np.int8)
             for way in quantity.ways:
@@ -140,6 +141,7 @@ class Motion:
             said[without] = BOUNDLESS
             if quantity.ways and quantity.of != designs.mechanism.driver.symbol:
                 said[only_rows] = ROWS_ONLY
+            said[several] = SEVERAL
             self.remarks[quantity.name] = said
 
     def _spikes(self, anchors: Mapping[Extreme, Anchors], found: Mapping[Extreme, Array], count: int) -> Mask:

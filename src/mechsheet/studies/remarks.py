@@ -21,7 +21,7 @@ Mask = NDArray[np.bool_]
 Codes = NDArray[np.int8]
 Texts = NDArray[np.object_]
 
-ABOUT, BEYOND, BOUNDLESS, ROWS_ONLY = 1, 2, 3, 4
+ABOUT, BEYOND, BOUNDLESS, ROWS_ONLY, SEVERAL = 1, 2, 3, 4, 5
 """Codes of remarks, 0 for none: of two the larger is said, as on the first sheet."""
 
 OF_DOUBTS: Codes = np.zeros(5, np.int8)
@@ -33,6 +33,7 @@ WORDS = {
     BEYOND: "verdict.beyond",
     BOUNDLESS: "verdict.boundless",
     ROWS_ONLY: "verdict.rows.only",
+    SEVERAL: "verdict.several",
 }
 
 

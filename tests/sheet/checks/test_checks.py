@@ -88,7 +88,7 @@ def test_nothing_is_said_of_gaps_where_nothing_closes():
     laid = Laid(template_text("four-bar")).change(a1=500)
     assert laid.words("largest_gap") == ""
     assert laid.verdict.startswith(
-        "closes in no position: these links cannot be joined; A0ABB0: cannot be closed unless a₁"
+        "closes in no position: these links cannot be joined; A0ABB0: cannot be closed; enough: a₁"
     )
 
 

@@ -23,7 +23,7 @@ from mechsheet.kinematics.search import TURN
 from mechsheet.sheet.checks.search_rules import STRETCHES
 from mechsheet.sheet.findings.closing import closes_in_all
 from mechsheet.sheet.geometry import distance
-from mechsheet.sheet.grashof import is_all, named
+from mechsheet.sheet.grashof import has_advice, named
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, VERDICT_ROW
 from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.words.equations import link_words
@@ -449,7 +449,7 @@ class _Judge:
             word = ("both", "one", "coupler", "one")[index]
         link = link_words(names[index]).of(self.plan.language) if names[index] else ""
         bound = sheets.of(key, TOLERANCE)
-        if word in ("open", "none") and is_all(loop, self.plan):  # up to which length it is not
+        if word in ("open", "none") and has_advice(loop, self.plan):  # up to which length it is not
             most = self.bound_of(lengths, word)
             shown = numbers_in(str(bound).rpartition("≤")[2])
             fits = len(shown) == 1 and -1e-9 * high <= most - shown[0] <= self.digit
@@ -461,7 +461,7 @@ class _Judge:
         begin = f"{named(loop, self.plan)}: "
         expected = begin + self.verdict(f"grashof.{word}", link=link)
         if bound:
-            expected += self.verdict("grashof.unless") + bound
+            expected += self.verdict("grashof.enough") + bound
         doubtful = abs(abs(excess) - near) < near or (len(ties) > 1 and word in ("both", "one", "coupler"))
         if not doubtful:
             self.say("grashof words", words == expected, words, expected)
@@ -660,8 +660,11 @@ class _Judge:
         if extreme and len(truth.row_stretches) > STRETCHES:
             self.say(kind, missing(shown), shown)
             return
-        several = extreme and self.of_rows(words)
         symbol = summary.of
+        if self.plan.equations.equations.range_has_gaps(symbol, summary.take) and len(truth.row_stretches) > 1:
+            self.say(kind, missing(shown) and self.verdict("several") in words, shown, words)
+            return
+        several = extreme and self.of_rows(words)
         output = next((out for out in truth.mechanism.outputs if out.symbol == symbol), None)
         if symbol == truth.mechanism.driver.symbol:
             scale = truth.scale

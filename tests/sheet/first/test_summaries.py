@@ -7,6 +7,8 @@ from laid import Laid
 
 import mechsheet
 from livesheet.formula.nodes import ErrorValue
+from mechsheet.compiled import compiled_of
+from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 
 NA = ErrorValue("#N/A")
@@ -48,19 +50,55 @@ def test_nothing_exists():
 @pytest.mark.cases(1)
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("language", "words", "only"),
-    [("en", "{} of 25 positions", " (rows only)"), ("tr", "{} / 25 konum", " (yalnız satırlar)")],
+    ("language", "words", "only", "several"),
+    [
+        ("en", "{} of 25 positions", " (rows only)", " (several stretches)"),
+        ("tr", "{} / 25 konum", " (yalnız satırlar)", " (birkaç parça)"),
+    ],
 )
-def test_a_part_exists(language, words, only):
-    """a1 = 110 leaves a part of the rows: the numbers are those of these rows, and the words say so."""
+def test_a_part_exists(language, words, only, several):
+    """a1 = 110 leaves a part of the rows: the numbers are those of these rows, and the words say so.
+
+    Two stretches: an angle counts its turns anew after the gap, so that it has no range.
+    """
     laid = Laid(FOUR_BAR, language).change(a1=110)
     there = int(laid.spot("rows_closed"))
     assert 0 < there < 25
-    for name in NAMES:
+    assert cell(laid, "swing") == NA
+    assert cell(laid, "swing", 4).endswith(": " + words.format(there) + several)
+    for name in sorted({*NAMES} - {"swing"}):
         said = cell(laid, name, 4).removesuffix(only)  # of an extreme that lies where the stretch ends
         assert said.endswith(": " + words.format(there)), name
         assert isinstance(cell(laid, name), float), name
     assert cell(laid, "pin") > -34  # the crank turns on, but where nothing assembles its pin does not count
+
+
+WIPER = """
+format = 1
+mechanism.name = "wiper"
+links.ground.points = { A0 = [0, 0], B0 = [220, 0], C0 = [720, 0] }
+links.crank.points = { A0 = [0, 0], A = [45, 0] }
+links.coupler.points = { A = [0, 0], B = [215, 0] }
+links.wiper1.points = { B0 = [0, 0], B = [70, 0], P = { r = 60, angle = -13 } }
+links.second.points = { P = [0, 0], Q = [500, 0] }
+links.wiper2.points = { C0 = [0, 0], Q = [60, 0] }
+driver = { link = "crank", start = 0, stop = 360, step = 5 }
+assembly = { B = [220, 70], Q = [720, 60] }
+summary = { one = { of = "theta14", take = "range" }, other = { of = "theta16", take = "range" } }
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+def test_an_angle_has_no_range_over_a_gap(layout):
+    """Two wipers that a rod joins swing alike; one was said to swing by three times as much, its turns counted anew."""
+    whole, parts = (
+        compiled_of(loads(WIPER.replace("45, 0", crank), overrides=Overrides(layout=layout)))
+        for crank in ("45, 0", "80, 0")
+    )
+    for name in ("one", "other"):
+        assert 60 < whole.number(whole.plan.places.summaries[name]) < 100
+        assert parts.value(parts.plan.places.summaries[name]) == NA
 
 
 @pytest.mark.slow

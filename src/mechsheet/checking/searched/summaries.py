@@ -73,6 +73,9 @@ def _judge(values: Any, judged: SearchedMotion, tally: Tally, summary: Summary, 
     if math.isnan(number) and _has_gaps(judged, summary):
         tally.note(0.0, where, "no number", "a row without a value")
         return
+    if plan.equations.equations.range_has_gaps(summary.of, summary.take) and len(judged.search.row_stretches) > 1:
+        tally.note(math.inf if math.isfinite(number) else 0.0, where, number, "no number: several stretches")
+        return
     expected = expected_of(judged, summary)
     if expected is None or not expected.sure:
         return

@@ -81,6 +81,7 @@ def _with_values(
         return None if node_or_none is None else replace(driver, follows=node_or_none)
     given = entry.get("values", BAD)
     if given is BAD:
+        scope.complete = False
         return None
     values = tuple(scope.quantity(value, kind, (*path, "values", index)) for index, value in enumerate(given))
     rows = None if first is None else first_driver.rows_of(first, scope)

@@ -411,7 +411,7 @@ class _Reader:
             )
         else:
             rates = scope.rates if scope.moves else ()
-            hint = suggestion(name, [*scope.variables, *scope.units, *rates], "allowed")
+            hint = scope.meant(name) or suggestion(name, [*scope.variables, *scope.units, *rates], "allowed")
             scope.report.at(
                 path,
                 say("{where}{name} is not a position, a rate or a dimension", where=where, name=quoted(name)),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection
 from typing import Any
 
@@ -20,6 +21,7 @@ from mechsheet.model import (
     Link,
     Relation,
     center_symbol,
+    pair_symbol,
 )
 from mechsheet.model.names import joint_forces
 
@@ -65,6 +67,7 @@ def declare(
                 say("the point has the name of a joint force: {name}.x would be a part of either", name=name),
                 scope,
             )
+    _note_undriven(links, [*further, *([driver] if driver else [])], scope)
     if driver is not None and "power" not in (
         *scope.units,
         *scope.outputs,
@@ -72,6 +75,16 @@ def declare(
         scope.forces["power"] = POWER
         scope.kinds["power"] = ANY
     _declare_masses(bodies, links, scope)
+
+
+def _note_undriven(links: tuple[Link, ...], drivers: list[Driver | FurtherDriver], scope: Scope) -> None:
+    """The efforts that there would be, were each pin driven: who names one may have forgotten its driver."""
+    numbers = {link.name: link.number for link in links}
+    driven = {frozenset((each.link, each.relative_to or links[0].name)) for each in drivers}
+    for owners in scope.points.values():
+        for against, link in itertools.permutations((name for name in owners if name in numbers), 2):
+            if frozenset((against, link)) not in driven:
+                scope.undriven[pair_symbol("T", numbers[against], numbers[link])] = (link, against)
 
 
 def _declare_masses(bodies: dict[str, Any], links: Collection[Link], scope: Scope) -> None:

@@ -35,6 +35,7 @@ _PLAINER = {
 }
 _TWICE = re.compile(r"Cannot declare \((.*)\) twice")
 _NAMED = r"'([^']*)'"
+_DRIVER_AGAIN = re.compile(r"\s*\[\[?\s*driver\s*\]")
 _HINTS = {
     r"illegal character '\n'": say("a quotation mark is missing"),
     "invalid value": say("texts and expressions stand in quotes"),
@@ -192,6 +193,8 @@ def _broken(reason: str, file: str, lines: tuple[str, ...], keys: tuple[Path, ..
             line -= 1
     shown = lines[line - 1] if line else ""
     hint = _HINTS.get(reason.lower(), "")
+    if _DRIVER_AGAIN.match(shown):
+        hint = say("write [driver] once; what is driven besides stands under [[drivers]]")
     plain: str = _PLAINER.get(reason.lower(), say("")) or printable(reason[:1].lower() + reason[1:])
     if twice := _TWICE.fullmatch(reason):
         heading = printable(".".join(re.findall(_NAMED, twice[1])))

@@ -16,8 +16,8 @@ from mechsheet.sheet.grashof import (
     BEGINS,
     bound_of,
     excess_of,
+    has_advice,
     in_summary,
-    is_all,
     named,
     names_of_sides,
     turning_types,
@@ -41,7 +41,7 @@ class FourBarType(Finding):
         self.key = f"grashof_{loop.group}"
 
     def key_beside(self, plan: Plan) -> str:
-        return f"bound_{self.loop.group}" if is_all(self.loop, plan) else ""
+        return f"bound_{self.loop.group}" if has_advice(self.loop, plan) else ""
 
     def line(self, on: Reading) -> Line:
         plan, loop, said, excess = on.plan, self.loop, on.words(self.key), on.value(self.key)
@@ -52,7 +52,7 @@ class FourBarType(Finding):
             return on.text(f"grashof.{word}", **parts)
 
         bound = mended = None
-        if is_all(loop, plan):
+        if has_advice(loop, plan):
             mend = formula('IFERROR(mend,"")', mend=bound_of(sides, shortest, excess))
             bound = Beside(mend, AT_MOST.strip(), plan.text("page.bound"))
             mended = on.beside(self.key, mend)

@@ -43,7 +43,13 @@ def _write(writer: Writer, summary: Summary) -> None:
         same = same_angle(plan, summary.of)
         ways = ("min", "max") if same else summary.take.ways
         none = _has_none(plan, summary) if plan.rows_only or may_grow(plan, summary.of) else None
-        words = joined(words, about(plan, same.group.transmission if same else summary.of, ways, none=none))
+        doubt = about(plan, same.group.transmission if same else summary.of, ways, none=none)
+        if plan.equations.equations.range_has_gaps(summary.of, summary.take):
+            several = plan.text("verdict.several")
+            doubt = formula(
+                "IF(stretches>1,several,doubt)", stretches=plan.searched.count.cell, several=several, doubt=doubt
+            )
+        words = joined(words, doubt)
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     _said(writer, row, words)
     unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
@@ -54,6 +60,8 @@ def _write(writer: Writer, summary: Summary) -> None:
     writer.needs[row] = sheets_of(plan, summary.of)
     if searched and not same_angle(plan, summary.of):
         value = where_bounded(plan, summary.of, value, summary.take.ways)
+        if plan.equations.equations.range_has_gaps(summary.of, summary.take):
+            value = formula("IF(stretches>1,NA(),value)", stretches=plan.searched.count.cell, value=value)
         writer.colour(Area(row, MEANING, row, MEANING), _has_none(plan, summary), styles.WARN)
     writer.formula(row, VALUE, _where_it_closes(plan, value), style)
     if where is not None:

@@ -16,7 +16,7 @@ from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.findings.title import title_levels, title_words
 from mechsheet.sheet.first.blocks import value_style
 from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion
+from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, stretches_of
 from mechsheet.sheet.page.plan import ROW_HEIGHT, PagePlan
 from mechsheet.sheet.page.reading import MEANING, PageReading
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
@@ -212,16 +212,19 @@ class Top(Cells):
         plan = self.plan
         for summary in plan.mechanism.summaries:
             unit = unit_of_column(plan, summary.of)
-            self._summary(summary.symbol, unit, summary_words(plan, summary), self._taken(summary))
+            one = plan.equations.equations.range_has_gaps(summary.of, summary.take)
+            words = plan.text("page.take.stretch" if one else "page.take.rows", label=summary_words(plan, summary))
+            self._summary(summary.symbol, unit, words, self._taken(summary))
         for output in plan.mechanism.motion_outputs:
             unit = plan.mechanism.shown(output.unit)
-            self._summary(output.symbol, unit, output_words(plan, output), over_summaries(plan, output))
+            words = plan.text("page.take.rows", label=output_words(plan, output))
+            self._summary(output.symbol, unit, words, over_summaries(plan, output))
 
-    def _summary(self, symbol: str, unit: Unit, label: str, value: Node) -> None:
+    def _summary(self, symbol: str, unit: Unit, words: str, value: Node) -> None:
         """A line with one number of all rows; none where no row closes."""
         plan = self.plan
         row = plan.blocks["summary"].rows[symbol]
-        self.line(row, rich(symbol), unit.text, plan.text("page.take.rows", label=label))
+        self.line(row, rich(symbol), unit.text, words)
         found = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=plan.places.closed.cell, value=value)
         self.formula(row, VALUE, found, value_style(plan, unit))
 
@@ -237,7 +240,11 @@ class Top(Cells):
                 return self._mean(summary.take.column(summary.of))
             return at_end(name, self.on.column(summary.of), *self.on.closing(summary.of))
 
-        return summary.take.over(part)
+        value = summary.take.over(part)
+        if not self.plan.equations.equations.range_has_gaps(summary.of, summary.take):
+            return value
+        stretches = stretches_of(self.on.column(summary.of), self.on.closing(summary.of))
+        return formula("IF(stretches>1,NA(),value)", stretches=stretches, value=value)
 
     def _mean(self, symbol: str) -> Node:
         """The mean over the motion; of a turn without the row that closes it, all rows count alike."""
