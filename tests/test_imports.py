@@ -113,6 +113,7 @@ ALLOWED["homework"] = {
     "kinematics.means",
     # the figure of a task, drawn as the first sheet draws
     "shapes.positions",
+    "shapes.names",
     "shapes.colors",
     "sheet.drawing.drawing",
     "sheet.drawing.frames",

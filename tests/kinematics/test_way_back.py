@@ -53,6 +53,7 @@ def test_the_minus_that_was_forgotten(rows, hint):
         "values = [30, 60, 90, 60], speed = [1, 1.2, 0, -1.2]",
         "values = [60, 30, 10], speed = [1, 1, 1]",
         "values = [60, 90, 10], speed = 2",
+        "values = [60], speed = 2",
         'start = 90, stop = 0, motion = { law = "harmonic", duration = 1 }',
     ],
 )

@@ -324,7 +324,7 @@ class Scope:
         name = length.name if isinstance(length, Symbol) else ""
         if name in self.inputs and name in self.numbers:
             new = f'{name} = {{ value = {self.numbers[name]:.15g}, unit = "deg" }}'
-            return say("if it is an angle, write {new}", new=new)
+            return say('if it is an angle, write {new}, or unit = "rad"', new=new)
         if name in self.units:
             return say('if {name} is an angle, give it unit = "deg"', name=quoted(name))
         return say('a length over a length makes an angle: an arc over its radius, "s/r"')

@@ -64,6 +64,7 @@ _FUNCTIONS = frozenset(("sin", "cos", "tan", "cot", "asin", "acos", "atan", "ata
 
 _RATE = re.compile("[′″‴∂Δ∆]|[sxyzθϑφϕψω][0-9]*[\u0307\u0308]")
 """A rate or a difference: s′4, θ̇14, ∂s/∂a2, Δs."""
+_BRACKETS = re.compile(r"\[[^\]]*\]")
 _COMPUTED = re.compile("[=+*·/^√|−]")
 """Signs of a formula, which names what it reads."""
 
@@ -85,8 +86,9 @@ def called(cells: Iterable[str], aliases: Mapping[str, str]) -> Called:
     alone: set[str] = set()
     among: set[str] = set()
     for cell in cells:
-        found, rest = _named(cell, aliases)
-        if _COMPUTED.search(re.sub(r"\[[^\]]*\]", "", cell)):
+        bare = _BRACKETS.sub("", cell)  # [N·m] is a unit, whatever its letters are
+        found, rest = _named(bare if tokens(bare) else cell, aliases)
+        if _COMPUTED.search(bare):
             continue
         if len(found) == 1 and rest <= _UNITS:
             alone |= found

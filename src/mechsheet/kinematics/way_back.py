@@ -23,7 +23,7 @@ def way_back_doubts(mechanism: Mechanism) -> Iterator[Fault]:
     driver = mechanism.driver
     values = dimension_values(mechanism)
     speed = driver.speed
-    if speed is None or driver.law is not None or driver.speeds or not set(symbols(speed)) <= values.keys():
+    if speed is None or not set(symbols(speed)) <= values.keys():  # a law, a list, or a formula of the driver
         return
     if driver.values:
         rows = [number(each, values) for each in driver.values]

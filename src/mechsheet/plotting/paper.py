@@ -18,9 +18,9 @@ import numpy as np
 
 from livesheet.workbook import Chart
 from mechsheet.plotting.pictures import draw
-from mechsheet.plotting.scenes import Curves, Points
-from mechsheet.shapes.names import POINTS, half_box
-from mechsheet.shapes.positions import Item, Label, Scene, Stroke, Window
+from mechsheet.plotting.scenes import Curves, Points, extent, without_caption
+from mechsheet.shapes.names import POINTS
+from mechsheet.shapes.positions import Scene
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -33,9 +33,6 @@ INCH, LINE = 25.4, 4.5
 
 LARGEST = (WIDE - 2 * MARGIN, 122.0)
 """How wide and how high a drawing may be, in mm."""
-
-AROUND = 0.04
-"""What stays free around a drawing [half windows]."""
 
 _TIMES = [part * 10**power for power in range(7) for part in (1, 1.5, 2, 2.5, 3, 4, 5, 7.5)]
 STEPS = (*(1 / times for times in reversed(_TIMES[1:])), *_TIMES)
@@ -163,9 +160,8 @@ class Paper:
 
         highest  it may be, in mm;  below  what stands below it instead
         """
-        besides = ("caption",) if _bars(scene) > 1 or unit not in MILLIMETRES else ("caption", "scale")
-        shown = [item for item in scene.items if item.kind not in besides]
-        low, high = _extent(shown, scene.window)
+        shown = without_caption(scene, unit not in MILLIMETRES)
+        low, high = extent(shown, scene.window)
         shrunk, scale = _on_paper(high - low, unit, highest)
         width, height = ((high - low) * shrunk).tolist()
         axes = self.figure.add_axes(
@@ -278,26 +274,6 @@ def _broken(row: Row, letters: int) -> list[Row]:
 def _goes_on(line: Row | str) -> bool:
     """Whether it is a further line of the row above."""
     return not isinstance(line, str) and not (line[0] or line[1])
-
-
-def _bars(scene: Scene) -> int:
-    """How many scale bars there are: of lengths, and of arrows."""
-    return sum(item.kind == "scale" and isinstance(item, Stroke) for item in scene.items)
-
-
-def _extent(items: Sequence[Item], window: Window) -> tuple[Points, Points]:
-    """The lower left and the upper right corner of what is drawn in the window."""
-    found = []
-    for item in items:
-        if isinstance(item, Stroke):
-            found.append(item.points)
-        else:
-            half = half_box(item.text, item.size) * window.half if isinstance(item, Label) else np.zeros(2)
-            found += [np.array([[item.x, item.y]]) - half, np.array([[item.x, item.y]]) + half]
-    places, middle = np.concatenate(found), np.array([window.x, window.y])
-    low, high = np.nanmin(places, axis=0), np.nanmax(places, axis=0)
-    around = AROUND * window.half
-    return np.maximum(low, middle - window.half) - around, np.minimum(high, middle + window.half) + around
 
 
 def _on_paper(sides: Points, unit: str, highest: float) -> tuple[float, str]:

@@ -18,10 +18,14 @@ from livesheet.formula.nodes import CellRef, ErrorValue
 from livesheet.workbook import Chart, Series, SeriesRef
 from mechsheet.plotting.sampling import Sample
 from mechsheet.shapes.loads import VECTORS
-from mechsheet.shapes.positions import Disc, Positions, Scene, Stroke
+from mechsheet.shapes.names import half_box
+from mechsheet.shapes.positions import Disc, Item, Label, Positions, Scene, Stroke, Window
 from mechsheet.sheet.places import there
 
 Points = NDArray[np.float64]
+
+AROUND = 0.04
+"""What stays free around a drawing [half windows]."""
 
 CLOSED = 1e-6
 """A sweep whose last picture is this near the first (in half windows) comes round."""
@@ -111,6 +115,29 @@ def comes_round(first: Scene, last: Scene) -> bool:
     """True when the last position of a sweep looks like the first: an animation can go on from there."""
     pairs = [(_places(a), _places(b)) for a, b in zip(first.items, last.items, strict=True)]
     return all(np.allclose(a, b, rtol=0, atol=CLOSED * first.window.half, equal_nan=True) for a, b in pairs)
+
+
+def without_caption(scene: Scene, scaled: bool) -> list[Item]:
+    """What is drawn where the caption stands below. `scaled`: with the bar of lengths; where arrows have bars, too, all of
+    them are needed to tell which is which."""
+    bars = sum(item.kind == "scale" and isinstance(item, Stroke) for item in scene.items)
+    besides = ("caption",) if bars > 1 or scaled else ("caption", "scale")
+    return [item for item in scene.items if item.kind not in besides]
+
+
+def extent(items: Sequence[Item], window: Window) -> tuple[Points, Points]:
+    """The lower left and the upper right corner of what is drawn in the window."""
+    found = []
+    for item in items:
+        if isinstance(item, Stroke):
+            found.append(item.points)
+        else:
+            half = half_box(item.text, item.size) * window.half if isinstance(item, Label) else np.zeros(2)
+            found += [np.array([[item.x, item.y]]) - half, np.array([[item.x, item.y]]) + half]
+    places, middle = np.concatenate(found), np.array([window.x, window.y])
+    low, high = np.nanmin(places, axis=0), np.nanmax(places, axis=0)
+    around = AROUND * window.half
+    return np.maximum(low, middle - window.half) - around, np.minimum(high, middle + window.half) + around
 
 
 def _places(item: object) -> Points:

@@ -50,7 +50,7 @@ _NAMES = {"ATAN": "arctan", "ASIN": "arcsin", "ACOS": "arccos", "ATAN2": "arctan
 
 def written(node: Node, language: Language) -> Rich:
     """The right-hand side of an equation."""
-    return Rich(tuple(_merged(_Pen(language).write(node)[0])))
+    return Rich(tuple(merged(_Pen(language).write(node)[0])))
 
 
 class _Pen:
@@ -195,7 +195,7 @@ def _squares(args: tuple[Node, ...]) -> Node:
     return total
 
 
-def _merged(pieces: list[Part]) -> list[Part]:
+def merged(pieces: list[Part]) -> list[Part]:
     """Neighbours that are set alike as one piece: files are smaller, and programs draw them the same."""
     result: list[Part] = []
     for text, kind in pieces:

@@ -68,10 +68,12 @@ def filled(path, sign=""):
     book = openpyxl.load_workbook(path)
     sheet = book.worksheets[0]
     cells = {
-        str(row[0].value).split(" ")[0]: row[1].coordinate for row in sheet.iter_rows() if row[1].value is not None
+        re.sub(r"^over(\d)", r"over_\1", str(row[0].value).split(" ")[0]): row[1].coordinate
+        for row in sheet.iter_rows()
+        if row[1].value is not None
     }
     holes = {name: "$" + "$".join(re.fullmatch(r"([A-Z]+)(\d+)", at).groups()) for name, at in cells.items()}
-    head = next(row for row in sheet.iter_rows() if str(row[0].value).startswith("phi [") and row[1].value == "s")
+    head = next(row for row in sheet.iter_rows() if str(row[0].value).startswith("φ [") and row[1].value == "s [mm]")
     for row in range(head[0].row + 1, sheet.max_row + 1):
         known = holes | {"p": f"$A{row}", "s": f"$B{row}"}
         known["t"] = "(({p}-{over_1}-{over_2})/{over_3})".format(**known)

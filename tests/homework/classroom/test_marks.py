@@ -55,9 +55,9 @@ def test_a_students_sheet_holds_the_task_and_no_answer(week):
     cells = [cell.value for row in sheet.iter_rows() for cell in row if cell.value is not None]
     assert sheet.sheet_state == "visible"
     # which assembly, where the points lie, what the columns mean: lengths alone leave that open
-    assert {"assembly: B left of A→B0", "theta13: direction A→B  (angle of link 3, coupler)"} <= set(cells)
+    assert {"assembly: B left of A→B0", "θ13: direction A→B  (angle of link 3, coupler)"} <= set(cells)
     assert "3  coupler: A, B, C;  AB = a3;  AC = b3, counter-clockwise from A→B by γ3" in cells
-    assert {"theta13", "theta14", "mu_min", "101"} <= set(cells)
+    assert {"θ13 [deg]", "θ14 [deg]", "μmin [deg]", "101"} <= set(cells)
     assert [value for value in cells if isinstance(value, float | int)][-25:] == STEPS
     assert not any(isinstance(value, str) and value.startswith("=") for value in cells)
     assert all(mode not in " ".join(map(str, cells)) for mode in ("mode_1", "[assembly]"))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import openpyxl
 import pytest
 
@@ -13,8 +15,12 @@ from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_names
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.homework.classroom.exercise import exercise
+from mechsheet.homework.classroom.names import Names
 from mechsheet.homework.classroom.statement import Statement
+from mechsheet.homework.headings import aliases_of, called
 from mechsheet.homework.marking_rules import asked_of
+
+LETTERS = str.maketrans({"θ": "theta", "β": "beta"})
 
 
 def statement(mechanism):
@@ -34,14 +40,14 @@ def steering():
 def test_each_angle_counts_from_a_line_between_points(steering):
     lines = told(statement(steering).meanings())
     assert "theta13: direction L→R  (angle of link 3, tierod)" in lines
-    assert "theta14: direction R0→R and 90°  (angle of link 4, right)" in lines
+    assert "theta14: direction R0→R plus 90°  (angle of link 4, right)" in lines
     assert told(statement(steering).driver()) == ["driven: theta12: direction L0→L"]
     assert not any("horizontal" in line or "frame" in line for line in lines)
 
 
 def test_derived_dimensions_outputs_and_summaries_are_defined(steering):
     found = statement(steering)
-    assert told(found.derived()) == ["rod [mm] = track − 2·arm·sin(β)"]
+    assert told(line for _, line in found.derived()) == ["rod [mm] = track − 2·arm·sin(β)"]
     lines = told(found.meanings())
     assert "error [deg] = θ14 + π − β − arctan(track/wheelbase·cos(θ12))" in lines
     assert "worst: largest error" in lines
@@ -115,7 +121,7 @@ stiffness = "2*k"
     )
     sprung = statement(loads(own, "sprung", Overrides(language="en")))
     assert "k" in {dim.symbol for dim, _, _ in sprung.given()}
-    assert "k_K [lbf/in] = 2·k  (stiffness of the spring, load 3)" in told(sprung.derived())
+    assert "k_K [lbf/in] = 2·k  (stiffness of the spring, load 3)" in told(line for _, line in sprung.derived())
     assert any("stiffness kK, " in line for line in told(sprung.loads()))
     positions = mechsheet.template("four-bar-forces").text + "\n[exercise]\nasked = { theta14 = 1 }\n"
     plain = statement(loads(positions, "positions"))
@@ -134,6 +140,87 @@ def test_every_template_can_be_told(name, language):
         (line,) = [line for line in lines if line.startswith((f"{symbol}:", f"{symbol} [", f"{symbol} ="))]
         assert len(line) > len(symbol) + 3
     assert len(told(found.links())) == len(mechanism.whole_links)
+
+
+def test_angles_are_said_as_a_person_says_them():
+    """No `less (−β − π/2)`: what is added before what is taken off, degrees beside degrees; from where the driver counts."""
+    text = TASKS["steering"].text
+    own = text.replace('L = ["arm", 0]', 'L = { r = "arm", angle = "beta - pi/2" }')
+    own = own.replace('R = ["arm", 0]', 'R = { r = "arm", angle = "-beta - pi/2" }')
+    for unit, quarter, ends in (("deg", "90°", (-30, 30, 10)), ("rad", "π/2", (-0.5, 0.5, 0.1))):
+        drawn = own.replace("[mechanism]", f'[mechanism]\nangle_unit = "{unit}"')
+        for typed, end in zip(("start = -102", "stop = -42", "step = 5"), ends, strict=True):
+            drawn = drawn.replace(typed, f"{typed.split()[0]} = {end}")
+        found = statement(loads(drawn, "own"))
+        assert told(found.links())[1].endswith(f"L0L = arm, counter-clockwise from theta12 by β − {quarter}")
+        assert told(found.links())[3].endswith(f"R0R = arm, clockwise from theta14 by β + {quarter}")
+        zero = f"theta12 = 0 where the direction L0→L is β − {quarter}"
+        assert told(found.driver()) == [f"driven: theta12: direction L0→L plus {quarter} − β;  {zero}"]
+        assert f"theta14: direction R0→R plus β + {quarter}  (angle of link 4, right)" in told(found.meanings())
+
+
+def test_what_is_asked_stands_behind_what_it_reads_with_its_marks():
+    text = TASKS["steering"].text.replace("[summary]", 'size = { formula = "abs(error)", unit = "deg" }\n[summary]')
+    text = text.replace('of = "error"', 'of = "size"').split("[exercise]")[0]
+    found = statement(loads(f"{text}[exercise]\nasked = {{ worst = 1.5, size = 1 }}\n", "own"))
+    lines = told(found.meanings())
+    assert [line.split(" ")[0] for line in lines[:3]] == ["error", "size", "worst:"]
+    (worst,) = [line for line in found.meanings() if line.plain.startswith("worst")]
+    assert ("size", "italic") in worst.parts
+    assert told(found.marks()) == ["Marks: worst: 1.5, size: 1"]
+
+
+@pytest.fixture(scope="module")
+def handed_out(tmp_path_factory):
+    """A student's sheet with everything in it."""
+    folder = tmp_path_factory.mktemp("handed out")
+    text = TASKS["steering"].text + "vary = { arm = [160, 200, 5] }\n"
+    (folder / "class.csv").write_text("id,name\n7,Ayşe\n", encoding="utf-8")
+    exercise(loads(text, "own"), folder / "class.csv", folder / "out")
+    return openpyxl.load_workbook(folder / "out" / "student" / "7.xlsx", rich_text=True)
+
+
+@pytest.mark.slow
+def test_every_cell_that_is_to_be_filled_in_has_its_unit(handed_out):
+    rows = [[str(cell.value) for cell in row] for row in handed_out.worksheets[0].iter_rows()]
+    assert ["θ12 [deg]", "θ13 [deg]", "θ14 [deg]", "error [deg]"] in [row[:4] for row in rows]
+    assert ["worst [deg]", "None"] in [row[:2] for row in rows]
+    assert ["rod [mm]", "None", "rod [mm] = track − 2·arm·sin(β)"] in [row[:3] for row in rows]
+    assert any(row[0].startswith("Marks: θ13: 1") for row in rows)
+
+
+@pytest.mark.slow
+def test_names_are_set_as_in_the_figure(handed_out):
+    """θ with 12 lowered, L with 0 lowered."""
+    cells = [cell.value for row in handed_out.worksheets[0].iter_rows() for cell in row]
+    (line,) = [value for value in cells if str(value).startswith("driven: ")]
+    lowered = [str(part) for part in line if getattr(getattr(part, "font", None), "vertAlign", None) == "subscript"]
+    assert str(line) == "driven: θ12: direction L0→L"
+    assert lowered == ["12", "0"]
+
+
+@pytest.mark.slow
+def test_the_figure_has_the_shape_of_the_mechanism(handed_out):
+    """A steering is long and low: as wide as paper, and no wider in x than in y."""
+    (chart,) = handed_out.worksheets[0]._charts
+    width, height = chart.anchor.ext.width, chart.anchor.ext.height
+    assert width / 9525 == 600
+    assert height < width / 2
+    across, up = (axis.scaling.max - axis.scaling.min for axis in (chart.x_axis, chart.y_axis))
+    assert across / width == pytest.approx(up / height, rel=0.01)
+
+
+@pytest.mark.parametrize("symbol", ["theta14", "C.x", "mu_min", "Delta_x", "theta13.d", "power"])
+def test_a_heading_is_set_only_as_mark_reads_it(symbol):
+    """Δx is no name that is read as Delta_x: it stays as the description spells it; any unit may stand behind a name."""
+    made = loads(mechsheet.template("four-bar", language="en").text, "own")
+    names = Names(Compiled(made))
+    names.symbols.add(symbol)
+    names.name = re.compile(re.escape(symbol))
+    for unit in ("", " [deg]", " [N·m]", " [mm/s²]"):
+        head = names.head(symbol + unit, symbol)
+        text = head if isinstance(head, str) else head.plain
+        assert called((text,), aliases_of((symbol,))).symbols == {symbol}
 
 
 @pytest.mark.slow
@@ -183,7 +270,10 @@ def test_a_task_filled_in_by_hand_is_right(tmp_path):
     book = openpyxl.load_workbook(path)
     sheet = book.worksheets[0]
     where = {
-        str(cell.value).split(" [")[0]: cell for row in sheet.iter_rows() for cell in row if cell.value is not None
+        str(cell.value).split(" [")[0].translate(LETTERS): cell
+        for row in sheet.iter_rows()
+        for cell in row
+        if cell.value is not None
     }
     given = {name: f"$B${where[name].row}" for name in ("track", "wheelbase", "arm", "beta")}
     top = where["theta12"].row
@@ -199,10 +289,8 @@ def test_a_task_filled_in_by_hand_is_right(tmp_path):
             "error": f"=DEGREES(C{row}+PI()-ATAN({given['track']}/{given['wheelbase']}*COS({fi})))-{given['beta']}",
         }
         for symbol, formula in cells.items():
-            column = next(cell.column for cell in sheet[top] if cell.value == symbol)
-            sheet.cell(row, column, formula)
-    worst = next(row[0].row for row in sheet.iter_rows() if row[0].value == "worst")
-    sheet.cell(worst, 2, f"=MAX(D{top + 1}:D{top + 13})")
+            sheet.cell(row, where[symbol].column, formula)
+    sheet.cell(where["worst"].row, 2, f"=MAX(D{top + 1}:D{top + 13})")
     book.save(path)
     (one,) = mechsheet.mark(path, tmp_path / "out" / "key.json").students
     assert (one.id, one.mark) == ("7", 4.0)

@@ -5,25 +5,42 @@ Everything that the asked quantities follow from is said, in the description's s
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Number, Symbol, symbols
 from livesheet.workbook import Rich
 from mechsheet import reference
 from mechsheet.compiled import Compiled
+from mechsheet.homework.agreement import DEGREE
 from mechsheet.homework.classroom.cam import cam_lines, sign_of
 from mechsheet.homework.classroom.directions import Direction, Directions
+from mechsheet.homework.classroom.spoken_angles import SpokenAngle, spoken
+from mechsheet.homework.marking_rules import asked_of
 from mechsheet.kinematics.equations import FORCES
-from mechsheet.model import Cartesian, Dimension, Distances, Gear, GivenPoint, Joint, Link, Polar, Quantity, Rack
+from mechsheet.model import (
+    Cartesian,
+    Dimension,
+    Distances,
+    Gear,
+    GivenPoint,
+    Joint,
+    Link,
+    Polar,
+    Quantity,
+    Rack,
+    Summary,
+)
 from mechsheet.sheet.mathematics import Part, written
-from mechsheet.units import DEG
+from mechsheet.units import DEG, Unit
 from mechsheet.words.catalogue import words
 from mechsheet.words.equations import body_words, link_words
 from mechsheet.words.given import given_words
 from mechsheet.words.homework import said
 
 Line = list[Part]
+_QUANTITY = "\0"
+"""Stands for a summary's quantity in its words, until it is set as a symbol."""
 NEXT: Part = (";  ", "")
 
 
@@ -49,9 +66,27 @@ class Statement:
 
     def angle(self, quantity: Quantity) -> Line:
         """An angle that a description gives."""
-        if isinstance(quantity, float):
-            return [*self.math(al.number(DEG.written(quantity))), ("°", "")]
-        return self.math(quantity)
+        return self._sum(self._spoken(quantity))
+
+    def _spoken(self, quantity: Quantity) -> SpokenAngle:
+        """The same as a sum; a plain number is said in degrees in any case."""
+        number = quantity if isinstance(quantity, float) else al.value_of(quantity)
+        if number is not None:
+            return spoken(al.number(number), True)
+        return spoken(al.as_node(quantity), self.mechanism.angle_unit.in_degrees)
+
+    def _sum(self, angle: SpokenAngle) -> Line:
+        return self.math(angle.node) if angle.terms else [("0°", "")]
+
+    def head(self, symbol: str, unit: Unit) -> str:
+        """A symbol with the unit in which it is shown: `error [deg]`."""
+        shown = self.mechanism.shown(unit).text.replace(DEG.text, DEG.symbol)
+        return f"{symbol} [{shown}]" if shown else symbol
+
+    def asked_head(self, symbol: str) -> str:
+        """The same of what is asked: a column, or a summary, which has the unit of its column."""
+        of = next((one.of for one in self.mechanism.summaries if one.symbol == symbol), symbol)
+        return self.head(symbol, self.mechanism.given_unit(of) or self.compiled.equations.of(of).unit)
 
     def given(self) -> Iterator[tuple[Dimension, float, str]]:
         """What is typed, in the unit shown: the dimensions, also those that a synthesis has found, and of speeds, masses and
@@ -62,14 +97,13 @@ class Statement:
             if found or (isinstance(dim.value, float) and (not dim.path or dim.symbol in self.needed)):
                 yield dim, round(float(dim.unit.to_shown(values[dim.symbol])), 10), self._label(dim)
 
-    def derived(self) -> Iterator[Rich]:
-        """What follows from the dimensions: `rod = track - 2*arm*sin(beta)`; of speeds, masses and loads that are given by
-        them those that the asked quantities follow from."""
+    def derived(self) -> Iterator[tuple[Dimension, Rich]]:
+        """What follows from the dimensions: `rod [mm] = track - 2*arm*sin(beta)`; of speeds, masses and loads that are
+        given by them those that the asked quantities follow from."""
         for dim in self.mechanism.dimensions:
             told = dim.symbol in self.needed and dim.path[0] != "synthesis" if dim.path else bool(dim.written)
             if told and not isinstance(dim.value, float):
-                unit = self.mechanism.shown(dim.unit).symbol
-                yield self._defined(dim.symbol, unit, dim.value, self._label(dim))
+                yield dim, self._defined(self.head(dim.symbol, dim.unit), dim.value, self._label(dim))
 
     def _label(self, dim: Dimension) -> str:
         """What a dimension is called."""
@@ -148,6 +182,8 @@ class Statement:
                 line += [(": ", ""), *self.direction(link)]
                 if other is not self.mechanism.ground:
                     line += [(f" {self.text('against')} ", ""), *self.direction(other)]
+                else:
+                    line += self._zero(driver.symbol, link)
             follows = getattr(driver, "follows", None)
             if follows is not None:
                 line += [(f";  {driver.symbol} = ", ""), *self.math(follows)]
@@ -160,24 +196,19 @@ class Statement:
                 yield Rich(((f"{self.text('assembly')}: {group.mode_words.of(self.language)}", ""),))
 
     def meanings(self) -> Iterator[Rich]:
-        """What each asked quantity is."""
+        """What each asked quantity is, behind the outputs that it follows from, which are no names of the figure."""
         meant = {each.symbol: each.label.of(self.language) for each in self.compiled.equations.columns}
         angles = {link.angle_symbol: link for link in self.mechanism.links[1:]}
         outputs = {output.symbol: output for output in (*self.mechanism.outputs, *self.mechanism.motion_outputs)}
         summaries = {summary.symbol: summary for summary in self.mechanism.summaries}
-        of = [summaries[symbol].of for symbol in self.asked if symbol in summaries]
-        for symbol in self._read((*self.asked, *of), {name: output.formula for name, output in outputs.items()}):
+        read = {name: [one for one in symbols(each.formula) if one in outputs] for name, each in outputs.items()}
+        for symbol in self._in_order(read | {name: [one.of] for name, one in summaries.items()}):
             if symbol in summaries:
-                one = summaries[symbol]
-                label = one.label.of(self.language) if one.label else ""
-                taken = words(self.language, f"take.{one.take.key}", symbol=one.of)
-                yield Rich(((f"{symbol}: {taken}{f' ({label})' if label else ''}", ""),))
+                yield Rich(((f"{symbol}: ", ""), *self._taken(summaries[symbol])))
             elif symbol in outputs:
                 output = outputs[symbol]
-                unit = self.mechanism.shown(output.unit).symbol
-                yield self._defined(
-                    symbol, unit, output.formula, output.label.of(self.language) if output.label else ""
-                )
+                label = output.label.of(self.language) if output.label else ""
+                yield self._defined(self.head(symbol, output.unit), output.formula, label)
             elif symbol in angles:
                 yield Rich(((f"{symbol}: ", ""), *self.direction(angles[symbol]), (f"  ({meant.get(symbol, '')})", "")))
             elif meant.get(symbol):
@@ -185,18 +216,24 @@ class Statement:
                 yield Rich(((f"{symbol}: {meant[symbol]}{f'; {counted}' if counted else ''}", ""),))
         yield Rich(((self.text("angles"), ""),))
 
-    def _read(self, asked: Iterable[str], formulas: Mapping[str, Node]) -> dict[str, None]:
-        """What is asked, each followed by the outputs that its formula reads: they are no names of the figure."""
+    def _in_order(self, before: Mapping[str, Sequence[str]]) -> dict[str, None]:
+        """What is asked, each behind what has to be known `before` it."""
         found: dict[str, None] = {}
-        waiting = list(asked)[::-1]
-        while waiting:
-            symbol = waiting.pop()
-            if symbol not in found:
-                found[symbol] = None
-                waiting += (
-                    [name for name in symbols(formulas[symbol]) if name in formulas] if symbol in formulas else []
-                )
+
+        def meet(symbol: str) -> None:
+            for name in before.get(symbol, ()):
+                meet(name)
+            found[symbol] = None
+
+        for symbol in self.asked:
+            meet(symbol)
         return found
+
+    def marks(self) -> Iterator[Rich]:
+        """How many marks each has, where the description says it."""
+        if self.mechanism.exercise is not None and self.mechanism.exercise.asked:
+            listed = ", ".join(f"{symbol}: {marks:g}" for symbol, marks in asked_of(self.mechanism).marks.items())
+            yield Rich(((self.text("marks", listed=listed), ""),))
 
     # --- parts of lines -----------------------------------------------------------------------------------------------
 
@@ -216,9 +253,15 @@ class Statement:
     def _place(self, link: Link, name: str, place: GivenPoint) -> Line:
         return self._distances(name, place) if isinstance(place, Distances) else self._point(link, name, place)
 
-    def _defined(self, symbol: str, unit: str, formula: Node, label: str) -> Rich:
-        head = f"{symbol} [{unit}] = " if unit not in ("", "1") else f"{symbol} = "
-        return Rich(((head, ""), *self.math(formula), *([(f"  ({label})", "")] if label else [])))
+    def _defined(self, head: str, formula: Node, label: str) -> Rich:
+        return Rich(((f"{head} = ", ""), *self.math(formula), *([(f"  ({label})", "")] if label else [])))
+
+    def _taken(self, summary: Summary) -> Line:
+        """What a summary takes, its quantity set as a symbol: `largest amount` is no amount that is large."""
+        taken = words(self.language, f"take.{summary.take.key}", symbol=_QUANTITY)
+        before, after = taken.split(_QUANTITY)
+        label = f"  ({summary.label.of(self.language)})" if summary.label else ""
+        return [(before, ""), *self.math(Symbol(summary.of)), (after + label, "")]
 
     def direction(self, link: Link) -> Line:
         """From which line the angle of a link counts."""
@@ -230,11 +273,26 @@ class Statement:
         return [(self.text("direction", along=f"{known.start}→{known.end}"), ""), *self._less(known)]
 
     def _less(self, known: Direction) -> Line:
-        number = known.less if isinstance(known.less, int) else al.value_of(known.less)
-        if number is None:
-            return [(f" {self.text('less')} (", ""), *self.math(al.as_node(known.less)), (")", "")]
-        degrees = number if isinstance(known.less, int) else DEG.written(number)
-        return [(f" {self.text('less' if degrees > 0 else 'and')} {abs(degrees):.10g}°", "")] if degrees else []
+        """What is to be added to a direction, or taken off."""
+        less = self._turned(known)
+        if not less.terms:
+            return []
+        if less.minus:
+            return [(f" {self.text('and')} ", ""), *self._sum(less.negated())]
+        brackets = ("", "") if less.terms == 1 else ("(", ")")
+        return [(f" {self.text('less')} {brackets[0]}", ""), *self._sum(less), (brackets[1], "")]
+
+    def _turned(self, known: Direction) -> SpokenAngle:
+        """The direction of a link's points where its angle is 0."""
+        return self._spoken(float(known.less) * DEGREE if isinstance(known.less, int) else known.less)
+
+    def _zero(self, symbol: str, link: Link) -> Line:
+        """Where the angle of a driven link is 0, if its points do not lie along x there."""
+        known = self.directions.of[link.name]
+        if known is None or known.joint is not None or not (turned := self._turned(known)).terms:
+            return []
+        told = self.text("zero", symbol=symbol, along=f"{known.start}→{known.end}")
+        return [(f";  {told} ", ""), *self._sum(turned)]
 
     def _fixed(self, link: Link) -> Line:
         """The points of the ground, in the coordinates of the figure."""
@@ -265,13 +323,15 @@ class Statement:
             return [NEXT, (f"{start}{end} = ", ""), *self.math(along)]
         turn = self.directions.turned(link, place)
         if turn is not None and isinstance(place, Polar):
-            told = self.text("turned", line=f"{start}→{end}" if end else link.angle_symbol)
+            by = self._spoken(turn)
+            way = "clockwise" if by.negative and by.terms else "turned"
+            told = self.text(way, line=f"{start}→{end}" if end else link.angle_symbol)
             return [
                 NEXT,
                 (f"{start}{name} = ", ""),
                 *self.math(al.as_node(place.r)),
                 (f", {told} ", ""),
-                *self.angle(turn),
+                *self._sum(by.negated() if way == "clockwise" else by),
             ]
         return [NEXT, (f"{start}→{name}: ", ""), *self._along(link, end, start, along, left)]
 

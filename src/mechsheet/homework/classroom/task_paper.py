@@ -5,7 +5,6 @@ The words are those of the task's sheet (`statement`); symbols and names of poin
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 
 import numpy as np
@@ -15,6 +14,7 @@ from mechsheet import reference
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.homework.classroom.exercise import drawn, with_dimensions
 from mechsheet.homework.classroom.figure import Figure, figure_of
+from mechsheet.homework.classroom.names import Names
 from mechsheet.homework.classroom.statement import Statement
 from mechsheet.homework.marking_rules import asked_of
 from mechsheet.model import Mechanism
@@ -23,8 +23,6 @@ from mechsheet.plotting.pictures import settings
 from mechsheet.shapes.positions import in_digits
 from mechsheet.units import behind_number
 from mechsheet.words.homework import said
-from mechsheet.words.symbols import parts as letters
-from mechsheet.words.symbols import plain
 
 FIGURE = 92.0
 """How high the figure is at most, in mm."""
@@ -56,21 +54,21 @@ class _Task:
         mechanism = compiled.mechanism
         self.mechanism, self.language = mechanism, mechanism.language
         self.pages = [Paper()]
-        self.names = _Names(compiled)
+        self.names = Names(compiled)
         told = Statement(compiled, list(asked_of(mechanism).marks))
         self.page.paragraph(mechanism.title.of(self.language), 16, "#1F4E79", bold=True)
         self.page.down += 0.4 * LINE
         self.page.paragraph(f"{self.text('student')}: {who or '.' * 60}")
         self.page.down += 0.8 * LINE
         varies = mechanism.exercise is not None and bool(mechanism.exercise.vary)
-        self.page.drawing(figure.scene, mechanism.length_unit, FIGURE, self.text("scale") if varies and who else None)
+        self.page.drawing(figure.scene, mechanism.length_unit, FIGURE, figure.below(True) if varies and who else None)
         self._given(told)
-        self._lines("derived", told.derived())
+        self._lines("derived", [line for _, line in told.derived()])
         self._lines("links", told.links())
         self._lines("joints", told.joints())
         self._lines("loads", told.loads())
         self._lines("driver", [*told.driver(), self._rows(compiled), *told.assemblies()])
-        self._lines("asked", [*told.meanings(), *self._marks()])
+        self._lines("asked", [*told.meanings(), *told.marks()])
 
     @property
     def page(self) -> Paper:
@@ -112,49 +110,3 @@ class _Task:
         listed = ", ".join(shown) if len(shown) <= 8 else f"{shown[0]}, {shown[1]}, {shown[2]} … {shown[-1]}"
         values_text = f"{listed}{behind_number(driver.unit.text)}"
         return Rich(((self.text("rows", symbol=driver.symbol, values=values_text, count=len(shown)), ""),))
-
-    def _marks(self) -> list[Rich]:
-        """How many marks each has, where the description says it."""
-        if self.mechanism.exercise is None or not self.mechanism.exercise.asked:
-            return []
-        listed = ", ".join(f"{symbol}: {marks:g}" for symbol, marks in asked_of(self.mechanism).marks.items())
-        return [Rich(((self.text("marks", listed=listed), ""),))]
-
-
-class _Names:
-    """Symbols and names of points, as they are set: θ with 13 lowered for theta13, A with 0 lowered for A0."""
-
-    def __init__(self, compiled: Compiled) -> None:
-        mechanism = compiled.mechanism
-        points = {point for link in mechanism.links for point in link.points}
-        self.symbols = {each.symbol for each in (*compiled.equations.constants, *compiled.equations.columns)}
-        self.symbols |= {each.symbol for each in (*mechanism.dimensions, *mechanism.all_drivers)}
-        self.symbols |= {output.symbol for output in (*mechanism.outputs, *mechanism.motion_outputs)}
-        self.symbols |= {summary.symbol for summary in mechanism.summaries}
-        symbol, point = (
-            "|".join(re.escape(name) for name in sorted(names, key=len, reverse=True)) or "(?!)"
-            for names in (self.symbols, points)
-        )
-        self.name = re.compile(rf"(?<![\w.])(?:(?:{symbol})(?![\w.])|(?:{point})+(?!\w))")
-        self.point = re.compile(point)
-
-    def _parts(self, name: str) -> list[str]:
-        """The symbol, or the points of a name such as A0A."""
-        return [name] if name in self.symbols else self.point.findall(name)
-
-    def set(self, parts: Iterable[tuple[str, str]]) -> list[tuple[str, str]]:
-        """The pieces of a line with every name in it set."""
-        found: list[tuple[str, str]] = []
-        for text, style in parts:
-            at = 0
-            for name in self.name.finditer(text) if not style else ():
-                found.append((text[at : name.start()], ""))
-                for letter, lowered in map(letters, self._parts(name[0])):
-                    found += [(letter, ""), (lowered, "sub")]
-                at = name.end()
-            found.append((text[at:], style))
-        return [(piece, style) for piece, style in found if piece]
-
-    def plain(self, text: str) -> str:
-        """A text with its names set, where there is one size of letters."""
-        return self.name.sub(lambda name: "".join(map(plain, self._parts(name[0]))), text)
