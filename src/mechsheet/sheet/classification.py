@@ -57,7 +57,7 @@ class Classification:
     transmission  groups that have an angle of transmission, and that the sweep moves
     limits        True where some group can come apart, or its lines turn parallel
     rates         True where there are velocities
-    forces        True where there are masses or loads
+    forces        True where there are masses or loads;  besides: the efforts of further drivers then
     flywheel      True where the description asks for one
     newton        True where a group is solved by Newton's method
     task          from which dimensions are found
@@ -76,6 +76,7 @@ class Classification:
     newton: bool = False
     task: Synthesis | None = None
     cam: tuple[str, ...] = ()
+    besides: tuple[str, ...] = ()
 
     @property
     def extremes(self) -> tuple[str, ...]:
@@ -112,6 +113,7 @@ def classification(mechanism: Mechanism, equations: Assignments) -> Classificati
         any(group.system is not None for group in equations.groups),
         mechanism.synthesis,
         _of_cam(mechanism, equations, names - still),
+        tuple(name for name in equations.equations.forces("besides") if name in names - still),
     )
 
 

@@ -105,6 +105,31 @@ def test_masses_loads_and_gravity_are_inputs():
         assert np.array(laid.column(name)) == pytest.approx(2 * column, rel=1e-12)
 
 
+ARM = """
+format = 1
+mechanism.name = "arm"
+links.ground.points = { S = [0, 0] }
+links.upper = { points = { S = [0, 0], E = [300, 0] }, mass = 2, center = [150, 0] }
+links.forearm = { points = { E = [0, 0], H = [250, 0] }, mass = 1, center = [125, 0] }
+driver = { link = "upper", start = 10, stop = 80, step = 5 }
+drivers = [{ link = "forearm", relative_to = "upper", symbol = "elbow", follows = "radians(120) - 2*theta12" }]
+loads = [{ link = "forearm", point = "H", force = [0, -20] }]
+dynamics.gravity = 9.81
+"""
+
+
+@pytest.mark.slow
+def test_each_motor_has_its_largest_effort():
+    """Who sizes the elbow's motor by the one line that there was took the shoulder's for it."""
+    laid = Laid(ARM)
+    angles = np.array(laid.column("theta12"))
+    for key, effort in (("largest_effort", "T12"), ("largest_T23", "T23")):
+        column = np.abs(laid.column(effort))
+        assert laid.spot(key) == pytest.approx(column.max(), rel=1e-12), effort
+        at = laid.plan.places.lines[key].row
+        assert laid.values.get(laid.plan.main, at, 3) == pytest.approx(angles[column.argmax()])
+
+
 def test_the_position_shown_has_its_forces_and_there_are_charts():
     laid = Laid(four_bar()).change(**{"_position": 3})
     row = laid.plan.blocks["variables"].rows["T12"]

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+import numpy as np
+
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import CellRef, Node, Symbol
 from livesheet.workbook import Area, Conditional
@@ -9,6 +13,7 @@ from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
 from mechsheet.sheet.findings.finding import Finding, InTitle, Line, look
 from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
@@ -37,6 +42,30 @@ class LargestEffort(Finding):
             rich(effort), on.checks.worst("effort"), on.where_it_closes(on.text(self.key)), unit.text,
             decimals_of_unit(on.plan, unit), occurs=formula('IFERROR(place,"")', place=on.checks.worst_at("effort")),
         )  # fmt: skip
+
+
+class LargestBesides(Finding):
+    """The largest effort of a further driver, over rows: its motor is sized by it as the first one's is by the first."""
+
+    placed, needs = True, ("forces",)
+
+    def __init__(self, effort: str) -> None:
+        self.effort = effort
+        self.key = f"largest_{effort}"
+
+    def line(self, on: Reading) -> Line:
+        unit = on.plan.equations.of(self.effort).unit
+        column, found = Symbol(ALL + self.effort), on.value(self.key)
+        most = formula("IF(COUNT(column)=0,NA(),MAX(MAX(column),-MIN(column)))", column=column)
+        place = on.driver_in_row("IFERROR(MATCH(most,column,0),MATCH(-most,column,0))", most=found, column=column)
+        return Line(
+            rich(self.effort), most, on.where_it_closes(on.text("largest_effort")), unit.text,
+            decimals_of_unit(on.plan, unit), occurs=place,
+        )  # fmt: skip
+
+    def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
+        rows = np.abs(motion.search.in_rows(self.effort))
+        return {self.key: Expected([float(np.nanmax(rows))], 1e-9 * float(np.nanmax(rows)))} if len(rows) else {}
 
 
 class LargestForce(Finding):

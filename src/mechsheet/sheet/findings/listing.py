@@ -57,7 +57,9 @@ def _effort(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
         yield rates.Agrees("velocities_fit", "velocity", "rates")
         yield rates.Agrees("accelerations_fit", "acceleration", "rates")
     if found.forces:
-        yield from (forces.LargestEffort(), forces.LargestForce(), rates.Agrees("effort_fits", "torque", "effort"))
+        yield forces.LargestEffort()
+        yield from map(forces.LargestBesides, found.besides)
+        yield from (forces.LargestForce(), rates.Agrees("effort_fits", "torque", "effort"))
         if mechanism.assumed_inertia:
             yield forces.AssumedInertia()
     if mechanism.cam is not None:
