@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from itertools import islice
 from typing import Any, Generic, Literal, TypeVar
 
 import numpy as np
@@ -145,7 +144,7 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
                 message = say("{symbol} is the time of the motion and must be greater than 0", symbol=symbol)
             wrong(symbol, message)
     if not faults:
-        for asked, why in islice(refused_by_cam(plan.mechanism, dimensions), 1):  # what follows from it is no other fault
+        for asked, why in refused_by_cam(plan.mechanism, dimensions):
             spot = plan.at.spots[asked.symbol]
             faults.append(Fault(why, shown, key=cell_address(spot.sheet, spot.row, spot.col)))
     modes: dict[str, int] = {}

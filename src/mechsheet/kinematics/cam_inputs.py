@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Node, Number, symbols
+from livesheet.formula.nodes import Binary, Call, Node, Number, symbols
 from livesheet.said import Said, say
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.numeric import value
@@ -83,6 +83,8 @@ def _of_segments(motion: Segments, reads: _Inputs) -> Iterator[Asked]:
         why = _turn
         if motion.closed and part is before[-1]:
             left, why = al.sub(last.over, Number(MEETING)), _last
+        if part.begins != al.ZERO:  # of one that begins beyond the turn an earlier one is told
+            left = Call("IF", (Binary(">", part.begins, Number(math.tau + MEETING)), al.ONE, left))
         for symbol in named:
             yield Asked(symbol, left, why)
 

@@ -63,7 +63,7 @@ def test_the_cell_is_named_and_red(text, typed, named, layout):
     assert book.words("inputs") == book.line
     assert re.fullmatch("look at .*: no value that it can have", book.line)
     red = [each for each in inputs_of(book.plan) if book.colour(each.row, VALUE) == "red"]
-    assert told in red
+    assert (red, book.line_colour) == ([told], "red")
 
 
 @pytest.mark.parametrize("layout", ["sheets", "page"])
@@ -79,7 +79,7 @@ def test_check_refuses_it_at_its_cell(text, typed, named):
     with pytest.raises(WorkbookError) as refused:
         inputs_in(book_of(laid.workbook), laid.values, laid.plan, "cam.xlsx")
     spot = places_of(laid.plan)[named]
-    assert refused.value.faults[0].key == cell_address(spot.sheet, spot.row, spot.col)
+    assert [fault.key for fault in refused.value.faults] == [cell_address(spot.sheet, spot.row, spot.col)]
 
 
 def test_check_says_it_in_the_words_of_a_description():
