@@ -114,6 +114,8 @@ def test_numbers_that_no_formula_holds():
         ("It's", "'It''s'"),
         ("2nd", "'2nd'"),
         ("Çizim", "Çizim"),
+        ("Hızlar", "Hızlar"),
+        ("Şekil", "'Şekil'"),
         ("TRUE", "'TRUE'"),
     ],
 )

@@ -24,8 +24,8 @@ class AskedFor:
 
 
 def asked_of(mechanism: Mechanism) -> AskedFor:
-    """What a description asks for: by default every link angle, displacement and output, a mark each; not the angle of a
-    link that cannot turn, which `audit` would leave out too."""
+    """What a description asks for: by default every link angle, displacement and output, a mark each; not what drives and
+    has its values in a column, nor the angle of a link that cannot turn, which `audit` would leave out too."""
     exercise = mechanism.exercise
     if exercise is not None:
         rules = exercise.tolerance, exercise.follow_through, exercise.not_live
@@ -33,4 +33,5 @@ def asked_of(mechanism: Mechanism) -> AskedFor:
     names = [link.angle_symbol for link in mechanism.links[1:]]
     names += [joint.symbol for joint in mechanism.joints] + [output.symbol for output in mechanism.outputs]
     still = {equation.symbol for equation in solve(mechanism).all if not symbols(equation.expression)}
-    return AskedFor({name: 1.0 for name in names if name != mechanism.driver.symbol and name not in still})
+    given = {mechanism.driver.symbol, *mechanism.listed_symbols}
+    return AskedFor({name: 1.0 for name in names if name not in given | still})

@@ -311,3 +311,20 @@ def test_nothing_is_marked_where_a_path_holds_no_workbook(week, tmp_path):
         assert told in output
     assert {name: (tmp_path / name).read_text(encoding="utf-8") for name in kept} == kept
     assert not (tmp_path / "pages").exists()
+
+
+def test_where_nothing_has_a_name_that_could_vary_no_empty_line_is_advised(tmp_path):
+    (tmp_path / "class.csv").write_text("id\n1\n", encoding="utf-8")
+    text = """format = 1
+mechanism.name = "plain"
+links.ground.points = { A0 = [0, 0], B0 = [70, 0] }
+links.crank.points = { A0 = [0, 0], A = [35, 0] }
+links.coupler.points = { A = [0, 0], B = [62, 0] }
+links.rocker.points = { B0 = [0, 0], B = [56, 0] }
+driver = { link = "crank", start = 0, stop = 360, step = 90 }
+assembly.B = [50, 55]
+"""
+    (tmp_path / "m.toml").write_text(text, encoding="utf-8")
+    told = printed("exercise", tmp_path / "m.toml", tmp_path / "class.csv", "-o", tmp_path / "out")
+    assert "what is to vary is written into [dimensions]" in told
+    assert "vary = {" not in told

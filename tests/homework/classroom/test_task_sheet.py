@@ -170,6 +170,13 @@ def test_what_is_asked_stands_behind_what_it_reads_with_its_marks():
     assert told(found.marks()) == ["Marks: worst: 1.5, size: 1"]
 
 
+def test_a_second_driver_whose_values_are_listed_is_no_question():
+    """It stood twice in the table: with its values, and as a column to fill in."""
+    found = statement(mechsheet.template("five-bar-robot", language="en"))
+    assert "theta15" not in found.asked
+    assert {"theta13", "theta14"} <= set(found.asked)
+
+
 @pytest.fixture(scope="module")
 def handed_out(tmp_path_factory):
     """A student's sheet with everything in it."""
@@ -187,6 +194,17 @@ def test_every_cell_that_is_to_be_filled_in_has_its_unit(handed_out):
     assert ["worst [deg]", "None"] in [row[:2] for row in rows]
     assert ["rod [mm]", "None", "rod [mm] = track − 2·arm·sin(β)"] in [row[:3] for row in rows]
     assert any(row[0].startswith("Marks: θ13: 1") for row in rows)
+
+
+@pytest.mark.slow
+def test_a_long_name_of_an_output_has_room(tmp_path):
+    """It took two lines in a row that is as high as one."""
+    (tmp_path / "class.csv").write_text("id\n7\n", encoding="utf-8")
+    text = TASKS["steering"].text.replace("error", "error_of_the_right_wheel")
+    exercise(loads(text, "own"), tmp_path / "class.csv", tmp_path / "out")
+    sheet = openpyxl.load_workbook(tmp_path / "out" / "student" / "7.xlsx").worksheets[0]
+    heads = [str(cell.value) for row in sheet.iter_rows() for cell in row if str(cell.value).endswith("wheel [deg]")]
+    assert sheet.column_dimensions["B"].width > len(heads[0])
 
 
 @pytest.mark.slow

@@ -1,6 +1,7 @@
 """What grows without bound at a limit, or between two rows, has no largest value: the sheet says so in a word."""
 
 import json
+import math
 
 import pytest
 from laid import Laid
@@ -152,3 +153,37 @@ def test_a_bounded_output_does_not_grow_without_bound():
     laid = Laid(text).change(a1=48.13136312848412, a2=39.36807294533667, a3=54.5460355465693, a4=36.71428895818196)
     value, words = summary(laid, "least")
     assert -1 <= value <= 1 and WORDS["en"] not in words
+
+
+FLAT = """
+format = 1
+mechanism.name = "flat"
+links.ground.points = { O = [0, 0] }
+links.tappet.points = { F = [0, 0] }
+joints = [{ type = "prismatic", link = "tappet", on = "ground", point = "F", through = [0, 0], angle = 90, symbol = "s" }]
+driver = { joint = "s", step = 5, segments = [SEGMENTS] }
+cam = { center = "O", base_radius = 40, face = { link = "tappet", point = "F", angle = 90 } }
+[summary]
+least = { of = "rho", take = "min" }
+fastest = { of = "s.dd", take = "max" }
+slowest = { of = "s.dd", take = "min" }
+"""
+RISE = '{ law = "harmonic", over = 40, to = 5 }, { law = "dwell", over = 30 }'
+BACK = '{ law = "harmonic", over = 40, to = 0 }, { law = "dwell" }'
+
+
+def test_where_segments_meet_a_leap_is_no_pole():
+    """s'' = 2 h (pi/beta)^2/4 where the rise begins; rho is 40 + s + s'' where it ends, its other sign."""
+    laid = Laid(FLAT.replace("SEGMENTS", f"{RISE}, {BACK}"))
+    most = 5 / 2 * (180 / 40) ** 2
+    assert laid.spot("summary fastest") == pytest.approx(most)
+    assert laid.spot("summary least") == pytest.approx(45 - most)
+    assert WORDS["en"] not in laid.words("least_rho")
+
+
+def test_an_acceleration_that_changes_its_sign_quickly_has_a_largest_value():
+    """From one segment to the next s'' goes from its least to its largest between three rows."""
+    rise = '{ law = "parabolic", over = 70, to = 4.464 }, { law = "modified trapezoid", over = 20, to = 5.346 }'
+    laid = Laid(FLAT.replace("SEGMENTS", rise + ', { law = "dwell", over = 200 }, { law = "modified sine", to = 0 }'))
+    factor = 8 * math.pi / (2 + math.pi)
+    assert laid.spot("summary slowest") == pytest.approx(-factor * 0.882 / math.radians(20) ** 2)

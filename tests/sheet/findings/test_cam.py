@@ -6,6 +6,7 @@ import re
 import numpy as np
 import pytest
 from both_layouts import Book
+from laid import Laid
 
 from folders import TEMPLATES
 from mechsheet.compiled import compiled_of
@@ -18,6 +19,16 @@ from mechsheet.sheet.findings.cam import FACTORS
 from mechsheet.sheet.plan import UNIT
 
 WORDS = 4
+
+NO_DIMENSIONS = """
+format = 1
+mechanism.name = "slide"
+links.ground.points = { O = [0, 0] }
+links.tappet.points = { F = [0, 0] }
+joints = [{ type = "prismatic", link = "tappet", on = "ground", point = "F", through = [5, 0], angle = 90, symbol = "s" }]
+driver = { joint = "s", step = 5, segments = [{ law = "3-4-5", over = 90, to = 12 }, { law = "3-4-5", to = 0 }] }
+cam = { center = "O", base_radius = 35, roller = { point = "F", radius = 8 } }
+"""
 
 
 def line(mechanism, key):
@@ -293,3 +304,11 @@ def test_a_page_says_the_same_of_its_rows():
     mechanism = loads(text)
     rows = sweep(mechanism, solve(mechanism), {"phi": np.radians(np.arange(0, 365, 5))})
     assert Book(text, "page").number("contact_force") == pytest.approx(np.min(rows["N"]))
+
+
+def test_an_empty_cell_is_called_by_its_own_name():
+    """A cam's dimensions stand below its sweep where there are no others: the words named the cells between the two."""
+    laid = Laid(NO_DIMENSIONS)
+    assert laid.change(base_radius=None).verdict.startswith("look at base_radius: ")
+    assert laid.change(over_1=None).verdict.startswith("look at over₁: ")
+    assert laid.change(_step=0).verdict.startswith("look at step: ")

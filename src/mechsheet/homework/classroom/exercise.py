@@ -259,6 +259,8 @@ def _all_alike(mechanism: Mechanism) -> str:
             step = 10.0 ** math.floor(math.log10(abs(value) / 20)) / 2
             low, high = (round(round(value * part / step) * step, 10) for part in (0.95, 1.05))
             ranges.append(f"{symbol} = [{min(low, high):g}, {max(low, high):g}, {step:g}]")
+    if not ranges:
+        return say("everybody has the same dimensions; what is to vary is written into [dimensions], each with a name")
     return say(
         "everybody has the same dimensions; under [exercise] for example: vary = {{ {names} }}", names=", ".join(ranges)
     )

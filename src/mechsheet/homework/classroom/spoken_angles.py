@@ -13,8 +13,8 @@ from livesheet.formula.nodes import Binary, Node, Number, Unary, symbols
 from livesheet.formula.scalar import evaluate
 from mechsheet.units import DEG
 
-READABLE = 10
-"""Decimals of a number of degrees, which takes off what radians round."""
+READABLE = 4
+"""Decimals of a number of degrees: a person draws no finer, and marks allow a hundred times more."""
 
 
 @dataclass(frozen=True, slots=True)

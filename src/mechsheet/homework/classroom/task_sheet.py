@@ -8,7 +8,19 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from livesheet.workbook import PLAIN, Cell, Column, Content, PrintSetup, Properties, Rich, Sheet, Style, Workbook
+from livesheet.workbook import (
+    PLAIN,
+    Cell,
+    Column,
+    Content,
+    PrintSetup,
+    Properties,
+    Rich,
+    Sheet,
+    Style,
+    Workbook,
+    plain_text,
+)
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.homework.classroom.figure import Figure
@@ -25,6 +37,8 @@ INPUT = Style(fill="FFF7D6", border="thin", locked=False)
 DRIVEN = Style(border="thin", fill="F3F3F3", number_format="0.####")
 SAID = Style(indent=1)
 EMPTY = Style(border="thin", locked=False)
+NARROWEST, ROOM = 14.0, 3.0
+"""Width of a column, and what it has beside its name [letters]."""
 FIRST = 4
 """Row of the figure, from 0."""
 ROW = 20
@@ -59,7 +73,7 @@ def task_sheet(compiled: Compiled, identifier: str, name: str, figure: Figure) -
     sheet = Sheet(
         said(language, "task.sheet"),
         tuple(page.cells),
-        columns=(Column(0, 0, 22.0), Column(1, max(1, len(columns)), 14.0)),
+        columns=(Column(0, 0, 22.0), Column(1, max(1, len(columns)), page.width_of(columns))),
         row_heights=tuple((row, float(ROW)) for row in rows_of_figure),
         charts=(chart,),
         print_setup=PrintSetup(landscape=False),
@@ -133,6 +147,10 @@ class _Page:
     def asked_head(self, symbol: str) -> Rich | str:
         """The name of what is asked, with its unit."""
         return self.names.head(self.told.asked_head(symbol), symbol)
+
+    def width_of(self, columns: Sequence[str]) -> float:
+        """How wide columns are that are to be filled in: a name with its unit stands on one line."""
+        return max([NARROWEST, *(len(plain_text(self.asked_head(symbol))) + ROOM for symbol in columns)])
 
     def table(self, compiled: Compiled, columns: Sequence[str]) -> None:
         """The driver's values, what is listed beside them, and the columns to fill in."""

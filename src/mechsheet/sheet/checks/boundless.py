@@ -16,7 +16,7 @@ from livesheet.formula.derivatives import KEEP_BOUNDS, WITHIN_BOUNDS
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, symbols, transform, walk
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
-from mechsheet.model import Mechanism
+from mechsheet.model import Mechanism, touched_by
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula
 
@@ -77,17 +77,30 @@ def seen_by_rates(mechanism: Mechanism, rates: Collection[str], symbol: str) -> 
 
 
 def bounded(mechanism: Mechanism, equations: Equations, transmission: Iterable[Group]) -> set[str]:
-    """Quantities that cannot be without bound: the angles of links and between them, places of points; and outputs that
-    follow from these by functions that keep what is bounded so."""
+    """Quantities that cannot be without bound: the angles of links and between them, places of points, what is of a cam;
+    and outputs that follow from these by functions that keep what is bounded so."""
     found = {link.angle_symbol for link in mechanism.links} | {group.transmission for group in transmission}
     found |= {equation.symbol for equation in equations.all if equation.role == "point"}
     driven = {*mechanism.driven_symbols, *mechanism.given_by_row}
     columns = driven | {equation.symbol for equation in equations.columns}
+    found |= _of_cam(mechanism, equations, columns)
     outputs = (each.symbol for each in mechanism.outputs)
     return found | {
         symbol for symbol in outputs
         if symbol in columns and _keeps_bounds(equations.of(symbol).expression, columns, found | driven)
     }  # fmt: skip
+
+
+def _of_cam(mechanism: Mechanism, equations: Equations, columns: set[str]) -> set[str]:
+    """How the follower moves, which laws without poles say, the pressure angle, and what a face that does not turn shows:
+    where segments meet these leap, and rows around a leap look like those around a pole."""
+    cam, follower = mechanism.cam, mechanism.follower
+    found = {*follower.by_angle, *follower.by_time} if follower is not None else set()
+    touched = None if cam is None else touched_by(cam, mechanism.links)
+    if cam is None or touched is None:
+        return found
+    stays = cam.radius is None and columns.isdisjoint(symbols(equations.of(touched.angle_symbol).expression))
+    return found | {"alpha"} | ({"rho", "contact"} if stays else set())
 
 
 def _keeps_bounds(node: Node, columns: Collection[str], known: Collection[str]) -> bool:

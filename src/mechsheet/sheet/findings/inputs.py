@@ -148,7 +148,7 @@ def _named(plan: Plan, wrong: Node) -> Node:
     """What the input of that number is called: the symbol beside it where the inputs stand one below another."""
     found = inputs_of(plan)
     first, last = found[0].row, found[-1].row
-    if last - first < len(found) and found[-1].kind != "task":
+    if [each.row for each in found] == [*range(first, last + 1)] and found[-1].kind != "task":
         symbols = RangeRef(CellRef(first, SYMBOL, True, True), CellRef(last, SYMBOL, True, True))
         return formula("INDEX(symbols,wrong)", symbols=symbols, wrong=wrong)
     return _choice(wrong, [Text(each.name) for each in found])
