@@ -18,7 +18,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, with_symbols
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.numeric import Array, value
-from mechsheet.model import HALF, LAWS_THAT_LEAP, PIECE, TAU, WAVE, FurtherDriver, Segment, Segments
+from mechsheet.model import HALF, PIECE, TAU, WAVE, FurtherDriver, Segment, Segments
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
 
@@ -37,10 +37,15 @@ EIGHTH, MOST_RISING = 0.125, 0.375
 
 INNER_SEAMS = {
     "parabolic": (0.5,),
-    "modified trapezoid": (EIGHTH, MOST_RISING, 1 - MOST_RISING, 1 - EIGHTH),
-    "modified sine": (EIGHTH, 1 - EIGHTH),
+    "harmonic": (0.5,),
+    "cycloidal": (0.25, 0.5, 0.75),
+    "3-4-5": ((3 - math.sqrt(3)) / 6, 0.5, (3 + math.sqrt(3)) / 6),
+    "4-5-6-7": ((5 - math.sqrt(5)) / 10, 0.5, (5 + math.sqrt(5)) / 10),
+    "modified trapezoid": (EIGHTH, MOST_RISING, 0.5, 1 - MOST_RISING, 1 - EIGHTH),
+    "modified sine": (EIGHTH, 0.5, 1 - EIGHTH),
 }
-"""Parts of a segment at which the pieces of its law meet, in the second half, too."""
+"""Parts of a segment at which the pieces of its law meet, or its velocity or acceleration are extreme: of a segment narrower
+than a row the rows show neither."""
 
 BEHIND = 1e-7
 """So far [rad] behind a seam the later piece is asked: beyond `MEETING`, which laws count in parts of a segment, too."""
@@ -148,7 +153,8 @@ def _within(motion: Segments, angle: str, ledger: Ledger) -> Symbol:
 
 
 def seams(motion: Segments) -> list[Node]:
-    """Angles at which pieces of the motion meet: what follows from it may be extreme there without turning back.
+    """Angles at which pieces of the motion meet, where what follows from it may be extreme without turning back; and those
+    at which laws have their largest velocities and accelerations.
 
     Of two segments, and where the acceleration leaps within one, the last of the earlier piece and the first of the later.
     """
@@ -157,7 +163,7 @@ def seams(motion: Segments) -> list[Node]:
         found += _both_sides(part.begins) if place else []
         for share in INNER_SEAMS.get(part.law, ()):
             angle = al.add(part.begins, al.mul(Number(share), part.over))
-            found += _both_sides(angle) if part.law in LAWS_THAT_LEAP else [angle]
+            found += _both_sides(angle) if part.law == "parabolic" else [angle]
     last = motion.parts[-1]
     end = al.add(last.begins, last.over)
     return [*found, al.sub(Number(2 * math.pi), Number(BEHIND)) if motion.closed else end]

@@ -278,8 +278,8 @@ def _probed(state: State, probe: Probe) -> State:
 def refined(
     way: Way, anchors: Anchors, stretches: Stretches, edges: tuple[Array, Array], rows_only: Mask,
     probe: Callable[[Array, Rows], Array], corners: Sequence[Array] = (),
-) -> tuple[Array, Codes]:  # fmt: skip
-    """The extremes of designs, and what is to be said of them.
+) -> tuple[Array, Codes, Array]:  # fmt: skip
+    """The extremes of designs, what is to be said of them, and the best of rows and corners.
 
     corners  places of each where pieces of its motion meet
     edges  where their stretches begin and end, between rows;  rows_only: of which nothing is known there
@@ -313,9 +313,12 @@ def refined(
             state[name] = value_of(tree, state)
         state = _probed(state, lambda places: probe(places, near))
         state["found"] = state["f_middle"]
-        state["extreme"] = extreme = value_of(rules.EXTREME, state)
+        result, placed = (
+            (rules.EXTREME_OF_CORNERS, rules.PLACED_OF_CORNERS) if corners else (rules.EXTREME, rules.PLACED)
+        )
+        state["extreme"] = extreme = value_of(result, state)
         state["place"] = value_of(rules.PLACE, state | {"probe": state["middle"]})
-        state["place"] = value_of(rules.PLACED, state)
+        state["place"] = value_of(placed, state)
         given = state | {"allowed": value_of(rivals.ALLOWED, state), "found": extreme}
         given["promise"] = value_of(rivals.PROMISE_BEYOND, given)
         state["elsewhere"] = value_of(rivals.MORE, given)
@@ -323,7 +326,8 @@ def refined(
             for name in ("before", "last_probe"):
                 state[name] = value_of(rules.UNLESS_CORNER, state | {"probed": state[name]})
         doubts = value_of(rules.DOUBT, state)
-    return np.asarray(extreme, float), OF_DOUBTS[np.asarray(doubts, np.intp)]
+    known = np.asarray(state["best_known"] if corners else anchors.of_rows, float)
+    return np.asarray(extreme, float), OF_DOUBTS[np.asarray(doubts, np.intp)], known
 
 
 def _best_corner(state: State, corners: Sequence[Array], probe: Callable[[Array, Rows], Array]) -> None:
@@ -333,7 +337,8 @@ def _best_corner(state: State, corners: Sequence[Array], probe: Callable[[Array,
     best = (np.argmin if state["sense"] > 0 else np.argmax)(values, axis=0)
     each = np.arange(len(best))
     state["at_corner"], state["corner"] = values[best, each], np.stack(corners)[best, each]
-    state["cornered"] = value_of(rules.CORNERED, state)
+    state["cornered"] = value_of(rules.CORNERED, state | {"earlier": state["before"], "later": state["after"]})
+    state["best_known"] = value_of(rules.OF_ROWS_AND_CORNERS, state)
 
 
 def edges_of(first: Array, last: Array, rows: int, margin: Probe) -> tuple[Array, Array, Mask]:

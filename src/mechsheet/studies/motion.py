@@ -114,6 +114,7 @@ class Motion:
         stretches = joined(parts)
         anchors = {key: joined(each) for key, each in found_anchors.items()}
         found = {key: each.of_rows for key, each in anchors.items()}
+        known = dict(found)
         doubts: dict[Extreme, Codes] = {}
         low, high, only_rows = self._edges(stretches, inside)
         if not designs.rows_only:
@@ -122,14 +123,16 @@ class Motion:
                 if symbol not in designs.given:
                     probe = self._probe(symbol, own, inside)
                     key = (symbol, way)
-                    found[key], doubts[key] = refined(way, own, stretches, (low, high), only_rows, probe, corners)
+                    found[key], doubts[key], known[key] = refined(
+                        way, own, stretches, (low, high), only_rows, probe, corners
+                    )
         spikes = self._spikes(anchors, found, count)
         for quantity in designs.questions.quantities:
             if quantity.ways:
                 number = _of_extremes(quantity, {way: found[quantity.of, way] for way in quantity.ways})
             else:
                 number = np.concatenate(of_rows[quantity.name])
-            without = self._without_bound(quantity, anchors, found, stretches)
+            without = self._without_bound(quantity, anchors, known, found, stretches)
             several = (stretches.number > 1) & designs.equations.range_has_gaps(quantity.of, quantity.take)
             fine = (stretches.count > 0) & np.isfinite(number) & ~without & ~several
             self.quantities[quantity.name] = np.where(fine, number * quantity.factor, np.nan)
@@ -159,17 +162,18 @@ class Motion:
         self,
         quantity: Quantity,
         anchors: Mapping[Extreme, Anchors],
+        of_rows: Mapping[Extreme, Array],
         found: Mapping[Extreme, Array],
         stretches: Stretches,
     ) -> Mask:
-        """Whether a quantity has no smallest or no largest value."""
+        """Whether a quantity has no smallest or no largest value; `of_rows`: the best of rows and corners."""
         designs = self.designs
         without = np.zeros(len(stretches.count), bool)
         if quantity.of not in designs.may_grow:
             return without
         for way in quantity.ways:
             own = anchors[quantity.of, way]
-            known = {"extreme": found[quantity.of, way], "of_rows": own.of_rows, "other": own.other}
+            known = {"extreme": found[quantity.of, way], "of_rows": of_rows[quantity.of, way], "other": own.other}
             without |= value(BEYOND_ROWS, known | {"first": stretches.first, "last": stretches.last})
             without |= own.pole
         return without & (stretches.count > 0)

@@ -20,8 +20,9 @@ from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 from mechsheet.units import turn as whole_turn
 
-WORKING = ("at_corner", "corner", "cornered")
-"""Working cells beside a search: the best value of all corners, its place, whether that is better than the best row."""
+WORKING = ("at_corner", "corner", "cornered", "best_known")
+"""Working cells beside a search: the best value of all corners, its place, whether the search begins there, and the better
+of that value and the best row's."""
 
 
 @dataclass(frozen=True)
@@ -66,6 +67,7 @@ class Corners:
             "at_corner": formula('IFERROR(best,"")', best=Call(way.upper(), (column,))),
             "corner": formula('IFERROR(INDEX(places,MATCH(at_corner,column,0)),"")', places=places, column=column),
             "cornered": rules.CORNERED,
+            "best_known": rules.OF_ROWS_AND_CORNERS,
         }
         for work, name in enumerate(WORKING):
             table.work(row, self.at + work, "value", value=with_symbols(trees[name], known))

@@ -212,6 +212,9 @@ class Searches:
         known = self._read(sought) | {"value": value}
         trees = rules.begun(corners=self.corners is not None, limits=bool(self.ends))
         if self.corners is not None:
+            beside = (with_symbols(tree, known) for tree in rules.BESIDE_HERE)
+            for name, place in zip(("earlier", "later"), beside, strict=True):
+                known[name] = table.in_row(symbol, row, place)
             self.corners.write_beside(row, symbol, sought.way, known)
         if not self.ends:
             return {"sense": sense, **self._between_rows(sought, known, trees)}
@@ -301,9 +304,12 @@ class Searches:
             "before": self.known(last - 1, "f_middle"),
             "last_probe": CellRef(last - 1, table.value_col, False, True),
         }
-        table.work(row, VALUE, "value", styles.RESULT, value=with_symbols(rules.EXTREME, known))
+        extreme, placed = rules.EXTREME, rules.PLACED
+        if self.corners is not None:
+            extreme, placed = rules.EXTREME_OF_CORNERS, rules.PLACED_OF_CORNERS
+        table.work(row, VALUE, "value", styles.RESULT, value=with_symbols(extreme, known))
         known["place"] = self._place_of(last, self.known(last, "middle"))
-        known["place"] = table.work(row, PLACED, "place", place=with_symbols(rules.PLACED, known))
+        known["place"] = table.work(row, PLACED, "place", place=with_symbols(placed, known))
         within = with_symbols(rules.ROW_AT, known)
         table.work(row, WHERE, "driver", styles.RESULT, driver=driver_at(self.plan, within))
         known["elsewhere"] = self._elsewhere(sought)
@@ -389,7 +395,8 @@ class Searches:
         """Whether the quantity has no largest or smallest value."""
         plan, table, row, symbol = self.plan, self.table, sought.row, sought.symbol
         known = self._read(sought)
-        found = with_symbols(boundless.BEYOND_ROWS, known)
+        of_rows_ = {"of_rows": known["best_known"]} if self.corners is not None else {}
+        found = with_symbols(boundless.BEYOND_ROWS, known | of_rows_)
         if not seen_by_rates(plan.mechanism, {column.symbol for column in plan.rates}, symbol):
             known["middle"] = table.work(row, MIDDLE, "row", row=with_symbols(boundless.MIDDLE, known))
             before, after = (with_symbols(tree, known) for tree in boundless.NEIGHBOURS)

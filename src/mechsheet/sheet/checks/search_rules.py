@@ -138,13 +138,27 @@ nearest that they have."""
 SAME_CORNER = 1e-9
 """A corner and a row whose values differ by no more than this part of the range are one place."""
 
-CORNERED = formula("IFERROR(sense*(at_corner-of_rows)<-same*ABS(of_rows-other),FALSE)", same=SAME_CORNER)
-"""Whether the best corner is better than the best row."""
+BESIDE_HERE = tuple(
+    formula(f"1+MOD(here{sign}1-1,IF(wraps>0,turned,2*rows))", turned=formula("IF(wraps=1,rows-1,rows)"))
+    for sign in "-+"
+)
+"""The rows beside the one from which a search would begin, `earlier` and `later`; beyond the table where there is none."""
+
+CORNERED = formula(
+    "IFERROR(AND(sense*(at_corner-of_rows)<-least,IFERROR(OR(ABS(corner-here)<1,sense*(at_corner-promise)<=0),TRUE)),FALSE)",
+    least=formula("same*ABS(of_rows-other)", same=SAME_CORNER),
+    promise=formula("1.5*value-(earlier+later)/4"),
+)
+"""Whether the best corner is better than the best row, and beside it, or better than what that row promises beside it (as
+`rivals.OFFER`): if not, the search begins at the row, and the corner stands beside what it finds."""
+
+OF_ROWS_AND_CORNERS = formula("IFERROR(IF(sense*(at_corner-of_rows)<0,at_corner,of_rows),of_rows)")
+"""The best of both."""
 
 UNLESS_CORNER = formula(
-    "IFERROR(IF(ABS(extreme-at_corner)<=same*ABS(of_rows-other),extreme,probed),probed)", same=SAME_CORNER
+    "IFERROR(IF(AND(cornered,ABS(extreme-at_corner)<=same*ABS(of_rows-other)),extreme,probed),probed)", same=SAME_CORNER
 )
-"""What the last probe has found, for `DOUBT`: that it is worse than a corner says nothing."""
+"""What the last probe has found, for `DOUBT`: that it is worse than the corner from which the search began says nothing."""
 
 
 def begun(corners: bool, limits: bool = True) -> dict[str, Node]:
@@ -212,6 +226,12 @@ and where one ends must be known."""
 
 PLACED = formula("IF(rows_only,best,IF(extreme=found,place,best))")
 """Its place: the best row, or where the probes have found it."""
+
+EXTREME_OF_CORNERS = formula(
+    "IF(rows_only,of_rows,IFERROR(IF(sense*(best_known-found)<0,best_known,found),best_known))"
+)
+PLACED_OF_CORNERS = formula("IF(OR(rows_only,extreme=of_rows),best,IF(extreme=found,place,corner))")
+"""The same where there are corners; `best_known`: the best of rows and corners."""
 
 DOUBT = formula(
     f"IF(rows_only,{ROWS},IFERROR(IF(elsewhere,{BEYOND},IF(AND(wraps=0,OR(place=low,place=high)),{SURE},"

@@ -65,7 +65,8 @@ class LargestBesides(Finding):
 
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
         rows = np.abs(motion.search.in_rows(self.effort))
-        return {self.key: Expected([float(np.nanmax(rows))], 1e-9 * float(np.nanmax(rows)))} if len(rows) else {}
+        most = float(np.max(rows[np.isfinite(rows)], initial=0.0))
+        return {self.key: Expected([most], 1e-9 * most)} if most > 0 else {}
 
 
 class LargestForce(Finding):
