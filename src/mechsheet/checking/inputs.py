@@ -17,6 +17,7 @@ from livesheet.said import say
 from mechsheet.checking.report import Array, text_of
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
+from mechsheet.kinematics.cam_inputs import refused_by_cam
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.points_in_link import number as place_number
@@ -95,8 +96,8 @@ class OfTheLast(Generic[Found]):
 def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
     """Read a workbook's input cells.
 
-    Raises WorkbookError where one holds no number, a length between joints is not above 0, a mode is neither 1 nor -1, or
-    a sheet is missing.
+    Raises WorkbookError where one holds no number, a length between joints is not above 0, a cam cannot be, a mode is
+    neither 1 nor -1, or a sheet is missing.
     """
     titles = {sheet.title.casefold() for sheet in book.sheets}
     lost = [title for title in (plan.main, plan.table) if title.casefold() not in titles]
@@ -142,6 +143,10 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
             if law and symbol == law.duration:
                 message = say("{symbol} is the time of the motion and must be greater than 0", symbol=symbol)
             wrong(symbol, message)
+    if not faults:
+        for asked, why in refused_by_cam(plan.mechanism, dimensions):
+            spot = plan.at.spots[asked.symbol]
+            faults.append(Fault(why, shown, key=cell_address(spot.sheet, spot.row, spot.col)))
     modes: dict[str, int] = {}
     for group in plan.equations.groups:
         if group.follows is not None:  # a formula: where it is damaged, that is told of the cell

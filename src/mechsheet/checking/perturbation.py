@@ -29,6 +29,7 @@ from mechsheet.checking.report import Comparison
 from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError, MissingProgramError
+from mechsheet.kinematics.cam_inputs import asked_by_cam, refused_by_cam
 from mechsheet.library.building import build
 from mechsheet.library.changed import load
 from mechsheet.sheet.plan import Plan
@@ -297,12 +298,23 @@ def drawn(plan: Plan, draw: random.Random) -> dict[str, float]:
             if dim.symbol not in plan.equations.positive and draw.random() < 0.05:
                 value = -value
         found[dim.symbol] = float(f"{value:.6g}")
+    found |= _kept_of_cam(plan, found)
     for group in plan.equations.groups:
         if group.mode and group.follows is None:
             others = [value for value in group.mode_values if value != group.mode_value] or [group.mode_value]
             flipped = others[0] if len(others) == 1 else others[int(draw.random() * len(others))]
             found[group.mode] = float(flipped if draw.random() < FLIPPED else group.mode_value)
     return found
+
+
+def _kept_of_cam(plan: Plan, typed: Mapping[str, float]) -> dict[str, float]:
+    """The described numbers of a cam that could not be with what is drawn: cells that would be refused show nothing."""
+    inputs = {dim.symbol: dim for dim in plan.mechanism.dimensions if isinstance(dim.value, float)}
+    internal = {symbol: dim.unit.to_internal(typed[symbol]) for symbol, dim in inputs.items()}
+    if not any(refused_by_cam(plan.mechanism, internal)):
+        return {}
+    asked = (inputs[each.symbol] for each in asked_by_cam(plan.mechanism))
+    return {dim.symbol: dim.unit.to_shown(dim.value) for dim in asked if isinstance(dim.value, float)}
 
 
 def _shortest(value: float) -> str:

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from typing import Literal
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Text
 from livesheet.workbook import Area, Conditional
+from mechsheet.kinematics.cam_inputs import asked_by_cam
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.findings.finding import Finding, Line, bad, good
@@ -75,7 +76,8 @@ class Inputs(Finding):
 class Input:
     """A yellow cell, or one that says whether a task has a solution: what people call it, its row on the first sheet.
 
-    most  choices are 1 to that
+    most   choices are 1 to that
+    asked  what must hold besides, over dimensions, where it follows from numbers
     """
 
     spot: Spot
@@ -83,10 +85,15 @@ class Input:
     kind: Kind
     row: int
     most: int = 1
+    asked: tuple[Binary, ...] = ()
 
-    def can_be(self, cell: Node) -> Node:
-        """Whether its cell holds what it can."""
-        return formula(CAN_BE[self.kind], cell=cell, **({"most": self.most} if self.kind == "choice" else {}))
+    def can_be(self, cell: Node, plan: Plan) -> Node:
+        """Whether its cell, read on the first sheet, holds what it can."""
+        can_be = formula(CAN_BE[self.kind], cell=cell, **({"most": self.most} if self.kind == "choice" else {}))
+        for each in self.asked:
+            margin, holds = (plan.at.bind(node, plan.main) for node in (each.left, each))
+            can_be = formula("can_be*IF(ISNUMBER(margin),holds,TRUE)", can_be=can_be, margin=margin, holds=holds)
+        return can_be
 
 
 def inputs_of(plan: Plan) -> list[Input]:
@@ -98,6 +105,9 @@ def inputs_of(plan: Plan) -> list[Input]:
     law = plan.mechanism.driver.law
     of_law = (law.start, law.stop, law.duration) if law else ()
     found = []
+    of_cam: dict[str, list[Binary]] = {}
+    for each in asked_by_cam(plan.mechanism):
+        of_cam.setdefault(each.symbol, []).append(each.holds)
     for dim in plan.mechanism.dimensions:
         of_ties = dim.path[:1] in (("joints",), ("drivers",), ("cam",)) or dim.path[1:2] == ("segments",)
         if isinstance(dim.value, float) and (not dim.path or of_ties or dim.symbol in of_law):
@@ -106,7 +116,8 @@ def inputs_of(plan: Plan) -> list[Input]:
             if dim.path[-1:] in (("ratio",), ("radius",)) and not of_roller:
                 kind = "step"  # not 0
             spot = plan.at.spots[dim.symbol]
-            found.append(Input(spot, plain(dim.symbol), kind, spot.row))
+            asked = tuple(dict.fromkeys(of_cam.get(dim.symbol, ())))
+            found.append(Input(spot, plain(dim.symbol), kind, spot.row, asked=asked))
     driver = plan.mechanism.driver
     start, step = plan.places.start, plan.places.step
     if start is not None and isinstance(driver.start, float):
@@ -127,7 +138,7 @@ def inputs_of(plan: Plan) -> list[Input]:
 def first_wrong(plan: Plan) -> Node:
     """The number of the first input that cannot be, 0 where all can: where the first 0 is in 111...10, a digit an input."""
     found = inputs_of(plan)
-    each_can = (each.can_be(plan.at.bind(each.spot.cell, plan.main)) for each in found)
+    each_can = (each.can_be(plan.at.bind(each.spot.cell, plan.main), plan) for each in found)
     digits = joined(*(formula("can_be*1", can_be=can_be) for can_be in each_can), "0")
     return formula('MOD(FIND("0",digits),beyond)', digits=digits, beyond=len(found) + 1)
 
@@ -175,7 +186,7 @@ def red_where_wrong(plan: Plan, nowhere: Node | None) -> list[Conditional]:
         return Conditional(Area(row, VALUE, row, VALUE), wrong, styles.BAD)
 
     rules = [
-        red(each.row, formula("NOT(can_be)", can_be=each.can_be(CellRef(each.row, VALUE, True, True))))
+        red(each.row, formula("NOT(can_be)", can_be=each.can_be(CellRef(each.row, VALUE, True, True), plan)))
         for each in inputs_of(plan)
         if each.kind != "task"
     ]
