@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,13 +22,14 @@ from .speaking import spoken
 
 if TYPE_CHECKING:
     from mechsheet.homework.recognition import Recognised
+    from mechsheet.model import Mechanism
 
 
 @click.command(cls=Explained, short_help="Find quantities and faults in a workbook made by hand.")
 @click.argument("workbook", metavar="BOOK", type=click.Path(path_type=Path))
 @click.option(
     "--against", "description", metavar="DESCRIPTION", type=click.Path(path_type=Path),
-    help="What the workbook should be; if not given, find out what it seems to be.",
+    help="What the workbook should be (or the key.json of an exercise); if not given, find out what it seems to be.",
 )  # fmt: skip
 @click.option("--assembly", type=click.Choice(["any"]), help="any: accept assemblies other than the sketch's.")
 @click.option(
@@ -72,7 +74,7 @@ def audit(
     from mechsheet.homework.audit import audit as judge
     from mechsheet.homework.words_of import lines
 
-    mechanism = described(description, language=language)
+    mechanism = _asked(description, language)
     named = readable_name(workbook)
     with at_lines_of(mechanism, description), progress(workbook.name) as tell, limited(seconds, named):
         tell("auditing")
@@ -80,6 +82,16 @@ def audit(
     click.echo(json.dumps(found.as_dict(), indent=2, ensure_ascii=False) if as_json else "\n".join(lines(found)))
     if not found.right:
         sys.exit(1)
+
+
+def _asked(description: Path, language: str | None) -> Mechanism:
+    """What is asked for: a description, or that in the key of an exercise."""
+    from mechsheet.homework.classroom.marks import key_of_file
+
+    if description.suffix.lower() != ".json":
+        return described(description, language=language)
+    mechanism = key_of_file(description).mechanism
+    return replace(mechanism, language=language or mechanism.language)
 
 
 def _recognised(

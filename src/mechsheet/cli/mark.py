@@ -84,13 +84,19 @@ def mark(
 
 
 def _refuse(output: Path | None, written: list[Path | None], read: list[Path]) -> None:
-    """Raise OutputError where something that is read would be overwritten, or a workbook has no format."""
+    """Raise OutputError, before anything is marked, where what is read would be overwritten, a folder is not there, or a
+    workbook has no format."""
     from livesheet.diagnostics import Fault, OutputError
 
     faults = [
         Fault(say("is read here: it is not overwritten"), readable_name(file), hint=say("name another file"))
         for file in written
         if file is not None and any(same_file(file, other) for other in read)
+    ]
+    faults += [
+        Fault(say("cannot be written: {reason}", reason=say("there is no such folder")), readable_name(file))
+        for file in written
+        if file is not None and not file.parent.is_dir()
     ]
     if output is not None and output.suffix.lower() not in (".xlsx", ".ods"):
         faults.append(Fault(say("a workbook ends with .xlsx or .ods"), readable_name(output), key="-o"))

@@ -328,3 +328,17 @@ assembly.B = [50, 55]
     told = printed("exercise", tmp_path / "m.toml", tmp_path / "class.csv", "-o", tmp_path / "out")
     assert "what is to vary is written into [dimensions]" in told
     assert "vary = {" not in told
+
+
+def test_a_folder_to_write_into_is_missed_before_anything_is_marked(week, tmp_path):
+    command = ("mark", week / "week" / "student", "--against", week / "week" / "key.json")
+    output = printed(*command, "-o", tmp_path / "none" / "m.xlsx", "--csv", tmp_path / "none" / "m.csv", code=2)
+    assert output.count("there is no such folder") == 2
+
+
+def test_an_appeal_is_looked_at_by_the_key(week):
+    """The description of an exercise stands in its key: no faults of a .json read as a description."""
+    sheet = next((week / "week" / "student").glob("101*.xlsx"))
+    output = printed("audit", sheet, "--against", week / "week" / "key.json", "--language", "tr", code=1)
+    assert "theta13" in output
+    assert "0 puan" in output

@@ -13,10 +13,11 @@ from functools import reduce
 
 from livesheet.formula import algebra as al
 from livesheet.formula.derivatives import KEEP_BOUNDS, WITHIN_BOUNDS
-from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, symbols, transform, walk
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, symbols, transform, walk, with_symbols
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
 from mechsheet.model import Mechanism, touched_by
+from mechsheet.sheet.checks.search_rules import BESIDE_HERE
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, formula
 
@@ -42,10 +43,7 @@ the `last` one of the stretch."""
 MIDDLE = formula("IF(wraps>0,here,MAX(first+1,MIN(last-1,here)))")
 """The middle one of three rows: that from which the search begins, or its neighbour at an end of the stretch."""
 
-NEIGHBOURS = tuple(
-    formula(f"1+MOD(middle{sign}1-1,IF(wraps>0,turned,2*rows))", turned=formula("IF(wraps=1,rows-1,rows)"))
-    for sign in "-+"
-)
+NEIGHBOURS = tuple(with_symbols(tree, {"here": Symbol("middle")}) for tree in BESIDE_HERE)
 """The rows beside it: the first row's neighbour is the last, where the motion goes around."""
 
 SIGNED = formula("value*SIGN(there*here)")
