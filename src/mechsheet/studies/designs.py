@@ -19,6 +19,7 @@ from livesheet.formula.nodes import Node, symbols, with_symbols
 from livesheet.said import say
 from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.cam_inputs import asked_by_cam
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_between, given_values, step_of
 from mechsheet.kinematics.equations import FORCES, RATES
@@ -148,7 +149,7 @@ class Designs:
         fixed = {symbol: number for symbol, number in self.dimensions.items() if symbol not in self.dependent}
         fixed |= {mode: float(number) for mode, number in self.modes.items()}
         given = dict.fromkeys((driver, *self.given))
-        lowering = Lowering(self.equations, fixed, self.varied, derived, given)
+        lowering = Lowering(self.equations, fixed, self.varied, derived, given, asked_by_cam(mechanism))
         wanted = dict.fromkeys(quantity.of for quantity in questions.quantities)
         self.cranks = {each.name: self._angle_of(each.name) for each in questions.others if each.kind == "crank"}
         turning = [symbol for symbol in self.cranks.values() if symbol != driver]

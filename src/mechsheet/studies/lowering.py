@@ -15,6 +15,7 @@ import numpy as np
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Direction, Node, Symbol, TriangleAngle, Unary, children, symbols
+from mechsheet.kinematics.cam_inputs import Asked
 from mechsheet.kinematics.equations import Condition, Equation, Equations
 from mechsheet.studies.program import DESIGN, ONE, PLACE, WHOLE, Program, Running, Value, Width, kept, near, unwrapped
 
@@ -43,6 +44,7 @@ class Lowering:
     fixed    values of the dimensions that do not vary, and of the assembly modes
     varied   symbols of those that vary;  derived  those that follow from them, in order, with their expressions
     given    what is given row by row, the driver first
+    asked    what a cam asks of them: no row of a design for which it does not hold claims a position
     """
 
     def __init__(
@@ -52,12 +54,14 @@ class Lowering:
         varied: Iterable[str],
         derived: Sequence[tuple[str, Node]],
         given: Iterable[str],
+        asked: Sequence[Asked] = (),
     ) -> None:
         self.equations = equations
         self.fixed = fixed
         self.varied = tuple(varied)
         self.derived = tuple(derived)
         self.given = tuple(given)
+        self.asked = tuple(asked)
         self.modes = frozenset(group.mode for group in equations.groups)
         self.margins = {
             equation.group: condition
@@ -183,6 +187,10 @@ class _Writer:
         for symbol, node in lowering.derived:
             self.known[symbol] = self.value(node)
         self.known |= {symbol: self.program.given(symbol, wide) for symbol in lowering.given}
+        self._possible = self._of_cam(lowering.asked)
+        if self._possible.width != ONE and not constants:
+            driver = lowering.given[0]
+            self.known[driver] = self.program.step(kept, self.known[driver], self._possible)
         for equation in lowering.equations.all:
             self.known[equation.symbol] = self._equation(equation)
 
@@ -206,6 +214,16 @@ class _Writer:
             return value
         mask = self._mask(equation.exists)
         return value if mask.width == ONE and mask.number else self.program.step(kept, value, mask)
+
+    def _of_cam(self, asked: Sequence[Asked]) -> Value:
+        """Whether all holds that a cam asks, one value for a design."""
+        tests = [
+            self.program.step(
+                np.greater_equal if each.zero else np.greater, self.value(each.margin), Value(ONE, number=0.0)
+            )
+            for each in asked
+        ]
+        return self.program.fold(np.logical_and, tests or [Value(ONE, number=1.0)])
 
     def _tolerance(self, equation: Equation) -> Value:
         """No number where a length between joints is none, be it a driven one in its row: then no row claims a position."""
@@ -253,7 +271,7 @@ class _Writer:
 
     def there(self) -> Value:
         """Where every group closes."""
-        found = []
+        found = [] if self._possible.width == ONE else [self._possible]
         for group in self._equations.groups:
             equation = self._equations.of(group.closes)
             if equation.exists:
