@@ -10,10 +10,12 @@ from placed import places_of
 
 from livesheet.diagnostics import WorkbookError
 from livesheet.evaluation import book_of
+from livesheet.formats.limits import MAX_FORMULA
+from livesheet.formula.printer import print_formula
 from livesheet.formula.references import cell_address
 from mechsheet.checking.inputs import inputs_in
 from mechsheet.checking.perturbation import drawn
-from mechsheet.sheet.findings.inputs import inputs_of
+from mechsheet.sheet.findings.inputs import first_wrong, inputs_of
 from mechsheet.sheet.plan import VALUE
 
 CAM = """
@@ -109,3 +111,12 @@ def test_sets_that_are_drawn_are_such_as_a_cam_can_have():
 def test_it_is_said_in_turkish_too():
     book = Book(CLOSED, "sheets", "tr").type(over_1=400)
     assert re.fullmatch("over.* hücresine bakın: boş ya da olamaz", book.line)
+
+
+@pytest.mark.parametrize("layout", ["sheets", "page"])
+def test_as_many_segments_as_may_be_fit_into_a_cell(layout):
+    """One formula asks all inputs; 40 segments are what a description takes at most."""
+    parts = ", ".join(f'{{ law = "3-4-5", over = 8.75, to = {12 if place % 2 else 2} }}' for place in range(39))
+    text = CAM + f'driver = {{ joint = "s", step = 45, segments = [{parts}, {{ law = "3-4-5", to = 0 }}] }}'
+    plan = Book(text, layout).plan
+    assert len(print_formula(first_wrong(plan))) < MAX_FORMULA

@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Text
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Symbol, Text
 from livesheet.workbook import Area, Conditional
 from mechsheet.kinematics.cam_inputs import asked_by_cam
+from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.findings.finding import Finding, Line, bad, good
@@ -90,9 +91,8 @@ class Input:
     def can_be(self, cell: Node, plan: Plan) -> Node:
         """Whether its cell, read on the first sheet, holds what it can."""
         can_be = formula(CAN_BE[self.kind], cell=cell, **({"most": self.most} if self.kind == "choice" else {}))
-        for each in self.asked:
-            margin, holds = (plan.at.bind(node, plan.main) for node in (each.left, each))
-            can_be = formula("can_be*IF(ISNUMBER(margin),holds,TRUE)", can_be=can_be, margin=margin, holds=holds)
+        for each in self.asked:  # an error among what it follows from is another cell's
+            can_be = formula("can_be*IFERROR(holds,TRUE)", can_be=can_be, holds=plan.at.bind(each, plan.main))
         return can_be
 
 
@@ -111,13 +111,7 @@ def inputs_of(plan: Plan) -> list[Input]:
     for dim in plan.mechanism.dimensions:
         of_ties = dim.path[:1] in (("joints",), ("drivers",), ("cam",)) or dim.path[1:2] == ("segments",)
         if isinstance(dim.value, float) and (not dim.path or of_ties or dim.symbol in of_law):
-            kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
-            of_roller = dim.path[:1] == ("cam",)  # 0: a knife edge
-            if dim.path[-1:] in (("ratio",), ("radius",)) and not of_roller:
-                kind = "step"  # not 0
-            spot = plan.at.spots[dim.symbol]
-            asked = tuple(dict.fromkeys(of_cam.get(dim.symbol, ())))
-            found.append(Input(spot, plain(dim.symbol), kind, spot.row, asked=asked))
+            found.append(_of_dimension(plan, dim, of_cam.get(dim.symbol, [])))
     driver = plan.mechanism.driver
     start, step = plan.places.start, plan.places.step
     if start is not None and isinstance(driver.start, float):
@@ -126,13 +120,27 @@ def inputs_of(plan: Plan) -> list[Input]:
         found.append(Input(step, plan.text("name.step"), "step", step.row))
     for group in plan.equations.groups:
         if group.mode and group.follows is None:
-            kind = "mode" if group.system is None else "choice"
+            kind: Kind = "mode" if group.system is None else "choice"
             spot = plan.at.spots[group.mode]
             found.append(Input(spot, plain(group.mode), kind, spot.row, len(group.assemblies)))
     if plan.places.unsolved is not None:
         title, row = plan.at.titles["synthesis"], plan.blocks["dimensions"].row
         found.append(Input(plan.places.unsolved, title, "task", row))
     return found
+
+
+def _of_dimension(plan: Plan, dim: Dimension, asked: Sequence[Binary]) -> Input:
+    """A dimension as an input; `asked`: what a cam asks of it."""
+    kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
+    of_cam = dim.path[:1] == ("cam",)  # a roller of 0 is a knife edge
+    if dim.path[-1:] in (("ratio",), ("radius",)) and not of_cam:
+        kind = "step"  # not 0
+    above = Binary(">", Symbol(dim.symbol), al.ZERO)  # which is what a length is
+    if above in asked:
+        kind = "length"
+    spot = plan.at.spots[dim.symbol]
+    rest = tuple(dict.fromkeys(each for each in asked if each != above))
+    return Input(spot, plain(dim.symbol), kind, spot.row, asked=rest)
 
 
 def first_wrong(plan: Plan) -> Node:
