@@ -45,7 +45,7 @@ from .written import WRITTEN, pairwise, plain_degrees, real_powers, signs_apart
 
 _ATOM = 1000
 _UNION = _ATOM + 1  # a union in its own parentheses, which a union around it takes off
-_PLAIN_SHEET = re.compile(r"(?=[\0-ÿ])[^\W\d]\w*")  # LibreOffice reads Şekil!A1 in a chart only in quotes
+_PLAIN_SHEET = re.compile(r"(?=[\0-ÿ])[^\W\d]\w*")  # LibreOffice's charts want quotes around others, as U+015E
 _R1C1 = re.compile(r"[rR]?[0-9]*[cC]?[0-9]*")
 _DESCRIPTION_NAMES = {tree: name for name, tree in DESCRIPTION_FUNCTIONS.items()} | {"HYPOT": "hypot"}
 
