@@ -37,7 +37,7 @@ def base_circle_doubts(mechanism: Mechanism, equations: Equations) -> Iterator[F
     rows = given_values(mechanism, values)[mechanism.driver.symbol]
     meet = [number(angle, values) for angle in seams(motion)]  # a motion may end between two rows
     found = sweep(mechanism, equations, np.unique(np.concatenate([rows, meet])))
-    distances = np.hypot(found["cam.x"], found["cam.y"])
+    distances = np.sqrt(found["cam.x"] ** 2 + found["cam.y"] ** 2)
     if not np.isfinite(distances).any():
         return
     place = int(np.nanargmin(distances))

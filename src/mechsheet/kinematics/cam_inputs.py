@@ -7,13 +7,16 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, Node, Number, symbols
+from livesheet.formula.nodes import Binary, Node, Number, symbols
 from livesheet.said import Said, say
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.segments import MEETING
 from mechsheet.model import Mechanism, Segments
+
+TURN = Number(math.tau + MEETING)
+"""Where a turn ends, but for rounding."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,17 +27,24 @@ class Asked:
     margin  what must be, over dimensions
     why     what is said where it is not, of the angle [degrees] that is a whole turn less the margin
     zero    whether 0 will do, too
+    begins  where a segment begins that must end within the turn: of one that begins beyond it an earlier one is told
     """
 
     symbol: str
     margin: Node
     why: Callable[[float], Said]
     zero: bool = False
+    begins: Node = al.ZERO
 
     @property
     def holds(self) -> Binary:
         """Whether it is."""
         return Binary(">=" if self.zero else ">", self.margin, al.ZERO)
+
+    @property
+    def earlier(self) -> Binary | None:
+        """Whether it is another one's fault where it is not; None where it cannot be."""
+        return None if self.begins == al.ZERO else Binary(">", self.begins, TURN)
 
 
 def asked_by_cam(mechanism: Mechanism) -> tuple[Asked, ...]:
@@ -66,6 +76,8 @@ def refused_by_cam(mechanism: Mechanism, typed: Mapping[str, float]) -> Iterator
             values[symbol] = math.nan
     for each in asked:
         margin = float(value(each.margin, values))
+        if each.earlier is not None and value(each.earlier, values):
+            continue
         if margin < 0 or (margin == 0 and not each.zero):
             yield each, each.why(math.degrees(math.tau - margin))
 
@@ -79,14 +91,12 @@ def _of_segments(motion: Segments, reads: _Inputs) -> Iterator[Asked]:
         for symbol in own:
             yield Asked(symbol, part.over, _segment)
         named = own or named  # what is no cell of its own may leave the turn by what is typed before it
-        left: Node = al.sub(Number(math.tau + MEETING), al.add(part.begins, part.over))
+        left: Node = al.sub(TURN, al.add(part.begins, part.over))
         why = _turn
         if motion.closed and part is before[-1]:
             left, why = al.sub(last.over, Number(MEETING)), _last
-        if part.begins != al.ZERO:  # of one that begins beyond the turn an earlier one is told
-            left = Call("IF", (Binary(">", part.begins, Number(math.tau + MEETING)), al.ONE, left))
         for symbol in named:
-            yield Asked(symbol, left, why)
+            yield Asked(symbol, left, why, begins=part.begins)
 
 
 class _Inputs:

@@ -13,7 +13,7 @@ from typing import Literal
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Symbol, Text
 from livesheet.workbook import Area, Conditional
-from mechsheet.kinematics.cam_inputs import asked_by_cam
+from mechsheet.kinematics.cam_inputs import Asked, asked_by_cam
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
@@ -78,7 +78,7 @@ class Input:
     """A yellow cell, or one that says whether a task has a solution: what people call it, its row on the first sheet.
 
     most   choices are 1 to that
-    asked  what must hold besides, over dimensions, where it follows from numbers
+    asked  what must hold besides, where it follows from numbers
     """
 
     spot: Spot
@@ -86,13 +86,16 @@ class Input:
     kind: Kind
     row: int
     most: int = 1
-    asked: tuple[Binary, ...] = ()
+    asked: tuple[Asked, ...] = ()
 
-    def can_be(self, cell: Node, plan: Plan) -> Node:
-        """Whether its cell, read on the first sheet, holds what it can."""
+    def can_be(self, cell: Node, plan: Plan, first: bool = False) -> Node:
+        """Whether its cell, read on the first sheet, holds what it can; `first`: or another one's is told in its place."""
         can_be = formula(CAN_BE[self.kind], cell=cell, **({"most": self.most} if self.kind == "choice" else {}))
         for each in self.asked:  # an error among what it follows from is another cell's
-            can_be = formula("can_be*IFERROR(holds,TRUE)", can_be=can_be, holds=plan.at.bind(each, plan.main))
+            holds: Node = each.holds
+            if first and each.earlier is not None:
+                holds = formula("OR(earlier,holds)", earlier=each.earlier, holds=holds)
+            can_be = formula("can_be*IFERROR(holds,TRUE)", can_be=can_be, holds=plan.at.bind(holds, plan.main))
         return can_be
 
 
@@ -105,9 +108,9 @@ def inputs_of(plan: Plan) -> list[Input]:
     law = plan.mechanism.driver.law
     of_law = (law.start, law.stop, law.duration) if law else ()
     found = []
-    of_cam: dict[str, list[Binary]] = {}
+    of_cam: dict[str, list[Asked]] = {}
     for each in asked_by_cam(plan.mechanism):
-        of_cam.setdefault(each.symbol, []).append(each.holds)
+        of_cam.setdefault(each.symbol, []).append(each)
     for dim in plan.mechanism.dimensions:
         of_ties = dim.path[:1] in (("joints",), ("drivers",), ("cam",)) or dim.path[1:2] == ("segments",)
         if isinstance(dim.value, float) and (not dim.path or of_ties or dim.symbol in of_law):
@@ -129,17 +132,17 @@ def inputs_of(plan: Plan) -> list[Input]:
     return found
 
 
-def _of_dimension(plan: Plan, dim: Dimension, asked: Sequence[Binary]) -> Input:
+def _of_dimension(plan: Plan, dim: Dimension, asked: Sequence[Asked]) -> Input:
     """A dimension as an input; `asked`: what a cam asks of it."""
     kind: Kind = "length" if dim.symbol in plan.equations.positive else "number"
     of_cam = dim.path[:1] == ("cam",)  # a roller of 0 is a knife edge
     if dim.path[-1:] in (("ratio",), ("radius",)) and not of_cam:
         kind = "step"  # not 0
     above = Binary(">", Symbol(dim.symbol), al.ZERO)  # which is what a length is
-    if above in asked:
+    if any(each.holds == above for each in asked):
         kind = "length"
     spot = plan.at.spots[dim.symbol]
-    rest = tuple(dict.fromkeys(each for each in asked if each != above))
+    rest = tuple({each.holds: each for each in asked if each.holds != above}.values())
     return Input(spot, plain(dim.symbol), kind, spot.row, asked=rest)
 
 
@@ -194,7 +197,9 @@ def red_where_wrong(plan: Plan, nowhere: Node | None) -> list[Conditional]:
         return Conditional(Area(row, VALUE, row, VALUE), wrong, styles.BAD)
 
     rules = [
-        red(each.row, formula("NOT(can_be)", can_be=each.can_be(CellRef(each.row, VALUE, True, True), plan)))
+        red(
+            each.row, formula("NOT(can_be)", can_be=each.can_be(CellRef(each.row, VALUE, True, True), plan, first=True))
+        )
         for each in inputs_of(plan)
         if each.kind != "task"
     ]

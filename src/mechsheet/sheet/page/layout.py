@@ -49,7 +49,7 @@ CHARTS_ROW, CHARTS_BELOW = 2, 4
 BELOW_DRAWING = 4
 """Pixels from the drawing, whose scale is in its lower corner, to the scroll bar."""
 
-VERDICT_HEIGHT, TITLE_HEIGHT, HEAD_HEIGHT = 46.0, 28.0, 24.0
+VERDICT_HEIGHT, TITLE_HEIGHT, HEAD_HEIGHT = 34.0, 28.0, 24.0
 
 
 def lay_out_page(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, PagePlan]:
