@@ -15,8 +15,8 @@ from leaping import leaps
 from mechsheet import reference
 from mechsheet.description import loads
 from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.doubts.sketched import doubts
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism

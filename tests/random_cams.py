@@ -5,6 +5,16 @@ import random
 
 SMOOTH = ("cycloidal", "3-4-5", "4-5-6-7", "modified trapezoid", "modified sine")
 ALL_LAWS = ("parabolic", "harmonic", *SMOOTH)
+ON_A_SLIDE = """
+format = 1
+mechanism.name = "slide"
+links.ground.points = { O = [0, 0] }
+links.tappet.points = { F = [0, 0] }
+joints = [{ type = "prismatic", link = "tappet", on = "ground", point = "F", through = [5, 0], angle = 90, symbol = "s" }]
+cam = { center = "O", base_radius = 35, roller = { point = "F", radius = 8 } }
+"""
+"""One that is not random, a roller on a slide beside the centre; its driver is to be added."""
+
 KINDS = ("slide", "rocker", "flat slide", "flat rocker", "coupler")
 
 

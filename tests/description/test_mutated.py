@@ -12,7 +12,7 @@ from mechsheet.description.locate import located
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.diagnostics import DescriptionError, DescriptionWarning, MechanismError
 from mechsheet.dynamics.solve import solve
-from mechsheet.kinematics.sketched import doubts
+from mechsheet.kinematics.doubts.sketched import doubts
 from mechsheet.library.building import compile_workbook
 from mechsheet.sheet.layout import lay_out
 from mutations import DAMAGES, mutated

@@ -4,18 +4,13 @@ import pytest
 
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
-from mechsheet.kinematics.base_circle import base_circle_doubts
+from mechsheet.kinematics.doubts.base_circle import base_circle_doubts
 from mechsheet.kinematics.solve import solve
+from random_cams import ON_A_SLIDE
 
-SLIDE = """
-format = 1
-mechanism.name = "slide"
-links.ground.points = { O = [0, 0] }
-links.tappet.points = { F = [0, 0] }
-joints = [{ type = "prismatic", link = "tappet", on = "ground", point = "F", through = [5, 0], angle = 90, symbol = "s" }]
-driver = { joint = "s", step = 5, START segments = [{ law = "3-4-5", over = 90, by = 12 }, LATER] }
-cam = { center = "O", base_radius = 35, roller = { point = "F", radius = 8 } }
-"""
+SLIDE = (
+    ON_A_SLIDE + 'driver = { joint = "s", step = 5, START segments = [{ law = "3-4-5", over = 90, by = 12 }, LATER] }'
+)
 BACK = '{ law = "3-4-5", over = 90, to = 0 }, { law = "dwell" }'
 BELOW = '{ law = "3-4-5", over = 90, by = -20 }, { law = "cycloidal", to = 0 }'
 

@@ -10,8 +10,8 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.text.origin import without_origin
 from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.doubts.sketched import doubts
 from mechsheet.kinematics.redundancy import redundant_links
-from mechsheet.kinematics.sketched import doubts
 from mechsheet.library import changed
 from mechsheet.library.show import overview_text
 

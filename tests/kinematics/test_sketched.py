@@ -16,8 +16,8 @@ from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import DescriptionWarning, MechanismError
 from mechsheet.exporting.program import program_of
 from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.doubts.sketched import doubts
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.library.building import compile_workbook

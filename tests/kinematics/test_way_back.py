@@ -3,7 +3,7 @@
 import pytest
 
 from mechsheet.description import loads
-from mechsheet.kinematics.sketched import doubts
+from mechsheet.kinematics.doubts.sketched import doubts
 from mechsheet.kinematics.solve import solve
 
 ARM = """

@@ -8,8 +8,8 @@ import pytest
 
 from chosen import part
 from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.doubts.sketched import doubts
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.library.changed import loads

@@ -17,7 +17,7 @@ from livesheet.said import say
 from mechsheet.checking.report import Array, text_of
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.kinematics.cam_inputs import refused_by_cam
+from mechsheet.kinematics.cams.inputs import refused_by_cam
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.points_in_link import number as place_number

@@ -29,7 +29,7 @@ from mechsheet.checking.report import Comparison
 from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError, MissingProgramError
-from mechsheet.kinematics.cam_inputs import asked_by_cam, refused_by_cam
+from mechsheet.kinematics.cams.inputs import asked_by_cam, refused_by_cam
 from mechsheet.library.building import build
 from mechsheet.library.changed import load
 from mechsheet.sheet.plan import Plan

@@ -18,7 +18,7 @@ from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.kinematics.assur import bodies_of
 from mechsheet.kinematics.build_equations import Found
-from mechsheet.kinematics.cam import Contact
+from mechsheet.kinematics.cams.profile import Contact
 from mechsheet.kinematics.equations import ForceKind
 from mechsheet.kinematics.graph import Slide
 from mechsheet.model import CONTACT, Driver, FurtherDriver, pair_symbol

@@ -12,7 +12,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node
 from livesheet.formula.vectors import dot, minus
 from mechsheet.dynamics.acting import ActingForces
-from mechsheet.kinematics.cam import Contact
+from mechsheet.kinematics.cams.profile import Contact
 from mechsheet.kinematics.equations import Condition
 from mechsheet.model import Spring
 from mechsheet.units import LENGTH

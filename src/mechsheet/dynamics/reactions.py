@@ -44,7 +44,7 @@ from mechsheet.dynamics.teeth import Teeth
 from mechsheet.dynamics.work import own_works
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.build_equations import Found
-from mechsheet.kinematics.cam import Contact
+from mechsheet.kinematics.cams.profile import Contact
 from mechsheet.kinematics.gear_relations import Tied
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.chains import Chain

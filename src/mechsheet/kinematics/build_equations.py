@@ -16,6 +16,7 @@ from livesheet.formula.nodes import Node, Number, Symbol, symbols
 from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
+from mechsheet.kinematics.cams.segments import write_segments
 from mechsheet.kinematics.closures import Loop
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import driver_values, given_values, listed_values
@@ -44,7 +45,6 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.points_in_link import angle_of, cartesian, number
 from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.kinematics.rates.coefficients import Written, add_rates, wanted
-from mechsheet.kinematics.segments import write_segments
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import FurtherDriver, Label, Mechanism, Quantity
 from mechsheet.units import ANGLE, LENGTH

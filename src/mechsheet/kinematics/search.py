@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from livesheet.formula.nodes import Call, Direction, Node
+from mechsheet.kinematics.cams.segments import seams
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import at_values, given_between
 from mechsheet.kinematics.equations import Condition, Equations
@@ -22,7 +23,6 @@ from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.means import LEAST_OF_TURN, rows_count_alike
 from mechsheet.kinematics.numeric import Array, runs_of, value
 from mechsheet.kinematics.period import SAME_AGAIN
-from mechsheet.kinematics.segments import seams
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism
 

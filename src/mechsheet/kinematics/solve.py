@@ -13,13 +13,13 @@ from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.build_equations import Further, standing, write_equations, write_stepped
 from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.doubts.sketched import with_position
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.mobility import MobilityError
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError
 from mechsheet.kinematics.newton.singular_start import DeadStartError, with_neighbour
 from mechsheet.kinematics.redundancy import redundancy_faults
-from mechsheet.kinematics.sketched import with_position
 from mechsheet.model import Mechanism
 
 

@@ -46,7 +46,7 @@ def compile_workbook(mechanism: Mechanism) -> tuple[Workbook, Plan]:
 def told(mechanism: Mechanism) -> Compiled:
     """The mechanism compiled; every doubt about its sketch is told as a warning."""
     from mechsheet.compiled import compiled_of
-    from mechsheet.kinematics.sketched import tell
+    from mechsheet.kinematics.doubts.sketched import tell
 
     compiled = compiled_of(mechanism)
     tell(mechanism, compiled.equations, stacklevel=4)  # whoever called the library

@@ -220,7 +220,7 @@ def _with_phases(mechanism: Mechanism, file: str) -> Mechanism:
     """
     if not any(relation.read_off for relation in mechanism.relations):
         return mechanism
-    from mechsheet.kinematics.sketched import out_of_phase
+    from mechsheet.kinematics.doubts.sketched import out_of_phase
     from mechsheet.kinematics.solve import solve
 
     try:

@@ -19,9 +19,9 @@ from mechsheet.arguments.numbers import number_given
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.doubts.sketched import tell
 from mechsheet.kinematics.driving import given_at, place_of, rates_at
 from mechsheet.kinematics.numeric import Array, runs_of
-from mechsheet.kinematics.sketched import tell
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
 from mechsheet.shapes.loads import first_shown
 from mechsheet.shapes.points import moving_points

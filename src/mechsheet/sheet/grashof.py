@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -159,7 +160,9 @@ def is_all(loop: FourBar, plan: Plan) -> bool:
 def has_advice(loop: FourBar, plan: Plan) -> bool:
     """Whether another length of one side would mend the loop: the mechanism has no other links, and no dimension decides two
     of its sides, as that of both arms of a steering linkage."""
-    return is_all(loop, plan) and sum(map(len, sides := _decided_by(loop, plan))) == len(set().union(*sides))
+    if not is_all(loop, plan):
+        return False
+    return not any(one & other for one, other in itertools.combinations(_decided_by(loop, plan), 2))
 
 
 def _decided_by(loop: FourBar, plan: Plan) -> list[set[str]]:

@@ -19,7 +19,8 @@ from livesheet.formula.nodes import Node, symbols, with_symbols
 from livesheet.said import say
 from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import MechanismError
-from mechsheet.kinematics.cam_inputs import asked_by_cam
+from mechsheet.kinematics.cams.inputs import asked_by_cam
+from mechsheet.kinematics.cams.segments import seams
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_between, given_values, step_of
 from mechsheet.kinematics.equations import FORCES, RATES
@@ -27,7 +28,6 @@ from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.period import Periods
-from mechsheet.kinematics.segments import seams
 from mechsheet.model import Condition, Mechanism, Study, Way
 from mechsheet.sheet.checks.boundless import bounded, divisor_of, seen_by_rates
 from mechsheet.sheet.checks.search_rules import CORNER_PLACE, WRAPS

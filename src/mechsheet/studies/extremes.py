@@ -219,14 +219,14 @@ def _offer(column: Array, known: State, at: At) -> Array:
         there: State = {name: each[design, row] for name, each in inner.items()}
         there |= {"number": row + 1, "here": known["here"][design], "again": known["again"][design]}
         far = value_of(rivals.FAR[0], there) & value_of(rivals.FAR[1], there)
-        np.minimum.at(most, design[far], value_of(rivals.OFFER, there)[far])
+        np.minimum.at(most, design[far], value_of(rules.OFFER, there)[far])
     for end, other, inward in ((first, last, 1), (last, first, -1)):
         after, third, near = end + inward, end + 2 * inward, other - inward
         places: State = {"own": end, "after": after, "third": third, "far": other, "near": near}
         known |= {name: at(place, y) for name, place in places.items()} | {"end": end, "other_end": other}
         known["before"] = known["outside"] = value_of(rivals.OUTSIDE, known)
         rival = value_of(_AT_END, known)
-        most = np.where(rival, np.fmin(most, value_of(rivals.OFFER, known)), most)
+        most = np.where(rival, np.fmin(most, value_of(rules.OFFER, known)), most)
     # where the quantity has no value in some row of the stretch, the sheet says nothing
     return np.asarray(sense * np.where(missing.any(axis=1) | (last - first < 2), np.inf, most))
 

@@ -4,7 +4,7 @@ import pytest
 
 from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
-from mechsheet.kinematics.sketched import doubts
+from mechsheet.kinematics.doubts.sketched import doubts
 from mechsheet.kinematics.solve import solve
 from mechsheet.library import changed
 

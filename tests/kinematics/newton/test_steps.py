@@ -5,9 +5,9 @@ import pytest
 
 from mechsheet.description import loads
 from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.doubts.sketched import doubts
 from mechsheet.kinematics.driving import driver_values, given_values
 from mechsheet.kinematics.search import Search
-from mechsheet.kinematics.sketched import doubts
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import sweep
 

@@ -17,18 +17,14 @@ from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.sheet.findings.cam import FACTORS
 from mechsheet.sheet.plan import UNIT
+from random_cams import ON_A_SLIDE
 
 WORDS = 4
 
-NO_DIMENSIONS = """
-format = 1
-mechanism.name = "slide"
-links.ground.points = { O = [0, 0] }
-links.tappet.points = { F = [0, 0] }
-joints = [{ type = "prismatic", link = "tappet", on = "ground", point = "F", through = [5, 0], angle = 90, symbol = "s" }]
-driver = { joint = "s", step = 5, segments = [{ law = "3-4-5", over = 90, to = 12 }, { law = "3-4-5", to = 0 }] }
-cam = { center = "O", base_radius = 35, roller = { point = "F", radius = 8 } }
-"""
+NO_DIMENSIONS = (
+    ON_A_SLIDE
+    + 'driver = { joint = "s", step = 5, segments = [{ law = "3-4-5", over = 90, to = 12 }, { law = "3-4-5", to = 0 }] }'
+)
 
 
 def line(mechanism, key):

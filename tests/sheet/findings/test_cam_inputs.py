@@ -17,20 +17,13 @@ from mechsheet.checking.inputs import inputs_in
 from mechsheet.checking.perturbation import drawn
 from mechsheet.sheet.findings.inputs import first_wrong, inputs_of
 from mechsheet.sheet.plan import VALUE
+from random_cams import ON_A_SLIDE
 
-CAM = """
-format = 1
-mechanism.name = "cam"
-links.ground.points = { O = [0, 0] }
-links.tappet.points = { F = [0, 0] }
-joints = [{ type = "prismatic", link = "tappet", on = "ground", point = "F", through = [5, 0], angle = 90, symbol = "s" }]
-cam = { center = "O", base_radius = 35, roller = { point = "F", radius = 8 } }
-"""
 PARTS = (
     """{ law = "3-4-5", over = 90, by = 12 }, { law = "dwell", over = 60 }, { law = "cycloidal", over = 120, to = 0 }"""
 )
-CLOSED = CAM + f'driver = {{ joint = "s", step = 15, segments = [{PARTS}, {{ law = "dwell" }}] }}'
-OPEN = CAM + f'driver = {{ joint = "s", step = 15, closed = false, segments = [{PARTS}] }}'
+CLOSED = ON_A_SLIDE + f'driver = {{ joint = "s", step = 15, segments = [{PARTS}, {{ law = "dwell" }}] }}'
+OPEN = ON_A_SLIDE + f'driver = {{ joint = "s", step = 15, closed = false, segments = [{PARTS}] }}'
 BY_DIMENSIONS = """
 dimensions = { d = 70, beta = { value = 90, unit = "deg" } }
 """ + CLOSED.replace("base_radius = 35", 'base_radius = "d/2"').replace('"3-4-5", over = 90', '"3-4-5", over = "beta"')
@@ -117,6 +110,6 @@ def test_it_is_said_in_turkish_too():
 def test_as_many_segments_as_may_be_fit_into_a_cell(layout):
     """One formula asks all inputs; 40 segments are what a description takes at most."""
     parts = ", ".join(f'{{ law = "3-4-5", over = 8.75, to = {12 if place % 2 else 2} }}' for place in range(39))
-    text = CAM + f'driver = {{ joint = "s", step = 45, segments = [{parts}, {{ law = "3-4-5", to = 0 }}] }}'
+    text = ON_A_SLIDE + f'driver = {{ joint = "s", step = 45, segments = [{parts}, {{ law = "3-4-5", to = 0 }}] }}'
     plan = Book(text, layout).plan
     assert len(print_formula(first_wrong(plan))) < MAX_FORMULA

@@ -11,7 +11,7 @@ from mechsheet.exporting.functions.routines import Source
 from mechsheet.exporting.functions.solvers import solvers_of
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.refusing import refuse_synthesis
-from mechsheet.kinematics.sketched import tell
+from mechsheet.kinematics.doubts.sketched import tell
 from mechsheet.words.catalogue import words
 
 MOST_ARGUMENTS = 60

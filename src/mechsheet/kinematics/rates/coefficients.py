@@ -24,7 +24,7 @@ from livesheet.formula.vectors import Vector, cross, minus, plus, size, times
 from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
-from mechsheet.kinematics.cam import Contact, write_cam
+from mechsheet.kinematics.cams.profile import Contact, write_cam
 from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.dyads.solved import Determinant, Solved
 from mechsheet.kinematics.equations import Fit

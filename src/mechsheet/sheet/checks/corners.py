@@ -1,6 +1,7 @@
-"""Places where pieces of the driver's motion meet, asked beforehand: there a quantity may be extreme without turning back.
+"""Places of the driver's motion that are asked beforehand: where its pieces meet, and where their laws are fastest.
 
-Probes come near such a corner slowly, and where it is narrower than a row they may miss it. Each place is one row of the
+Where pieces meet a quantity may be extreme without turning back: probes come near such a corner slowly. A segment that is
+narrower than a row they may miss altogether. Each place is one row of the
 sheet of extremes, with all quantities; each search takes the best of them.
 """
 
@@ -10,7 +11,7 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
 from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, with_symbols
-from mechsheet.kinematics.segments import seams
+from mechsheet.kinematics.cams.segments import seams
 from mechsheet.model import Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks import search_rules as rules
@@ -29,7 +30,7 @@ of that value and the best row's."""
 class Corners:
     """Their rows, from `row` on.
 
-    angles  of the driver, where pieces meet;  at: the first working cell beside a search
+    angles  of the driver (`seams`);  at: the first working cell beside a search
     """
 
     table: SearchTable
@@ -74,6 +75,6 @@ class Corners:
 
 
 def corners_of(plan: Plan) -> tuple[Node, ...]:
-    """Angles of the driver at which pieces of the motion meet; none where nobody looks between the rows."""
+    """Those angles of the driver; none where nobody looks between the rows."""
     motion = plan.mechanism.segments
     return () if motion is None or plan.rows_only else tuple(dict.fromkeys(seams(motion)))

@@ -395,8 +395,8 @@ class Searches:
         """Whether the quantity has no largest or smallest value."""
         plan, table, row, symbol = self.plan, self.table, sought.row, sought.symbol
         known = self._read(sought)
-        of_rows_ = {"of_rows": known["best_known"]} if self.corners is not None else {}
-        found = with_symbols(boundless.BEYOND_ROWS, known | of_rows_)
+        best = known["of_rows"] if self.corners is None else known["best_known"]
+        found = with_symbols(boundless.BEYOND_ROWS, known | {"of_rows": best})
         if not seen_by_rates(plan.mechanism, {column.symbol for column in plan.rates}, symbol):
             known["middle"] = table.work(row, MIDDLE, "row", row=with_symbols(boundless.MIDDLE, known))
             before, after = (with_symbols(tree, known) for tree in boundless.NEIGHBOURS)

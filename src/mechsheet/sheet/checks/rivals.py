@@ -14,7 +14,7 @@ from functools import reduce
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, with_symbols
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks.search_rules import SETTLED
+from mechsheet.sheet.checks.search_rules import OFFER, SETTLED
 from mechsheet.sheet.checks.search_table import SearchTable
 from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import ALL, formula
@@ -40,9 +40,6 @@ PEAK = (formula("sense*own<=sense*before"), formula("sense*own<=sense*after"))
 NO_TWIN = formula("sense*own>sense*twin")
 TWIN_BELOW = formula("of_rows+sense*allowed")
 """Whether they are no twins of the best row."""
-
-OFFER = formula("1.5*own-(before+after)/4")
-"""What a row promises: its value and a quarter of the second difference."""
 
 MORE = formula("sense*offer<sense*promise")
 PROMISE_BEYOND = formula("found-sense*allowed")

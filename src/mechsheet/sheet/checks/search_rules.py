@@ -126,8 +126,8 @@ BEGUN = _trees(
 """What the first row of a search knows; `of_lower`, `of_upper`: what the rows beside have. Angles are taken near a row."""
 
 # --- extremes: corners ----------------------------------------------------------------------------------------------------
-# Where pieces of a motion meet a quantity may be extreme without turning back there: such places are asked beforehand, and
-# a search begins from the best of them where that is better than the best row.
+# Where pieces of a motion meet a quantity may be extreme without turning back there, and a segment may be narrower than a
+# row: so these places, and those where its law is fastest, are asked beforehand, and a search may begin from the best.
 
 CORNER_PLACE = formula(
     "IF(whole>0,place,MEDIAN(1,place,rows))", place=formula("1+MOD((angle-start)*SIGN(step),turn)/ABS(step)")
@@ -144,13 +144,16 @@ BESIDE_HERE = tuple(
 )
 """The rows beside the one from which a search would begin, `earlier` and `later`; beyond the table where there is none."""
 
+OFFER = formula("1.5*own-(before+after)/4")
+"""What a row promises: its value and a quarter of the second difference."""
+
 CORNERED = formula(
     "IFERROR(AND(sense*(at_corner-of_rows)<-least,IFERROR(OR(ABS(corner-here)<1,sense*(at_corner-promise)<=0),TRUE)),FALSE)",
     least=formula("same*ABS(of_rows-other)", same=SAME_CORNER),
-    promise=formula("1.5*value-(earlier+later)/4"),
+    promise=with_symbols(OFFER, {"own": Symbol("value"), "before": Symbol("earlier"), "after": Symbol("later")}),
 )
-"""Whether the best corner is better than the best row, and beside it, or better than what that row promises beside it (as
-`rivals.OFFER`): if not, the search begins at the row, and the corner stands beside what it finds."""
+"""Whether the best corner is better than the best row, and beside it, or better than what that row promises beside it
+(`OFFER`): if not, the search begins at the row, and the corner stands beside what it finds."""
 
 OF_ROWS_AND_CORNERS = formula("IFERROR(IF(sense*(at_corner-of_rows)<0,at_corner,of_rows),of_rows)")
 """The best of both."""

@@ -12,9 +12,9 @@ import numpy as np
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Text
 from livesheet.formula.scalar import evaluate
+from mechsheet.kinematics.cams.segments import ways_over
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.search import Extremes
-from mechsheet.kinematics.segments import ways_over
 from mechsheet.model import (
     BASE,
     CONTACT,

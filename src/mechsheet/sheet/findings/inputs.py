@@ -13,7 +13,7 @@ from typing import Literal
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Symbol, Text
 from livesheet.workbook import Area, Conditional
-from mechsheet.kinematics.cam_inputs import Asked, asked_by_cam
+from mechsheet.kinematics.cams.inputs import Asked, asked_by_cam
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot

@@ -39,12 +39,13 @@ def _write(writer: Writer, summary: Summary) -> None:
     row = plan.blocks["summary"].rows[summary.symbol]
     words = _with_part(plan, summary_words(plan, summary))
     searched = summary.take.ways and summary.of != plan.mechanism.driver.symbol and has_column(plan, summary.of)
+    gaps = plan.equations.equations.range_has_gaps(summary.of, summary.take)
     if searched:
         same = same_angle(plan, summary.of)
         ways = ("min", "max") if same else summary.take.ways
         none = _has_none(plan, summary) if plan.rows_only or may_grow(plan, summary.of) else None
         doubt = about(plan, same.group.transmission if same else summary.of, ways, none=none)
-        if plan.equations.equations.range_has_gaps(summary.of, summary.take):
+        if gaps:
             several = plan.text("verdict.several")
             doubt = formula(
                 "IF(stretches>1,several,doubt)", stretches=plan.searched.count.cell, several=several, doubt=doubt
@@ -60,7 +61,7 @@ def _write(writer: Writer, summary: Summary) -> None:
     writer.needs[row] = sheets_of(plan, summary.of)
     if searched and not same_angle(plan, summary.of):
         value = where_bounded(plan, summary.of, value, summary.take.ways)
-        if plan.equations.equations.range_has_gaps(summary.of, summary.take):
+        if gaps:
             value = formula("IF(stretches>1,NA(),value)", stretches=plan.searched.count.cell, value=value)
         writer.colour(Area(row, MEANING, row, MEANING), _has_none(plan, summary), styles.WARN)
     writer.formula(row, VALUE, _where_it_closes(plan, value), style)

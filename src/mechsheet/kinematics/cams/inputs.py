@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Node, Number, symbols
 from livesheet.said import Said, say
+from mechsheet.kinematics.cams.segments import MEETING
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.points_in_link import number
-from mechsheet.kinematics.segments import MEETING
 from mechsheet.model import Mechanism, Segments
 
 TURN = Number(math.tau + MEETING)

@@ -9,11 +9,11 @@ import numpy as np
 from livesheet.diagnostics import Fault
 from livesheet.formula import algebra as al
 from livesheet.said import say
+from mechsheet.kinematics.cams.segments import seams
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.points_in_link import number
-from mechsheet.kinematics.segments import seams
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism, Segments
 

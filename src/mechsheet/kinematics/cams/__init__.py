@@ -1,0 +1,1 @@
+"""The motion of a follower over the angle of its cam, and the profile that does it."""
