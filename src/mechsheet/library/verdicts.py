@@ -174,9 +174,8 @@ def verdicts_of(mechanism: Mechanism) -> Named[Verdict]:
         for key, expected in finding.expected(motion).items():
             if not expected.told or (name := names.get(key, key)) not in found:
                 continue
-            if of_a_step and isinstance(
-                finding, Limits | InputEnd
-            ):  # words name the sheet's numbers, which have to agree
+            # words of limits name the sheet's numbers, which have to agree
+            if of_a_step and isinstance(finding, Limits | InputEnd):
                 found[name] = replace(found[name], sure=False)
             else:
                 found[name] = replace(found[name], value=next(iter(expected.numbers), None))
