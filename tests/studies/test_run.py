@@ -19,7 +19,7 @@ from mechsheet.studies import folder as folders
 from mechsheet.studies import packages, parts, running
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.run import studied
-from mechsheet.studies.running import OF_A_PROCESS, memory_there, workers_within
+from mechsheet.studies.workers import OF_A_PROCESS, memory_there, workers_within
 from studying import contents, small, study_of
 
 pq = pytest.importorskip("pyarrow.parquet")
