@@ -141,7 +141,6 @@ class Loop:
 
     The ways are given over named points, too: a way and its reverse differ in sign.
 
-
     left_way, right_way  the steps of each side, from point to point
     """
 

@@ -406,7 +406,7 @@ class Cramer:
 
 
 def cramer(matrix: Matrix, right: Sequence[Node]) -> Cramer:
-    """The solution of  matrix d = right:  by Cramer's rule for up to three unknowns, minors of two rows (Laplace) for four."""
+    """The solution of  matrix d = right: Cramer's rule for up to three unknowns, minors of two rows (Laplace) for four."""
     if len(matrix) == 4:
         return _four(matrix, right)
     columns = range(len(matrix))
