@@ -15,7 +15,7 @@ EVERYBODY = {
     "diagnostics",
     "livesheet.diagnostics",
     "extras",
-    "arguments.numbers",
+    "arguments.values",
     "livesheet.said",
     "livesheet.on_demand",
     "livesheet.replacing",

@@ -6,9 +6,9 @@ from typing import Any
 
 from livesheet.said import say
 from mechsheet.description.kinds import plain_unit
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report
 from mechsheet.description.scope import Scope
+from mechsheet.diagnostics import quoted
 from mechsheet.units import unit_of
 
 

@@ -7,10 +7,10 @@ from typing import Any
 from livesheet.said import say
 from mechsheet.description.kinds import ANGLE, LENGTH
 from mechsheet.description.links import pair, points_of
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import Scope, Space
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import Joint, Link
 
 RELATIONS = ("gear", "belt", "rack")

@@ -13,12 +13,12 @@ from typing import TypeAlias
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.description.asked.task_values import task_names, task_place, with_task_value
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.rewrite import with_value
 from mechsheet.description.text.source import Source
 from mechsheet.description.typed_value import scope_for, typed_value
+from mechsheet.diagnostics import quoted
 from mechsheet.words.catalogue import LANGUAGES
 
 LAYOUTS = ("sheets", "page")

@@ -17,7 +17,6 @@ from mechsheet.description.driving.sweep import with_sweep
 from mechsheet.description.forces import dynamics, flywheel, force_names
 from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import AS_IT_IS, Overrides, with_values
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import Report
 from mechsheet.description.schema import DESCRIPTION, FORMAT
 from mechsheet.description.scope import words
@@ -27,7 +26,7 @@ from mechsheet.description.text.file_names import is_device
 from mechsheet.description.text.origin import with_origin
 from mechsheet.description.text.rewrite import with_value
 from mechsheet.description.text.source import Source, parse, parse_as_meant, read_text
-from mechsheet.diagnostics import DescriptionError
+from mechsheet.diagnostics import DescriptionError, quoted
 from mechsheet.model import (
     Dimension,
     Driver,

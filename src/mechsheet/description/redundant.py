@@ -17,10 +17,10 @@ from livesheet.said import say
 from mechsheet.description.head import part
 from mechsheet.description.joints import Ends
 from mechsheet.description.kinds import LENGTH
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import listed
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import Cartesian, Distances, GivenPoint, Joint, Link, Polar, Quantity, Redundant
 
 

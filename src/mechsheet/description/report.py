@@ -10,9 +10,9 @@ from typing import Any, Final, Literal
 from livesheet.diagnostics import Fault, near_miss
 from livesheet.formula.names import folded
 from livesheet.said import Said, say
-from mechsheet.description.quoting import quoted
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.source import Source
+from mechsheet.diagnostics import quoted
 
 
 class Bad(Enum):

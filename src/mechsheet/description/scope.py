@@ -27,7 +27,6 @@ from mechsheet.description.kinds import (
     meant_in_degrees,
     plain_unit,
 )
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.measured import (
@@ -42,6 +41,7 @@ from mechsheet.description.text.measured import (
     unit_named,
 )
 from mechsheet.description.text.numbers import typed_number
+from mechsheet.diagnostics import quoted
 from mechsheet.model import Label, Quantity, Take
 from mechsheet.units import DEG, NUMBER, Unit, unit_of
 from mechsheet.words.catalogue import ENGLISH

@@ -14,7 +14,6 @@ from mechsheet.description import dimensions
 from mechsheet.description.asked import synthesis
 from mechsheet.description.head import scope_of
 from mechsheet.description.kinds import unit_kind
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed
 from mechsheet.description.schema import DESCRIPTION
 from mechsheet.description.scope import Scope
@@ -23,6 +22,7 @@ from mechsheet.description.text.index import Path
 from mechsheet.description.text.numbers import typed_number
 from mechsheet.description.text.rewrite import number_text
 from mechsheet.description.text.source import Source
+from mechsheet.diagnostics import quoted
 from mechsheet.units import Unit
 
 DIGITS = 15

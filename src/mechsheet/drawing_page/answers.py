@@ -20,7 +20,7 @@ from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.questions import Impossible, Refusal, number_in, places_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.words.catalogue import ENGLISH, LANGUAGES, Language
-from mechsheet.words.messages import text_in as said_in
+from mechsheet.words.catalogue import text_in as said_in
 
 UNTITLED = "mechanism.toml"
 EMPTY = """format = 1

@@ -19,7 +19,7 @@ from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.library.changed import loads
 from mechsheet.model import Cartesian, Distances, Driver, Joint, Label, Link, Mechanism, Polar, Quantity
-from mechsheet.words.messages import text_in
+from mechsheet.words.catalogue import text_in
 
 KEPT = 12
 """Texts of which the reading is kept."""

@@ -16,7 +16,7 @@ from livesheet.said import Words
 from mechsheet.model import Dimension, TaskPlace
 from mechsheet.units import Unit
 from mechsheet.words.catalogue import is_key
-from mechsheet.words.synthesis import step_words
+from mechsheet.words.equations import step_words
 
 PLACE = ("synthesis",)
 """What the places of all dimensions of a synthesis begin with."""

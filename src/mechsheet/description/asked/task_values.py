@@ -15,11 +15,11 @@ from livesheet.said import say
 from mechsheet.description.asked.schema import SYNTHESIS
 from mechsheet.description.asked.synthesis import unit_in
 from mechsheet.description.grammar import Items, Shape, Table, Text, YesNo
-from mechsheet.description.quoting import quoted
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.rewrite import with_value, without_key
 from mechsheet.description.text.source import Source
 from mechsheet.description.typed_value import scope_for, typed_value
+from mechsheet.diagnostics import quoted
 from mechsheet.synthesis.kinds import KINDS
 from mechsheet.units import NUMBER
 

@@ -9,10 +9,10 @@ from livesheet.said import say
 from mechsheet.description.grammar import MOST_ROWS
 from mechsheet.description.joints import Ends
 from mechsheet.description.kinds import ANGLE, LENGTH
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, found, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import Driver, Joint, Link, Quantity
 from mechsheet.units import Unit, unit_of
 

@@ -11,10 +11,10 @@ from livesheet.said import say
 from mechsheet.description.driving import driver as first_driver
 from mechsheet.description.joints import Ends
 from mechsheet.description.own_cells import own_cell
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, circle_message, cycles
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import Dimension, Driver, FurtherDriver, Joint, Link, TableRequest
 
 

@@ -16,11 +16,11 @@ from livesheet.said import say
 from mechsheet.description.driving.rates import check_speed, is_rate
 from mechsheet.description.forces.force_names import CENTER, MOMENTS, POWER, first_key, keys_of
 from mechsheet.description.links import place as read_place
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope, symbol_fault
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.measured import CONSISTENT, METRES, consistent, measured, spelled
+from mechsheet.diagnostics import quoted
 from mechsheet.model import (
     Cartesian,
     Dimension,

@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass
 
 from livesheet.said import say
-from mechsheet.description.quoting import quoted
 from mechsheet.description.text.measured import EXAMPLES, measured, unit_named
+from mechsheet.diagnostics import quoted
 from mechsheet.units import behind_number
 
 MINUS = "−–‒—﹣－"

@@ -31,7 +31,7 @@ from mechsheet.homework.recognition import deciding
 from mechsheet.homework.summaries import taken
 from mechsheet.kinematics.whole_turns import rows_count_alike
 from mechsheet.model import Mechanism, Need, Vary
-from mechsheet.words.homework import said
+from mechsheet.words.catalogue import said
 
 DRAWS = 1000
 """Times that dimensions are drawn anew for one student."""

@@ -26,7 +26,7 @@ from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import decimals_of_unit
 from mechsheet.sheet.wrapping import height_of, label_lines, longest_said
 from mechsheet.units import LENGTH, Unit, turn
-from mechsheet.words.given import given_words
+from mechsheet.words.equations import given_words
 from mechsheet.words.symbols import plain
 
 SYMBOL, VALUE, UNIT, LAST = 0, 1, 2, 5
