@@ -11,7 +11,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
 from livesheet.formula.printer import number_text, print_formula
 from mechsheet.exporting.position import Position
-from mechsheet.kinematics.closures import Vector
+from mechsheet.kinematics.equations import Vector
 from mechsheet.sheet.table.positions import decimals_of, decimals_of_kind
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.catalogue import Language, words

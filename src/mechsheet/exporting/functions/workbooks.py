@@ -32,7 +32,7 @@ from mechsheet.exporting.functions.lesson_sheet import lesson_sheet
 from mechsheet.exporting.functions.routines import Source
 from mechsheet.exporting.functions.vba import introduction
 from mechsheet.exporting.refusing import refuse_synthesis
-from mechsheet.kinematics.newton.refusing import need_one_position
+from mechsheet.kinematics.equations import need_one_position
 from mechsheet.model import TableRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW

@@ -29,7 +29,7 @@ from mechsheet.homework.classroom.task_sheet import task_sheet
 from mechsheet.homework.expected_values import truth_of
 from mechsheet.homework.recognition import deciding
 from mechsheet.homework.summaries import taken
-from mechsheet.kinematics.means import rows_count_alike
+from mechsheet.kinematics.whole_turns import rows_count_alike
 from mechsheet.model import Mechanism, Need, Vary
 from mechsheet.words.catalogue import said
 
