@@ -1,8 +1,8 @@
 """The part [[joints]]: sliding joints between links that exist, at points that exist. For gears see `gears`.
 
-`redundant = true` under a link: it moves with the others anyway, and is left out of what has to be solved. Its second revolute
-joint becomes a pin in a slot along the link, which asks nothing of its length: so the link follows the others, and whether
-its length fits is measured in every row.
+`redundant = true` under a link: it moves with the others anyway, and is left out of what has to be solved. Its second
+revolute joint becomes a pin in a slot along the link, which asks nothing of its length: so the link follows the others, and
+whether its length fits is measured in every row.
 """
 
 from __future__ import annotations

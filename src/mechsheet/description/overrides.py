@@ -1,9 +1,9 @@
 """What a caller changes in a description: `Overrides`; its values as typed are checked, then written into the text.
 
-The text is changed first and read afterwards, so what is read is what the workbook will carry. A value is a number in a unit,
-or an expression over the dimensions (`typed_value`). It is that of a dimension, or of the task of a synthesis: `theta.2=95`,
-`psi=[60,80,105]`, `A.moving.1=3`; what the task does not say yet can be set, too: `round=0.5`; and another of its ways, in
-place of the one that is written: `lam=4` instead of `best = true`.
+The text is changed first and read afterwards, so what is read is what the workbook will carry. A value is a number in a
+unit, or an expression over the dimensions (`typed_value`). It is that of a dimension, or of the task of a synthesis:
+`theta.2=95`, `psi=[60,80,105]`, `A.moving.1=3`; what the task does not say yet can be set, too: `round=0.5`; and another of
+its ways, in place of the one that is written: `lam=4` instead of `best = true`.
 """
 
 from __future__ import annotations

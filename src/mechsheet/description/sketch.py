@@ -1,5 +1,5 @@
-"""The part [assembly]: the rough position of points, angles and displacements that tells assemblies apart; and at which angles
-it shows the links (`SketchedAngles`), which phases of gears are read off."""
+"""The part [assembly]: the rough position of points, angles and displacements that tells assemblies apart; and at which
+angles it shows the links (`SketchedAngles`), which phases of gears are read off."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""What is driven, its symbol, and the values it takes: the part [driver], and beside it [[drivers]], whose values may follow from
-others."""
+"""What is driven, its symbol, and the values it takes: the part [driver], and beside it [[drivers]], whose values may follow
+from others."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Numbers as people write them: with their unit ("60 rpm", "2 kN", "0.3 N/mm"), and what they are in another one; with a decimal
-comma, a minus sign that no keyboard has, a unit behind, and what is meant by that.
+"""Numbers as people write them: with their unit ("60 rpm", "2 kN", "0.3 N/mm"), and what they are in another one; with a
+decimal comma, a minus sign that no keyboard has, a unit behind, and what is meant by that.
 
 The units are those of the field. A package of units (pint) knows thousands more, and weighs more than what it would save.
 """

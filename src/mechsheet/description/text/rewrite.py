@@ -1,11 +1,11 @@
 """Changing a description's text in place: single values, whole tables, names of points and links; all else stays as it is.
 
 By the offsets that `index` keeps anyway: messages name the line of each key. A new table goes behind the last of its kind
-([links.rocker] behind [links.coupler]), else where the manual's order has it. What a key or a text is the name of, the schema
-says; in expressions a point stands before a dot: `B.x`, `C.vx`.
+([links.rocker] behind [links.coupler]), else where the manual's order has it. What a key or a text is the name of, the
+schema says; in expressions a point stands before a dot: `B.x`, `C.vx`.
 
-What a description said before options changed it (a length, the rows, bands), or what its sketch shows (a redundant link, the
-turn of a phase), travels in its text as a comment (`with_origin`): who asks later whether the file was changed since the
+What a description said before options changed it (a length, the rows, bands), or what its sketch shows (a redundant link,
+the turn of a phase), travels in its text as a comment (`with_origin`): who asks later whether the file was changed since the
 workbook was built must not take that for a change of the file.
 """
 
