@@ -1,4 +1,4 @@
-"""Gathering faults while reading goes on, those found later told at the same lines, and the words that all messages share."""
+"""Gathering faults while reading goes on, those found later told at the same lines, and the words that all messages have."""
 
 from __future__ import annotations
 
