@@ -15,8 +15,7 @@ from mechsheet.description import Overrides, load
 from mechsheet.exporting.functions.lesson import chain_of
 from mechsheet.exporting.functions.sheets import DIFFERENCE_ROW, FIRST, LESSON_TITLE
 from mechsheet.exporting.functions.workbooks import functions_workbook
-from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.lengths import largest_length
+from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
 from office_macros import Job, with_macros

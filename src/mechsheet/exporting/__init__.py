@@ -9,8 +9,8 @@ from pathlib import Path
 from livesheet.diagnostics import Fault, near_miss, readable_name
 from livesheet.replacing import make_folder, replace_file
 from livesheet.said import say
-from mechsheet.arguments.numbers import number_given, whole_number_given
 from mechsheet.arguments.outputs import file_in
+from mechsheet.arguments.values import number_given, whole_number_given
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting import geogebra, octave, python, table
 from mechsheet.exporting.drawings import dxf, svg

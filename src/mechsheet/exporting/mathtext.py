@@ -13,8 +13,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
 from livesheet.formula.printer import number_text, print_formula
 from mechsheet.exporting.lowering import Lowering, Step
-from mechsheet.kinematics.closures import Vector
-from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.equations import Equations, Vector
 from mechsheet.kinematics.numeric import value
 from mechsheet.model import Mechanism
 from mechsheet.plotting.sampling import Sample, sample

@@ -22,7 +22,7 @@ from mechsheet.exporting.lowering import Step, columns_of, constants_of
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.doubts.sketched import tell
 from mechsheet.kinematics.equations import Equation, Equations, Group
-from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
+from mechsheet.kinematics.newton.changed_dimensions import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import TIME, Dimension, Law, Mechanism, Quantity
 from mechsheet.units import NUMBER, Unit

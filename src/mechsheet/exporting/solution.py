@@ -17,9 +17,7 @@ from livesheet.said import Words, say
 from mechsheet.exporting.job import Job
 from mechsheet.exporting.mathtext import RATIO, Pen, Position, packed, point_math, seen, symbol_math
 from mechsheet.exporting.program import one_line, quantity
-from mechsheet.kinematics.closures import Loop
-from mechsheet.kinematics.equations import CAM, Equation, Group
-from mechsheet.kinematics.newton.refusing import need_one_position
+from mechsheet.kinematics.equations import CAM, Equation, Group, Loop, need_one_position
 from mechsheet.synthesis.writing import says
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words.catalogue import words

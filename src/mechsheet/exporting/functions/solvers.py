@@ -29,11 +29,10 @@ from mechsheet.exporting.functions.routines import Routine, Source, folded, need
 from mechsheet.exporting.lowering import Step
 from mechsheet.exporting.program import quantity
 from mechsheet.kinematics.angle_branch import WINDOWED
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.equations import Group, System
-from mechsheet.kinematics.lengths import largest_length
-from mechsheet.kinematics.newton.lost_assembly import scales
-from mechsheet.kinematics.newton.tracing import STEP
+from mechsheet.kinematics.modes import STEP
+from mechsheet.kinematics.newton.changed_dimensions import scales
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import NOTHING

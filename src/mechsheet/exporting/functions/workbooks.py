@@ -28,7 +28,7 @@ from mechsheet.exporting.functions.lambdas import modes_read, named_functions
 from mechsheet.exporting.functions.lesson import chain_of
 from mechsheet.exporting.functions.routines import Source
 from mechsheet.exporting.functions.sheets import LESSON_TITLE, LIST_TITLE, functions_sheet, lesson_sheet
-from mechsheet.kinematics.newton.refusing import need_one_position
+from mechsheet.kinematics.equations import need_one_position
 from mechsheet.model import TableRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW

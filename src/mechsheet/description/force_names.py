@@ -8,9 +8,9 @@ from typing import Any
 
 from livesheet.said import Said, say
 from mechsheet.description.kinds import ANY, LENGTH
-from mechsheet.description.quoting import quoted
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import (
     POINT_RATES,
     SHAKING,

@@ -1,9 +1,10 @@
-"""All that follows from a mechanism, each part computed when it is first asked for, and once."""
+"""All that follows from a mechanism, each part computed when it is first asked for, and once: nobody solves twice."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -15,16 +16,19 @@ from livesheet.evaluation import computed, live
 from livesheet.formula.nodes import Scalar
 from livesheet.workbook import Workbook
 from mechsheet import sheet
-from mechsheet.dynamics.flywheel import Flywheel, flywheel
+from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.solve import solve
+from mechsheet.dynamics.whole_mechanism import Flywheel, flywheel
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.model import Mechanism
+from mechsheet.model import ENERGY, ChartRequest, Mechanism, energy_unit
+from mechsheet.model.names import names_of
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import Plan
+from mechsheet.units import LENGTH, Unit
 
 if TYPE_CHECKING:
     from livesheet.engine import Live
@@ -136,3 +140,69 @@ def compiled_of(mechanism: Mechanism) -> Compiled:
     """A mechanism compiled; a linkage (`mechsheet.load`) keeps what was compiled of it."""
     kept: Compiled | None = getattr(mechanism, "_compiled", None)
     return Compiled(mechanism) if kept is None else kept
+
+
+SHOWN_ROLES = ("variable", "point", "rate", "force", "output")
+
+
+def motion_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
+    """Driver (with the time of a motion law, with listed speeds), variables, points, rates, forces and outputs, row by row;
+    the unit of each: "°", "mm", "" for a plain number.
+
+    Angles are continuous; NaN in rows in which some group cannot be joined; no rates at dead centres. Raises MechanismError.
+    """
+    mechanism, values, exists = compiled.mechanism, compiled.values, compiled.closed
+    unit = mechanism.driver.unit
+    columns: dict[str, Array] = {
+        mechanism.driver.symbol: np.array([unit.written(float(value)) for value in compiled.driver])
+    }
+    units = {mechanism.driver.symbol: unit.text}
+    for symbol in mechanism.given_by_row:
+        own = mechanism.given_unit(symbol) or unit
+        shown = mechanism.shown(own)
+        columns[symbol] = np.array([shown.written(float(value)) for value in compiled.given[symbol]])
+        units[symbol] = shown.text
+    for equation in compiled.equations.columns:
+        symbol = equation.symbol
+        if equation.role not in SHOWN_ROLES or symbol in columns:
+            continue
+        unit = mechanism.shown(equation.unit)
+        units[symbol] = unit.text
+        columns[symbol] = _as_shown(values[symbol], exists, unit)
+    if compiled.flywheel is not None and mechanism.dynamics is not None:
+        columns[ENERGY] = compiled.flywheel.energy
+        units[ENERGY] = energy_unit(mechanism.dynamics, mechanism.length_unit)
+    return columns, units
+
+
+def further_of(compiled: Compiled) -> tuple[dict[str, Array], dict[str, str]]:
+    """Every other name that a description may read (`names_of`), in columns as those of `motion_of`: what nobody shows.
+
+    The equations are written once more, as for a chart of all of them: a rate that nobody reads has no equation. Nothing
+    where that is refused: a driver whose values are listed says nothing of its speed.
+    """
+    mechanism = compiled.mechanism
+    names = names_of(mechanism)
+    chart = ChartRequest(None, "", names, (), ())
+    try:
+        whole = Compiled(replace(mechanism, charts=(*mechanism.charts, chart)), compiled.modes)
+        values, exists = whole.values, whole.closed
+    except MechanismError:
+        return {}, {}
+    own = {equation.symbol: equation.unit for equation in whole.equations.all}
+    own |= {dim.symbol: dim.unit for dim in mechanism.dimensions}
+    fixed = {f"{point}.{axis}" for point in mechanism.ground.points for axis in "xy"}
+    columns: dict[str, Array] = {}
+    units: dict[str, str] = {}
+    for name in names:
+        if name not in values:
+            continue
+        unit = mechanism.shown(LENGTH if name in fixed else own[name])
+        units[name] = unit.text
+        columns[name] = _as_shown(values[name], exists, unit)
+    return columns, units
+
+
+def _as_shown(values: Array, exists: NDArray[np.bool_], unit: Unit) -> Array:
+    """A column in the unit that people read; NaN in rows that do not exist, or where it has no value."""
+    return np.where(exists & np.isfinite(values), unit.to_shown(values), np.nan)

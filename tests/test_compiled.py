@@ -7,8 +7,7 @@ import pytest
 
 from chosen import IN_CI, some
 from folders import TEMPLATE_FILES
-from mechsheet.compiled import Compiled
-from mechsheet.compiled.motion import motion_of
+from mechsheet.compiled import Compiled, motion_of
 from mechsheet.description import load, loads
 from random_mechanisms import Grower
 
