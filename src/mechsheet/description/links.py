@@ -9,10 +9,10 @@ from typing import Any
 from livesheet import portable
 from livesheet.said import say
 from mechsheet.description.kinds import ANGLE, LENGTH
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.scope import REPORTED, Scope, Space, circle_message, cycles, words
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import GROUND, Cartesian, Distances, GivenPoint, Joint, Link, Polar
 
 _ROUNDING = 1e-9

@@ -9,11 +9,11 @@ from livesheet.said import say
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.driving.rates import known as known_rate
 from mechsheet.description.kinds import ANGLE, LENGTH, label_fault, plain_unit, unit_kind
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.requests import coordinates, is_coordinate
 from mechsheet.description.scope import Scope, circle_message, cycles, words
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import Driver, Output
 from mechsheet.units import Unit, unit_of
 

@@ -9,11 +9,11 @@ from livesheet.said import say
 from mechsheet.description.driving.driver import rows_of
 from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.driving.rates import known as known_rate
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
 from mechsheet.description.scope import Scope, words
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import TAKES, ChartRequest, Driver, Ends, Quantity, Summary, TableRequest
 
 

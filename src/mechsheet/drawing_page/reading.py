@@ -10,8 +10,8 @@ from typing import Any
 from livesheet.diagnostics import Fault
 from livesheet.formula.nodes import symbols
 from mechsheet.compiled import Compiled
-from mechsheet.description.locate import located
 from mechsheet.description.parts import Parts, parts_of
+from mechsheet.description.report import located
 from mechsheet.description.text.source import Source, parse
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.kinematics.dimensions import dimension_values
@@ -19,7 +19,7 @@ from mechsheet.kinematics.graph import graph_of
 from mechsheet.kinematics.mobility import check_mobility, mobility
 from mechsheet.library.changed import loads
 from mechsheet.model import Cartesian, Distances, Driver, Joint, Label, Link, Mechanism, Polar, Quantity
-from mechsheet.words.messages import text_in
+from mechsheet.words.catalogue import text_in
 
 KEPT = 12
 """Texts of which the reading is kept."""

@@ -41,7 +41,7 @@ from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.preload import write_preload
 from mechsheet.dynamics.teeth import Teeth
-from mechsheet.dynamics.work import own_works
+from mechsheet.dynamics.whole_mechanism import own_works
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.cams.profile import Contact

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from mechsheet.dynamics.reactions import Reactions
-from mechsheet.dynamics.whole_mechanism import Wholes
-from mechsheet.dynamics.work import effort_by_work
+from mechsheet.dynamics.whole_mechanism import Wholes, effort_by_work
 from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import solve as solve_motion

@@ -25,7 +25,7 @@ from mechsheet.exporting.lowering import missing_where
 from mechsheet.exporting.program import one_line
 from mechsheet.kinematics.angle_branch import WINDOWED
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.newton.refusing import need_closed_form
+from mechsheet.kinematics.equations import need_closed_form
 from mechsheet.plotting.sampling import sample
 from mechsheet.shapes.forms import HALF, Mark, Shape, place_of
 from mechsheet.shapes.positions import Positions, longest

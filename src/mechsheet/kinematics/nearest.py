@@ -21,8 +21,7 @@ from livesheet.said import Words, say
 from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.ledger import CLOSING, Ledger
 from mechsheet.kinematics.modes import BETWEEN, SEPARATE, BetweenModesError, Entry, difference, shown_entries
-from mechsheet.kinematics.newton.picking import listed, turns
-from mechsheet.kinematics.newton.starts import MOST_FOUND
+from mechsheet.kinematics.newton.picking import MOST_FOUND, listed, turns
 from mechsheet.kinematics.newton.system import followed
 from mechsheet.kinematics.numeric import Array, evaluate_equation
 from mechsheet.kinematics.points_in_link import number

@@ -19,11 +19,10 @@ from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.build_equations import write_equations, write_stepped
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, extent
 from mechsheet.kinematics.doubts.sketched import assemblies
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.graph import graph_of
-from mechsheet.kinematics.lengths import extent
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.points_in_link import number, number_points

@@ -13,7 +13,7 @@ import numpy as np
 
 from livesheet.diagnostics import Fault
 from livesheet.said import say
-from mechsheet.arguments.numbers import number_text, whole_number_given
+from mechsheet.arguments.values import number_text, whole_number_given
 from mechsheet.description.overrides import Overrides
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.model import Mechanism

@@ -42,7 +42,7 @@ class Motion(Mapping[str, NDArray[np.float64]]):
     """
 
     def __init__(self, compiled: Compiled) -> None:
-        from mechsheet.compiled.motion import motion_of
+        from mechsheet.compiled import motion_of
 
         columns, units = motion_of(compiled)
         self._compiled, self._columns = compiled, columns
@@ -68,7 +68,7 @@ class Motion(Mapping[str, NDArray[np.float64]]):
 
     @cached_property
     def _further(self) -> tuple[dict[str, NDArray[np.float64]], dict[str, str]]:
-        from mechsheet.compiled.further import further_of
+        from mechsheet.compiled import further_of
 
         return further_of(self._compiled)
 

@@ -7,9 +7,8 @@ from typing import TypeVar
 
 from livesheet.diagnostics import Fault
 from livesheet.said import Said, say
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
-from mechsheet.diagnostics import MechsheetError
+from mechsheet.diagnostics import MechsheetError, quoted
 
 Thing = TypeVar("Thing")
 

@@ -15,9 +15,7 @@ from livesheet.formula.printer import print_formula
 from livesheet.formula.references import cell_name
 from livesheet.said import say
 from livesheet.workbook import Workbook
-from mechsheet.compiled import Compiled, compiled_of
-from mechsheet.compiled.further import further_of
-from mechsheet.compiled.motion import motion_of
+from mechsheet.compiled import Compiled, compiled_of, further_of, motion_of
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.equations import FORCES, RATES, Equations, Group
 from mechsheet.kinematics.graph import graph_of
@@ -31,8 +29,7 @@ from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.shown import unit_of_column
 from mechsheet.synthesis.writing import says
 from mechsheet.units import NUMBER, behind_number, unit_of
-from mechsheet.words.catalogue import LANGUAGES, words
-from mechsheet.words.messages import text_in
+from mechsheet.words.catalogue import LANGUAGES, text_in, words
 
 
 def overview_text(mechanism: Mechanism) -> str:

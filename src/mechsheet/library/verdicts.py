@@ -23,7 +23,7 @@ from mechsheet.sheet.findings.searched import SearchedMotion
 from mechsheet.sheet.plan import MEANING, TOLERANCE
 from mechsheet.sheet.shown import shown_unit
 from mechsheet.units import behind_number
-from mechsheet.words.messages import text_in
+from mechsheet.words.catalogue import text_in
 
 _LANDS = 1e-6
 """By this part of a step the stop may be missed: it is rounding."""

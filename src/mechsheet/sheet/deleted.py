@@ -6,10 +6,12 @@ are errors, which a program never comes to: a cell of the first sheet says of ea
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 
-from livesheet.formula.nodes import CellRef, Node
-from mechsheet.sheet.plan import MEANING, Plan
+from livesheet.formula.nodes import CellRef, NameRef, Node, RangeRef, children
+from livesheet.workbook import Fill, Name
+from mechsheet.sheet.plan import HIDDEN, MEANING, Plan
 from mechsheet.sheet.quoted import formula
 
 FIRST_OF_ALL = ("synthesis", "iterations")
@@ -50,3 +52,44 @@ def sheets_of(plan: Plan, symbol: str) -> set[str]:
         elif name in plan.at.spots:
             found.add(keys.get(plan.at.spots[name].sheet, ""))
     return found - {""}
+
+
+def readers_of(plan: Plan, key: str) -> list[str]:
+    """The titles of the sheets, of those that a person sees, that have no numbers without this one."""
+    return [
+        plan.at.titles[other] for other in plan.places.sheets if key in READS.get(other, ()) and other not in HIDDEN
+    ]
+
+
+def cells_read(tree: Node, names: Mapping[str, Name]) -> Iterator[tuple[str | None, int, int]]:
+    """The cells that a formula names, of ranges their corners, each with its sheet: None for the formula's own."""
+    match tree:
+        case RangeRef(start, end):
+            for corner in (start, end):
+                yield start.sheet, corner.row, corner.col
+        case CellRef():
+            yield tree.sheet, tree.row, tree.col
+        case NameRef(name) if name in names:
+            named = names[name]
+            yield named.sheet, named.row, named.col
+        case _:
+            for part in children(tree):
+                yield from cells_read(part, names)
+
+
+def gaps_where_deleted(plan: Plan, fills: Iterable[Fill], sheet: str) -> list[Fill]:
+    """The formulas of a sheet that charts draw: #N/A, which is a gap, in cells that read a sheet that was deleted.
+
+    Any other error is drawn as 0 in Excel.
+    """
+    names = {name.name: name for name in plan.names}
+    keys = {plan.at.titles[key]: key for key in plan.places.sheets}
+    kept = []
+    for fill in fills:
+        read = {keys[title] for title, *_ in cells_read(fill.formula, names) if title in keys}
+        present = are_there(plan, read - {*FIRST_OF_ALL})
+        if present is not None:
+            node = formula("IF(present,own,NA())", present=present, own=fill.formula)
+            fill = replace(fill, formula=plan.at.bind(node, sheet))
+        kept.append(fill)
+    return kept

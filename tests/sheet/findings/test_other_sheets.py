@@ -12,7 +12,7 @@ from livesheet.evaluation import book_of
 from livesheet.formula.nodes import CellRef, ErrorValue, NameRef, RangeRef, transform
 from mechsheet.description.templates import template_text
 from mechsheet.model import ENERGY
-from mechsheet.sheet.plan import MAY_GO, MEANING, VALUE
+from mechsheet.sheet.plan import MAY_GO, MEANING, RATES_STATUS, VALUE
 
 
 def without(laid, title):
@@ -70,7 +70,10 @@ def test_a_deleted_sheet_leaves_no_error_on_the_first(name, language):
         if key not in MAY_GO:
             assert line == laid.verdict
             continue
-        assert line.endswith(plan.text("verdict.sheets.deleted", sheet=title))
+        assert plan.text("verdict.sheets.deleted", sheet=title) in line
+        for table, reads in (("forces", {"rates"}), ("tolerance", {"rates", "checks", "extremes"})):
+            if table in plan.at.titles and key in reads:
+                assert plan.at.titles[table] in line
         if key not in ("synthesis", "iterations"):
             assert values.get(plan.main, plan.places.closed.row, plan.places.closed.col) == laid.spot("rows_closed")
 
@@ -79,6 +82,26 @@ GAIN = """
 [outputs]
 gain = { formula = "omega14/omega12", label = { en = "gain", tr = "oran" } }
 """
+
+
+def errors(laid, values, title):
+    """The errors that a sheet shows, each once."""
+    sheet = next(sheet for sheet in laid.workbook.sheets if sheet.title == title)
+    shown = {values.get(title, row, fill.col) for fill in sheet.fills for row in range(fill.row, fill.row + fill.rows)}
+    return {value.code for value in shown if isinstance(value, ErrorValue)}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["four-bar-forces", "shaper"])
+def test_charts_have_gaps_and_forces_say_why(name):
+    """Excel draws any error but #N/A as 0: arrows would point to a corner of the drawing."""
+    laid = Laid(template_text(name), "en")
+    plan = laid.plan
+    for key in ("rates", "forces", "checks", "extremes"):
+        assert errors(laid, without(laid, plan.at.titles[key]), plan.at.titles["drawing"]) <= {"#N/A"}, key
+    alone, forces = without(laid, plan.at.titles["rates"]), plan.at.titles["forces"]
+    said = {alone.get(forces, row, RATES_STATUS) for row in range(plan.at.first, plan.at.last + 1)}
+    assert said == {"sheet Rates was deleted, and without it Forces has no numbers"}
 
 
 @pytest.mark.slow

@@ -10,11 +10,11 @@ from livesheet.formula.names import folded
 from livesheet.formula.nodes import symbols
 from livesheet.said import Said, say
 from mechsheet.description.driving.rates import is_rate
-from mechsheet.description.forces.force_names import CENTER, OF_MOTION
-from mechsheet.description.quoting import quoted
+from mechsheet.description.force_names import CENTER, OF_MOTION
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import Exercise, Need, Vary
 
 ALL_ROWS = "all rows"

@@ -9,10 +9,10 @@ from typing import Any
 
 from livesheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from livesheet.said import say
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import EXTREME, POINT_RATES, Condition, Objective, Range, Study
 
 MOST_OBJECTIVES = 3

@@ -12,10 +12,10 @@ from livesheet.formula.nodes import Call, Node, Symbol, symbols
 from livesheet.formula.scalar import evaluate
 from livesheet.said import reason, say
 from mechsheet.description.kinds import LENGTH, unit_kind
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import Dimension, Synthesis, TaskPlace
 from mechsheet.synthesis.kind import Kind
 from mechsheet.synthesis.kinds import KINDS, written

@@ -8,11 +8,11 @@ from typing import Any
 
 from livesheet.said import say
 from mechsheet.description.driving.rates import is_rate
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.requests import check_column
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
+from mechsheet.diagnostics import quoted
 from mechsheet.model import Dimension, Driver, FurtherDriver, Tolerances
 
 _PATH: Path = ("tolerance",)

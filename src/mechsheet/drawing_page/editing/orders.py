@@ -21,7 +21,7 @@ from mechsheet.drawing_page.positions import Point
 from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
 from mechsheet.drawing_page.reading import Reading, read
 from mechsheet.words.catalogue import Language
-from mechsheet.words.messages import text_in as said_in
+from mechsheet.words.catalogue import text_in as said_in
 
 
 def edited(

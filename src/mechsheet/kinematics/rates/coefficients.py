@@ -25,18 +25,16 @@ from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.cams.profile import Contact, write_cam
-from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.dyads.solved import Determinant, Solved
 from mechsheet.kinematics.equations import Fit
 from mechsheet.kinematics.gear_relations import Held, Tied, solved_for
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.chains import Chain
-from mechsheet.kinematics.newton.coefficients import ChainColumns
 from mechsheet.kinematics.newton.newton_equations import Solution
-from mechsheet.kinematics.newton.rates import Closings, known_pins, without
+from mechsheet.kinematics.newton.rates import ChainColumns, Closings, known_pins, without
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Meeting, Motions, PointRate, Rate
-from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, RateColumns, order_words
+from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, LONGEST, RateColumns, order_words
 from mechsheet.model import POINT_RATES, FurtherDriver, Mechanism, rate_symbols
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words.equations import link_words, phrase

@@ -17,6 +17,7 @@ from mechsheet.shapes.colors import INK
 from mechsheet.shapes.forms import CAPTION, CAPTION_AT, LETTERS
 from mechsheet.shapes.names import POINTS
 from mechsheet.sheet import styles
+from mechsheet.sheet.deleted import gaps_where_deleted
 from mechsheet.sheet.drawing.frames import (
     CHART_X,
     CHART_Y,
@@ -109,8 +110,9 @@ def _sheet(page: Page) -> Sheet:
     columns = [Column(NAME, NAME, 26.0), Column(FIRST, PART, 12.0), Column(PART + 1, PART + 1, 3.0)]
     if page.col > SWEEP:
         columns.append(Column(SWEEP, page.col - 1, 11.0))
+    fills = gaps_where_deleted(page.plan, page.fills, page.title)
     return Sheet(
-        page.title, tuple(page.cells), tuple(page.fills), columns=tuple(columns), row_heights=((0, 26.0),),
+        page.title, tuple(page.cells), tuple(fills), columns=tuple(columns), row_heights=((0, 26.0),),
         gridlines=False, tab_color="7B3FA0", print_setup=PrintSetup(footer=page.plan.footer),
     )  # fmt: skip
 

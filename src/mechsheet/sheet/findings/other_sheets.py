@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from livesheet.formula.nodes import CellRef, Node, RangeRef
+from mechsheet.sheet.deleted import readers_of
 from mechsheet.sheet.findings.finding import Finding, Line, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.places import there
@@ -22,7 +23,7 @@ class OtherSheets(Finding):
         plan, count = on.plan, on.value(self.key)
         cells = [CellRef(spot.row, spot.col, True, True) for spot in plan.places.sheets.values()]
         gone = joined(*(
-            formula('IF(there,"",gone)', there=cell, gone=f"; {on.text('sheets.deleted', sheet=plan.at.titles[key])}")
+            formula('IF(there,"",gone)', there=cell, gone=f"; {_gone(on, key)}")
             for cell, key in zip(cells, plan.places.sheets, strict=True)
         ))  # fmt: skip
         words = formula("IF(count=0,all,MID(gone,3,most))", count=count, all=on.text("sheets.all"), gone=gone,
@@ -34,3 +35,11 @@ class OtherSheets(Finding):
         return formula(
             "IF(count>0,left,title)", count=on.value(self.key), left=there(on.plan.places.left).cell, title=title
         )
+
+
+def _gone(on: Reading, key: str) -> str:
+    """That a sheet was deleted, and which ones have no numbers without it."""
+    title, readers = on.plan.at.titles[key], readers_of(on.plan, key)
+    if not readers:
+        return on.text("sheets.deleted", sheet=title)
+    return on.text("sheets.deleted.read", sheet=title, readers=", ".join(readers))

@@ -3,13 +3,12 @@ cells are empty which need one that was deleted."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 
-from livesheet.formula.nodes import CellRef, NameRef, Node, RangeRef, Text, children
+from livesheet.formula.nodes import CellRef, Text
 from livesheet.workbook import Fill
 from mechsheet.sheet import styles
-from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there, missing_words
+from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there, cells_read, missing_words
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import LEGEND_ROW, MARGIN, MEANING, VALUE, VERDICT_ROW
@@ -76,26 +75,11 @@ class _Needs:
         place = row, col
         if place not in self.found:
             found = self.found[place] = {*self.further.get(row, ())} if place in self.fills else set()
-            for sheet, *cell in self._read(self.fills[place].formula) if place in self.fills else ():
-                if sheet == self.title:
+            for sheet, *cell in cells_read(self.fills[place].formula, self.names) if place in self.fills else ():
+                if sheet in (None, self.title):
                     found |= self.of(*cell)
                 elif sheet == self.table:
                     found |= self.first_of_all
                 elif sheet in self.keys:
                     found |= {self.keys[sheet]} | self.first_of_all
         return self.found[place]
-
-    def _read(self, tree: Node) -> Iterator[tuple[str, int, int]]:
-        """The cells that a formula names, of ranges their corners, each with its sheet."""
-        match tree:
-            case RangeRef(start, end):
-                for corner in (start, end):
-                    yield start.sheet or self.title, corner.row, corner.col
-            case CellRef():
-                yield tree.sheet or self.title, tree.row, tree.col
-            case NameRef(name) if name in self.names:
-                named = self.names[name]
-                yield named.sheet, named.row, named.col
-            case _:
-                for part in children(tree):
-                    yield from self._read(part)
