@@ -196,11 +196,17 @@ format = 1
 mechanism.name = "knife"
 links.ground.points = { O = [3, 4], G = [8, 3] }
 links.f.points = { C = [2, 1], D = [60, 0] }
-joints = [
-  { type = "prismatic", name = "guide", link = "f", on = "ground", point = "D", through = "G", angle = -98,
-    orientation = 0.3, symbol = "s" },
-]
 cam = { center = "O", base_radius = 31, roller = { point = "C", radius = 0 } }
+[[joints]]
+type = "prismatic"
+name = "guide"
+link = "f"
+on = "ground"
+point = "D"
+through = "G"
+angle = -98
+orientation = 0.3
+symbol = "s"
 [driver]
 joint = "guide"
 step = 10
@@ -217,6 +223,6 @@ most = { of = "kappa", take = "max" }
 def test_the_curvature_of_a_rollers_way_has_no_pole():
     """Over three rows of its cycloidal rise it goes from hollow to sharp, as it would beside one."""
     laid = Laid(KNIFE)
-    mechanism = loads(KNIFE.replace("step = 10", "step = 0.01"))
-    assert laid.spot("summary most") == pytest.approx(np.max(compiled_of(mechanism).values["kappa"]), rel=1e-5)
+    mechanism = loads(KNIFE.replace("step = 10\n", "step = 0.1\n"))
+    assert laid.spot("summary most") == pytest.approx(np.max(compiled_of(mechanism).values["kappa"]), rel=1e-4)
     assert WORDS["en"] not in summary(laid, "most")[1]
