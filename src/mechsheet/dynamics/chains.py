@@ -27,10 +27,11 @@ from mechsheet.dynamics.acting import ActingForces, Force
 from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.teeth import Teeth
+from mechsheet.kinematics.graph import Assembly
 from mechsheet.kinematics.newton.chains import Binary, Carrier
 from mechsheet.kinematics.newton.newton_equations import Solution, Span, holder
 from mechsheet.kinematics.newton.rates import solved
-from mechsheet.kinematics.poses import Assembly, Poses
+from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.model import Gear
 from mechsheet.units import NUMBER
@@ -89,15 +90,9 @@ class ChainReactions:
     def _at(self, point: str) -> Vector:
         return self.poses.xy[point]
 
-    def _pin(self, binary: Binary) -> str:
-        first = binary.ends[0].joint
-        if not isinstance(first, str):
-            raise TypeError(f"no pin at the first end: {binary}")
-        return first
-
     def _known_of(self, binary: Binary) -> None:
         """S, M(P), and what they make it exert on the two bodies that it joins."""
-        assembly, first, second = binary.assembly, self._pin(binary), binary.ends[1].joint
+        assembly, first, second = binary.assembly, binary.pin, binary.other
         p = self._at(first)
         total = self.sums[assembly] = together(self.acting.total(body) for body in assembly)
         moment = self.moments[assembly] = al.total(self.acting.moment(body, p) for body in assembly)
@@ -109,8 +104,7 @@ class ChainReactions:
         d = self.motions.direction(second)
         n = turned(d)
         self._hang(holder(self.poses, self.chain, first, assembly), Force(times(dot(total, d), d), p))
-        beside = second.other(second.side(assembly))
-        self._hang(beside, Force(times(dot(total, n), n), p), moment)
+        self._hang(second.beyond(assembly), Force(times(dot(total, n), n), p), moment)
 
     def _across(self, assembly: Assembly, span: Span, moment: Node) -> Vector:
         """The part across the way of what a link exerts at its second pin: M(P) J w / l^2."""
@@ -131,12 +125,12 @@ class ChainReactions:
     def _intensities(self, det: Node) -> list[Node]:
         columns = self.columns
         efforts = [self._along(carrier) for carrier in self.chain.carriers]
-        turning = all(isinstance(carrier.reached.joint, str) for carrier in self.chain.carriers)
+        turning = all(isinstance(carrier.reached, str) for carrier in self.chain.carriers)
         if turning:
             det = al.mul(det, columns.metre)
         else:
             efforts = [
-                over(effort, columns.metre) if isinstance(carrier.reached.joint, str) else effort
+                over(effort, columns.metre) if isinstance(carrier.reached, str) else effort
                 for carrier, effort in zip(self.chain.carriers, efforts, strict=True)
             ]
         found = solved(self.system, efforts, transposed=True)
@@ -160,7 +154,7 @@ class ChainReactions:
         """Q of a carrier's unknown."""
         forces, couples = self._felt(carrier)
         number = self.acting.number(carrier.assembly[0])
-        joint = carrier.reached.joint
+        joint = carrier.reached
         what = self.poses.name(carrier.assembly)
         if isinstance(joint, str):
             about = self._at(joint)
@@ -181,7 +175,7 @@ class ChainReactions:
             forces += [*own.forces, *hung.forces]
             couples += [*own.couples, *hung.couples]
         for other in self.chain.carriers:
-            joint = other.reached.joint
+            joint = other.reached
             if other == carrier or self._below(other) not in carrier.assembly:
                 continue
             handed, turning = self._felt(other)
@@ -194,15 +188,15 @@ class ChainReactions:
 
     def _below(self, carrier: Carrier) -> str:
         """The body from which a carrier is reached."""
-        joint = carrier.reached.joint
+        joint = carrier.reached
         if isinstance(joint, str):
             return holder(self.poses, self.chain, joint, carrier.assembly)
-        return joint.other(joint.side(carrier.assembly))
+        return joint.beyond(carrier.assembly)
 
     # --- the joints ---------------------------------------------------------------------------------------------
 
     def _held(self, binary: Binary, intensity: Node) -> None:
-        assembly, first, second = binary.assembly, self._pin(binary), binary.ends[1].joint
+        assembly, first, second = binary.assembly, binary.pin, binary.other
         at_first = self.motions.with_point(assembly, first)
         total = self.sums[assembly]
         if isinstance(second, str):
@@ -219,7 +213,7 @@ class ChainReactions:
 
     def _reached(self, carrier: Carrier) -> None:
         """Where a carrier is reached it is held against all else that acts on it by now."""
-        assembly, joint = carrier.assembly, carrier.reached.joint
+        assembly, joint = carrier.assembly, carrier.reached
         total = negative(together(self.acting.total(body) for body in assembly))
         if isinstance(joint, str):
             self.joints.outer(joint, self.motions.with_point(assembly, joint), total)

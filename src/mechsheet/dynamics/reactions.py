@@ -46,9 +46,8 @@ from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.cams.profile import Contact
 from mechsheet.kinematics.gear_relations import Tied
-from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.graph import Assembly, Slide
 from mechsheet.kinematics.newton.chains import Chain
-from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.model import FurtherDriver
 from mechsheet.words.equations import phrase
