@@ -18,51 +18,32 @@ Source: the principle of virtual work; Uicker, Pennock and Shigley, Theory of Ma
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol, renamed
-from livesheet.formula.vectors import Vector, cross, dot, minus, negative, over, times, together, turned
-from mechsheet.dynamics.acting import ActingForces, Force
-from mechsheet.dynamics.columns import Columns
+from livesheet.formula.vectors import Vector, dot, minus, negative, over, times, together, turned
+from mechsheet.dynamics.acting import Acting, ActingForces, Force, moment_of, sum_of
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.teeth import Teeth
 from mechsheet.kinematics.graph import Assembly
 from mechsheet.kinematics.newton.chains import Binary, Carrier
 from mechsheet.kinematics.newton.newton_equations import Solution, Span, holder
 from mechsheet.kinematics.newton.rates import solved
-from mechsheet.kinematics.poses import Poses
-from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.model import Gear
 from mechsheet.units import NUMBER
 from mechsheet.words.equations import phrase
 
 
-@dataclass
-class _Hung:
-    """What links between carriers are known to exert on a body, whatever the intensities."""
-
-    forces: list[Force] = field(default_factory=list)
-    couples: list[Node] = field(default_factory=list)
-
-
 class ChainReactions:
-    """Of one group of a mechanism."""
+    """Of one group of a mechanism.
 
-    def __init__(
-        self,
-        solution: Solution,
-        motions: Motions,
-        acting: ActingForces,
-        joints: Joints,
-        columns: Columns,
-        teeth: Teeth,
-    ) -> None:
-        self.teeth = teeth
+    hung  by body what links between carriers are known to exert on it, whatever the intensities
+    """
+
+    def __init__(self, solution: Solution, acting: ActingForces, joints: Joints, teeth: Teeth) -> None:
         self.solution, self.chain, self.system = solution, solution.chain, solution.system
-        self.motions, self.acting, self.joints, self.columns = motions, acting, joints, columns
-        self.poses: Poses = motions.poses
-        self.hung: dict[str, _Hung] = {}
+        self.acting, self.joints, self.teeth = acting, joints, teeth
+        self.poses, self.motions, self.columns = acting.poses, acting.motions, acting.columns
+        self.hung: dict[str, Acting] = {}
         self.sums: dict[Assembly, Vector] = {}
         self.moments: dict[Assembly, Node] = {}
         self.across: dict[Assembly, Vector] = {}
@@ -114,11 +95,7 @@ class ChainReactions:
         return times(turning, turned(span.way))
 
     def _hang(self, body: str, force: Force, couple: Node = al.ZERO) -> None:
-        hung = self.hung.setdefault(body, _Hung())
-        if not all(map(al.is_zero, force.vector)):
-            hung.forces.append(force)
-        if not al.is_zero(couple):
-            hung.couples.append(couple)
+        self.hung.setdefault(body, Acting()).add(force, couple)
 
     # --- the intensities ----------------------------------------------------------------------------------------
 
@@ -157,10 +134,8 @@ class ChainReactions:
         joint = carrier.reached
         what = self.poses.name(carrier.assembly)
         if isinstance(joint, str):
-            about = self._at(joint)
-            arms = al.total(cross(minus(force.at, about), force.vector) for force in forces)
-            return self.acting.torque(f"Q{number}", arms, couples, what)
-        along = dot(together(force.vector for force in forces), self.motions.direction(joint))
+            return self.acting.torque(f"Q{number}", moment_of(forces, self._at(joint)), couples, what)
+        along = dot(sum_of(forces), self.motions.direction(joint))
         if joint.body not in carrier.assembly:
             along = al.neg(along)
         return self.columns.grey(f"Q{number}", along, self.columns.force, phrase("sum_along", link=what))
@@ -171,7 +146,7 @@ class ChainReactions:
         forces: list[Force] = []
         couples: list[Node] = []
         for body in carrier.assembly:
-            own, hung = self.acting.of(body), self.hung.get(body, _Hung())
+            own, hung = self.acting.of(body), self.hung.get(body, Acting())
             forces += [*own.forces, *hung.forces]
             couples += [*own.couples, *hung.couples]
         for other in self.chain.carriers:
@@ -180,7 +155,7 @@ class ChainReactions:
                 continue
             handed, turning = self._felt(other)
             if isinstance(joint, str):
-                forces.append(Force(together(force.vector for force in handed), self._at(joint)))
+                forces.append(Force(sum_of(handed), self._at(joint)))
             else:
                 forces += handed
                 couples += turning
