@@ -27,7 +27,7 @@ from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
 from mechsheet.checking.searched.probed_cells import compare_program
-from mechsheet.description.locate import located
+from mechsheet.description.report import located
 from mechsheet.diagnostics import MechanismError, MissingProgramError
 from mechsheet.kinematics.cams.inputs import asked_by_cam, refused_by_cam
 from mechsheet.library.building import build

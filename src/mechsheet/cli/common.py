@@ -61,7 +61,7 @@ def _name_of(path: Path) -> str:
 @contextlib.contextmanager
 def at_lines_of(mechanism: Mechanism, path: Path) -> Iterator[None]:
     """What is wrong with a mechanism, and what is doubtful, is told with the description's file and line."""
-    from mechsheet.description.locate import located
+    from mechsheet.description.report import located
 
     def at_line(error: MechanismError) -> MechsheetError:
         return located(error, mechanism.listing, _name_of(path))

@@ -13,9 +13,8 @@ from livesheet.formula.vectors import Vector, cross, dot, minus, plus, times, tu
 from livesheet.said import say
 from mechsheet.description.joints import Ends
 from mechsheet.description.kinds import ANGLE, LENGTH
-from mechsheet.description.own_cells import own_cell
 from mechsheet.description.report import BAD
-from mechsheet.description.scope import Scope
+from mechsheet.description.scope import Scope, own_cell
 from mechsheet.diagnostics import quoted
 from mechsheet.model import Cam, Cartesian, Dimension, GivenPoint, Joint, Link, Polar, Quantity, touched_by
 from mechsheet.units import unit_of

@@ -22,7 +22,7 @@ from livesheet.said import say
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
-from mechsheet.description.text.file_names import is_device
+from mechsheet.description.reader import is_device
 from mechsheet.diagnostics import DescriptionError, MechsheetError
 from mechsheet.homework.classroom.figure import figure_of
 from mechsheet.homework.classroom.task_sheet import task_sheet
