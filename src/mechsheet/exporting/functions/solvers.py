@@ -25,8 +25,7 @@ from livesheet.formula.nodes import Node, Symbol
 from livesheet.said import Words
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.functions.all_functions import patterns, prefix_of
-from mechsheet.exporting.functions.calls import with_calls
-from mechsheet.exporting.functions.routines import Routine, Source, folded, needed_for, unknown_key
+from mechsheet.exporting.functions.routines import Routine, Source, folded, needed_for, unknown_key, with_calls
 from mechsheet.exporting.lowering import Step
 from mechsheet.exporting.program import quantity
 from mechsheet.kinematics.angle_branch import WINDOWED
