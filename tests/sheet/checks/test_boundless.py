@@ -13,7 +13,7 @@ from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.library.show import overview_text
-from mechsheet.library.verdicts import verdicts_json
+from mechsheet.library.verdicts import verdicts_of
 from mechsheet.sheet.checks.boundless import may_grow
 
 pytestmark = pytest.mark.slow
@@ -110,7 +110,7 @@ def test_a_row_beside_the_pole_of_an_absolute_value():
 @pytest.mark.ci
 def test_programs_and_check_are_told_the_same(tmp_path):
     mechanism = loads(AROUND, overrides=Overrides({"a2": "50"}))
-    said = json.loads(verdicts_json(mechanism))
+    said = json.loads(verdicts_of(mechanism).as_json())
     assert said["ratio_max"]["value"] is None and WORDS["en"] in said["ratio_max"]["words"]
     assert abs(said["ratio_max"]["where"]) == pytest.approx(160.41, abs=0.01)
     assert said["wedge_min"]["value"] == pytest.approx(1)
@@ -123,8 +123,8 @@ def test_programs_and_check_are_told_the_same(tmp_path):
 def test_a_page_says_as_much_to_programs():
     """A description for one sheet: all verdicts nevertheless."""
     text = AROUND.partition("[outputs]")[0]
-    said = json.loads(verdicts_json(loads(f'{text}\n[workbook]\nlayout = "page"\n')))
-    assert said == json.loads(verdicts_json(loads(text)))
+    said = json.loads(verdicts_of(loads(f'{text}\n[workbook]\nlayout = "page"\n')).as_json())
+    assert said == json.loads(verdicts_of(loads(text)).as_json())
     assert said["swing_theta14"]["value"] == pytest.approx(78.94412837)
 
 

@@ -141,9 +141,9 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
     separate = Condition(a, ledger.tolerance)  # pins that coincide leave the link free to turn about them
     w = leg(ledger, "w", a, n, phrase("arm_along_guide", start=p, end=r), separate)
     psi = ledger.column("psi", al.atan2(w, n), ANGLE, phrase("angle_to_guide", start=p, end=r))
-    sign = mode if guide.sign > 0 else al.neg(mode)
+    sign = guide.signed(mode)
     reach = al.sub(al.mul(sign, w), t)
-    poses.displacement(guide.symbol, reach if guide.sign > 0 else al.neg(reach))
+    poses.displacement(guide.symbol, guide.signed(reach))
     to_r = guide.delta + Angle(al.add(al.mul(sign, psi), half_turn_unless(sign)))
     poses.fix(dyad.first, to_r - line_a, poses.point(dyad.first, p), xp, yp)
     xr, yr = poses.xy[r]
