@@ -7,7 +7,7 @@ from mechsheet.checking.stored import Stored
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
-from mechsheet.words.homework import marks_of
+from mechsheet.words.catalogue import marks_of
 
 
 def test_the_comparison_with_stored_values_counts_in_english():

@@ -1,4 +1,5 @@
-"""What a user can do wrong with a mechanism, beside what can be wrong with a workbook or a file."""
+"""What a user can do wrong with a mechanism, beside what can be wrong with a workbook or a file; and how
+messages show what somebody has written."""
 
 from __future__ import annotations
 
@@ -47,3 +48,18 @@ def own_fault(error: BaseException, file: str) -> Fault:
         error=str(error),
     )
     return Fault(message, file)
+
+
+MOST = 60
+"""Characters of somebody's text that a message shows."""
+
+
+def printable(text: str) -> str:
+    """The text with everything that could disturb a terminal written as an escape."""
+    return "".join(sign if sign.isprintable() else repr(sign)[1:-1] for sign in text)
+
+
+def quoted(text: str) -> str:
+    """The text in quotes, shortened, and safe to print."""
+    text = printable(text)
+    return f'"{text}"' if len(text) <= MOST else f'"{text[: MOST - 1]}…"'

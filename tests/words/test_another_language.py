@@ -19,7 +19,7 @@ from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.exporting import export
 from mechsheet.words import catalogue
-from mechsheet.words.messages import in_language
+from mechsheet.words.catalogue import in_language
 
 FORMS = 3
 """Plural forms of the language: for one thing, for few and for many, as Polish has them."""

@@ -14,7 +14,7 @@ from mechsheet.description import load, loads
 from mechsheet.description.grammar import Either, Items, Kinds, Named, Table
 from mechsheet.description.schema import DESCRIPTION, MEANT, REASONS
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.words.messages import in_language
+from mechsheet.words.catalogue import in_language
 
 TURKISH = {english: turkish for english, turkish in texts("tr").items() if english not in texts("en")}
 

@@ -1,1 +1,1 @@
-"""What callers give: numbers, names of files to write, ranges and values of cells."""
+"""What callers give: values (numbers, cells and their ranges), and names of files to write."""

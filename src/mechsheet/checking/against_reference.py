@@ -26,7 +26,7 @@ from mechsheet.checking.typed import changed, equations_as_typed, typed, with_li
 from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.newton.lost_assembly import LEAP
+from mechsheet.kinematics.newton.changed_dimensions import LEAP
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep

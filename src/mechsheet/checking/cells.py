@@ -13,7 +13,7 @@ from livesheet.formula.references import cell_address
 from mechsheet.checking.excuses.cells import EqualRows
 from mechsheet.checking.report import Comparison, Tally, difference
 from mechsheet.checking.rules import Rules, ignored_in
-from mechsheet.kinematics.lengths import is_length
+from mechsheet.kinematics.dimensions import is_length
 from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.plan import Plan
 from mechsheet.units import turn

@@ -26,7 +26,7 @@ from mechsheet.checking.searched.against_search import against_search
 from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.checking.stale import description_of, stale
 from mechsheet.checking.stored import judge_stored
-from mechsheet.description.locate import located
+from mechsheet.description.report import located
 from mechsheet.diagnostics import MechanismError, MissingProgramError
 from mechsheet.library.building import build
 from mechsheet.library.changed import load

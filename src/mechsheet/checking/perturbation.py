@@ -20,14 +20,14 @@ from livesheet.diagnostics import Fault, WorkbookError, readable_name
 from livesheet.engine import compile_book
 from livesheet.formats import read, update_values
 from livesheet.formula.book import Book
-from livesheet.formula.nodes import Scalar
+from livesheet.formula.nodes import Scalar, symbols
 from livesheet.said import say
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
 from mechsheet.checking.searched.probed_cells import compare_program
-from mechsheet.description.locate import located
+from mechsheet.description.report import located
 from mechsheet.diagnostics import MechanismError, MissingProgramError
 from mechsheet.kinematics.cams.inputs import asked_by_cam, refused_by_cam
 from mechsheet.library.building import build
@@ -313,8 +313,9 @@ def _kept_of_cam(plan: Plan, typed: Mapping[str, float]) -> dict[str, float]:
     internal = {symbol: dim.unit.to_internal(typed[symbol]) for symbol, dim in inputs.items()}
     if not any(refused_by_cam(plan.mechanism, internal)):
         return {}
-    asked = (inputs[each.symbol] for each in asked_by_cam(plan.mechanism))
-    return {dim.symbol: dim.unit.to_shown(dim.value) for dim in asked if isinstance(dim.value, float)}
+    read = {name for each in asked_by_cam(plan.mechanism) for name in (each.symbol, *symbols(each.margin))}
+    kept = (dim for symbol, dim in inputs.items() if symbol in read)
+    return {dim.symbol: dim.unit.to_shown(dim.value) for dim in kept if isinstance(dim.value, float)}
 
 
 def _shortest(value: float) -> str:

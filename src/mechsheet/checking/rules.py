@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from livesheet.diagnostics import Fault, WorkbookError
 from livesheet.formula.book import Book
 from livesheet.said import say
-from mechsheet.arguments.ranges import Area, area_of
+from mechsheet.arguments.values import Area, area_of
 from mechsheet.checking.report import TOLERANCE
 
 

@@ -15,7 +15,7 @@ from livesheet.diagnostics import readable_name
 from livesheet.said import say
 from mechsheet.checking.edited.pull import pull
 from mechsheet.description.text.index import Path as Place
-from mechsheet.description.text.origin import is_origin, meaning
+from mechsheet.description.text.rewrite import is_origin, meaning
 from mechsheet.description.text.source import dotted, read_text
 from mechsheet.diagnostics import MechsheetError
 

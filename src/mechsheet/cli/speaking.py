@@ -89,7 +89,7 @@ def told(text: str) -> str:
     """A text as it is printed: what was said, in the language that is spoken."""
     if spoken() == ENGLISH:
         return text
-    from mechsheet.words.messages import text_in
+    from mechsheet.words.catalogue import text_in
 
     return text_in(text, spoken())
 
@@ -98,7 +98,7 @@ def fault_told(fault: Fault) -> str:
     """A fault as it is printed."""
     if spoken() == ENGLISH:
         return str(fault)
-    from mechsheet.words.messages import in_language
+    from mechsheet.words.catalogue import in_language
 
     return str(in_language(fault, spoken()))
 

@@ -1,4 +1,4 @@
-"""Gathering faults while reading goes on, and the words that all messages share."""
+"""Gathering faults while reading goes on, those found later told at the same lines, and the words that all messages have."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import Any, Final, Literal
 from livesheet.diagnostics import Fault, near_miss
 from livesheet.formula.names import folded
 from livesheet.said import Said, say
-from mechsheet.description.quoting import quoted
 from mechsheet.description.text.index import Path
-from mechsheet.description.text.source import Source
+from mechsheet.description.text.source import Source, parse
+from mechsheet.diagnostics import MechanismError, quoted
 
 
 class Bad(Enum):
@@ -55,6 +55,11 @@ def suggestion(word: str, allowed: Iterable[str], what: str) -> Said:
     return say("{near} {all}", near=near, all=list_of) if near else list_of
 
 
+def within(text: str, name: str) -> str:
+    """`in "a2 + x": `, before what is said of a name in a text; nothing where the name is the whole of it."""
+    return "" if name == text.strip() else say("in {text}: ", text=quoted(text))
+
+
 def listed(names: Iterable[str], last: Literal["and", "or"] = "and") -> str:
     """`"a", "b" and "c"`."""
     quoted = [f'"{name}"' for name in names]
@@ -83,3 +88,16 @@ def found(value: Any) -> str:
     if isinstance(value, list):
         return say("a list of {count}", count=len(value)) if value else say("an empty list")
     return say("a table") if isinstance(value, dict) else say("a date or time")
+
+
+def located(error: MechanismError, text: str, file: str) -> MechanismError:
+    """The same error, each fault at the line of its key in the description `text`, called `file`."""
+    source = parse(text, file)
+
+    def place(fault: Fault) -> Fault:
+        if fault.file or not fault.key:
+            return fault
+        path = tuple(int(part) if part.isdecimal() else part for part in fault.key.split("."))
+        return source.fault(path, fault.message, fault.hint)
+
+    return MechanismError(place(fault) for fault in error.faults)

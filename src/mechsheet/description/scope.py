@@ -1,4 +1,8 @@
-"""What the names of a description mean while it is read: units, values of dimensions, variables; and its expressions."""
+"""What the names of a description mean while it is read: units, values of dimensions, variables; and its expressions.
+
+The units are those of the part [mechanism]. A number that stands elsewhere than among the dimensions may have a cell of its
+own (`own_cell`).
+"""
 
 from __future__ import annotations
 
@@ -27,10 +31,9 @@ from mechsheet.description.kinds import (
     meant_in_degrees,
     plain_unit,
 )
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.description.text.index import Path
-from mechsheet.description.text.measured import (
+from mechsheet.description.text.numbers import (
     EXAMPLES,
     Measured,
     home,
@@ -38,11 +41,12 @@ from mechsheet.description.text.measured import (
     like,
     measured,
     spelled,
+    typed_number,
     unit_behind,
     unit_named,
 )
-from mechsheet.description.text.numbers import typed_number
-from mechsheet.model import Label, Quantity, Take
+from mechsheet.diagnostics import quoted
+from mechsheet.model import POINT_RATES, Dimension, Label, Quantity, Take
 from mechsheet.units import DEG, NUMBER, Unit, unit_of
 from mechsheet.words.catalogue import ENGLISH
 
@@ -147,6 +151,11 @@ class Scope:
         self.symbols = Space(self.report)
         self.cells = Space(self.report)
 
+    @property
+    def length(self) -> Unit:
+        """The unit of lengths."""
+        return unit_of(self.length_unit, self.length_unit)
+
     # ---- names
 
     def add_variable(self, symbol: str, kind: str, what: str, path: Path, hint: str = "") -> None:
@@ -202,6 +211,45 @@ class Scope:
                 against=quoted(against),
             )
         return None
+
+    @property
+    def coordinates(self) -> list[str]:
+        """The names of all coordinates of points."""
+        return [f"{point}.{axis}" for point in self.points for axis in "xy"]
+
+    @property
+    def rates_there(self) -> Iterable[str]:
+        """The rates that formulas may name: none where the driver has no speed."""
+        return self.rates if self.moves else ()
+
+    def is_rate(self, name: str) -> bool:
+        """True for omega13, s14.v, theta13.d, C.vx."""
+        owner, dot, part = name.partition(".")
+        if name in self.rates:
+            return True
+        return bool(dot) and (
+            (owner in self.variables and part in ("d", "dd")) or (owner in self.points and part in POINT_RATES)
+        )
+
+    def reads_rates(self, name: str) -> bool:
+        """True for a rate, a force, or an output that reads one."""
+        return self.is_rate(name) or name in self.forces or name in self.of_rates
+
+    def no_point(self, name: str, path: Path) -> None:
+        """Report a point that no link has."""
+        self.report.at(
+            path, say("no point is called {name}", name=quoted(name)), suggestion(name, self.points, "points")
+        )
+
+    def no_point_of(self, link: str, point: str, points: Iterable[str], path: Path) -> None:
+        """Report a point that a link does not have; `points`: those that it may have there."""
+        message = say("the link {link} has no point {point}", link=quoted(link), point=quoted(point))
+        self.report.at(path, message, suggestion(point, points, say("points of {link}", link=link)))
+
+    def still(self, message: Said, path: Path) -> None:
+        """Report a point of the ground where one is needed that moves."""
+        moving = [point for point in self.points if point not in self.fixed]
+        self.report.at(path, message, suggestion("", moving, "moving points"))
 
     # ---- expressions
 
@@ -426,7 +474,7 @@ class Scope:
         unit = table.get("unit", self.length_unit)
         choices = ("deg", "rad", "1", self.length_unit)
         if unit is BAD or unit == self.length_unit:
-            return unit_of(self.length_unit, self.length_unit)
+            return self.length
         if plain_unit(unit) in choices:
             return unit_of(plain_unit(unit), self.length_unit)
         labels = labels_of(self.length_unit)
@@ -493,3 +541,50 @@ def _deeper_than(tree: Node, most: int) -> bool:
         if not level:
             return False
     return True
+
+
+def part(data: Mapping[str, Any], key: str, empty: Any) -> Any:
+    """What stands at `key`; `empty` where there is nothing, or nothing usable."""
+    value = data.get(key, BAD)
+    return empty if value is BAD else value
+
+
+def choice(table: dict[str, Any], key: str, default: str) -> str:
+    """The word at `key`, or the default."""
+    value = table.get(key, default)
+    return default if value is BAD else str(value)
+
+
+def scope_of(head: dict[str, Any], report: Report) -> Scope:
+    """A scope with the units of the part [mechanism], and no names yet."""
+    scope = Scope(report)
+    scope.length_unit = _length_unit(head, report)
+    scope.angle_unit = unit_of(choice(head, "angle_unit", "deg"), scope.length_unit)
+    return scope
+
+
+def _length_unit(head: dict[str, Any], report: Report) -> str:
+    unit = choice(head, "length_unit", "mm")
+    if plain_unit(unit) in ("deg", "rad", "1") or unit != unit.strip():
+        report.at(("mechanism", "length_unit"), say("{unit} cannot be the unit of lengths", unit=quoted(unit)))
+        return "mm"
+    return unit
+
+
+def own_cell(
+    scope: Scope, cells: list[Dimension], symbol: str, given: Any, kind: str, unit: Unit, path: Path, what: str
+) -> Node:
+    """A plain number as a cell `symbol`, added to `cells`; an expression over dimensions as it is.
+
+    kind  ANGLE, LENGTH or ANY, which the expression must be;  unit  in which a plain number is written
+    """
+    given = scope.plain(given, unit.text, path)
+    quantity = scope.quantity(given, kind, path, unit if kind == ANGLE else None)
+    if not isinstance(quantity, float):
+        return quantity
+    if given is BAD or isinstance(given, str):  # its fault has been reported
+        return Symbol("")  # which has no value
+    scope.symbols.claim(symbol, what, path, say("rename it: the {what} has a cell of that name", what=say(what)))
+    scope.numbers[symbol] = quantity
+    cells.append(Dimension(symbol, quantity, unit, shown=float(given), path=path))
+    return Symbol(symbol)

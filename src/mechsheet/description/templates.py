@@ -8,9 +8,8 @@ from pathlib import Path
 
 from livesheet.diagnostics import Fault
 from livesheet.said import Words, say
-from mechsheet.description.quoting import quoted
 from mechsheet.description.report import suggestion
-from mechsheet.diagnostics import DescriptionError
+from mechsheet.diagnostics import DescriptionError, quoted
 
 _SUFFIX = ".toml"
 

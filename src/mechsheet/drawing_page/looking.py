@@ -14,17 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from livesheet.formula.nodes import Node
-from mechsheet.compiled import Compiled
-from mechsheet.compiled.motion import SHOWN_ROLES
+from mechsheet.compiled import SHOWN_ROLES, Compiled
 from mechsheet.description.parts import Parts
-from mechsheet.description.text.measured import METRES
+from mechsheet.description.text.numbers import METRES
 from mechsheet.description.text.source import dotted
-from mechsheet.drawing_page.cells import SPEED, cells_of, first_speed, own_units
 from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_positions, line_of, local_points
-from mechsheet.drawing_page.reading import Reading, fault_entry
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.drawing_page.reading import SPEED, Reading, cells_of, fault_entry, first_speed, own_units
+from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import edges
@@ -37,8 +34,7 @@ from mechsheet.shapes.loads import first_shown
 from mechsheet.shapes.outlines import corners, direction_of, through_of
 from mechsheet.shapes.positions import Positions
 from mechsheet.words.catalogue import Language, words
-from mechsheet.words.equations import link_words
-from mechsheet.words.given import given_words
+from mechsheet.words.equations import given_words, link_words
 
 FRAMES = 180
 """Positions of an animation, about: between the rows of a sweep that steps there are further ones."""

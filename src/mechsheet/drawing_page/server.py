@@ -25,8 +25,7 @@ import bottle
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.drawing_page.answers import Studio
 from mechsheet.drawing_page.questions import Impossible, Refusal
-from mechsheet.words.catalogue import LANGUAGES, texts
-from mechsheet.words.messages import in_language
+from mechsheet.words.catalogue import LANGUAGES, in_language, texts
 
 ADDRESS = "127.0.0.1"
 LARGEST_QUESTION = 4_000_000

@@ -6,7 +6,7 @@ import csv
 import io
 import math
 
-from mechsheet.compiled.motion import motion_of
+from mechsheet.compiled import motion_of
 from mechsheet.exporting.job import Job
 
 PLAIN = {"°": "deg"}

@@ -31,7 +31,7 @@ from mechsheet.homework.two_way import where
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.verdicts import Finding, Verdict
 from mechsheet.model import Mechanism
-from mechsheet.words.homework import said
+from mechsheet.words.catalogue import said
 
 MARKED = ("right", "follows", "not live")
 """Verdicts that have marks."""

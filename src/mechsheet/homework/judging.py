@@ -23,8 +23,7 @@ from mechsheet.homework.two_way import others_of
 from mechsheet.homework.understanding import MOVING, Understanding, other_runs, understand
 from mechsheet.homework.verdicts import Finding, Sheet, findings, with_doubt, with_liveness
 from mechsheet.model import Mechanism
-from mechsheet.words.catalogue import is_key
-from mechsheet.words.homework import said
+from mechsheet.words.catalogue import is_key, said
 
 MOST_TABLES = 4
 """Tables of one workbook that are looked at."""

@@ -10,7 +10,7 @@ from livesheet.diagnostics import readable_name
 from mechsheet.homework.headings import around
 from mechsheet.homework.recognition import Recognised, Table
 from mechsheet.homework.series import Series
-from mechsheet.words.homework import said
+from mechsheet.words.catalogue import said
 
 MOST = 40
 """Columns that are listed."""

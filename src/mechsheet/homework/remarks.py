@@ -20,8 +20,7 @@ from mechsheet.homework.summaries import span_of
 from mechsheet.homework.understanding import Understanding
 from mechsheet.homework.verdicts import Finding, Sheet, mostly
 from mechsheet.model import Mechanism
-from mechsheet.words.catalogue import words_of_count
-from mechsheet.words.homework import said
+from mechsheet.words.catalogue import said, words_of_count
 
 MOST_OF_ENGINE = 5
 """Remarks of the formula engine that are passed on."""

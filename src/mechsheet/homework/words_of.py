@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from mechsheet.homework.audit import Audit, FaultFound
-from mechsheet.words.catalogue import is_key
-from mechsheet.words.homework import marks_of, said
+from mechsheet.words.catalogue import is_key, marks_of, said
 
 
 def lines(audit: Audit) -> list[str]:

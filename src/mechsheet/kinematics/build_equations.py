@@ -17,30 +17,24 @@ from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
 from mechsheet.kinematics.cams.segments import write_segments
-from mechsheet.kinematics.closures import Loop
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, largest_given
 from mechsheet.kinematics.driving import driver_values, given_values, listed_values
 from mechsheet.kinematics.dyads.lines import solve_prp, solve_rpp
-from mechsheet.kinematics.dyads.rpr import solve_rpr
-from mechsheet.kinematics.dyads.rrp import solve_rrp
-from mechsheet.kinematics.dyads.rrr import solve_rrr
-from mechsheet.kinematics.dyads.rrr_on_driven_pair import member, sketched_mode, solve_within
+from mechsheet.kinematics.dyads.right_triangles import solve_rpr, solve_rrp
 from mechsheet.kinematics.dyads.solved import Determinant, Solved
-from mechsheet.kinematics.equations import Equation, Equations, Group, System, assembly_of, validate
+from mechsheet.kinematics.dyads.triangles import member, sketched_mode, solve_rrr, solve_within
+from mechsheet.kinematics.equations import Equation, Equations, Group, Loop, System, assembly_of, validate
 from mechsheet.kinematics.gear_relations import Tied
 from mechsheet.kinematics.graph import Graph, graph_of
-from mechsheet.kinematics.ledger import CLOSING, Ledger
-from mechsheet.kinematics.lengths import largest_given
+from mechsheet.kinematics.ledger import CLOSING, Ledger, given_names
 from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility
-from mechsheet.kinematics.modes import NeverClosesError, pick_mode
-from mechsheet.kinematics.naming import given_names
+from mechsheet.kinematics.modes import NeverClosesError, cannot_follow, cannot_show, pick_mode, way
 from mechsheet.kinematics.nearest import NOTHING_MEANT, Choice, Meant, Nearest
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.newton.newton_equations import ChainWriter, Solution
 from mechsheet.kinematics.newton.picking import pick_assembly, words_of
 from mechsheet.kinematics.newton.steps import settled
-from mechsheet.kinematics.newton.tracing import cannot_follow, cannot_show, way
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.points_in_link import angle_of, cartesian, number
 from mechsheet.kinematics.poses import Member, Poses
@@ -287,10 +281,13 @@ class _Groups:
     def _known_mode(self, dyad: Dyad, solved: Solved) -> int | None:
         """The mode that need not be picked by the sketch of this group."""
         mechanism = self.poses.mechanism
-        mode = self.given.get(solved.mode, _found_mode(mechanism, solved, self.dimensions))
-        if mode is None and self._left_out.intersection(dyad.bodies):
-            return 1  # its length, from the first pin to the second, is no negative number
-        return mode
+        if solved.mode in self.given:
+            return self.given[solved.mode]
+        found = _mode_of_task(mechanism, solved)
+        if found is not None:
+            return round(number(found, self.dimensions))
+        # the length of a link that is left out, from the first pin to the second, is no negative number
+        return 1 if self._left_out.intersection(dyad.bodies) else None
 
 
 def _check_solved(mechanism: Mechanism) -> None:
@@ -319,11 +316,6 @@ def counts_from_driven(mechanism: Mechanism, pins: Sequence[str]) -> bool:
     """Whether the mode of a group with such pins is counted from the driven link to the other, as a task counts it."""
     driven = next((link for link in mechanism.links if link.name == mechanism.driver.link), None)
     return driven is None or pins[0] in driven.points
-
-
-def _found_mode(mechanism: Mechanism, solved: Solved, dimensions: Mapping[str, float]) -> int | None:
-    follows = _mode_of_task(mechanism, solved)
-    return None if follows is None else round(number(follows, dimensions))
 
 
 def _at_rest(mechanism: Mechanism, values: tuple[Quantity, ...]) -> Mechanism:

@@ -12,8 +12,7 @@ from livesheet.formula.book import Book
 from livesheet.formula.nodes import CellRef, ErrorValue, Scalar
 from livesheet.formula.references import cell_name, parse_reference
 from livesheet.said import say
-from mechsheet.arguments.cell_values import cell_value, typed
-from mechsheet.arguments.ranges import Area, area_of
+from mechsheet.arguments.values import Area, area_of, cell_value, typed
 
 if TYPE_CHECKING:
     from mechsheet.checking import Rules, Stored

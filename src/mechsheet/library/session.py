@@ -18,7 +18,7 @@ from livesheet.formula.dialects import MAX_NESTING
 from livesheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, ErrorValue, NameRef, Node, RangeRef, Scalar
 from livesheet.formula.parser import parse_formula
 from livesheet.said import say
-from mechsheet.arguments.cell_values import cell_value
+from mechsheet.arguments.values import cell_value
 
 if TYPE_CHECKING:
     from livesheet.engine.values.cells import Cells

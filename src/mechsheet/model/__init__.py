@@ -31,14 +31,17 @@ from .mechanism import (
     TableRequest,
     touched_by,
 )
-from .points import Cartesian, Distances, GivenPoint, Polar
 from .symbols import (
     ENERGY,
     GROUND,
     POINT_RATES,
     SHAKING,
     TIME,
+    Cartesian,
+    Distances,
+    GivenPoint,
     Label,
+    Polar,
     Quantity,
     center_symbol,
     pair_symbol,

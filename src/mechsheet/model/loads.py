@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from livesheet.formula.nodes import Node
 
-from .points import GivenPoint
+from .symbols import GivenPoint
 
 
 @dataclass(frozen=True, slots=True)

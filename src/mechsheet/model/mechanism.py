@@ -14,8 +14,7 @@ from mechsheet.units import LENGTH, RAD, SECONDS, Unit
 from .asked import Exercise, Study, Synthesis, Tolerances
 from .cams import Cam, Segments
 from .loads import Dynamics
-from .points import GivenPoint
-from .symbols import TIME, Quantity, rate_symbols
+from .symbols import TIME, GivenPoint, Quantity, rate_symbols
 from .takes import Take
 
 

@@ -1,9 +1,10 @@
-"""What a model is written in: quantities, symbols by rule, labels in several languages."""
+"""What a model is written in: quantities, symbols by rule, labels in several languages, places of points in
+their link's frame."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 from livesheet.formula.nodes import Node
 from livesheet.said import Words
@@ -65,3 +66,33 @@ class Label(Words):
     def of(self, language: str) -> str:
         """The text in a language."""
         return dict(self.others).get(language, self.text)
+
+
+@dataclass(frozen=True, slots=True)
+class Cartesian:
+    """A point at (x, y) in its link's frame."""
+
+    x: Quantity
+    y: Quantity
+
+
+@dataclass(frozen=True, slots=True)
+class Polar:
+    """A point at distance `r` from the frame's origin, in the direction `angle` [rad] from the frame's x axis."""
+
+    r: Quantity
+    angle: Quantity
+
+
+@dataclass(frozen=True, slots=True)
+class Distances:
+    """A point by its distances from two points of the same link; `side` as seen going from the first to the second."""
+
+    first: str
+    first_distance: Quantity
+    second: str
+    second_distance: Quantity
+    side: Literal["left", "right"]
+
+
+GivenPoint: TypeAlias = Cartesian | Polar | Distances

@@ -15,7 +15,7 @@ from livesheet.diagnostics import Fault
 from livesheet.evaluation import live
 from livesheet.formula.nodes import Symbol
 from livesheet.said import say
-from mechsheet.arguments.numbers import number_given
+from mechsheet.arguments.values import number_given
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.kinematics.dimensions import dimension_values

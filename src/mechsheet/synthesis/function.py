@@ -16,7 +16,7 @@ from mechsheet.model import Synthesis
 from mechsheet.synthesis.four_bar import INPUT_TURNS, RANGE_ROWS, output_angle, part, position, transmission_angle
 from mechsheet.synthesis.kind import THROUGH_POINTS, Columns, Curve, Kind, Line, Requirement
 from mechsheet.synthesis.writing import DETERMINED, Writer
-from mechsheet.words.synthesis import ENDS
+from mechsheet.words.equations import ENDS
 
 DECIDING = 3
 """So many points decide the lengths; more are met by least squares, so nearly as it goes."""

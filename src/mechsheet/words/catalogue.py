@@ -6,15 +6,17 @@ which `en.po` need not have. What a catalogue lacks is said in English.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from gettext import GNUTranslations, NullTranslations
 from io import BytesIO
 from pathlib import Path
 from typing import TypeAlias
 
-from livesheet.said import Words
+from livesheet.diagnostics import Fault
+from livesheet.said import Words, translated
 
 FOLDER = Path(__file__).with_name("catalogues")
 
@@ -120,3 +122,23 @@ def texts(language: str, begins: str) -> dict[str, str]:
     """All texts whose keys begin so, by the rest of their keys: for a page, which looks them up itself."""
     keys = [key for key in catalogue(ENGLISH)._catalog if isinstance(key, str) and key.startswith(begins)]  # type: ignore[attr-defined]
     return {key.removeprefix(begins): words(language, key) for key in sorted(keys)}
+
+
+def text_in(text: str, language: str) -> str:
+    """A message in a language."""
+    return text if language == ENGLISH else translated(text, catalogue(language), language)
+
+
+def in_language(fault: Fault, language: str) -> Fault:
+    """A fault with its message and its hint in a language."""
+    return replace(fault, message=text_in(fault.message, language), hint=text_in(fault.hint, language))
+
+
+def marks_of(language: str, marks: float, of: float) -> str:
+    """ "62.5 of 100 marks"; a part of a mark is spoken of as several are."""
+    return words_of_count(language, "homework.marks", math.ceil(of), marks=f"{marks:g}", of=f"{of:g}")
+
+
+def said(language: str, key: str, **parts: object) -> str:
+    """The text of a key of audits, exercises and marks, with its parts."""
+    return words(language, f"homework.{key}", **parts)

@@ -12,7 +12,7 @@ from livesheet.evaluation import book_of
 from livesheet.formula.book import BookBuilder
 from livesheet.formula.nodes import Call, walk
 from livesheet.formula.parser import DESCRIPTION_FUNCTIONS, parse_formula
-from mechsheet.compiled.mechanism import compiled_of
+from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides, load
 
 EXACT = frozenset(

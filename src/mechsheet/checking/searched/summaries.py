@@ -12,9 +12,9 @@ from livesheet.formula.nodes import Scalar, Symbol
 from livesheet.formula.references import cell_address
 from livesheet.formula.scalar import evaluate
 from mechsheet.checking.report import Tally
-from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.search import TURN, Search
+from mechsheet.kinematics.whole_turns import mean_of_motion
 from mechsheet.model import Output, Summary
 from mechsheet.sheet.findings.searched import SearchedMotion
 from mechsheet.sheet.plan import MEANING, Plan

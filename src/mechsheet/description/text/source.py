@@ -12,9 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from livesheet.diagnostics import Fault, readable_name
 from livesheet.said import say
-from mechsheet.description.quoting import printable
 from mechsheet.description.text.index import BARE_KEY, Path, Spot, index
-from mechsheet.diagnostics import DescriptionError
+from mechsheet.diagnostics import DescriptionError, printable
 
 if TYPE_CHECKING:
     from mechsheet.description.text.typed import Mistake

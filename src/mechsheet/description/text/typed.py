@@ -11,9 +11,9 @@ import tomllib
 from dataclasses import dataclass, field
 
 from livesheet.said import say
-from mechsheet.description.quoting import quoted
 from mechsheet.description.text.index import BARE_KEY, Path, key_text
 from mechsheet.description.text.numbers import BLANKS, MINUS, Typed, typed_number
+from mechsheet.diagnostics import quoted
 
 # Quotation marks of word processors.
 _OPEN, _CLOSE = "“”„‟«»", "“”‟«»"

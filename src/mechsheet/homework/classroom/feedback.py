@@ -10,7 +10,7 @@ from mechsheet.homework.drawn_by_numbers import Laid, Picture, Point
 from mechsheet.shapes.colors import INK, LINKS, QUIET
 from mechsheet.shapes.positions import in_digits
 from mechsheet.units import behind_number
-from mechsheet.words.homework import said
+from mechsheet.words.catalogue import said
 from mechsheet.words.symbols import plain
 
 SIDE = 340

@@ -21,7 +21,7 @@ from mechsheet.shapes.names import POINTS
 from mechsheet.shapes.positions import Disc, Item, Label, Scene, Stroke, Window, layers_of, there
 from mechsheet.sheet.drawing.drawing import DRAWING_INNER, POINTS_OF_A_PIXEL
 from mechsheet.sheet.drawing.frames import HIDDEN_AXIS
-from mechsheet.words.homework import said
+from mechsheet.words.catalogue import said
 
 DIGITS = 3
 """Decimals of a place, where the longer side of the drawing is 2."""

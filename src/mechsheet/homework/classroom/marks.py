@@ -22,7 +22,7 @@ from mechsheet.homework.marking_rules import AskedFor, asked_of
 from mechsheet.homework.own_dimensions import is_other
 from mechsheet.homework.words_of import fault_line
 from mechsheet.model import Mechanism
-from mechsheet.words.homework import said
+from mechsheet.words.catalogue import said
 
 SUFFIXES = tuple(FORMATS)
 MOST_SEARCHED = 400

@@ -33,10 +33,8 @@ from mechsheet.model import (
 )
 from mechsheet.sheet.mathematics import Part, written
 from mechsheet.units import DEG, Unit
-from mechsheet.words.catalogue import words
-from mechsheet.words.equations import body_words, link_words
-from mechsheet.words.given import given_words
-from mechsheet.words.homework import said
+from mechsheet.words.catalogue import said, words
+from mechsheet.words.equations import body_words, given_words, link_words
 
 Line = list[Part]
 _QUANTITY = "\0"

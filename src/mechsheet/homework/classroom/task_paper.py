@@ -22,7 +22,7 @@ from mechsheet.plotting.paper import LINE, Paper, bound
 from mechsheet.plotting.pictures import settings
 from mechsheet.shapes.positions import in_digits
 from mechsheet.units import behind_number
-from mechsheet.words.homework import said
+from mechsheet.words.catalogue import said
 
 FIGURE = 92.0
 """How high the figure is at most, in mm."""

@@ -28,7 +28,7 @@ from mechsheet.homework.classroom.names import Names
 from mechsheet.homework.classroom.statement import Statement
 from mechsheet.homework.marking_rules import asked_of
 from mechsheet.units import Unit
-from mechsheet.words.homework import said
+from mechsheet.words.catalogue import said
 
 TITLE = Style(bold=True, size=14.0)
 SECTION = Style(bold=True)

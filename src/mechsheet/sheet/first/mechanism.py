@@ -50,7 +50,7 @@ from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 from mechsheet.sheet.table.status import while_inputs_can_be
 from mechsheet.sheet.table.tolerance import Tolerance
 from mechsheet.sheet.wrapping import ROW_HEIGHT
-from mechsheet.words.given import given_words
+from mechsheet.words.equations import given_words
 from mechsheet.words.symbols import plain
 
 MOST_OF_CONTROL = 30_000

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, transform
 from livesheet.workbook import Area, Comment, Content, Fill, Merge, Style
-from mechsheet.kinematics.means import LEAST_OF_TURN
+from mechsheet.kinematics.whole_turns import LEAST_OF_TURN
 from mechsheet.model import WAYS, Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.cells import Cells
@@ -27,7 +27,7 @@ from mechsheet.sheet.symbols import rich
 from mechsheet.sheet.table.positions import decimals_of_unit
 from mechsheet.sheet.wrapping import height_of, label_lines, longest_said
 from mechsheet.units import LENGTH, Unit, turn
-from mechsheet.words.given import given_words
+from mechsheet.words.equations import given_words
 from mechsheet.words.symbols import plain
 
 SYMBOL, VALUE, UNIT, LAST = 0, 1, 2, 5

@@ -14,8 +14,8 @@ from mechsheet.sheet.task_rows import MEANING, REMARK, ROUNDED, SYMBOL, UNIT, US
 from mechsheet.synthesis.four_bar import transmission_angle
 from mechsheet.synthesis.kind import Requirement
 from mechsheet.synthesis.kinds import kind_of
+from mechsheet.words.equations import step_words
 from mechsheet.words.symbols import plain
-from mechsheet.words.synthesis import step_words
 
 MU, THETA = REMARK + 1, REMARK + 2
 """The columns beside the table of what is asked in which points have their transmission angle and their input angle."""
