@@ -1,8 +1,9 @@
-"""What the commands share: options, a progress line, and mistakes told with the description's lines."""
+"""What the commands share: how help reads, options, a progress line, and mistakes told with the description's lines."""
 
 from __future__ import annotations
 
 import contextlib
+import inspect
 import re
 import sys
 import warnings
@@ -16,8 +17,9 @@ import click
 from livesheet.diagnostics import Fault, OutputError, readable_name
 from livesheet.replacing import is_stream
 from livesheet.said import Said, say
-from mechsheet.arguments.outputs import file_in, is_there
+from mechsheet.arguments.outputs import file_in, folder_ready, is_there
 from mechsheet.diagnostics import DescriptionWarning, MechanismError, MechsheetError
+from mechsheet.words.catalogue import LANGUAGES
 
 from .speaking import fault_told, language_of, speak, told
 
@@ -25,6 +27,9 @@ if TYPE_CHECKING:
     from mechsheet.model import Mechanism
 
 Command = TypeVar("Command", bound=Callable[..., Any])
+
+FILE = click.Path(path_type=Path)
+"""The type of what names a file or a folder."""
 
 STANDARD_INPUT = Path("-")
 
@@ -105,22 +110,30 @@ def bar_of(done: int, whole: int) -> str:
     return "#" * filled + "." * (WIDTH - filled)  # signs of every code page
 
 
+Told = TypeVar("Told")
+
+
 @contextlib.contextmanager
-def progress(label: str) -> Iterator[Callable[[str], None]]:
-    """Say on a terminal what is being done, `set 3 of 100` with a bar; nothing in a pipe."""
+def on_terminal(line: Callable[[Told], str]) -> Iterator[Callable[[Told], None]]:
+    """Say on a terminal how far something is, each time in place of the line before; nothing in a pipe."""
     if sys.stderr is None or not sys.stderr.isatty():
         yield lambda _: None
         return
-
-    def tell(what: str) -> None:
-        counted = _COUNTED.search(what)
-        bar = f"{bar_of(int(counted[1]), int(counted[2]))} " if counted else ""
-        click.echo(f"\r\033[K{label}: {bar}{told(what if isinstance(what, Said) else say(what))} …", nl=False, err=True)
-
     try:
-        yield tell
+        yield lambda what: click.echo(f"\r\033[K{line(what)}", nl=False, err=True)
     finally:
         click.echo("\r\033[K", nl=False, err=True)
+
+
+def progress(label: str) -> contextlib.AbstractContextManager[Callable[[str], None]]:
+    """Say on a terminal what is being done, `set 3 of 100` with a bar; nothing in a pipe."""
+
+    def line(what: str) -> str:
+        counted = _COUNTED.search(what)
+        bar = f"{bar_of(int(counted[1]), int(counted[2]))} " if counted else ""
+        return f"{label}: {bar}{told(what if isinstance(what, Said) else say(what))} …"
+
+    return on_terminal(line)
 
 
 _QUOTED = re.compile(r"'(?:[^']|'')*'!")
@@ -179,9 +192,15 @@ def change_options(command: Command) -> Command:
 
 
 modules_option = click.option(
-    "--functions", "modules", multiple=True, metavar="FILE.bas", type=click.Path(path_type=Path),
+    "--functions", "modules", multiple=True, metavar="FILE.bas", type=FILE,
     help="A module in Basic whose functions the workbook calls; may be repeated.",
 )  # fmt: skip
+
+
+def language_option(about: str) -> Callable[[Any], Any]:
+    """The option --language; `about` says of what."""
+    return click.option("--language", type=click.Choice(LANGUAGES), help=about)
+
 
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
@@ -295,6 +314,14 @@ def same_file(one: Path, other: Path) -> bool:
         return False
 
 
+def write_text(file: Path, text: str, output: str | None) -> None:
+    """Write a text into the file that -o means."""
+    from livesheet.replacing import replace_file
+
+    with folder_ready(output):
+        replace_file(file, text.encode())
+
+
 def say_written(files: list[Path]) -> None:
     """The files written, one a line, so that another program can read them; a device's name would only disturb."""
     for file in files:
@@ -305,3 +332,58 @@ def refuse_existing(path: Path, hint: str = say("choose another name with -o")) 
     """Raise OutputError when there is a file already."""
     if is_there(path) and not is_stream(path):
         raise OutputError(Fault(say("there is a file already: it is left as it is"), readable_name(path), hint=hint))
+
+
+EXAMPLES = "\b\nmechsheet "
+"""How a docstring's paragraph of examples begins."""
+
+TASKS = {
+    "Make": ("new", "draw", "build", "plot", "export"),
+    "Look and judge": ("show", "check", "recalc", "pull"),
+    "Choose": ("study",),
+    "Teach": ("exercise", "audit", "mark"),
+    "This program": ("doctor", "schema"),
+}
+"""All commands, each under its heading in the list of them."""
+
+
+def paragraphs(text: str) -> tuple[list[str], list[str]]:
+    """The paragraphs of a docstring: (what is said, examples)."""
+    every = inspect.cleandoc(text).split("\n\n")
+    return [part for part in every if not part.startswith(EXAMPLES)], [p for p in every if p.startswith(EXAMPLES)]
+
+
+def example_lines(examples: Iterable[str]) -> Iterator[str]:
+    """The lines of paragraphs of examples."""
+    for paragraph in examples:
+        yield from paragraph.split("\n")[1:]
+
+
+class Explained(click.Command):
+    """A command, or the group of them, whose help ends with the examples of its docstring."""
+
+    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """All but the examples."""
+        whole = self.help
+        self.help = "\n\n".join(paragraphs(whole or "")[0])
+        try:
+            super().format_help_text(ctx, formatter)
+        finally:
+            self.help = whole
+
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """The examples, as they stand."""
+        lines = list(example_lines(paragraphs(self.help or "")[1]))
+        if lines:
+            with formatter.section("Examples"):
+                for line in lines:
+                    formatter.write(f"{'':>{formatter.current_indent}}{line}\n")
+        super().format_epilog(ctx, formatter)
+
+
+def write_commands(group: click.Group, formatter: click.HelpFormatter) -> None:
+    """The commands under the headings of TASKS."""
+    width = formatter.width - 6 - max(map(len, group.commands))
+    for heading, names in TASKS.items():
+        with formatter.section(heading):
+            formatter.write_dl([(name, group.commands[name].get_short_help_str(width)) for name in names])

@@ -25,7 +25,6 @@ from livesheet.formula.nodes import Call, Node, Symbol
 from livesheet.formula.vectors import Vector, cross, size, times
 from livesheet.said import Words
 from mechsheet.dynamics.acting import ActingForces
-from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import SHAKING, Mass, Mechanism, center_symbol
@@ -36,14 +35,14 @@ from mechsheet.words.equations import link_words, phrase
 class Wholes:
     """Of one mechanism, all of whose forces are written down."""
 
-    def __init__(self, acting: ActingForces, found: Found) -> None:
-        self.acting, self.found, self.columns = acting, found, acting.columns
-        self.mechanism, self.ledger = found.poses.mechanism, found.poses.ledger
+    def __init__(self, acting: ActingForces) -> None:
+        self.acting, self.columns, self.motions = acting, acting.columns, acting.found.rates.by_time
+        self.mechanism = acting.poses.mechanism
         self.own = {*(dim.symbol for dim in self.mechanism.dimensions), *(out.symbol for out in self.mechanism.outputs)}
 
     def write(self, effort: str) -> None:
         """Write down what is asked for; `effort` is the driver's."""
-        if self.found.rates.by_time is None:
+        if self.motions is None:
             return
         if "power" in self.columns.asked and "power" not in self.own:
             self._power(effort)
@@ -100,7 +99,7 @@ class Wholes:
 
     def _center(self, mass: Mass) -> None:
         """Of its velocity and acceleration what is asked for; its place and the parts of the latter stand there already."""
-        motions, asked = self.found.rates.by_time, self.columns.asked
+        motions, asked = self.motions, self.columns.asked
         link = self.acting.poses.links[mass.link]
         name = center_symbol(link.number)
         unit, label = LENGTH.per_time(), phrase("mass_centre", link=link_words(link))
@@ -150,17 +149,12 @@ def own_works(
     return works, turnings
 
 
-def effort_by_work(acting: ActingForces, found: Found, efforts: Mapping[str, str]) -> None:
+def effort_by_work(acting: ActingForces, efforts: Mapping[str, str]) -> None:
     """Write the driver's effort down, beside the one from the reactions.
 
     efforts  the symbols of the efforts from the reactions, by that of what is driven: what further drivers do is known
-
-    Raises ValueError where no influence coefficients have been written.
     """
-    motions, columns = found.rates.by_driver, acting.columns
-    if motions is None:
-        raise ValueError("virtual work needs influence coefficients")
-    mechanism = found.poses.mechanism
+    motions, columns, mechanism = acting.motions, acting.columns, acting.poses.mechanism
     works, turnings = own_works(
         acting, lambda link, at: motions.motion[link](at).first, lambda link: motions.turning[link].first
     )
@@ -170,7 +164,7 @@ def effort_by_work(acting: ActingForces, found: Found, efforts: Mapping[str, str
             continue
         other = al.mul(Symbol(efforts[driver.symbol]), motions.rates.of_drive(driver.symbol).first)
         (works if driver.joint else turnings).append(other)
-    slides = bool(found.poses.mechanism.driver.joint)
+    slides = bool(mechanism.driver.joint)
     if slides:
         turnings = [al.div(turning, columns.metre) for turning in turnings]
     unit: Unit = columns.force if slides else columns.torque

@@ -65,12 +65,13 @@ class Ledger:
         """The assembly mode of the present group, `mode_1`: a constant that is +1 until the sketch says otherwise."""
         name = self.reserve(f"mode_{self.group}" if self.group <= 1 else "mode")
         self.constant_symbols.add(name)
-        self.set_mode(name, 1)
+        self.values[name] = np.ones(self.rows)
         return Symbol(name)
 
-    def set_mode(self, name: str, sign: int) -> None:
-        """Let a mode be +1 or -1; columns must be recomputed."""
-        self.values[name] = np.full(self.rows, float(sign))
+    def set_mode(self, name: str, number: int, start: int) -> None:
+        """Let a mode be +1, -1 or the number of an assembly, and compute the columns again from position `start` on."""
+        self.values[name] = np.full(self.rows, float(number))
+        self._recompute(start)
 
     def is_constant(self, node: Node) -> bool:
         """True when an expression has one value for all rows."""
@@ -163,14 +164,17 @@ class Ledger:
         found = np.flatnonzero(np.isfinite(self.values[symbol]))
         return int(found[0]) if len(found) else None
 
+    def of(self, symbol: str) -> Equation:
+        """The column of a symbol."""
+        return next(equation for equation in self.columns if equation.symbol == symbol)
+
     def replace_expression(self, symbol: str, expression: Node) -> None:
         """Give a column another expression (used to take whole turns out of an angle)."""
-        at = next(index for index, equation in enumerate(self.columns) if equation.symbol == symbol)
+        at = self.columns.index(self.of(symbol))
         self.columns[at] = replace(self.columns[at], expression=expression)
-        self.recompute(at)
+        self._recompute(at)
 
-    def recompute(self, start: int) -> None:
-        """Compute the columns again from the one at position `start` on."""
+    def _recompute(self, start: int) -> None:
         for equation in self.columns[start:]:
             self._compute(equation)
 

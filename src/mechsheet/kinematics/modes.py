@@ -13,6 +13,7 @@ from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import largest_length
 from mechsheet.kinematics.dyads.solved import Solved
+from mechsheet.kinematics.equations import Equation
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.points_in_link import number
@@ -62,12 +63,12 @@ def pick_mode(
     if not solved.mode:
         return 1, False
     if given is not None:
-        _take(ledger, solved.mode, given, start)
+        ledger.set_mode(solved.mode, given, start)
         return given, False
     entries = entries_of(mechanism, ledger, start, dimensions)
     columns = {}
     for sign in (-1, 1):  # +1 last: it stays when nothing decides
-        _take(ledger, solved.mode, sign, start)
+        ledger.set_mode(solved.mode, sign, start)
         columns[sign] = [ledger.values[symbol] for symbol, _, _ in entries]
     row = _first_apart(entries, columns, np.flatnonzero(np.isfinite(ledger.values[solved.closes])))
     positions = {sign: [float(column[row]) for column in found] for sign, found in columns.items()}
@@ -89,7 +90,7 @@ def pick_mode(
             return 1, True
         raise BetweenModesError(_between(entries, positions, solved))
     mode = 1 if apart < 0 else -1
-    _take(ledger, solved.mode, mode, start)
+    ledger.set_mode(solved.mode, mode, start)
     return mode, False
 
 
@@ -108,32 +109,31 @@ Entry = tuple[str, float, float]
 
 def entries_of(mechanism: Mechanism, ledger: Ledger, start: int, dimensions: Mapping[str, float]) -> list[Entry]:
     """What the sketch says of the columns from `start` on."""
-    fresh = {equation.symbol: equation.unit.kind for equation in ledger.columns[start:]}
     size = largest_length(mechanism, dimensions) or 1.0
     for equation in ledger.columns[start:]:
         if equation.role == "point":
             found = ledger.values[equation.symbol]
             size = max(size, float(abs(found[found == found]).max(initial=0.0)))
+    return entries_among(mechanism, ledger.columns[start:], dimensions, size)
 
-    entries: list[Entry] = []
-    for point, place in mechanism.sketch.points.items():
-        for axis, quantity in zip("xy", place, strict=True):
-            if f"{point}.{axis}" in fresh:
-                entries.append((f"{point}.{axis}", number(quantity, dimensions), size))
-    for symbol, quantity in mechanism.sketch.symbols.items():
-        if symbol in fresh:
-            entries.append((symbol, number(quantity, dimensions), 0.0 if fresh[symbol] == "angle" else size))
-    return entries
+
+def entries_among(
+    mechanism: Mechanism, columns: Sequence[Equation], dimensions: Mapping[str, float], size: float
+) -> list[Entry]:
+    """What the sketch says of some columns, lengths being measured in `size`."""
+    kinds = {equation.symbol: equation.unit.kind for equation in columns}
+    sketched = [(f"{point}.{axis}", quantity) for point, place in mechanism.sketch.points.items()
+                for axis, quantity in zip("xy", place, strict=True)]  # fmt: skip
+    return [
+        (symbol, number(quantity, dimensions), 0.0 if kinds[symbol] == "angle" else size)
+        for symbol, quantity in (*sketched, *mechanism.sketch.symbols.items())
+        if symbol in kinds
+    ]
 
 
 def difference(a: float, b: float, scale: float) -> float:
     """a - b as a part of the scale; angles (scale 0) modulo a turn."""
     return math.remainder(a - b, math.tau) if scale == 0 else (a - b) / scale
-
-
-def _take(ledger: Ledger, mode: str, sign: int, start: int) -> None:
-    ledger.set_mode(mode, sign)
-    ledger.recompute(start)
 
 
 def shown_entries(entries: Sequence[Entry], found: Sequence[float]) -> str:

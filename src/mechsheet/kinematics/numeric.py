@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Mapping
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -37,7 +38,7 @@ def _chosen(number: Any, *values: Any) -> Any:
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     "ABS": np.abs,
     "ACOS": portable.arccos,
-    "AND": lambda *args: _fold(np.logical_and, args),
+    "AND": lambda *args: reduce(np.logical_and, args),
     "ASIN": portable.arcsin,
     "ATAN": portable.arctan,
     "ATAN2": lambda x, y: portable.arctan2(y, x),  # the sheet's order is x first, numpy's y first
@@ -50,12 +51,12 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "ISNUMBER": lambda x: ~np.isnan(x),
     "LN": portable.log,
     "MEDIAN": lambda *args: np.median(np.broadcast_arrays(*args), axis=0),
-    "MAX": lambda *args: _fold(np.maximum, args),
-    "MIN": lambda *args: _fold(np.minimum, args),
+    "MAX": lambda *args: reduce(np.maximum, args),
+    "MIN": lambda *args: reduce(np.minimum, args),
     "MOD": np.mod,
     "NA": lambda: np.nan,
     "NOT": np.logical_not,
-    "OR": lambda *args: _fold(np.logical_or, args),
+    "OR": lambda *args: reduce(np.logical_or, args),
     "PI": lambda: np.pi,
     "RADIANS": np.radians,
     "ROUND": _round,
@@ -64,7 +65,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "SIGN": np.sign,
     "SIN": portable.sin,
     "SQRT": np.sqrt,
-    "SUMSQ": lambda *args: _fold(operator.add, tuple(arg * arg for arg in args)),
+    "SUMSQ": lambda *args: reduce(operator.add, (arg * arg for arg in args)),
     "TAN": portable.tan,
 }
 
@@ -80,13 +81,6 @@ OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
     ">=": np.greater_equal,
     "=": np.equal,
 }
-
-
-def _fold(function: Callable[[Any, Any], Any], args: tuple[Any, ...]) -> Any:
-    result = args[0]
-    for arg in args[1:]:
-        result = function(result, arg)
-    return result
 
 
 def value(node: Node, known: Mapping[str, Any], rooted: bool = False, seen: dict[Any, Any] | None = None) -> Any:

@@ -73,8 +73,8 @@ def redundancy_faults(mechanism: Mechanism, missing: int) -> list[Fault]:
         if (len(left_out) > 1 and parts) or not _moves(mechanism, left_out):
             continue
         for part in left_out:
-            others = [_name(other) for other in left_out if other is not part]
-            parts.setdefault(_name(part), _fault(mechanism, part, others))
+            others = [other.name for other in left_out if other is not part]
+            parts.setdefault(part.name, _fault(mechanism, part, others))
     return list(parts.values())
 
 
@@ -186,7 +186,7 @@ def _moves(mechanism: Mechanism, left_out: list[Part]) -> bool:
 
 
 def _without(mechanism: Mechanism, left_out: list[Part]) -> Mechanism:
-    names = {_name(part) for part in left_out if isinstance(part, Link)}
+    names = {part.name for part in left_out if isinstance(part, Link)}
     slides = {part.symbol for part in left_out if isinstance(part, Joint)}
     return replace(
         mechanism,
@@ -210,7 +210,7 @@ def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
             values[f"{first}.x"] - values[f"{second}.x"], values[f"{first}.y"] - values[f"{second}.y"]
         )
         return np.asarray(np.abs(apart - length))
-    on = next(link for link in mechanism.links if link.name == part.on)
+    on = mechanism.link(part.on)
     base = number_points(on, dimensions)
     u, v = base[part.through] if isinstance(part.through, str) else (number(x, dimensions) for x in part.through)
     theta = _angle(mechanism, on, values)
@@ -226,7 +226,7 @@ def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
     )
     if part.kind == "pin-slot":
         return np.asarray(across)
-    body = next(link for link in mechanism.links if link.name == part.link)
+    body = mechanism.link(part.link)
     turned = _angle(mechanism, body, values) - line - number(part.orientation, dimensions)
     return np.asarray(across + np.abs(portable.sin(turned / 2)) * extent(mechanism, values))
 
@@ -243,10 +243,6 @@ def _place_in_file(mechanism: Mechanism, joint: Joint) -> int:
     for order in sorted(relation.order for relation in mechanism.relations):
         place += order <= place
     return place
-
-
-def _name(part: Part) -> str:
-    return part.name
 
 
 def _fault(mechanism: Mechanism, part: Part, others: list[str]) -> Fault:
@@ -269,8 +265,4 @@ def _fault(mechanism: Mechanism, part: Part, others: list[str]) -> Fault:
             together=together,
         )
         hint = say("write `redundant = true` under it: it follows the others, and its length is checked in every row")
-    return Fault(
-        message,
-        key=key,
-        hint=hint,
-    )
+    return Fault(message, key=key, hint=hint)

@@ -8,12 +8,13 @@ from dataclasses import replace
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Binary, Call, Node, Symbol, TriangleAngle, symbols
-from mechsheet.kinematics.assur import Dyad, Pin
+from mechsheet.kinematics.assur import Dyad
 from mechsheet.kinematics.dyads.solved import DEAD, Determinant, Solved, known_way
 from mechsheet.kinematics.equations import Condition
+from mechsheet.kinematics.graph import Assembly
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.points_in_link import PointInLink, arm_of, cartesian, number, triangle_closes
-from mechsheet.kinematics.poses import Assembly, Member, Poses
+from mechsheet.kinematics.poses import Member, Poses
 from mechsheet.model import Sketch
 from mechsheet.units import ANGLE
 from mechsheet.words.equations import phrase
@@ -161,10 +162,9 @@ def member(turn: Angle, at: PointInLink, own: PointInLink, pin: str = "") -> Mem
 
 def sketched_mode(sketch: Sketch, dyad: Dyad, dimensions: Mapping[str, float]) -> int | None:
     """On which side of P->Q the sketch has the inner pin; None where it does not say. The triangle is the same anywhere."""
-    points = [contact.point for contact in (*dyad.outer, dyad.inner) if isinstance(contact, Pin)]
-    if not all(point in sketch.points for point in points):
+    if not all(point in sketch.points for point in dyad.pins):
         return None
-    p, q, r = (complex(*(number(part, dimensions) for part in sketch.points[point])) for point in points)
+    p, q, r = (complex(*(number(part, dimensions) for part in sketch.points[point])) for point in dyad.pins)
     area, longest = ((q - p).conjugate() * (r - p)).imag, max(abs(q - p), abs(r - p), abs(r - q))
     if abs(area) <= FLAT * longest**2:
         return None

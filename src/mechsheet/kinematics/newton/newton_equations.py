@@ -19,11 +19,12 @@ import numpy as np
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Call, Node, Number, Symbol, renamed, symbols
-from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, turned
+from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, negative, turned
 from livesheet.said import Words
 from mechsheet.kinematics.equations import Condition, Equation, System
 from mechsheet.kinematics.gear_relations import terms_of
-from mechsheet.kinematics.newton.chains import Assembly, Binary, Carrier, Chain
+from mechsheet.kinematics.graph import Assembly
+from mechsheet.kinematics.newton.chains import Binary, Carrier, Chain
 from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.kinematics.poses import Guide, Poses
 from mechsheet.model import Rack, Relation
@@ -108,7 +109,7 @@ class ChainWriter:
     def _reach(self, carrier: Carrier) -> None:
         """Its angle or displacement, as a number for now, and with it its pose and points."""
         poses, assembly = self.poses, carrier.assembly
-        joint = carrier.reached.joint
+        joint = carrier.reached
         if isinstance(joint, str):
             body = assembly[0]
             link = poses.links.get(body)
@@ -132,7 +133,7 @@ class ChainWriter:
         carrier = self.carrier.get(body)
         if carrier is None:
             return NOWHERE
-        joint = carrier.reached.joint
+        joint = carrier.reached
         own = carrier.assembly == unknown
         if isinstance(joint, str):
             pin = self.poses.xy[joint]
@@ -141,10 +142,8 @@ class ChainWriter:
             )
         if own:
             guide = self.guides[carrier.assembly]
-            direction = al.cos(guide.delta), al.sin(guide.delta)
-            return direction if guide.sign > 0 else (al.neg(direction[0]), al.neg(direction[1]))
-        inside = joint.side(carrier.assembly)
-        return self._moves(joint.other(inside), place, unknown)
+            return guide.direction if guide.sign > 0 else negative(guide.direction)
+        return self._moves(joint.beyond(carrier.assembly), place, unknown)
 
     def _holder(self, point: str, but: Assembly = ()) -> str:
         """The body, known or a carrier, with which the point was found."""
@@ -154,17 +153,14 @@ class ChainWriter:
 
     def _asked(self, binary: Binary) -> Demand:
         """The equation of a link with two joints."""
-        poses, assembly = self.poses, binary.assembly
-        first, second = (end.joint for end in binary.ends)
-        if not isinstance(first, str):
-            raise TypeError(f"no pin at the first end: {binary}")
+        poses, assembly, first, second = self.poses, binary.assembly, binary.pin, binary.other
         p, body_p = poses.xy[first], self._holder(first, assembly)
         if isinstance(second, str):
             q, body_q = poses.xy[second], self._holder(second, assembly)
             length, _ = poses.arm(assembly, first, second)
             self.lengths[assembly] = length
             way = minus(p, q)
-            value = al.div(al.sub(dot_of(way), al.square(length)), al.TWO)
+            value = al.div(al.sub(al.total(map(al.square, way)), al.square(length)), al.TWO)
             slopes = tuple(
                 dot(way, minus(self._moves(body_p, p, each), self._moves(body_q, q, each))) for each in self.unknowns
             )
@@ -172,9 +168,7 @@ class ChainWriter:
             return Demand(value, slopes, 2, label)
         guide = poses.guide(second, assembly)
         self.guides[assembly] = guide
-        inside = second.side(assembly)
-        carrier = second.other(inside)
-        direction = al.cos(guide.delta), al.sin(guide.delta)
+        carrier, direction = second.beyond(assembly), guide.direction
         offset = (poses.point(assembly, first) - guide.moving).turned(guide.angle - guide.delta)[1]
         value = al.sub(cross(direction, minus(p, (guide.x, guide.y))), offset)
         slopes = tuple(
@@ -230,8 +224,8 @@ class ChainWriter:
         carrier = self.carrier.get(name)
         if carrier is None:
             return ()
-        joint = carrier.reached.joint
-        return carrier.assembly if isinstance(joint, str) else self._moved_by(joint.other(joint.side(carrier.assembly)))
+        joint = carrier.reached
+        return carrier.assembly if isinstance(joint, str) else self._moved_by(joint.beyond(carrier.assembly))
 
     @property
     def unknowns(self) -> tuple[Assembly, ...]:
@@ -299,8 +293,8 @@ class ChainWriter:
         )  # fmt: skip
         fits = Condition(al.sub(al.number(CLOSED), Symbol(residual)), al.ZERO)
         heads = [
-            replace(each, symbol=iterated[each.symbol], expression=root, role="iteration", label=each.label)
-            for root, each in zip(system.roots(), (_of(written, name) for name in variables), strict=True)
+            replace(each, symbol=iterated[each.symbol], expression=root, role="iteration")
+            for root, each in zip(system.roots(), (ledger.of(name) for name in variables), strict=True)
         ]
         after = [
             replace(each, expression=Symbol(iterated[each.symbol]), exists=(fits,))
@@ -331,10 +325,7 @@ class ChainWriter:
 
     def _pose(self, binary: Binary) -> None:
         """Between its pins, or along its line."""
-        poses, assembly = self.poses, binary.assembly
-        first, second = (end.joint for end in binary.ends)
-        if not isinstance(first, str):
-            raise TypeError(f"no pin at the first end: {binary}")
+        poses, assembly, first, second = self.poses, binary.assembly, binary.pin, binary.other
         p = poses.xy[first]
         place = poses.point(assembly, first)
         if isinstance(second, str):
@@ -355,8 +346,7 @@ class ChainWriter:
         guide = self.guides[assembly]
         x, y = (place - guide.moving).turned(guide.angle)
         way = minus(minus(p, (guide.x, guide.y)), (x, y))
-        reach = al.add(al.mul(way[0], al.cos(guide.delta)), al.mul(way[1], al.sin(guide.delta)))
-        poses.displacement(guide.symbol, reach if guide.sign > 0 else al.neg(reach))
+        poses.displacement(guide.symbol, guide.signed(dot(way, guide.direction)))
         poses.fix(assembly, guide.angle, place, *p)
 
 
@@ -374,21 +364,12 @@ def _given(body: Sequence[Equation], iterated: dict[str, str]) -> tuple[str, ...
     return tuple(name for name in found if name not in own)
 
 
-def dot_of(way: Vector) -> Node:
-    """|way|^2."""
-    return al.add(al.square(way[0]), al.square(way[1]))
-
-
 def _reading(equation: Equation, names: dict[str, str]) -> Equation:
     return replace(
         equation,
         expression=renamed(equation.expression, names),
         exists=tuple(replace(each, margin=renamed(each.margin, names)) for each in equation.exists),
     )
-
-
-def _of(equations: Sequence[Equation], symbol: str) -> Equation:
-    return next(each for each in equations if each.symbol == symbol)
 
 
 # --- J^-1 F in formulas ------------------------------------------------------------------------------------

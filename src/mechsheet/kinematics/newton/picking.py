@@ -18,7 +18,7 @@ from livesheet.formula.nodes import Symbol
 from livesheet.said import Words, say
 from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.ledger import CLOSING, Ledger
-from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, difference, entries_of
+from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, difference, entries_of, shown_entries
 from mechsheet.kinematics.newton.newton_equations import Solution
 from mechsheet.kinematics.newton.singular_start import DeadStartError, singular
 from mechsheet.kinematics.newton.system import SETTLED, leading, refined, step_of
@@ -69,7 +69,7 @@ def pick_assembly(
     entries = entries_of(mechanism, ledger, start, dimensions)
     places: list[list[float]] = []
     for number in range(1, len(found) + 1):
-        _take(ledger, system, start, number)
+        ledger.set_mode(system.mode, number, start)
         places.append([float(ledger.values[symbol][row]) for symbol, _, _ in entries])
     index, is_open = 0, True
     if given is not None:
@@ -82,7 +82,7 @@ def pick_assembly(
         index, is_open = _nearest(entries, places, solution), False
     elif entries:
         is_open = False
-    _take(ledger, system, start, index + 1)
+    ledger.set_mode(system.mode, index + 1, start)
     known = {name: float(np.asarray(ledger.values[name])[row]) for name in system.given}
     if singular(system, known, found[index].tolist(), [not turns for turns in turning], size):
         raise DeadStartError(solution.label)
@@ -122,7 +122,7 @@ def words_of(mechanism: Mechanism, system: System, ledger: Ledger) -> tuple[Word
 
 def turns(ledger: Ledger, symbol: str) -> bool:
     """Whether an unknown is an angle."""
-    return next(each for each in ledger.columns if each.symbol == symbol).unit.kind == "angle"
+    return ledger.of(symbol).unit.kind == "angle"
 
 
 def _rounded(number: float, turns: bool, size: float, unit: Unit) -> float:
@@ -174,11 +174,6 @@ def _described(ledger: Ledger, system: System, row: int) -> tuple[tuple[tuple[st
     return tuple((name, float(values[name][row])) for name in leaves), tuple(ruled[name] for name in way)
 
 
-def _take(ledger: Ledger, system: System, start: int, number: int) -> None:
-    ledger.set_mode(system.mode, number)
-    ledger.recompute(start)
-
-
 def _refuse_dead(system: System, ledger: Ledger, row: int, found: list[Array], solution: Solution) -> None:
     """Start values lead to their own assembly, or two assemblies lie so near that they cannot be told apart."""
     known = {name: float(np.asarray(ledger.values[name])[row]) for name in system.given}
@@ -213,12 +208,7 @@ def _nearest(entries: list[tuple[str, float, float]], places: list[list[float]],
     )
     if missed[following] - missed[best] < NEARLY * between or between == 0:
         shown = "; ".join(
-            f"{number + 1} is at "
-            + ", ".join(
-                f"{name} = {math.degrees(x) if scale == 0 else x:.4g}"
-                for x, (name, _, scale) in zip(places[number], entries, strict=True)
-            )
-            for number in (best, following)
+            f"{number + 1} is at {shown_entries(entries, places[number])}" for number in (best, following)
         )
         raise BetweenModesError(
             Fault(

@@ -25,14 +25,12 @@ from livesheet.formula.derivatives import derivative
 from livesheet.formula.nodes import Binary as NodeBinary
 from livesheet.formula.nodes import Call, Node, Number, Symbol, renamed, transform
 from livesheet.formula.vectors import NOWHERE, Vector, dot, minus, negative, turned
-from livesheet.said import Words
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import Condition, System
 from mechsheet.kinematics.gear_relations import terms_of
-from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.graph import Assembly, Slide
 from mechsheet.kinematics.newton.chains import Binary
 from mechsheet.kinematics.newton.newton_equations import Cramer, Solution, cramer, holder
-from mechsheet.kinematics.poses import Assembly
 from mechsheet.kinematics.rates.motions import Motions, PointRate, Rate
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, LONGEST, RateColumns, order_words
 from mechsheet.model import Rack, Relation
@@ -94,7 +92,7 @@ class Closings:
         """In the order of the group's equations."""
         motions = self.motions
         for carrier, symbol in zip(self.chain.carriers, self.solution.system.variables, strict=True):
-            joint = carrier.reached.joint
+            joint = carrier.reached
             if isinstance(joint, str):
                 motions.pinned(carrier.assembly, joint, self._at(joint, carrier.assembly), motions.rates.of(symbol))
             else:
@@ -110,12 +108,9 @@ class Closings:
         return self.motions.motion[holder(self.poses, self.chain, point, but)](self.poses.xy[point])
 
     def _over(self, binary: Binary) -> Closing:
-        first, second = (end.joint for end in binary.ends)
-        if not isinstance(first, str):
-            raise TypeError(f"no pin at the first end: {binary}")
-        if isinstance(second, str):
-            return self._over_pins(binary.assembly, first, second)
-        return self._on_line(binary.assembly, first, second)
+        if isinstance(binary.other, str):
+            return self._over_pins(binary.assembly, binary.pin, binary.other)
+        return self._on_line(binary.assembly, binary.pin, binary.other)
 
     def _over_pins(self, assembly: Assembly, first: str, second: str) -> Closing:
         span = self.solution.spans[assembly]
@@ -258,9 +253,7 @@ class ChainColumns:
     def write(self) -> tuple[Symbol, list[str]]:
         """D, and the symbols of which there are coefficients now."""
         system, columns = self.system, self.columns
-        slides = [
-            next(eq for eq in columns.ledger.columns if eq.symbol == name).unit == LENGTH for name in system.variables
-        ]
+        slides = [columns.ledger.of(name).unit == LENGTH for name in system.variables]
         columns.angles.update(name for name, slide in zip(system.variables, slides, strict=True) if not slide)
         label = phrase("determinant")
         alive = dead(system, slides, columns.ledger.size(), lambda node: columns.define("r", node, NUMBER, label))
@@ -297,7 +290,7 @@ class ChainColumns:
             for node in write(self.gaps[place]):
                 base = f"{'uk'[order - 1]}{len(found) + 1}"
                 label = phrase("known_side_of", number=str(len(found) + 1), order=order_words(order))
-                found.append(self._column(base, node, self._unit(closing, order), label))
+                found.append(self.columns.hoist(base, node, self._unit(closing, order), label))
         return found
 
     def _own(self, place: int, own: Own, names: Sequence[str], order: int) -> None:
@@ -318,8 +311,7 @@ class ChainColumns:
         self.columns.coefficient(own.symbol, order, own_rate(own, gap))
 
     def _free(self, place: int, order: int) -> Vector:
-        free = self.closings[place].free
-        return free.first if order == 1 else free.second
+        return self.closings[place].free.of(order)
 
     def _short(self, place: int, order: int, gap: Vector, write: Callable[[Vector], list[Node]]) -> Vector:
         """The gap between the two ways to a place, in columns where what is written with it becomes long."""
@@ -328,14 +320,8 @@ class ChainColumns:
         parts = []
         for axis, node in zip("xy", gap, strict=True):
             label = phrase("gap_part", number=str(place + 1), axis=axis, order=order_words(order))
-            parts.append(self._column(f"g{place + 1}_{axis}", node, self.columns.unit(1, order), label))
+            parts.append(self.columns.hoist(f"g{place + 1}_{axis}", node, self.columns.unit(1, order), label))
         return parts[0], parts[1]
-
-    def _column(self, base: str, node: Node, unit: Unit, label: Words) -> Node:
-        """In a column of its own, unless it is simple."""
-        if al.is_simple(node):
-            return node
-        return self.columns.define(base, self.columns.within(node, base, unit, label), unit, label)
 
     def _unit(self, closing: Closing, order: int) -> Unit:
         """Of an equation: a distance is asked as a square, an offset or a pin as a length, a gear as an angle."""

@@ -22,9 +22,9 @@ from livesheet.formula.nodes import Node
 from livesheet.formula.vectors import NOWHERE, Vector, minus, plus, times, turned
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.gear_relations import Tied
-from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.graph import Assembly, Slide
 from mechsheet.kinematics.points_in_link import angle_of
-from mechsheet.kinematics.poses import Assembly, Poses
+from mechsheet.kinematics.poses import Poses
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,11 +34,21 @@ class Rate:
     first: Node
     second: Node
 
+    @property
+    def both(self) -> tuple[Node, Node]:
+        """The first, and the second."""
+        return self.first, self.second
+
     def __neg__(self) -> Rate:
         return Rate(al.neg(self.first), al.neg(self.second))
 
     def __add__(self, other: Rate) -> Rate:
         return Rate(al.add(self.first, other.first), al.add(self.second, other.second))
+
+    def by_time(self, driver: Rate) -> Rate:
+        """Of what these are by the driver's variable: q' omega12 and q'' omega12^2 + q' alpha12."""
+        second = al.add(al.mul(self.second, al.square(driver.first)), al.mul(self.first, driver.second))
+        return Rate(al.mul(self.first, driver.first), second)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +57,15 @@ class PointRate:
 
     first: Vector
     second: Vector
+
+    def of(self, order: int) -> Vector:
+        """The first or the second."""
+        return self.first if order == 1 else self.second
+
+    def by_time(self, driver: Rate) -> PointRate:
+        """Of what these are by the driver's variable: x' omega12 and x'' omega12^2 + x' alpha12."""
+        second = plus(times(al.square(driver.first), self.second), times(driver.second, self.first))
+        return PointRate(times(driver.first, self.first), second)
 
 
 Motion: TypeAlias = Callable[[Vector], PointRate]
@@ -123,17 +142,13 @@ class Motions:
 
     # --- points -----------------------------------------------------------------------------------------------
 
-    def coordinates(self, point: str) -> Vector:
-        """Of a solved point."""
-        return self.poses.xy[point]
-
     def of_point(self, point: str, length: Callable[[Node], float]) -> PointRate:
         """The rates of a point: its own columns, or the shortest way to write them, measured by `length`."""
         own = self.rates.of_point(point)
         if own is not None:
             return own
         bodies = [body for body in self.poses.graph.bodies_at(point) if body in self.motion]
-        ways = [self.motion[body](self.coordinates(point)) for body in bodies]
+        ways = [self.motion[body](self.poses.xy[point]) for body in bodies]
         return min(ways, key=lambda way: sum(map(length, (*way.first, *way.second))))
 
     # --- bodies -----------------------------------------------------------------------------------------------
@@ -152,7 +167,7 @@ class Motions:
         if isinstance(drive.joint, Pin):
             pin = drive.joint.point
             turning = self.turning[drive.base] + (rate if drive.positive else -rate)
-            self._turns(drive.moving, pin, self.motion[drive.base](self.coordinates(pin)), turning)
+            self._turns(drive.moving, pin, self.motion[drive.base](self.poses.xy[pin]), turning)
         else:
             self._slides(drive.moving, drive.joint, rate)
 
@@ -162,7 +177,7 @@ class Motions:
             if isinstance(held.at, Slide):
                 self._slides(held.body, held.at, rates[held.variable])
                 continue
-            at = self.coordinates(held.at)
+            at = self.poses.xy[held.at]
             moves = self.rates.of_point(held.at)
             if moves is None:
                 carrier = next(body for body in self.poses.graph.bodies_at(held.at) if body in self.motion)
@@ -193,7 +208,7 @@ class Motions:
 
     def _turns(self, body: str, pin: str, moves: PointRate, turning: Rate) -> None:
         self.turning[body] = turning
-        self.motion[body] = about(self.coordinates(pin), moves, turning)
+        self.motion[body] = about(self.poses.xy[pin], moves, turning)
 
     def _slides(self, body: str, slide: Slide, rate: Rate) -> None:
         """A body on another whose motion is known; a positive displacement moves `slide.body` on `slide.on`."""
@@ -224,7 +239,7 @@ class Motions:
                 for point in self.poses.graph.points[body]
                 if point in self.poses.graph.points[other]
             )
-            moves = self.motion[carrier](self.coordinates(pin))
+            moves = self.motion[carrier](self.poses.xy[pin])
             self._turns(body, pin, moves, base + self.relative(body, drive))
             waiting.remove(body)
 
@@ -240,13 +255,13 @@ class Motions:
     def meet_within(self, dyad: Dyad) -> Meeting:
         """The two ways to the closing point of a dyad on the driven pair, whose base stands still here."""
         drive = self.order.pair(dyad.frame)
-        pins = [contact.point for contact in (*dyad.outer, dyad.inner) if isinstance(contact, Pin)]
+        p, q, r = dyad.pins
         ways = []
-        for (body,), pin in zip((dyad.first, dyad.second), pins, strict=False):
-            moves = self.motion[self.with_point(dyad.frame, pin)](self.coordinates(pin))
+        for (body,), pin in zip(dyad.assemblies, (p, q), strict=True):
+            moves = self.motion[self.with_point(dyad.frame, pin)](self.poses.xy[pin])
             self._turns(body, pin, moves, self.relative(body, drive))
-            ways.append(self.motion[body](self.coordinates(pins[2])))
-        names = [relative_name(self.poses, body) for (body,) in (dyad.first, dyad.second)]
+            ways.append(self.motion[body](self.poses.xy[r]))
+        names = [relative_name(self.poses, body) for (body,) in dyad.assemblies]
         return Meeting((ways[0], ways[1]), (names[0], names[1]))
 
     def with_point(self, assembly: Assembly, point: str) -> str:
@@ -295,7 +310,7 @@ class Motions:
 
     def _meet_at_pin(self, dyad: Dyad, inner: Pin, outer: Mapping[str, PointRate]) -> Meeting:
         """RRR, RRP, PRP: at the inner pin."""
-        place = self.coordinates(inner.point)
+        place = self.poses.xy[inner.point]
         unknowns, ways = [], []
         for assembly, contact in zip((dyad.first, dyad.second), dyad.outer, strict=True):
             if isinstance(contact, Pin):
@@ -316,7 +331,7 @@ class Motions:
     def _at_known(self, assembly: Assembly, pin: Pin, moves: PointRate) -> tuple[PointRate, PointRate]:
         """An assembly that has slid to a known pin: both ways to its rates; it then turns about it."""
         body = self.with_point(assembly, pin.point)
-        way = self.motion[body](self.coordinates(pin.point))
+        way = self.motion[body](self.poses.xy[pin.point])
         self._turns(body, pin.point, moves, self.turning[body])  # as sliding has it, and shorter
         self._whole(assembly, body)
         return way, moves

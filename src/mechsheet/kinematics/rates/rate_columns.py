@@ -63,6 +63,12 @@ class RateColumns:
         """A sum of which no cell holds more than can be read: its first terms stand in a column of their own."""
         return self.cells.split(node, lambda part: self.define(base, part, unit, label))
 
+    def hoist(self, base: str, node: Node, unit: Unit, label: Words) -> Node:
+        """In a column of its own, unless it is simple."""
+        if al.is_simple(node):
+            return node
+        return self.define(base, self.within(node, base, unit, label), unit, label)
+
     def define(self, base: str, node: Node, unit: Unit, label: Words, *exists: Condition) -> Symbol:
         """A column of its own."""
         name = self.ledger.reserve(base)
