@@ -141,4 +141,4 @@ def test_the_vertex_between_places_that_are_nearly_one_has_few_digits(formula, e
     places = (63.5, 63.5 - 1e-6, 63.5 + 1e-6)
     cells = Cells(*((place, 2.0 - (place - 63.5 + 2e-7) ** 2) for place in places))
     rounding = Rounding(Book(()), cells)
-    assert rounding.accounts_for(parse_formula(formula), "S", 63.5, 63.5 + 3e-7) == excused
+    assert rounding.accounts_for(parse_formula(formula), "S", 63.5, 63.5 + 2e-8) == excused

@@ -65,8 +65,8 @@ class Rounding:
         match node:
             case Number(number):
                 return number, abs(number)
-            case CellRef(row, col, _, _, other):
-                found = self._values.get(other or title, row, col)
+            case CellRef(row, col, _, _, sheet):
+                found = self._values.get(sheet or title, row, col)
                 return (found, abs(found)) if type(found) is float else None
             case Unary("-", operand):
                 inner = self._with_loss(operand, title)
