@@ -12,19 +12,17 @@ from livesheet.formats import read
 from livesheet.formula.book import Book
 from livesheet.said import say
 from mechsheet.checking.against_reference import against_plan
+from mechsheet.checking.against_search import against_search
 from mechsheet.checking.baseline import Baseline
-from mechsheet.checking.cells import compare_cells
+from mechsheet.checking.cells import compare_cells, compare_program
+from mechsheet.checking.cells_apart import Rules
+from mechsheet.checking.edited.edits import compared
 from mechsheet.checking.edited.expected import expected_for, functions_in, inside
-from mechsheet.checking.edited.grown import compared
 from mechsheet.checking.edited.inserted_rows import MovedValues
 from mechsheet.checking.inputs import description_in
-from mechsheet.checking.line_under_title import first_sheet, red_line
+from mechsheet.checking.of_itself import description_of, first_sheet, red_line, stale
 from mechsheet.checking.programs import answers, cannot_judge, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison, Edit, Report
-from mechsheet.checking.rules import Rules
-from mechsheet.checking.searched.against_search import against_search
-from mechsheet.checking.searched.probed_cells import compare_program
-from mechsheet.checking.stale import description_of, stale
 from mechsheet.checking.stored import judge_stored
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError, MissingProgramError

@@ -23,10 +23,10 @@ from livesheet.formula.book import Book
 from livesheet.formula.nodes import Scalar
 from livesheet.said import say
 from mechsheet.checking.against_reference import against_plan
+from mechsheet.checking.cells import compare_program
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
-from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.description.locate import located
 from mechsheet.diagnostics import MechanismError, MissingProgramError
 from mechsheet.kinematics.cams.inputs import asked_by_cam, refused_by_cam

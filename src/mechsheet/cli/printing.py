@@ -8,8 +8,7 @@ from typing import Any
 import click
 
 from livesheet.said import say, say_count
-from mechsheet.checking.remark_lines import grouped
-from mechsheet.checking.report_lines import focused, report_lines
+from mechsheet.checking.report_lines import focused, grouped, report_lines
 
 from .speaking import told
 

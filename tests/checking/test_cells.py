@@ -9,8 +9,8 @@ from test_summary_table import built, evaluated
 
 from livesheet.evaluation import book_of
 from livesheet.formula.nodes import ErrorValue
-from mechsheet.checking.searched.probed_cells import UNMOVED, Astray, Searched, compare_program
-from mechsheet.checking.searched.summaries import Expected
+from mechsheet.checking.against_search import Expected
+from mechsheet.checking.cells import UNMOVED, Astray, Searched, compare_program
 from mechsheet.compiled import Compiled
 from mechsheet.description import load
 from mechsheet.description.templates import template_text

@@ -6,7 +6,7 @@ import pytest
 import mechsheet
 from chosen import part
 from judging import judged
-from mechsheet.checking.excuses.columns import given_by_rounding
+from mechsheet.checking.columns_apart import given_by_rounding
 from mechsheet.description import loads
 from mechsheet.reference import solve, variables
 
