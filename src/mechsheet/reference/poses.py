@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model import Mechanism
-from . import assembly, branches, further, geometry
+from . import assembly, branches, further_drivers, geometry
 from .assembly import Pose, Sketched
 from .branches import Mask, Rows
 from .geometry import Array, whole_turns
@@ -78,7 +78,7 @@ def unsolved(built: System, value: Array, rows: Array | None = None) -> Array:
     state[:, :3] = 0.0
     state[:, 3 * len(built.bodies) + 2 : built.columns - built.given : 3] = 0.0
     scale = built.scale if built.mechanism.driver.joint else 1.0
-    state[:, list(built.prescribed)] = further.columns(built, value * scale, rows)
+    state[:, list(built.prescribed)] = further_drivers.columns(built, value * scale, rows)
     return state
 
 

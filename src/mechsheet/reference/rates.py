@@ -18,7 +18,7 @@ import numpy as np
 from livesheet.formula.nodes import symbols
 
 from ..model import Mechanism, rate_symbols
-from . import further, geometry
+from . import further_drivers, geometry
 from .driving import driver_rates
 from .expressions import number
 from .geometry import Array
@@ -107,7 +107,7 @@ def of_poses(built: System, state: Array, driver: Array) -> tuple[Array, Array]:
     driven = np.array([[float(equation.driven)] for equation in equations])
     first, second = np.zeros_like(state), np.zeros_like(state)
     given = list(built.prescribed)
-    first[:, given], second[:, given] = further.derivatives(built, driver)
+    first[:, given], second[:, given] = further_drivers.derivatives(built, driver)
     whole, _ = gradients(equations, state, first)
     jacobian, besides = whole[:, :, unknown], whole[:, :, given]
     right = np.broadcast_to(driven, (*jacobian.shape[:2], 1))
