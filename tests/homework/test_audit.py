@@ -8,6 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from mechsheet.homework.words_of import fault_line
 
 import mechsheet
 from chosen import first
@@ -17,9 +18,8 @@ from homework.plain_export import plain_book
 from homework.shaper import SHAPER, shaped
 from mechsheet import description
 from mechsheet.homework.audit import FaultFound, audit, audited
+from mechsheet.homework.expected_values import asked_of
 from mechsheet.homework.formula_strips import upright
-from mechsheet.homework.marking_rules import asked_of
-from mechsheet.homework.words_of import fault_line
 
 ASKED = ("theta13", "theta14", "mu")
 

@@ -72,7 +72,7 @@ def audit(
     if describe is not None:
         raise MechsheetError(Fault(say("with --against there is a description already"), key="--describe"))
     from mechsheet.homework.audit import audit as judge
-    from mechsheet.homework.words_of import lines
+    from mechsheet.homework.audit import lines
 
     mechanism = _asked(description, language)
     named = readable_name(workbook)
@@ -100,8 +100,7 @@ def _recognised(
     """What a workbook seems to be; a description of that."""
     from livesheet.formats import read
     from mechsheet.homework.formula_strips import upright
-    from mechsheet.homework.recognised_words import as_dict, lines
-    from mechsheet.homework.recognition import recognise, tables
+    from mechsheet.homework.recognition import as_dict, lines, recognise, tables
 
     with progress(workbook.name) as tell:
         found = tables(upright(read(workbook), modules=modules))

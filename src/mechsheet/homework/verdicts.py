@@ -1,28 +1,32 @@
-"""What the sheet has of each quantity that is asked: right, wrong, missing, of the other assembly, not live."""
+"""What the sheet has of each quantity that is asked: right, wrong, missing, of the other assembly, not live.
+
+A column that says its quantity in another sense, from another zero or in another turn is right; then what the description
+computes from it by a formula, or takes from it over the rows, is right as it follows from the column as the sheet has it
+(`in_convention`): whoever counts an angle from another zero computes outputs and summaries from that angle.
+"""
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
 import numpy as np
 
 from livesheet.engine import Values
-from livesheet.formula.nodes import Call, Number, walk
+from livesheet.formula.nodes import Call, Number, symbols, walk
 from mechsheet.homework.agreement import FEWEST, Reading, gaps, most_like, reading_of
 from mechsheet.homework.claims import answers, claimed, exchanged, read_on, rivals
-from mechsheet.homework.counting import as_counted
 from mechsheet.homework.expected_values import Array, Quantity, Truth, truth_of, vocabulary
 from mechsheet.homework.formula_strips import Place, Strip
 from mechsheet.homework.headings import around, contains, labels, labels_of, names_over, says
 from mechsheet.homework.inputs import MOST_UNREAD, is_length, single_cells, typed_numbers
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
-from mechsheet.homework.understanding import MOVING, SMALL, Understanding, anything, retyped
-from mechsheet.model import Summary
+from mechsheet.homework.understanding import MOVING, SMALL, Understanding, anything, as_counted, retyped
+from mechsheet.model import Mechanism, Summary
 
 Verdict: TypeAlias = Literal["right", "in part", "follows", "wrong", "other assembly", "not live", "unclear", "missing"]
 
@@ -472,3 +476,60 @@ def typed_dimensions(found: Understanding, finding: Finding) -> tuple[str, ...]:
         if not dim.path and dim.symbol not in given and there:
             result.append(dim.symbol)
     return tuple(result)
+
+
+def in_convention(sheet: Sheet) -> tuple[Sheet, dict[str, Finding]]:
+    """A sheet and what is found in it, where what is not right is held against the conventions of the columns that it
+    follows from."""
+    found, first = sheet.found, findings(sheet)
+    mechanism, truth = found.mechanism, found.truth
+    names = {output.symbol for output in mechanism.outputs}
+    open_ = {symbol for symbol, one in first.items() if one.verdict in ("wrong", "missing")}
+    of = {summary.symbol: summary.of for summary in mechanism.summaries}
+    followed = open_ & names | {of[symbol] for symbol in open_ & of.keys()}
+    ways = {
+        symbol: _counted(sheet, first, symbol) for symbol in sorted(_behind(mechanism, followed) & truth.columns.keys())
+    }
+    counted = {symbol: way for symbol, way in ways.items() if way is not None}
+    if not counted:
+        return sheet, first
+    following = found.by_convention | set(_in_one_sense(mechanism, open_ & names, counted))
+    found = replace(found, counted={**found.counted, **counted}, by_convention=following)
+    found = replace(found, truth=as_counted(found, truth))
+    if not found.truth.shifts:
+        return sheet, first
+    sheet = Sheet(found, sheet.asked)
+    return sheet, first | {symbol: one for symbol, one in findings(sheet).items() if symbol in open_}
+
+
+def _counted(sheet: Sheet, first: Mapping[str, Finding], symbol: str) -> tuple[Series, Reading] | None:
+    """The column of a quantity and how it says it, most of its rows where some are wrong."""
+    one = first.get(symbol)
+    if one is None or one.series is None:
+        return agreeing(sheet, sheet.found.truth, symbol)
+    reading = one.reading or mostly(sheet, sheet.found.truth, symbol, one.series)
+    return None if reading is None or not of_output(sheet.found, symbol, reading) else (one.series, reading)
+
+
+def _in_one_sense(
+    mechanism: Mechanism, outputs: Collection[str], counted: Mapping[str, tuple[Series, Reading]]
+) -> Iterator[str]:
+    """The outputs that may follow the columns' conventions: angles counted one way and the other give no sum."""
+    angles = {link.angle_symbol for link in mechanism.links}
+    for output in mechanism.outputs:
+        named = angles.intersection(_behind(mechanism, {output.symbol}))
+        senses = {counted[symbol][1].sense if symbol in counted else 1 for symbol in named}
+        if output.symbol in outputs and output.symbol not in counted and len(senses) <= 1:
+            yield output.symbol
+
+
+def _behind(mechanism: Mechanism, names: set[str]) -> set[str]:
+    """These quantities and all that their formulas name."""
+    formulas = {output.symbol: output.formula for output in mechanism.outputs}
+
+    def all_of(symbol: str) -> Iterator[str]:
+        yield symbol
+        for name in symbols(formulas[symbol]) if symbol in formulas else ():
+            yield from all_of(name)
+
+    return {name for symbol in names for name in all_of(symbol)}

@@ -12,10 +12,10 @@ from pathlib import PurePath
 from livesheet.evaluation import computed
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef
 from livesheet.workbook import Cell, Column, Fill, PrintSetup, Properties, Sheet, Style, Workbook
+from mechsheet.homework.audit import fault_line, kind_words
 from mechsheet.homework.classroom.exercise import no_formula, safe
-from mechsheet.homework.classroom.feedback import pictures
 from mechsheet.homework.classroom.marks import Marked, Marks, lines_of, words_of
-from mechsheet.homework.words_of import fault_line, kind_words
+from mechsheet.homework.drawn_by_numbers import pictures
 from mechsheet.sheet.styles import BAD_FILL, DERIVED_FILL, HEAD, HEAD_LEFT, INPUT, SUBTITLE, SYMBOL, TITLE, WARN_FILL
 from mechsheet.sheet.wrapping import wrapped_lines
 from mechsheet.words.catalogue import marks_of, said

@@ -23,19 +23,26 @@ from mechsheet.homework.agreement import (
     wrapped,
     zeros_of,
 )
-from mechsheet.homework.conventions import in_convention
 from mechsheet.homework.expected_values import Array, Quantity, kind_of, vocabulary
 from mechsheet.homework.formula_strips import Place, Strip, with_formula
 from mechsheet.homework.headings import around, names_over, says
 from mechsheet.homework.inputs import single_cells
-from mechsheet.homework.mends.candidates import Candidate, Surroundings, candidates
-from mechsheet.homework.mends.pairs import pairs
+from mechsheet.homework.mends.candidates import Candidate, Surroundings, candidates, pairs
 from mechsheet.homework.mends.trial import Effort, Trial, UntriableError
 from mechsheet.homework.series import Graph, Series
 from mechsheet.homework.summaries import holding, span_of
-from mechsheet.homework.two_way import columns_beside
-from mechsheet.homework.understanding import MOVING
-from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, mostly, retype
+from mechsheet.homework.understanding import MOVING, columns_beside
+from mechsheet.homework.verdicts import (
+    Finding,
+    Retyped,
+    Sheet,
+    agreeing,
+    findings,
+    follows,
+    in_convention,
+    mostly,
+    retype,
+)
 
 MOST_FAULTS = 5
 OF_VERIFYING = 10_000

@@ -8,11 +8,10 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from livesheet.formula.nodes import Number
-from mechsheet.homework.conventions import in_convention
 from mechsheet.homework.formula_strips import Strip
 from mechsheet.homework.mends.faults import Mend, goals_of, mended_sheet, newly_right
 from mechsheet.homework.series import Series
-from mechsheet.homework.verdicts import Finding, Sheet
+from mechsheet.homework.verdicts import Finding, Sheet, in_convention
 
 FEW = 0.25
 """With more typed numbers than this part of its rows a column is one of numbers as well as of formulas."""
