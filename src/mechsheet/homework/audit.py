@@ -28,7 +28,6 @@ from mechsheet.homework.inputs import Input
 from mechsheet.homework.judging import Judged, judged_tables
 from mechsheet.homework.mends.faults import Mend, Suspect
 from mechsheet.homework.remarks import remarks_of
-from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
 from mechsheet.homework.understanding import Understanding, where
 from mechsheet.homework.verdicts import Finding, Verdict
@@ -221,16 +220,10 @@ def _result(found: Understanding, first: Finding, last: Finding, mends: Sequence
     verdict = first.verdict
     if verdict in ("wrong", "missing") and last.verdict == "right":
         verdict = "follows"
-    if series is not None and any(_holds(series, mend) for mend in mends):
+    if series is not None and any(series.cells.meets(mend.strip) for mend in mends):
         verdict = "wrong"
     plain: Verdict = verdict if verdict != "follows" else "wrong"
     return AskedResult(cells, verdict, plain)
-
-
-def _holds(series: Series, mend: Mend) -> bool:
-    strip = mend.strip
-    inside = series.origin < strip.end and strip.start < series.origin + series.rows
-    return (series.sheet, series.line) == (strip.sheet, strip.line) and inside
 
 
 def _of_rows(part: Judged, results: Mapping[str, AskedResult], rows: NDArray[np.bool_]) -> dict[str, AskedResult]:
@@ -252,7 +245,7 @@ def _holds_over(part: Judged, symbol: str, whole: Truth) -> bool:
     finding = part.last[symbol] if part.first[symbol].verdict in ("wrong", "missing") else part.first[symbol]
     if symbol in whole.columns or finding.series is None:
         return False
-    number = part.found.work.number(finding.series.places()[0])
+    number = part.found.work.number(finding.series.cells.places()[0])
     return reading_of_number(number, span_of(whole, symbol), whole.size, part.found.tolerance) is not None
 
 
@@ -273,7 +266,7 @@ def _fault(found: Understanding, mend: Mend) -> FaultFound:
     work = found.work
     strip = mend.strip
     return FaultFound(
-        work.where(strip.sheet, strip.start, strip.line, strip.length, mend.lines),
+        strip.where(work, mend.lines),
         work.shown(strip.formula, strip.sheet),
         work.shown(mend.formula, strip.sheet),
         mend.rights,
@@ -291,7 +284,7 @@ def _other(found: Understanding, one: Input) -> FaultFound:
 
 def _unmended(found: Understanding, suspect: Suspect) -> FaultFound:
     strip = suspect.strip
-    cells = found.work.where(strip.sheet, strip.start, strip.line, strip.length)
+    cells = strip.where(found.work)
     if isinstance(strip.formula, Number):
         there = f"{suspect.found:.10g}" if math.isfinite(suspect.found) else ""
         return FaultFound(cells, there, f"{suspect.wanted:.6g}", (), "wrong number" if there else "no number")

@@ -17,7 +17,7 @@ from mechsheet.homework.mends.thinned import thinned
 from mechsheet.homework.mends.trial import Effort
 from mechsheet.homework.mends.typed_over import typed_over
 from mechsheet.homework.series import Run
-from mechsheet.homework.understanding import MOVING, Understanding, other_runs, others_of, understand
+from mechsheet.homework.understanding import Understanding, other_runs, others_of, understand
 from mechsheet.homework.verdicts import Finding, Sheet, findings, in_convention, with_doubt, with_liveness
 from mechsheet.model import Mechanism
 from mechsheet.words.catalogue import is_key, said
@@ -329,7 +329,7 @@ def _shown(sheet: Sheet, truth: Truth) -> set[tuple[str, int, int]]:
     for symbol, kind in truth.kinds.items():
         quantity = truth.quantity(symbol)
         allowed = sheet.found.allowed(quantity)
-        if kind == "length" and quantity.spread > MOVING * allowed:
+        if kind == "length" and not sheet.found.is_still(quantity):
             found |= {
                 series.key
                 for series in sheet.found.series

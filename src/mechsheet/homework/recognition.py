@@ -402,8 +402,7 @@ def recognised_lines(tables: Sequence[Table], known: Recognised | None, workbook
 
 
 def _cells(known: Recognised) -> str:
-    run = known.found.driver
-    return known.found.work.where(run.sheet, run.start, run.line, run.length)
+    return known.found.driver.where(known.found.work)
 
 
 def _unexplained(known: Recognised) -> list[Series]:
@@ -417,9 +416,7 @@ def _there(tables: Sequence[Table], language: str) -> list[str]:
         return [said(language, "no table")]
     table = tables[0]
     work = table.graph.work
-    rows = [
-        (said(language, "driver"), work.where(table.run.sheet, table.run.start, table.run.line, table.run.length), "")
-    ]
+    rows = [(said(language, "driver"), table.run.where(work), "")]
     rows += [(" ".join(around(work, cell)[:1]), work.where(*cell), f"{work.number(cell):.10g}") for cell in table.cells]
     rows += [("", series.where(work), "") for series in table.series[:MOST]]
     return _aligned(rows)

@@ -90,6 +90,10 @@ class Understanding:
         """How far a column may be from a quantity."""
         return allowance(quantity, self.truth.size, self.tolerance)
 
+    def is_still(self, quantity: Quantity) -> bool:
+        """Whether a quantity changes too little to be told from anything that stands still."""
+        return quantity.spread <= MOVING * self.allowed(quantity)
+
     def meant_unit(self, column: Array, quantity: Quantity) -> float:
         """The unit in which a column that is wrong is meant: of lengths that of the dimensions."""
         return self.length_unit if quantity.kind == "length" else nearest_unit(column, quantity)
@@ -102,7 +106,7 @@ class Understanding:
         """The same, text by text."""
         if series.key not in self.headings:
             cells = heading(self.work, series.sheet, series.origin + series.first, series.line)
-            self.headings[series.key] = (*cells, *names_over(self.work, series.places()))
+            self.headings[series.key] = (*cells, *names_over(self.work, series.cells.places()))
         return self.headings[series.key]
 
     def called(self, series: Series) -> Called:
@@ -197,16 +201,8 @@ def _asked_values(mechanism: Mechanism, given: Mapping[str, float]) -> list[Arra
 
 def other_runs(graph: Graph, used: Sequence[Understanding]) -> list[Run]:
     """What may be the driver's values in tables of the workbook besides those understood."""
-    lines = [(one.sheet, one.line, one.start, one.end) for found in used for one in [found.driver]]
-    lines += [(one.sheet, one.line, one.origin, one.origin + one.rows) for found in used for one in found.series]
-
-    def beside(run: Run) -> bool:
-        return not any(
-            (run.sheet, run.line) == (sheet, line) and run.start < end and start < run.end
-            for sheet, line, start, end in lines
-        )
-
-    return list(filter(beside, drivers(graph, 0.0)))
+    taken = [cells for found in used for cells in (found.driver, *(one.cells for one in found.series))]
+    return [run for run in drivers(graph, 0.0) if not any(run.meets(cells) for cells in taken)]
 
 
 def _possible_inputs(
@@ -277,7 +273,7 @@ def _score(found: Understanding, asked: Sequence[str]) -> tuple[int, int]:
         if symbol in found.truth.columns:
             quantity = found.truth.quantity(symbol)
             allowed = found.allowed(quantity)
-            if quantity.spread <= MOVING * allowed:
+            if found.is_still(quantity):
                 continue  # anything that stands still would be it
             some = columns[likely(columns, quantity, allowed)]
             right += any(reading_of(column, quantity, allowed, found.zeros) for column in some)

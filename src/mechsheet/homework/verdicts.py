@@ -17,15 +17,15 @@ import numpy as np
 
 from livesheet.engine import Values
 from livesheet.formula.nodes import Call, Number, symbols, walk
-from mechsheet.homework.agreement import FEWEST, Reading, gaps, most_like, reading_of
+from mechsheet.homework.agreement import FEWEST, Reading, gaps, most_like, reading_of, wrapped
 from mechsheet.homework.claims import answers, claimed, exchanged, read_on, rivals
-from mechsheet.homework.expected_values import Array, Quantity, Truth, truth_of, vocabulary
-from mechsheet.homework.formula_strips import Place, Strip
+from mechsheet.homework.expected_values import Array, Truth, truth_of, vocabulary
+from mechsheet.homework.formula_strips import Place, Stretch, Strip
 from mechsheet.homework.headings import around, contains, labels, labels_of, names_over, says
 from mechsheet.homework.inputs import MOST_UNREAD, is_length, single_cells, typed_numbers
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
-from mechsheet.homework.understanding import MOVING, SMALL, Understanding, anything, as_counted, retyped
+from mechsheet.homework.understanding import SMALL, Understanding, anything, as_counted, retyped
 from mechsheet.model import Mechanism, Summary
 
 Verdict: TypeAlias = Literal["right", "in part", "follows", "wrong", "other assembly", "not live", "unclear", "missing"]
@@ -112,8 +112,7 @@ def agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] 
     that a dimension leads to before one that happens to be the same. Which series are asked at all: see `claims`."""
     found = sheet.found
     quantity = truth.quantity(symbol)
-    allowed = found.allowed(quantity)
-    still = quantity.spread <= MOVING * allowed
+    still = found.is_still(quantity)
     best: tuple[tuple[bool, bool, bool, bool, float, bool], Series, Reading] | None = None
     read_as = _reader(sheet, truth)
     for series in answers(found, symbol, read_as)[0]:
@@ -217,7 +216,7 @@ def _single(sheet: Sheet, truth: Truth, summary: Summary) -> Finding | None:
         return Finding(summary.symbol, "wrong" if reading is None else "right", series, reading)
 
     singles = [strip for strip in work.strips if strip.length <= 2]
-    singles = [strip for strip in singles if not any(_stands_in(series, strip) for series in found.series)]
+    singles = [strip for strip in singles if not any(series.cells.begins(strip) for series in found.series)]
     cells: list[tuple[Place, Strip | None]] = [(place, strip) for strip in singles for place in strip.places()]
     typed = list(itertools.islice(typed_numbers(found.graph), MOST_UNREAD))
     for some in (cells, [(place, None) for place in typed]):
@@ -254,12 +253,6 @@ def _of_the_table(found: Understanding, strip: Strip | None) -> bool:
         for number in above
         for sheet, low, high, left, right in graph.areas(number)
         for line in range(left, min(right, left + 500) + 1)
-    )
-
-
-def _stands_in(series: Series, strip: Strip) -> bool:
-    return (series.sheet, series.line) == (strip.sheet, strip.line) and (
-        series.origin <= strip.start < series.origin + series.rows
     )
 
 
@@ -327,7 +320,8 @@ def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
     now = replace(now, values=np.where(np.isfinite(before.values), now.values, np.nan))
     reading = finding.reading
     column = finding.series.column(found.work, after.values)
-    change = np.abs(_turns(now.values - before.values, now))
+    change = now.values - before.values
+    change = np.abs(wrapped(change) if now.kind == "angle" else change)
     allowed = 10 * found.allowed(now) + SHARE * float(np.nanmax(change, initial=0.0))
     apart = gaps(column, now, reading)
     if reading.offset:  # counted from an angle that may have been retyped, too: then all rows are off by the same
@@ -341,13 +335,9 @@ def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
 def _summary_follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
     assert finding.series is not None and finding.reading is not None
     before, now = span_of(found.truth, finding.symbol), span_of(after.truth, finding.symbol)
-    number = found.work.number(finding.series.places()[0], after.values)
+    number = found.work.number(finding.series.cells.places()[0], after.values)
     allowed = SHARE * abs(now.low - before.low) + 10 * found.tolerance * abs(now.high)
     return bool(now.holds(np.array(number), finding.reading, allowed))
-
-
-def _turns(values: Array, quantity: Quantity) -> Array:
-    return np.remainder(values + math.pi, math.tau) - math.pi if quantity.kind == "angle" else values
 
 
 def with_liveness(found: Understanding, results: Mapping[str, Finding]) -> dict[str, Finding]:
@@ -403,7 +393,7 @@ def _led(found: Understanding, series: Series) -> bool:
     above = graph.above({graph.work.strips.index(series.main)})
     task = found.mechanism.synthesis is not None
     cells = single_cells(graph, found.driver) if task else [one.place for one in found.inputs]
-    return any(above & graph.readers_of(sheet, line, pos, pos + 1) for sheet, pos, line in cells)
+    return any(above & graph.readers_of(Stretch(sheet, line, pos, 1)) for sheet, pos, line in cells)
 
 
 def _depends(found: Understanding, symbol: str) -> bool:
