@@ -19,10 +19,9 @@ from livesheet.diagnostics import readable_name
 from livesheet.formats import read
 from livesheet.formula.nodes import Number
 from mechsheet import reference
-from mechsheet.diagnostics import MechanismError
 from mechsheet.homework.agreement import Reading, gaps
 from mechsheet.homework.drawn_by_numbers import Picture, picture_of
-from mechsheet.homework.expected_values import Array, AskedFor, Truth, asked_of, truth_of
+from mechsheet.homework.expected_values import Array, AskedFor, Truth, asked_of, driver_asked, truth_of
 from mechsheet.homework.formula_strips import Work, upright
 from mechsheet.homework.inputs import Input
 from mechsheet.homework.judging import Judged, judged_tables
@@ -375,7 +374,7 @@ EXACT = 1e-6
 def rows_answered(found: Understanding) -> NDArray[np.bool_]:
     """Which of the rows that the description asks for, with the sheet's dimensions, a table answers; with dimensions that
     give no rows its own count."""
-    asked = _asked_values(found.truth)
+    asked = driver_asked(found.truth.mechanism, found.truth.dimensions)
     if asked is None:
         return np.ones(1, bool)
     return answered(asked, found.truth.driver, not found.mechanism.driver.joint)
@@ -383,16 +382,9 @@ def rows_answered(found: Understanding) -> NDArray[np.bool_]:
 
 def over_asked_rows(found: Understanding) -> Truth | None:
     """The mechanism of the sheet in the rows that the description asks for."""
-    asked = _asked_values(found.truth)
+    asked = driver_asked(found.truth.mechanism, found.truth.dimensions)
     truth = found.truth
     return None if asked is None else truth_of(truth.mechanism, truth.dimensions, asked, truth.poses)
-
-
-def _asked_values(truth: Truth) -> Array | None:
-    try:
-        return reference.driver_values(truth.mechanism, truth.dimensions)
-    except (MechanismError, KeyError, ArithmeticError):
-        return None
 
 
 def answered(asked: Array, given: Array, turns: bool) -> NDArray[np.bool_]:

@@ -202,6 +202,14 @@ def _kinds(mechanism: Mechanism, columns: Mapping[str, Array]) -> dict[str, Kind
     return {symbol: kind(symbol) for symbol in columns}
 
 
+def driver_asked(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array | None:
+    """The driver's values as the description asks for them; None where these dimensions give no rows."""
+    try:
+        return reference.driver_values(mechanism, dimensions)
+    except (MechanismError, KeyError, ArithmeticError):
+        return None
+
+
 def other_assemblies(truth: Truth) -> list[Truth]:
     """The same mechanism put together in the other ways that there are in its first row."""
     row = int(np.flatnonzero(truth.exists)[0])

@@ -161,7 +161,8 @@ class Work:
 
     def strip_at(self, place: Place) -> int | None:
         """The number of the strip that fills a cell."""
-        found = self.strips_in(place[0], place[2], place[1], place[1] + 1)
+        sheet, pos, line = place
+        found = self.strips_in(Stretch(sheet, line, pos, 1))
         return found[0] if found else None
 
     def value(self, place: Place, values: Values | None = None) -> Scalar:

@@ -135,7 +135,7 @@ def _make(mechanism: Mechanism) -> object:
 def _in_table(
     name: str, mechanism: Mechanism, equations: Equations, table: Table, decisive: Sequence[str]
 ) -> Recognised | None:
-    geometric = [dim for dim in mechanism.dimensions if not dim.derived and not dim.path]
+    geometric = mechanism.free_dimensions
     called = _called(mechanism, table)
     for factor, offset in ways(table.graph.work, table.run, mechanism, False):
         for inputs in _inputs(mechanism, equations, table, geometric, decisive, called, factor):
@@ -177,7 +177,7 @@ def deciding(mechanism: Mechanism) -> tuple[str, ...]:
         read.add(symbol)
         if not isinstance(dim.value, float):
             waiting += symbols(dim.value)
-    return tuple(symbol for symbol, dim in by_symbol.items() if symbol in read and not dim.derived and not dim.path)
+    return tuple(dim.symbol for dim in mechanism.free_dimensions if dim.symbol in read)
 
 
 def _read(part: object) -> list[str]:
@@ -247,7 +247,7 @@ def _proven(
         proven = _lasting(found, agreeing, [symbol for symbol in decisive if symbol in values])
         if proven:
             known = set(values) | set(zero)
-            missing = [d.symbol for d in mechanism.dimensions if not (d.derived or d.path or d.symbol in known)]
+            missing = [dim.symbol for dim in mechanism.free_dimensions if dim.symbol not in known]
             return Recognised(name, found, tuple(proven), tuple(missing))
     return None
 
@@ -349,8 +349,7 @@ def settings_of(known: Recognised) -> dict[str, str]:
     truth = known.found.truth
     found = {
         dim.symbol: f"{round(float(dim.unit.to_shown(truth.dimensions[dim.symbol])), 10):.15g}"
-        for dim in truth.mechanism.dimensions
-        if not dim.derived and not dim.path
+        for dim in truth.mechanism.free_dimensions
     }
     return found | {mode: f"{sign:.0f}" for mode, sign in modes_of(truth, solve(truth.mechanism)).items()}
 

@@ -19,9 +19,8 @@ from numpy.typing import NDArray
 from livesheet.diagnostics import Fault, WorkbookError
 from livesheet.engine import Values
 from mechsheet import reference
-from mechsheet.diagnostics import MechanismError
 from mechsheet.homework.agreement import DEGREE, POWERS, Reading, allowance, gaps, likely, nearest_unit, reading_of
-from mechsheet.homework.expected_values import Array, Quantity, Shift, Truth, truth_of, vocabulary
+from mechsheet.homework.expected_values import Array, Quantity, Shift, Truth, driver_asked, truth_of, vocabulary
 from mechsheet.homework.formula_strips import Place, Work
 from mechsheet.homework.headings import Called, aliases_of, called, contains, heading, labels, names_over, tokens
 from mechsheet.homework.inputs import Input, inputs_of, is_length, unread_inputs
@@ -192,9 +191,8 @@ def _matters(found: Understanding, one: Input, wanted: Sequence[Quantity]) -> bo
 
 def _asked_values(mechanism: Mechanism, given: Mapping[str, float]) -> list[Array]:
     """The driver's values as the description asks for them, in its units and in degrees."""
-    try:
-        values = reference.driver_values(mechanism, given)
-    except (MechanismError, KeyError, ArithmeticError):
+    values = driver_asked(mechanism, given)
+    if values is None:
         return []
     return [values, np.asarray(mechanism.driver.unit.to_shown(values), float), values / DEGREE]
 

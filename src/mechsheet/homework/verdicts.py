@@ -399,7 +399,7 @@ def _led(found: Understanding, series: Series) -> bool:
 def _depends(found: Understanding, symbol: str) -> bool:
     """Whether a quantity has other values with other dimensions."""
     base = found.truth
-    inputs = [dim.symbol for dim in found.mechanism.dimensions if not (dim.derived or dim.path)]
+    inputs = [dim.symbol for dim in found.mechanism.free_dimensions]
     for part in STEPS if inputs else ():  # the dimensions of a task are found all at once
         changed = {
             symbol: base.dimensions[symbol] * (1 + part * RETYPED[number % 2]) for number, symbol in enumerate(inputs)

@@ -134,7 +134,7 @@ def _states(mechanism: Mechanism) -> Iterator[Truth]:
     if own is None:
         return
     yield own
-    inputs = [dim.symbol for dim in mechanism.dimensions if not dim.derived and not dim.path]
+    inputs = [dim.symbol for dim in mechanism.free_dimensions]
     for factor in (OTHERWISE, 1 / OTHERWISE):
         changed = {symbol: given[symbol] * factor ** (1 + number / 7) for number, symbol in enumerate(inputs)}
         other = truth_of(mechanism, changed, values, own.poses)
