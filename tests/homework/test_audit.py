@@ -8,7 +8,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from mechsheet.homework.words_of import fault_line
 
 import mechsheet
 from chosen import first
@@ -17,7 +16,7 @@ from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
 from homework.plain_export import plain_book
 from homework.shaper import SHAPER, shaped
 from mechsheet import description
-from mechsheet.homework.audit import FaultFound, audit, audited
+from mechsheet.homework.audit import FaultFound, audit, audited, fault_line
 from mechsheet.homework.expected_values import asked_of
 from mechsheet.homework.formula_strips import upright
 

@@ -181,10 +181,11 @@ def _compare_nodes(tally: Tally, where: str, ours: Node | None, theirs: Node | N
     if ours == theirs:
         tally.note(0.0, where, "", "")
     else:
-        tally.note(math.inf, where, _printed(ours), _printed(theirs))
+        tally.note(math.inf, where, printed(ours), printed(theirs))
 
 
-def _printed(node: Node | None) -> str:
+def printed(node: Node | None) -> str:
+    """A formula as a report shows it."""
     return "no formula" if node is None else "=" + print_formula(node)
 
 

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping
+import tempfile
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Any, Generic, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from livesheet.diagnostics import Fault, MissingSheetError, WorkbookError
+from livesheet.diagnostics import Fault, MissingSheetError, WorkbookError, readable_name
 from livesheet.formula.book import Book
 from livesheet.formula.references import cell_address
 from livesheet.formula.scalar import evaluate
@@ -18,11 +21,15 @@ from livesheet.said import reason, say
 from mechsheet.checking.report import Array, text_of
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
+from mechsheet.description.locate import located
+from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.cams.inputs import refused_by_cam
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.points_in_link import number as place_number
+from mechsheet.library.building import build
+from mechsheet.library.changed import load
 from mechsheet.model import Mechanism
 from mechsheet.sheet.columns.lowering import Assignments
 from mechsheet.sheet.layout import DESCRIPTION_MARK
@@ -41,6 +48,31 @@ def description_in(book: Book) -> str | None:
         lines = [sheet.constants.get(row, 0) for row in range(1, last)]
         return "\n".join("" if line is None else str(line) for line in lines)
     return None
+
+
+def description_or_fault(book: Book, shown: str) -> str:
+    """The description that a book carries. Raises WorkbookError when there is none."""
+    text = description_in(book)
+    if text is None:
+        raise WorkbookError(
+            Fault(say("carries no description: it was not built by mechsheet, or its sheet is gone"), shown)
+        )
+    return text
+
+
+@contextmanager
+def workbook_of(path: Path) -> Iterator[Path]:
+    """The workbook itself, or the one that a description builds, aside; what is wrong with that is told at its lines."""
+    if path.suffix.lower() != ".toml":
+        yield path
+        return
+    mechanism = load(path)
+    try:
+        with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
+            (built,) = build(mechanism, folder)
+            yield built
+    except MechanismError as error:
+        raise located(error, mechanism.listing, readable_name(path)) from error
 
 
 def plan_inside(text: str, shown: str) -> Plan:

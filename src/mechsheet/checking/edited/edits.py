@@ -31,9 +31,8 @@ from livesheet.formula.nodes import (
     transform,
     walk,
 )
-from livesheet.formula.printer import print_formula
 from livesheet.said import say
-from mechsheet.checking.books_compared import Formulas, alike, formula_of, neutral, stretches
+from mechsheet.checking.books_compared import Formulas, alike, formula_of, neutral, printed, stretches
 from mechsheet.checking.edited.expected import Expected, Inputs
 from mechsheet.checking.edited.inserted_rows import (
     Move,
@@ -157,9 +156,9 @@ def _names(book: Book, expected: Expected, gone: frozenset[str]) -> Iterator[Edi
         if other is None and _without(name.formula, gone) == ErrorValue("#REF!"):
             continue  # some programs delete the name with the sheet
         if other is None:
-            yield Edit("name", name.name, _printed(name.formula), "missing")
+            yield Edit("name", name.name, printed(name.formula), "missing")
         elif not alike(comparable(_without(name.formula, gone), ""), comparable(other.formula, "")):
-            yield Edit("name", name.name, _printed(name.formula), _printed(other.formula))
+            yield Edit("name", name.name, printed(name.formula), printed(other.formula))
 
 
 # --- formulas ------------------------------------------------------------------------------------------------------
@@ -249,7 +248,7 @@ def _goes_on(last: _Change, change: _Change, down: bool) -> bool:
 
 def _edit(change: _Change, sheet: BookSheet, other: BookSheet, moves: Moves) -> Edit:
     where = moves.area(sheet.title, change.row, change.col, change.rows, change.cols)
-    was = _printed(change.was)
+    was = printed(change.was)
     if change.now is None:
         if change.value is None:
             return Edit("emptied", where, was, "")
@@ -263,12 +262,8 @@ def _edit(change: _Change, sheet: BookSheet, other: BookSheet, moves: Moves) -> 
     run = sheet.formula_at(change.row, change.col)
     if run is not None and (run.rows > change.rows or run.cols > change.cols):
         around = say(" (filled over {area})", area=moves.area(sheet.title, run.row, run.col, run.rows, run.cols))
-        return Edit("out of its run", where, was, _printed(change.now), around)
-    return Edit("changed", where, was, _printed(change.now))
-
-
-def _printed(node: Node) -> str:
-    return "=" + print_formula(node)
+        return Edit("out of its run", where, was, printed(change.now), around)
+    return Edit("changed", where, was, printed(change.now))
 
 
 # --- constants -----------------------------------------------------------------------------------------------------
@@ -281,7 +276,7 @@ def _numbers(sheet: BookSheet, other: BookSheet, inputs: Inputs, moves: Moves) -
         is_input = (sheet.title, row, col) in inputs
         formula = theirs.at(row, col)
         if formula is not None and (is_input or not isinstance(value, str)):
-            yield Edit("formula", moves.area(sheet.title, row, col), text_of(value), _printed(formula))
+            yield Edit("formula", moves.area(sheet.title, row, col), text_of(value), printed(formula))
         elif not is_input and isinstance(value, float | int) and formula is None:
             now = other.constants.get(row, col)
             if not same(value, now):

@@ -16,7 +16,7 @@ from livesheet.said import say
 from mechsheet.checking.edited.edits import same
 from mechsheet.checking.edited.expected import Expected, expected_for, inside
 from mechsheet.checking.edited.inserted_rows import moves_between, undone
-from mechsheet.checking.perturbation import description_or_fault
+from mechsheet.checking.inputs import description_or_fault
 from mechsheet.checking.report import text_of
 from mechsheet.description import loads
 from mechsheet.description.driving.driver import LANDS
