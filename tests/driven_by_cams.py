@@ -5,9 +5,8 @@ import random
 import re
 
 from mechsheet.description import loads
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.lengths import largest_length
 
 PARTS = 0.06
 """The follower moves by so much of the way that the driver had."""

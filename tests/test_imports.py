@@ -110,7 +110,7 @@ ALLOWED["homework"] = {
     "kinematics.numeric",
     "kinematics.sweep",
     # what a mean over the motion is
-    "kinematics.means",
+    "kinematics.whole_turns",
     # the figure of a task, drawn as the first sheet draws
     "shapes.positions",
     "shapes.names",

@@ -1,6 +1,6 @@
 """Would the tests notice? One small fault at a time is put into a copy of the source, and the tests must fail.
 
-    python tools/mutation.py --tests tests/kinematics tests/golden --sample 60 src/mechsheet/kinematics/dyads/rrr.py ...
+    python tools/mutation.py --tests tests/kinematics tests/golden --sample 60 src/mechsheet/kinematics/dyads/*.py ...
 
 Faults: a comparison or its limit, + for -, * for /, a constant plus one, `and` for `or`, one of the conditions left out or
 turned round, two arguments for one another, a result that is None. Printed are the share that was noticed and each fault

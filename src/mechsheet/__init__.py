@@ -23,13 +23,11 @@ if TYPE_CHECKING:
     from mechsheet.homework.classroom.exercise import exercise
     from mechsheet.homework.classroom.marks import Marks, mark
     from mechsheet.library.building import build, compile_workbook
-    from mechsheet.library.linkage import Linkage, load, loads, template
-    from mechsheet.library.motion import Motion
+    from mechsheet.library.linkage import Linkage, Motion, load, loads, template
     from mechsheet.library.recalculation import Result, recalc
     from mechsheet.library.session import Session, open_book
     from mechsheet.library.studying import study
-    from mechsheet.library.tolerances import Band
-    from mechsheet.library.verdicts import Verdict
+    from mechsheet.library.verdicts import Band, Verdict
     from mechsheet.model import Mechanism
     from mechsheet.plotting import plot
 
@@ -49,9 +47,9 @@ _HOMES = {
     "loads": "library.linkage",
     "template": "library.linkage",
     "Linkage": "library.linkage",
-    "Motion": "library.motion",
+    "Motion": "library.linkage",
     "Verdict": "library.verdicts",
-    "Band": "library.tolerances",
+    "Band": "library.verdicts",
     "MechsheetError": "diagnostics",
     "Mechanism": "model",
     "plot": "plotting",

@@ -17,8 +17,8 @@ from livesheet.formula.nodes import Scalar
 from livesheet.workbook import Workbook
 from mechsheet import sheet
 from mechsheet.diagnostics import MechanismError
-from mechsheet.dynamics.flywheel import Flywheel, flywheel
 from mechsheet.dynamics.solve import solve
+from mechsheet.dynamics.whole_mechanism import Flywheel, flywheel
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Equations

@@ -12,8 +12,8 @@ from livesheet.engine import evaluate
 from livesheet.formula.book import BookBuilder, DefinedName
 from livesheet.formula.nodes import ErrorValue
 from livesheet.formula.parser import parse_formula
-from mechsheet.library.own_functions import with_modules
 from mechsheet.library.recalculation import recalc
+from mechsheet.library.routines import with_modules
 from office_macros import Job, with_macros
 
 MODULE = """\

@@ -10,8 +10,8 @@ import pytest
 
 from command_line import run
 from mechsheet.checking import programs
+from mechsheet.cli import doctor
 from mechsheet.extras import EXTRAS
-from mechsheet.library import installed
 
 
 @pytest.mark.slow
@@ -28,16 +28,16 @@ def nothing(package):
 
 
 def test_says_how_to_get_what_is_missing(monkeypatch):
-    monkeypatch.setattr(installed.metadata, "version", nothing)
-    monkeypatch.setattr(installed.shutil, "which", lambda name: None)
+    monkeypatch.setattr(doctor.metadata, "version", nothing)
+    monkeypatch.setattr(doctor.shutil, "which", lambda name: None)
     monkeypatch.setattr(programs, "LIBREOFFICE_PLACES", ())
     monkeypatch.setattr(sys, "platform", "win32")
-    parts = {part.name: part for part in installed.installed()}
+    parts = {part.name: part for part in doctor.installed()}
     assert not any(part.found for part in parts.values())
     assert parts["mechsheet[plot]"].get == 'py -m pip install "mechsheet[plot]"'
     assert parts["LibreOffice"].get.startswith("winget install")
     assert "gnumeric" not in parts  # nobody offers it for Windows
-    assert not installed.on_path()
+    assert not doctor.on_path()
 
 
 def test_finds_libreoffice_where_the_installer_puts_it(monkeypatch, tmp_path):

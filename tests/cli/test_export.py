@@ -5,7 +5,7 @@ import pytest
 from command_line import run
 from folders import TEMPLATES
 from mechsheet.exporting import KINDS
-from mechsheet.exporting.identifiers import ascii_word, identifiers
+from mechsheet.exporting.program import ascii_word, identifiers
 
 FOUR_BAR = TEMPLATES / "four-bar.toml"
 

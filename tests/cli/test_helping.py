@@ -7,7 +7,7 @@ import pytest
 
 from command_line import run
 from mechsheet.cli import main
-from mechsheet.cli.helping import TASKS, example_lines, paragraphs
+from mechsheet.cli.common import TASKS, example_lines, paragraphs
 
 COMMANDS = sorted(main.commands)
 SCREEN = 50

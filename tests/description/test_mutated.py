@@ -8,7 +8,7 @@ import pytest
 from chosen import ALL, IN_CI
 from livesheet.diagnostics import Fault
 from mechsheet.description import loads
-from mechsheet.description.locate import located
+from mechsheet.description.report import located
 from mechsheet.description.templates import template_names, template_text
 from mechsheet.diagnostics import DescriptionError, DescriptionWarning, MechanismError
 from mechsheet.dynamics.solve import solve

@@ -5,8 +5,8 @@ import pytest
 
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.description.renaming import renamed
 from mechsheet.description.templates import template_text
+from mechsheet.description.text.rewrite import renamed
 from mechsheet.description.text.source import parse
 
 EVERYWHERE = """\

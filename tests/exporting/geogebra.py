@@ -58,6 +58,19 @@ class GeoGebra:
     def set(self, values):
         self.page.evaluate("values => Object.entries(values).forEach(([at, x]) => api.setValue(at, x))", values)
 
+    def said(self):
+        return self.page.evaluate("api.getValueString('said')")
+
+    def distances(self, driver, positions, places, line):
+        """How far a place is from a line, for each value of the driver."""
+        return self.page.evaluate(
+            "([driver, positions, places, line]) => positions.map((x, at) => { api.setValue(driver, x);"
+            " api.evalCommand(`Z_{1} = (${places[at][0].toFixed(15)}, ${places[at][1].toFixed(15)})`);"
+            " api.evalCommand(`Z_{2} = ClosestPoint[${line}, Z_{1}]`);"
+            " api.evalCommand('Z_{3} = Distance[Z_{1}, Z_{2}]'); return value('Z_{3}'); })",
+            [driver, positions, places, line],
+        )
+
     def rows(self, driver, positions, numbers, points):
         """Values of numbers and places of points for each value of the driver, None where they are undefined."""
         return self.page.evaluate(
@@ -82,3 +95,4 @@ def geogebra():
         yield GeoGebra(page)
         browser.close()
     server.shutdown()
+    server.server_close()

@@ -9,7 +9,7 @@ from folders import TEMPLATES
 from mechsheet.description import Overrides, load
 from mechsheet.drawing_page.looking import look
 from mechsheet.drawing_page.reading import read
-from mechsheet.exporting.dxf import write
+from mechsheet.exporting.drawings import dxf
 from mechsheet.exporting.job import Job
 
 
@@ -24,7 +24,7 @@ def test_dxf_of_a_flat_faced_cam_is_as_long_and_as_large_as_its_support_function
     """Cauchy: L is the integral of p over a turn, A half that of p^2 - p'^2, where p = rb + s and p' = s'."""
     ezdxf = pytest.importorskip("ezdxf")
     job = Job(load(TEMPLATES / "cam-flat.toml", Overrides(rows="721")), "cam")
-    document = ezdxf.read(io.StringIO(write(job)[0].decode("utf-8").replace("\r\n", "\n")))
+    document = ezdxf.read(io.StringIO(dxf(job)[0].decode("utf-8").replace("\r\n", "\n")))
     assert not document.audit().errors
     outline = next(line for line in document.modelspace().query("LWPOLYLINE") if line.dxf.layer == "cam")
     assert outline.closed
@@ -39,7 +39,7 @@ def test_dxf_of_the_profile():
     ezdxf = pytest.importorskip("ezdxf")
     mechanism = load(TEMPLATES / "cam-slide.toml", Overrides(rows="721"))
     job = Job(mechanism, "cam")
-    document = ezdxf.read(io.StringIO(write(job)[0].decode("utf-8").replace("\r\n", "\n")))
+    document = ezdxf.read(io.StringIO(dxf(job)[0].decode("utf-8").replace("\r\n", "\n")))
     assert not document.audit().errors
     lines = {line.dxf.layer: line for line in document.modelspace().query("LWPOLYLINE")}
     assert lines["cam"].closed and lines["pitch curve"].closed

@@ -198,6 +198,18 @@ def test_all_that_is_drawn_has_its_element():
     assert 'label="said"' in text and "Locus[C, theta_{12}]" in text
 
 
+def turned_lines(text):
+    """Labels of the curves that turn with a cam."""
+    found = ET.fromstring(text).iter("expression")
+    return [part.get("label") for part in found if part.get("exp").startswith("PolyLine[Rotate[First[")]
+
+
+@pytest.mark.parametrize(("name", "curves"), [("cam-rocker", 2), ("cam-flat", 1), ("four-bar", 0)])
+def test_a_cam_has_its_profile_and_the_pitch_curve_of_its_roller(name, curves):
+    text = text_of(exported(loads(template_text(name)), "geogebra"))
+    assert len(turned_lines(text)) == curves
+
+
 def test_texts_of_the_description_stay_texts():
     source = template_text("four-bar")
     odd = re.sub(r"(?m)^title = .*$", 'title = "a < b & \\\\"c\\\\""', source, count=1)
@@ -240,6 +252,32 @@ def test_geogebra_computes_what_the_reference_computes(program, path):
 def test_geogebra_computes_random_mechanisms(program, seed):
     judged = worst_of(program, loads(Grower(seed, 1 + seed % 6).text(13)))
     assert judged and max(judged) < 1e-9, judged
+
+
+CAMS = [path for path in TEMPLATE_FILES if path.stem.startswith("cam-")]
+ON_THE_LINE = 1e-3
+"""A touched place is so near to the drawn profile, in parts of the base circle's radius: the line has corners."""
+
+
+@pytest.mark.chromium
+@pytest.mark.parametrize("path", CAMS, ids=lambda path: path.stem)
+def test_geogebra_turns_the_profile_below_the_follower(program, path):
+    """The place at which cam and follower touch, as our columns have it, lies on the profile, whatever the cam's angle."""
+    mechanism = load(path)
+    compiled = compiled_of(mechanism)
+    content = exported(mechanism, "geogebra")
+    program.load(content)
+    labels = construction_of(Job(mechanism, mechanism.name)).labels
+    rows = driven(mechanism)[mechanism.driver.symbol][::5]
+    at = [int(np.argmin(np.abs(compiled.driver - angle))) for angle in rows]
+    # every cam of the templates turns about the origin
+    way = -rows if mechanism.cam.clockwise else rows
+    x, y = (compiled.values[f"cam.{axis}"][at] for axis in "xy")
+    places = np.column_stack([x * np.cos(way) - y * np.sin(way), x * np.sin(way) + y * np.cos(way)])
+    profile = turned_lines(text_of(content))[-1]
+    found = program.distances(labels[mechanism.driver.symbol], rows.tolist(), places.tolist(), profile)
+    assert max(found) < ON_THE_LINE * np.hypot(x, y).min()
+    assert "°°" not in program.said()  # an angle of GeoGebra shows its degrees itself
 
 
 def worst_of(program, mechanism):

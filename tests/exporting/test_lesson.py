@@ -13,10 +13,9 @@ from livesheet.formula.printer import print_formula
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, load
 from mechsheet.exporting.functions.lesson import chain_of
-from mechsheet.exporting.functions.lesson_sheet import DIFFERENCE_ROW, FIRST, TITLE
+from mechsheet.exporting.functions.sheets import DIFFERENCE_ROW, FIRST, LESSON_TITLE
 from mechsheet.exporting.functions.workbooks import functions_workbook
-from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.lengths import largest_length
+from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
 from office_macros import Job, with_macros
@@ -40,7 +39,7 @@ def template(name, language="en"):
 
 
 def lesson_of(book, language):
-    return book.sheet(TITLE.of(language))
+    return book.sheet(LESSON_TITLE.of(language))
 
 
 def formula_in(sheet, row, col):
@@ -76,8 +75,8 @@ def test_the_five_link_is_the_texts(fivelink):
 def test_it_follows_dimensions_and_modes(fivelink, settings):
     """Alfa1 and SabitUzuv were found to be what the loop needs: they are so for other dimensions, too."""
     found = recalc(fivelink, settings).values
-    assert all(found.get(TITLE.of("tr"), DIFFERENCE_ROW, col) < 1e-10 for col in (4, 5))
-    assert all(isinstance(value, float) for value in found.column(TITLE.of("tr"), 3, FIRST, FIRST + 18))
+    assert all(found.get(LESSON_TITLE.of("tr"), DIFFERENCE_ROW, col) < 1e-10 for col in (4, 5))
+    assert all(isinstance(value, float) for value in found.column(LESSON_TITLE.of("tr"), 3, FIRST, FIRST + 18))
 
 
 @pytest.mark.cases(1)
@@ -87,7 +86,7 @@ def test_every_chain_gives_the_angles_of_the_table(name):
     chain = chain_of(compiled)
     assert chain
     workbook = computed(functions_workbook(compiled, "lambda"))
-    (sheet,) = (sheet for sheet in workbook.sheets if sheet.title == TITLE.of("en"))
+    (sheet,) = (sheet for sheet in workbook.sheets if sheet.title == LESSON_TITLE.of("en"))
     worst = [fill.values[0] for fill in sheet.fills if fill.row == DIFFERENCE_ROW]
     assert len(worst) == len(chain)
     assert max(worst) < 1e-10 * max(1.0, largest_length(compiled.mechanism, dimension_values(compiled.mechanism)))

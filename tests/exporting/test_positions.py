@@ -14,9 +14,10 @@ from chosen import ITERATED, LISTED, but, some
 from folders import TEMPLATE_FILES
 from mechsheet import reference
 from mechsheet.description import Overrides, load
-from mechsheet.exporting import Job, dxf, latex, markdown, position, shapes, svg
+from mechsheet.exporting import Job, drawings, mathtext
+from mechsheet.exporting.drawings import dxf_drawing, svg_picture
 from mechsheet.exporting.mathtext import symbol_math
-from mechsheet.exporting.solution import Display, Table, solution
+from mechsheet.exporting.solution import Display, Table, latex, markdown, solution
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.plotting.sampling import sample
@@ -47,7 +48,7 @@ def at_a_position(mechanism):
 @pytest.mark.parametrize(("path", "language"), CASES)
 def test_every_template(path, language, monkeypatch, tmp_path):
     once = cache(lambda _, at, least: sample(mechanism, at, None, least))
-    for module in (shapes, position):
+    for module in (drawings, mathtext):
         monkeypatch.setattr(module, "sample", lambda mechanism, at, _, least=121: once(mechanism.name, at, least))
     mechanism = load(path, Overrides(language=language))
     at, values = at_a_position(mechanism)
@@ -57,15 +58,15 @@ def test_every_template(path, language, monkeypatch, tmp_path):
     written_loops(blocks)
     lines = "\n".join(line for block in blocks if isinstance(block, Display) for line in block.lines)
     assert ("{,}" in lines) == (language == "tr")
-    for kind in (markdown, latex):
-        assert kind.write(Job(mechanism, "it", at))[0].decode().count("theta") > 3
+    for write in (markdown, latex):
+        assert write(Job(mechanism, "it", at))[0].decode().count("theta") > 3
 
 
 def drawn_points(mechanism, at, values, folder):
     """Every point stands where it is, in the SVG and in the DXF."""
-    (drawn,) = shapes.drawings(Job(mechanism, "it", at))
+    (drawn,) = drawings.drawings(Job(mechanism, "it", at))
     size = max(abs(value) for symbol, value in values.items() if "." in symbol)
-    for name, print_, read in (("svg", svg.picture, points_of_svg), ("dxf", dxf.drawing, points_of_dxf)):
+    for name, print_, read in (("svg", svg_picture, points_of_svg), ("dxf", dxf_drawing, points_of_dxf)):
         (folder / name).write_bytes(print_(drawn))
         points = read(folder / name)
         assert set(points) == {point for link in mechanism.links for point in link.points}

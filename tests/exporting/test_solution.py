@@ -12,8 +12,9 @@ import pytest
 from folders import TEMPLATE_FILES
 from mechsheet.description import Overrides, load, loads
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.exporting import Job, export, latex, markdown
+from mechsheet.exporting import Job, export
 from mechsheet.exporting.mathtext import point_math, symbol_math
+from mechsheet.exporting.solution import latex, markdown
 from mechsheet.model import Label
 
 BY_NAME = {path.stem: path for path in TEMPLATE_FILES}
@@ -21,7 +22,7 @@ PUBLISHED = Path(__file__).parent.parent / "data" / "published" / "worked-values
 
 
 def written(mechanism, at=None):
-    return markdown.write(Job(mechanism, "it", at))[0].decode()
+    return markdown(Job(mechanism, "it", at))[0].decode()
 
 
 @pytest.fixture(scope="module")
@@ -117,7 +118,7 @@ def test_texts_of_the_description_stay_texts():
     given = load(BY_NAME["four-bar"])
     dims = tuple(replace(dim, label=hostile) for dim in given.dimensions)
     mechanism = replace(given, title=hostile, source=hostile, dimensions=dims)
-    tex = latex.write(Job(mechanism, "it"))[0].decode()
+    tex = latex(Job(mechanism, "it"))[0].decode()
     assert r"\input" not in tex
     assert r"\textbackslash{}input\{x\} \$y\$ \#1 50\% a\_b" in tex
     lines = written(mechanism).splitlines()

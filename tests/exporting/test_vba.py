@@ -21,11 +21,10 @@ from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError
 from mechsheet.exporting import Job, exported
 from mechsheet.exporting.functions.all_functions import TABLE_KEY, functions_of, in_degrees, prefix_of, variable_key
-from mechsheet.exporting.functions.basic import function_names
+from mechsheet.exporting.functions.basic import function_names, vba
 from mechsheet.exporting.functions.basic_body import ascii_text
 from mechsheet.exporting.functions.routines import Source
 from mechsheet.exporting.functions.solvers import solvers_of
-from mechsheet.exporting.functions.vba import write
 from mechsheet.kinematics import numeric
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
@@ -45,7 +44,7 @@ def mechanism_of(name: str, language: str | None = None):
 
 
 def module_of(mechanism) -> bytes:
-    (content,) = write(Job(mechanism, mechanism.name.replace("-", "_")))
+    (content,) = vba(Job(mechanism, mechanism.name.replace("-", "_")))
     return content
 
 

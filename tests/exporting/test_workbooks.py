@@ -24,12 +24,10 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.dynamics.solve import solve
 from mechsheet.exporting.functions.all_functions import functions_of
-from mechsheet.exporting.functions.calls import matches
-from mechsheet.exporting.functions.function_sheet import DIFFERENCE_ROW
-from mechsheet.exporting.functions.function_sheet import FIRST as FIRST_CALL
 from mechsheet.exporting.functions.lambdas import named_functions
-from mechsheet.exporting.functions.lesson_sheet import TITLE as LESSON
-from mechsheet.exporting.functions.routines import Source
+from mechsheet.exporting.functions.routines import Source, matches
+from mechsheet.exporting.functions.sheets import DIFFERENCE_ROW, LESSON_TITLE
+from mechsheet.exporting.functions.sheets import FIRST as FIRST_CALL
 from mechsheet.exporting.functions.workbooks import NEEDS_ROW, functions_workbook
 from mechsheet.library.building import build
 from mechsheet.library.recalculation import recalc
@@ -373,8 +371,8 @@ def test_libreoffice_computes_the_basic_workbooks(tmp_path):
                         if isinstance(wanted, float):
                             assert value == pytest.approx(wanted, rel=1e-9, abs=1e-9), (sheet.title, row, col)
                         elif wanted and sheet.title in (
-                            LESSON.of("en"),
-                            LESSON.of("tr"),
+                            LESSON_TITLE.of("en"),
+                            LESSON_TITLE.of("tr"),
                         ):  # plain calls, whose errors are texts there
                             assert not isinstance(value, float), (sheet.title, row, col)
                         elif wanted:

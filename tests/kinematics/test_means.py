@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import mechsheet
-from mechsheet.kinematics.means import mean_of_motion, rows_count_alike
+from mechsheet.kinematics.whole_turns import mean_of_motion, rows_count_alike
 
 
 @pytest.mark.parametrize(("degrees", "tied", "alike"), [

@@ -8,7 +8,7 @@ from chosen import part
 from folders import TEMPLATE_FILES
 from mechsheet import reference
 from mechsheet.description import load, loads
-from mechsheet.description.locate import located
+from mechsheet.description.report import located
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.kinematics.dimensions import dimension_values

@@ -6,8 +6,8 @@ import pytest
 
 from mechsheet.description import loads
 from mechsheet.diagnostics import DescriptionWarning
-from mechsheet.kinematics.doubts.outsized import inertia_doubts, sweep_doubts
 from mechsheet.kinematics.doubts.sketched import tell
+from mechsheet.kinematics.doubts.slips import inertia_doubts, sweep_doubts
 from mechsheet.kinematics.solve import solve
 
 ROCKER = """

@@ -7,7 +7,7 @@ from livesheet.formula.parser import parse_description
 from mechsheet.compiled import compiled_of
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
-from mechsheet.kinematics.period import Periods
+from mechsheet.kinematics.whole_turns import Periods
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from livesheet.formats import write
 from mechsheet.checking import check, perturb
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.description.text.origin import without_origin
+from mechsheet.description.text.rewrite import without_origin
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.doubts.sketched import doubts
 from mechsheet.kinematics.redundancy import redundant_links

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from mechsheet.description import load
-from mechsheet.description.locate import located
+from mechsheet.description.report import located
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.solve import solve
 

@@ -8,7 +8,7 @@ from mechsheet.description import Overrides
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.library.changed import loads
-from mechsheet.library.dimensions import dimensions_json, dimensions_text
+from mechsheet.library.show import dimensions_json, dimensions_text
 
 
 def dimensions(name, overrides=()):

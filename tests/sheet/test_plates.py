@@ -10,7 +10,7 @@ import mechsheet
 from chosen import ALL, part
 from livesheet.formula.printer import print_formula
 from mechsheet.description import loads
-from mechsheet.exporting.kinds import KINDS
+from mechsheet.exporting import KINDS
 from mechsheet.kinematics.solve import solve
 from mechsheet.reference import solve as refer
 from mechsheet.sheet.columns.lowering import lowered

@@ -7,7 +7,7 @@ import socket
 import pytest
 
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.studies import cluster
+from mechsheet.studies import workers
 from mechsheet.studies.run import studied
 from studying import contents, small
 
@@ -50,7 +50,7 @@ def test_a_worker_that_is_killed_in_the_middle_takes_nothing_with_it(two_workers
 
 
 def test_a_cluster_without_workers_is_told(monkeypatch, tmp_path):
-    monkeypatch.setattr(cluster, "SECONDS", 0.5)
+    monkeypatch.setattr(workers, "SECONDS", 0.5)
     with (
         distributed.LocalCluster(n_workers=0, dashboard_address=":0", host="127.0.0.1", silence_logs=50) as running,
         pytest.raises(MechsheetError, match="has no workers"),
@@ -60,7 +60,7 @@ def test_a_cluster_without_workers_is_told(monkeypatch, tmp_path):
 
 @pytest.mark.slow
 def test_an_address_that_nobody_answers_is_told(monkeypatch, tmp_path):
-    monkeypatch.setattr(cluster, "SECONDS", 1)
+    monkeypatch.setattr(workers, "SECONDS", 1)
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]

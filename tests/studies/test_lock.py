@@ -10,8 +10,8 @@ import time
 import pytest
 
 from livesheet.diagnostics import OutputError
-from mechsheet.studies import lock
-from mechsheet.studies.lock import NAME, locked
+from mechsheet.studies import folder as study_folder
+from mechsheet.studies.folder import LOCK, locked
 from mechsheet.studies.parts import counted
 from mechsheet.studies.run import studied
 from studying import contents, small
@@ -23,7 +23,7 @@ def test_a_folder_is_locked_once_and_then_free_again(tmp_path):
     with locked(tmp_path), pytest.raises(OutputError, match="another study is being computed"), locked(tmp_path):
         raise AssertionError("both have it")
     with locked(tmp_path):
-        assert (tmp_path / NAME).exists()
+        assert (tmp_path / LOCK).exists()
     assert not list(tmp_path.iterdir())
 
 
@@ -31,26 +31,26 @@ def test_a_lock_that_was_left_behind_locks_nobody_out(tmp_path):
     """Killed, or the power was cut: the file is there, and nobody holds it."""
     folder = tmp_path / "study"
     folder.mkdir()
-    (folder / NAME).write_bytes(b"")
+    (folder / LOCK).write_bytes(b"")
     studied(small(3_000), folder, workers=1)
-    assert not (folder / NAME).exists()
+    assert not (folder / LOCK).exists()
 
 
 def test_whoever_waits_at_a_removed_lock_does_not_have_it(tmp_path, monkeypatch):
     """Between opening the file and locking it the holder ends and removes it, and a third one makes a new one."""
     holder = locked(tmp_path)
     holder.__enter__()
-    lock_it, others = lock._lock, []
+    lock_it, others = study_folder._lock, []
 
     def late(file):
         if not others:
             holder.__exit__(None, None, None)
             others.append(locked(tmp_path))
-            monkeypatch.setattr(lock, "_lock", lock_it)
+            monkeypatch.setattr(study_folder, "_lock", lock_it)
             others[0].__enter__()
         lock_it(file)
 
-    monkeypatch.setattr(lock, "_lock", late)
+    monkeypatch.setattr(study_folder, "_lock", late)
     with pytest.raises(OutputError, match="another study is being computed"), locked(tmp_path):
         raise AssertionError("both have it")
     others[0].__exit__(None, None, None)
@@ -93,7 +93,7 @@ def test_a_killed_study_frees_its_folder(tmp_path):
     run.kill()
     run.wait()
     with locked(folder):
-        assert (folder / NAME).exists()
+        assert (folder / LOCK).exists()
 
 
 @pytest.mark.slow
@@ -123,7 +123,7 @@ def test_without_locks_a_mixed_folder_is_told(tmp_path, monkeypatch):
     def none(_):
         raise OSError(errno.ENOLCK, "no locks available")
 
-    monkeypatch.setattr(lock, "_lock", none)
+    monkeypatch.setattr(study_folder, "_lock", none)
     other, folder = tmp_path / "other", tmp_path / "study"
     studied(_reseeded(), other, workers=1)
     parts = sorted((other / "parts").iterdir())

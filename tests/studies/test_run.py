@@ -16,10 +16,10 @@ from chosen import IN_CI
 from livesheet.diagnostics import OutputError
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.studies import folder as folders
-from mechsheet.studies import packages, parts, running
+from mechsheet.studies import packages, parts, workers
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.run import studied
-from mechsheet.studies.running import OF_A_PROCESS, memory_there, workers_within
+from mechsheet.studies.workers import OF_A_PROCESS, memory_there, workers_within
 from studying import contents, small, study_of
 
 pq = pytest.importorskip("pyarrow.parquet")
@@ -236,9 +236,9 @@ def test_memory_decides_how_many_processes_there_are():
 
 def test_a_container_with_little_memory_gets_fewer_processes(monkeypatch, tmp_path):
     """What it may have counts, not the machine's cores; who asks for so many processes gets them."""
-    monkeypatch.setattr(running, "_cores", lambda: 64)
+    monkeypatch.setattr(workers, "_cores", lambda: 64)
     limit, none = tmp_path / "memory.max", tmp_path / "none"
-    monkeypatch.setattr(running, "LIMITS", (str(limit), str(none)))
+    monkeypatch.setattr(workers, "LIMITS", (str(limit), str(none)))
     limit.write_text(f"{12 * OF_A_PROCESS}\n")
     assert memory_there() == 12 * OF_A_PROCESS
     assert workers_within(None, None) == 8

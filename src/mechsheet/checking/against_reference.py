@@ -34,7 +34,7 @@ from mechsheet.checking.inputs import (
 from mechsheet.checking.report import Array, Comparison, Tally
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.newton.lost_assembly import LEAP
+from mechsheet.kinematics.newton.changed_dimensions import LEAP
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep

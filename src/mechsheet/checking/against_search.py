@@ -21,9 +21,9 @@ from livesheet.formula.references import cell_address
 from livesheet.formula.scalar import evaluate
 from mechsheet.checking.inputs import Inputs, OfTheLast, equations_as_typed, inputs_in, missing_dimensions, with_numbers
 from mechsheet.checking.report import Comparison, Tally
-from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.search import TURN, Search
+from mechsheet.kinematics.whole_turns import mean_of_motion
 from mechsheet.model import Output, Summary
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.asked.requested import tables_of

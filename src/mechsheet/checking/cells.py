@@ -19,7 +19,7 @@ from mechsheet.checking.against_search import against_search
 from mechsheet.checking.cells_apart import EqualRows, Rules, column_scale, difference, ignored_in
 from mechsheet.checking.edited.inserted_rows import Move, MovedValues, Moves
 from mechsheet.checking.report import Comparison, Tally
-from mechsheet.kinematics.lengths import is_length
+from mechsheet.kinematics.dimensions import is_length
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.asked.summary_table import SummaryTable

@@ -21,7 +21,7 @@ from livesheet.said import reason, say
 from mechsheet.checking.report import Array, text_of
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.description.locate import located
+from mechsheet.description.report import located
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.cams.inputs import refused_by_cam
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values

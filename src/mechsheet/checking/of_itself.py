@@ -22,7 +22,7 @@ from livesheet.formula.nodes import Scalar
 from livesheet.said import say
 from mechsheet.checking.edited.pull import pull
 from mechsheet.description.text.index import Path as Place
-from mechsheet.description.text.origin import is_origin, meaning
+from mechsheet.description.text.rewrite import is_origin, meaning
 from mechsheet.description.text.source import dotted, read_text
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.sheet.plan import LEGEND_ROW, SYMBOL, VALUE, VERDICT_ROW

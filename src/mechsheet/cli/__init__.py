@@ -18,8 +18,7 @@ from livesheet.said import say
 from mechsheet import __version__
 from mechsheet.diagnostics import MechsheetError
 
-from .common import in_options
-from .helping import TASKS, Explained, write_commands
+from .common import TASKS, Explained, in_options, write_commands
 from .speaking import fault_told, told
 from .streams import ended_by_signals, ending_well, prepare_streams
 

@@ -16,8 +16,17 @@ from livesheet.time_limit import limited
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.words.catalogue import LANGUAGES
 
-from .common import JSON, MOST_SECONDS, at_lines_of, described, modules_option, progress, say_written, seconds_option
-from .helping import Explained
+from .common import (
+    JSON,
+    MOST_SECONDS,
+    Explained,
+    at_lines_of,
+    described,
+    modules_option,
+    progress,
+    say_written,
+    seconds_option,
+)
 from .speaking import spoken
 
 if TYPE_CHECKING:

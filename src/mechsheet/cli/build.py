@@ -17,6 +17,7 @@ from .common import (
     FORMATS_COMPLETED,
     STANDARD_INPUT,
     STANDARD_OUTPUT,
+    Explained,
     OutputName,
     at_lines_of,
     change_options,
@@ -25,7 +26,6 @@ from .common import (
     same_file,
     say_written,
 )
-from .helping import Explained
 from .speaking import note
 
 if TYPE_CHECKING:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import json
 import platform
+import shutil
 import sys
 import tempfile
-from dataclasses import asdict
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,8 +18,7 @@ import click
 from livesheet.said import say
 from mechsheet import __version__
 
-from .common import JSON, progress
-from .helping import Explained
+from .common import JSON, Explained, progress
 from .speaking import told
 
 if TYPE_CHECKING:
@@ -38,8 +40,6 @@ def doctor(as_json: bool) -> None:
 
     Exit code 0: it works, whatever extras are missing; 1: the workbook does not agree with its reference.
     """
-    from mechsheet.library.installed import installed, on_path
-
     with progress("doctor") as tell:
         tell(say("building and checking {template}", template=TRIED))
         report = _tried()
@@ -79,3 +79,46 @@ def _tried() -> Report:
         file = Path(folder) / f"{TRIED}.xlsx"
         build(loads(template_text(TRIED)), file)
         return check(file)
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """Something that a person may want besides the bare program."""
+
+    name: str
+    use: str
+    """What it is for."""
+    found: str
+    """Its version, or where it is; "" when it is missing."""
+    get: str
+    """How to get it."""
+
+
+def installed() -> list[Part]:
+    """Every extra and every program that this one can use."""
+    from mechsheet.checking.programs import libreoffice_command
+    from mechsheet.extras import EXTRAS, command_for, how_to_get
+
+    extras = [
+        Part(f"mechsheet[{extra}]", use, _versions(packages), command_for(extra))
+        for extra, (packages, use) in EXTRAS.items()
+    ]
+    programs = [
+        ("LibreOffice", say("opens workbooks; mechsheet check --with libreoffice"), libreoffice_command()),
+        ("gnumeric", say("mechsheet check --with gnumeric"), shutil.which("ssconvert")),
+    ]
+    parts = [Part(name, use, found or "", how_to_get(name)) for name, use, found in programs]
+    return extras + [part for part in parts if part.found or part.get]
+
+
+def _versions(packages: Sequence[str]) -> str:
+    """Names and versions of packages, "" when one is missing."""
+    try:
+        return ", ".join(f"{package} {metadata.version(package)}" for package in packages)
+    except metadata.PackageNotFoundError:
+        return ""
+
+
+def on_path() -> bool:
+    """Whether the command `mechsheet` is found where a shell looks for commands."""
+    return shutil.which("mechsheet") is not None

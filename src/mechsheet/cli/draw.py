@@ -13,7 +13,7 @@ from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.words.catalogue import LANGUAGES
 
-from .helping import Explained
+from .common import Explained
 from .speaking import told
 
 

@@ -13,8 +13,7 @@ from mechsheet.arguments.outputs import folder_ready
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.words.catalogue import LANGUAGES
 
-from .common import at_lines_of, described, output_file, progress, say_written
-from .helping import Explained
+from .common import Explained, at_lines_of, described, output_file, progress, say_written
 from .speaking import note
 
 if TYPE_CHECKING:

@@ -15,6 +15,7 @@ from mechsheet.words.catalogue import LANGUAGES
 
 from .common import (
     STANDARD_OUTPUT,
+    Explained,
     at_lines_of,
     change_options,
     completing,
@@ -24,7 +25,6 @@ from .common import (
     progress,
     say_written,
 )
-from .helping import Explained
 from .streams import print_file
 
 

@@ -7,8 +7,7 @@ import click
 from livesheet.said import say
 from mechsheet.arguments.outputs import folder_ready, is_there
 
-from .common import STANDARD_OUTPUT, completing, output_file, output_option, refuse_existing
-from .helping import Explained
+from .common import STANDARD_OUTPUT, Explained, completing, output_file, output_option, refuse_existing
 from .speaking import spoken, told, wrote
 from .streams import print_file
 

@@ -10,8 +10,7 @@ import click
 from mechsheet.arguments.outputs import folder_ready
 from mechsheet.words.catalogue import LANGUAGES
 
-from .common import at_lines_of, change_options, described, output_file, output_option, progress, say_written
-from .helping import Explained
+from .common import Explained, at_lines_of, change_options, described, output_file, output_option, progress, say_written
 
 
 @click.command(cls=Explained, short_help="Draw it: a picture, an animation, a web page, a report.")

@@ -9,8 +9,7 @@ import click
 from livesheet.said import say
 from mechsheet.arguments.outputs import folder_ready
 
-from .common import STANDARD_OUTPUT, output_file, output_option, progress, refuse_existing, same_file
-from .helping import Explained
+from .common import STANDARD_OUTPUT, Explained, output_file, output_option, progress, refuse_existing, same_file
 from .speaking import told, wrote
 from .streams import print_file
 

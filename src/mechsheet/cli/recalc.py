@@ -18,9 +18,8 @@ from livesheet.time_limit import limited
 from mechsheet.arguments.outputs import folder_ready, names_folder
 from mechsheet.diagnostics import MechsheetError
 
-from .common import JSON, modules_option, output_file, output_option, progress, seconds_option, settings_of
+from .common import JSON, Explained, modules_option, output_file, output_option, progress, seconds_option, settings_of
 from .gate import Gate, concluded, gate_options, of_each, workbooks
-from .helping import Explained
 from .speaking import note, told, wrote
 
 if TYPE_CHECKING:

@@ -7,8 +7,7 @@ import click
 from livesheet.said import say
 from mechsheet.arguments.outputs import folder_ready
 
-from .common import STANDARD_OUTPUT, output_file, output_option
-from .helping import Explained
+from .common import STANDARD_OUTPUT, Explained, output_file, output_option
 from .speaking import wrote
 from .streams import print_file
 

@@ -9,8 +9,7 @@ import click
 
 from livesheet.diagnostics import readable_name
 
-from .common import JSON, at_lines_of, change_options, described, progress
-from .helping import Explained
+from .common import JSON, Explained, at_lines_of, change_options, described, progress
 from .streams import print_file
 
 
@@ -50,29 +49,23 @@ def show(description: Path, what: str | None, as_json: bool, as_csv: bool, **cha
     mechsheet show function-generator.toml --dimensions --json
     mechsheet show four-bar.toml --json
     """
-    from mechsheet.library import dimensions, tolerances, verdicts
     from mechsheet.library import show as shows
+    from mechsheet.library.verdicts import bands_of, verdicts_of
 
+    forms = {
+        None: (shows.overview_text, shows.variables_csv if as_csv else shows.variables_json),
+        "equations": (shows.equations_text, shows.equations_json),
+        "cells": (shows.cells_text, shows.cells_json),
+        "dimensions": (shows.dimensions_text, shows.dimensions_json),
+    }
     mechanism = described(description, **changes)
     with at_lines_of(mechanism, description), progress(description.name) as tell:
         tell("solving")
-        if what == "equations":
-            text = shows.equations_json(mechanism) if as_json else shows.equations_text(mechanism)
-        elif what == "cells":
-            text = shows.cells_json(mechanism) if as_json else shows.cells_text(mechanism)
-        elif what == "dimensions":
-            text = dimensions.dimensions_json(mechanism) if as_json else dimensions.dimensions_text(mechanism)
-        elif what == "verdicts":
-            text = verdicts.verdicts_json(mechanism) if as_json else verdicts.verdicts_text(mechanism)
-        elif what == "tolerance":
-            printed = tolerances.bands_json if as_json else tolerances.bands_text
-            text = printed(mechanism, readable_name(description))
-        elif as_json:
-            text = shows.variables_json(mechanism)
-        elif as_csv:
-            text = shows.variables_csv(mechanism)
+        if what in forms:
+            text = forms[what][as_json or (as_csv and what is None)](mechanism)
         else:
-            text = shows.overview_text(mechanism)
+            named = verdicts_of(mechanism) if what == "verdicts" else bands_of(mechanism, readable_name(description))
+            text = named.as_json() if as_json else str(named)
     if as_json or as_csv:
         print_file(text if text.endswith("\n") else f"{text}\n")
     else:

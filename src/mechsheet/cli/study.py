@@ -15,8 +15,7 @@ from livesheet.diagnostics import Fault
 from livesheet.said import Said, say, say_count
 from mechsheet.diagnostics import MechanismError
 
-from .common import FORMATS_COMPLETED, at_lines_of, bar_of, change_options, described
-from .helping import Explained
+from .common import FORMATS_COMPLETED, Explained, at_lines_of, bar_of, change_options, described
 from .speaking import told
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from mechsheet.description.kinds import unit_kind
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import REPORTED, Scope, circle_message, cycles, words
 from mechsheet.description.text.index import Path
-from mechsheet.description.text.measured import Measured, home
+from mechsheet.description.text.numbers import Measured, home
 from mechsheet.model import Dimension
 from mechsheet.units import Unit
 

@@ -14,10 +14,9 @@ from livesheet.formula.nodes import Node
 from livesheet.said import say
 from mechsheet.description.joints import RELATIONS, Ends
 from mechsheet.description.kinds import ANGLE, ANY, LENGTH
-from mechsheet.description.own_cells import own_cell
 from mechsheet.description.report import BAD, listed, suggestion
-from mechsheet.description.scope import Scope
-from mechsheet.description.sketched_angles import SketchedAngles
+from mechsheet.description.scope import Scope, own_cell
+from mechsheet.description.sketch import SketchedAngles
 from mechsheet.description.text.index import Path
 from mechsheet.diagnostics import quoted
 from mechsheet.model import PRESSURE, Dimension, Gear, Joint, Link, Rack, Relation

@@ -15,9 +15,9 @@ from mechsheet.description import dimensions, joints, links, sketch
 from mechsheet.description.asked import synthesis
 from mechsheet.description.driving import driver
 from mechsheet.description.grammar import Key, Named
-from mechsheet.description.head import part, scope_of
 from mechsheet.description.report import BAD, Report
 from mechsheet.description.schema import DESCRIPTION, LINK
+from mechsheet.description.scope import part, scope_of
 from mechsheet.description.shape import fit
 from mechsheet.description.text.source import Source
 from mechsheet.model import Dimension, Driver, Joint, Link, Sketch

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import unicodedata
 from dataclasses import replace
 from pathlib import Path as FilePath
@@ -9,22 +10,18 @@ from typing import Any
 
 from livesheet.diagnostics import readable_name
 from livesheet.said import say
-from mechsheet.description import cams, dimensions, gears, joints, links, redundant, requests, sketch
+from mechsheet.description import cams, dimensions, dynamics, force_names, gears, joints, links, requests, sketch
 from mechsheet.description import outputs as further_outputs
 from mechsheet.description.asked import exercise, study, synthesis, tolerances
-from mechsheet.description.driving import driver, drivers, rates, segments
+from mechsheet.description.driving import driver, rates, segments
 from mechsheet.description.driving.sweep import with_sweep
-from mechsheet.description.forces import dynamics, flywheel, force_names
-from mechsheet.description.head import choice, part, scope_of
 from mechsheet.description.overrides import AS_IT_IS, Overrides, with_values
 from mechsheet.description.report import Report
 from mechsheet.description.schema import DESCRIPTION, FORMAT
-from mechsheet.description.scope import words
+from mechsheet.description.scope import choice, part, scope_of, words
 from mechsheet.description.shape import fit
-from mechsheet.description.sketched_angles import SketchedAngles
-from mechsheet.description.text.file_names import is_device
-from mechsheet.description.text.origin import with_origin
-from mechsheet.description.text.rewrite import with_value
+from mechsheet.description.sketch import SketchedAngles
+from mechsheet.description.text.rewrite import with_origin, with_value
 from mechsheet.description.text.source import Source, parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, quoted
 from mechsheet.model import (
@@ -39,6 +36,19 @@ from mechsheet.model import (
     Sketch,
     Solution,
 )
+
+_DEVICE = re.compile(r"(con|prn|aux|nul|(com|lpt)[0-9¹²³])(\..*)?", re.IGNORECASE)
+_NEVER = re.compile(r'[<>:"/\\|?*\x00-\x1f]')
+
+
+def is_device(name: str) -> bool:
+    """Whether Windows takes a name for a device, whatever its ending: what is written there is lost."""
+    return _DEVICE.fullmatch(name) is not None
+
+
+def is_file_name(name: str) -> bool:
+    """Whether a name is that of a file in a folder, on Linux, macOS and Windows alike: no path, no device, not hidden."""
+    return not (_NEVER.search(name) or name.startswith(".") or name != name.rstrip(". ") or is_device(name))
 
 
 def load(path: str | FilePath, overrides: Overrides = AS_IT_IS) -> Mechanism:
@@ -180,7 +190,9 @@ class _Reading:
         made = links.read(bodies, bare, scope)
         self.ends = joints.Ends(bodies, made, scope)
         sliding = joints.read(self._part("joints", []), self.ends, scope)
-        self.links, self.joints, self.parts["redundant"] = redundant.read(self.data, made, sliding, self.ends, scope)
+        self.links, self.joints, self.parts["redundant"] = joints.read_redundant(
+            self.data, made, sliding, self.ends, scope
+        )
 
     def driving(self) -> None:
         """What is driven, and how fast."""
@@ -191,7 +203,7 @@ class _Reading:
                 segments.check_alone(self.data, scope)
                 self.driver = driver.read(given, made, sliding, self.ends, scope)
             listed = self._part("drivers", [])
-            further, values = drivers.read(listed, self.driver, made, sliding, self.ends, scope)
+            further, values = driver.read_further(listed, self.driver, made, sliding, self.ends, scope)
             self.further = (*follower, *further)
             self.table = (*self.table, *values)
             if self.report.sound("links", "joints"):
@@ -204,8 +216,8 @@ class _Reading:
         if self.driver and motion:
             self.driver = motion.of(self.driver)
             self.table = (*self.table, *motion.dimensions)
-        drivers.check_speeds(self.driver, self.further, scope)
-        self.driver = drivers.listed(self.driver, self.further, scope) if self.driver else None
+        driver.check_speeds(self.driver, self.further, scope)
+        self.driver = driver.listed(self.driver, self.further, scope) if self.driver else None
 
     def _cam(self) -> tuple[FurtherDriver, ...]:
         """The cam as the driver; what it moves."""
@@ -252,9 +264,9 @@ class _Reading:
         requests.declare(self.outputs, self.summary, scope)
         of_rows, of_motion = further_outputs.outputs(self.outputs, self.driver, scope)
         wheel = self._part("flywheel", {})
-        flywheel.declare(wheel, scope)
+        dynamics.declare_flywheel(wheel, scope)
         if self.driver:
-            own = flywheel.read(wheel, self.masses, self.driver, self.links, self.table, self.layout, scope)
+            own = dynamics.read_flywheel(wheel, self.masses, self.driver, self.links, self.table, self.layout, scope)
             self.table = (*self.table, *own)
         self.parts |= {
             "outputs": of_rows,
@@ -269,7 +281,7 @@ class _Reading:
             ),
             "study": study.read(self._part("study", {}), bodies, self.summary, scope),
         }
-        drivers.check_tables(self.further, self.parts["tables"], scope)
+        driver.check_tables(self.further, self.parts["tables"], scope)
 
     def workbook(self) -> None:
         """How the workbook is written, how what has no closed form is solved, and tolerances, of which a page has none."""

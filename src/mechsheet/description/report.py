@@ -1,4 +1,4 @@
-"""Gathering faults while reading goes on, and the words that all messages share."""
+"""Gathering faults while reading goes on, those found later told at the same lines, and the words that all messages have."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from livesheet.diagnostics import Fault, near_miss
 from livesheet.formula.names import folded
 from livesheet.said import Said, say
 from mechsheet.description.text.index import Path
-from mechsheet.description.text.source import Source
-from mechsheet.diagnostics import quoted
+from mechsheet.description.text.source import Source, parse
+from mechsheet.diagnostics import MechanismError, quoted
 
 
 class Bad(Enum):
@@ -83,3 +83,16 @@ def found(value: Any) -> str:
     if isinstance(value, list):
         return say("a list of {count}", count=len(value)) if value else say("an empty list")
     return say("a table") if isinstance(value, dict) else say("a date or time")
+
+
+def located(error: MechanismError, text: str, file: str) -> MechanismError:
+    """The same error, each fault at the line of its key in the description `text`, called `file`."""
+    source = parse(text, file)
+
+    def place(fault: Fault) -> Fault:
+        if fault.file or not fault.key:
+            return fault
+        path = tuple(int(part) if part.isdecimal() else part for part in fault.key.split("."))
+        return source.fault(path, fault.message, fault.hint)
+
+    return MechanismError(place(fault) for fault in error.faults)

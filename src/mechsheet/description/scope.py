@@ -1,4 +1,8 @@
-"""What the names of a description mean while it is read: units, values of dimensions, variables; and its expressions."""
+"""What the names of a description mean while it is read: units, values of dimensions, variables; and its expressions.
+
+The units are those of the part [mechanism]. A number that stands elsewhere than among the dimensions may have a cell of its
+own (`own_cell`).
+"""
 
 from __future__ import annotations
 
@@ -29,7 +33,7 @@ from mechsheet.description.kinds import (
 )
 from mechsheet.description.report import BAD, Report, listed, suggestion
 from mechsheet.description.text.index import Path
-from mechsheet.description.text.measured import (
+from mechsheet.description.text.numbers import (
     EXAMPLES,
     Measured,
     home,
@@ -37,12 +41,12 @@ from mechsheet.description.text.measured import (
     like,
     measured,
     spelled,
+    typed_number,
     unit_behind,
     unit_named,
 )
-from mechsheet.description.text.numbers import typed_number
 from mechsheet.diagnostics import quoted
-from mechsheet.model import Label, Quantity, Take
+from mechsheet.model import Dimension, Label, Quantity, Take
 from mechsheet.units import DEG, NUMBER, Unit, unit_of
 from mechsheet.words.catalogue import ENGLISH
 
@@ -493,3 +497,50 @@ def _deeper_than(tree: Node, most: int) -> bool:
         if not level:
             return False
     return True
+
+
+def part(data: dict[str, Any], key: str, empty: Any) -> Any:
+    """What stands at `key`; `empty` where there is nothing, or nothing usable."""
+    value = data.get(key, BAD)
+    return empty if value is BAD else value
+
+
+def choice(table: dict[str, Any], key: str, default: str) -> str:
+    """The word at `key`, or the default."""
+    value = table.get(key, default)
+    return default if value is BAD else str(value)
+
+
+def scope_of(head: dict[str, Any], report: Report) -> Scope:
+    """A scope with the units of the part [mechanism], and no names yet."""
+    scope = Scope(report)
+    scope.length_unit = _length_unit(head, report)
+    scope.angle_unit = unit_of(choice(head, "angle_unit", "deg"), scope.length_unit)
+    return scope
+
+
+def _length_unit(head: dict[str, Any], report: Report) -> str:
+    unit = choice(head, "length_unit", "mm")
+    if plain_unit(unit) in ("deg", "rad", "1") or unit != unit.strip():
+        report.at(("mechanism", "length_unit"), say("{unit} cannot be the unit of lengths", unit=quoted(unit)))
+        return "mm"
+    return unit
+
+
+def own_cell(
+    scope: Scope, cells: list[Dimension], symbol: str, given: Any, kind: str, unit: Unit, path: Path, what: str
+) -> Node:
+    """A plain number as a cell `symbol`, added to `cells`; an expression over dimensions as it is.
+
+    kind  ANGLE, LENGTH or ANY, which the expression must be;  unit  in which a plain number is written
+    """
+    given = scope.plain(given, unit.text, path)
+    quantity = scope.quantity(given, kind, path, unit if kind == ANGLE else None)
+    if not isinstance(quantity, float):
+        return quantity
+    if given is BAD or isinstance(given, str):  # its fault has been reported
+        return Symbol("")  # which has no value
+    scope.symbols.claim(symbol, what, path, say("rename it: the {what} has a cell of that name", what=say(what)))
+    scope.numbers[symbol] = quantity
+    cells.append(Dimension(symbol, quantity, unit, shown=float(given), path=path))
+    return Symbol(symbol)

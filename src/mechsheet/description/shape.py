@@ -31,8 +31,7 @@ from mechsheet.description.kinds import plain_unit
 from mechsheet.description.report import BAD, Report, alternatives, found, listed, suggestion
 from mechsheet.description.schema import MEANT, REASONS, TAKES_MEANT
 from mechsheet.description.text.index import Path, key_text
-from mechsheet.description.text.measured import LARGEST, SMALLEST, measured
-from mechsheet.description.text.numbers import typed_number, with_points
+from mechsheet.description.text.numbers import LARGEST, SMALLEST, measured, typed_number, with_points
 from mechsheet.diagnostics import quoted
 from mechsheet.words.catalogue import ENGLISH, LANGUAGES
 

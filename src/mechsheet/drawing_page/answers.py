@@ -11,8 +11,8 @@ from typing import Any
 from livesheet.diagnostics import Fault, OutputError, readable_name, system_reason
 from livesheet.replacing import replace_file
 from livesheet.said import say
+from mechsheet.description.reader import is_file_name
 from mechsheet.description.templates import template_names, template_text, template_titles
-from mechsheet.description.text.file_names import is_file_name
 from mechsheet.description.text.source import read_text
 from mechsheet.drawing_page.cells import number_in_unit
 from mechsheet.drawing_page.editing.orders import edited

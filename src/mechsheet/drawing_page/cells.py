@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from mechsheet.description.overrides import scope_for, typed_value
 from mechsheet.description.text.index import Path
-from mechsheet.description.text.measured import CONSISTENT
+from mechsheet.description.text.numbers import CONSISTENT
 from mechsheet.description.text.rewrite import with_value
 from mechsheet.description.text.source import Source, dotted
-from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.drawing_page.questions import Refusal
 from mechsheet.drawing_page.reading import Reading

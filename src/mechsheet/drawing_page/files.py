@@ -9,7 +9,7 @@ from pathlib import Path
 from mechsheet.checking import Report, check
 from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides
-from mechsheet.description.locate import located
+from mechsheet.description.report import located
 from mechsheet.diagnostics import MechanismError
 from mechsheet.drawing_page.questions import Refusal
 from mechsheet.library.building import build

@@ -16,14 +16,13 @@ from numpy.typing import NDArray
 from livesheet.formula.nodes import Node
 from mechsheet.compiled import SHOWN_ROLES, Compiled
 from mechsheet.description.parts import Parts
-from mechsheet.description.text.measured import METRES
+from mechsheet.description.text.numbers import METRES
 from mechsheet.description.text.source import dotted
 from mechsheet.drawing_page.cells import SPEED, cells_of, first_speed, own_units
 from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_positions, line_of, local_points
 from mechsheet.drawing_page.reading import Reading, fault_entry
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import edges

@@ -10,8 +10,8 @@ from typing import Any
 from livesheet.diagnostics import Fault
 from livesheet.formula.nodes import symbols
 from mechsheet.compiled import Compiled
-from mechsheet.description.locate import located
 from mechsheet.description.parts import Parts, parts_of
+from mechsheet.description.report import located
 from mechsheet.description.text.source import Source, parse
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.kinematics.dimensions import dimension_values

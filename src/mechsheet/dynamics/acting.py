@@ -8,20 +8,20 @@ M(X) = sum of (p-X) x F + sum of T. Lengths times `metre` where torques are in N
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 from livesheet.formula import algebra as al
-from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Node, Symbol
 from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, size, together
 from livesheet.said import Words
 from mechsheet.dynamics.columns import LONGEST, Columns
 from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.equations import Condition
-from mechsheet.kinematics.points_in_link import PointsInLink, cartesian
+from mechsheet.kinematics.points_in_link import PointInLink, PointsInLink, cartesian
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Motions
-from mechsheet.model import Dynamics, GivenPoint, Link, Load, Mass, Spring, center_symbol
+from mechsheet.model import GivenPoint, Link, Load, Mass, Spring, center_symbol
 from mechsheet.units import LENGTH, Unit
 from mechsheet.words.equations import body_words, link_words, phrase
 
@@ -48,13 +48,37 @@ class Acting:
         """What has come so far is the body's own."""
         self.own = (len(self.forces), len(self.couples))
 
+    def add(self, force: Force, couple: Node = al.ZERO) -> None:
+        """Count to it what is not 0."""
+        if not all(map(al.is_zero, force.vector)):
+            self.forces.append(force)
+        if not al.is_zero(couple):
+            self.couples.append(couple)
+
+
+def sum_of(forces: Iterable[Force]) -> Vector:
+    """All forces together."""
+    return together(force.vector for force in forces)
+
+
+def moment_of(forces: Iterable[Force], about: Vector) -> Node:
+    """Of all forces together about a place, a force times a length."""
+    return al.total(cross(minus(force.at, about), force.vector) for force in forces)
+
 
 class ActingForces:
-    """Of all bodies, by name; each body's own are written down when it is first asked for."""
+    """Of all bodies, by name; each body's own are written down when it is first asked for.
 
-    def __init__(self, found: Found, dynamics: Dynamics, columns: Columns) -> None:
-        self.found, self.dynamics, self.columns = found, dynamics, columns
+    motions  by the driver's variable
+    """
+
+    def __init__(self, found: Found) -> None:
+        dynamics, motions = found.poses.mechanism.dynamics, found.rates.by_driver
+        if dynamics is None or motions is None:
+            raise ValueError("forces need influence coefficients, and masses or loads")
+        self.found, self.dynamics, self.motions = found, dynamics, motions
         self.poses: Poses = found.poses
+        self.columns = Columns(self.poses, dynamics)
         self._bodies: dict[str, Acting] = {}
         self._hung: dict[str, Acting] = {}
         self._pulls: dict[int, Vector] = {}
@@ -85,27 +109,21 @@ class ActingForces:
         return self._bodies[body]
 
     def hang(self, body: str, force: Force, couple: Node = al.ZERO) -> None:
-        """What a group solved before exerts on a body whose turn comes later."""
+        """What a group solved before exerts on a body whose turn comes later; nothing hangs on the ground."""
         if body == self.poses.mechanism.ground.name:
             return
         known = self._bodies.get(body)
         if known is not None and known.sum is not None:
             raise ValueError(f"what acts on {body} has been summed up already")
         hung = self._hung.setdefault(body, Acting()) if known is None else known
-        if not all(map(al.is_zero, force.vector)):
-            hung.forces.append(force)
-        if not al.is_zero(couple):
-            hung.couples.append(couple)
+        hung.add(force, couple)
 
     def total(self, body: str) -> Vector:
         """The sum of all forces on a body, which must be complete by now."""
         acting = self.of(body)
         if acting.sum is None:
-            total = together(force.vector for force in acting.forces)
-            what = body_words(self.poses.mechanism, body)
-            acting.sum = self.columns.pair(
-                f"S{self.number(body)}", total, self.columns.force, "sum_of_forces", link=what
-            )
+            total, name = sum_of(acting.forces), f"S{self.number(body)}"
+            acting.sum = self.columns.pair(name, total, self.columns.force, "sum_of_forces", link=self.words(body))
         return acting.sum
 
     def moment(self, body: str, about: Vector, whole: bool = False) -> Node:
@@ -117,14 +135,13 @@ class ActingForces:
         forces = acting.forces
         if acting.center is not None and len(forces) > 1:
             gathered = Force(self.total(body), acting.center)
-            arms = cross(minus(gathered.at, about), gathered.vector)
-            arms = al.total([arms, *(cross(minus(force.at, gathered.at), force.vector) for force in forces)])
-        elif forces:
-            vector = self.total(body) if len(forces) == 1 else None
-            arms = al.total(cross(minus(force.at, about), vector or force.vector) for force in forces)
+            arms = moment_of([gathered], about)
+            arms = al.total([arms, *(moment_of([force], gathered.at) for force in forces)])
+        elif len(forces) == 1:
+            arms = moment_of([Force(self.total(body), forces[0].at)], about)
         else:
-            arms = al.ZERO
-        return self.torque(f"M{self.number(body)}", arms, acting.couples, body_words(self.poses.mechanism, body), whole)
+            arms = moment_of(forces, about)
+        return self.torque(f"M{self.number(body)}", arms, acting.couples, self.words(body), whole)
 
     def torque(self, base: str, arms: Node, couples: list[Node], what: Words, whole: bool = False) -> Node:
         """metre (force times length) + couples, as a column; the first arms in columns of their own where it is long."""
@@ -135,6 +152,14 @@ class ActingForces:
         arms = columns.lengths.split(arms, lambda part: columns.grey(base, part, unit, label), LONGEST - rest)
         torque = al.total([al.mul(columns.metre, arms), *couples])
         return torque if whole else columns.grey(base, torque, columns.torque, label)
+
+    def words(self, body: str) -> Words:
+        """The body in words."""
+        return body_words(self.poses.mechanism, body)
+
+    def both(self, one: str, other: str) -> dict[str, Words]:
+        """Who acts on whom, as the parts of a label."""
+        return {"one": self.words(one), "other": self.words(other)}
 
     def number(self, body: str) -> str:
         """The number of a link, the symbol of a block's slide."""
@@ -216,10 +241,7 @@ class ActingForces:
         parts = load.force or NOWHERE
         base = load.name
         if load.in_link:
-            angle: Angle = self.poses.known[link.name].angle
-            c, s = al.cos(angle), al.sin(angle)
-            x, y = parts
-            parts = (al.sub(al.mul(x, c), al.mul(y, s)), al.add(al.mul(x, s), al.mul(y, c)))
+            parts = PointInLink(*parts).turned(self.poses.known[link.name].angle)
         return self.columns.pair(base, parts, self.columns.force, "load_part", name=load.name)
 
     def pull(self, spring: Spring) -> Vector:

@@ -18,50 +18,32 @@ Source: the principle of virtual work; Uicker, Pennock and Shigley, Theory of Ma
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol, renamed
-from livesheet.formula.vectors import Vector, cross, dot, minus, negative, over, times, together, turned
-from mechsheet.dynamics.acting import ActingForces, Force
-from mechsheet.dynamics.columns import Columns
+from livesheet.formula.vectors import Vector, dot, minus, negative, over, times, together, turned
+from mechsheet.dynamics.acting import Acting, ActingForces, Force, moment_of, sum_of
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.teeth import Teeth
+from mechsheet.kinematics.graph import Assembly
 from mechsheet.kinematics.newton.chains import Binary, Carrier
 from mechsheet.kinematics.newton.newton_equations import Solution, Span, holder
 from mechsheet.kinematics.newton.rates import solved
-from mechsheet.kinematics.poses import Assembly, Poses
-from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.model import Gear
 from mechsheet.units import NUMBER
 from mechsheet.words.equations import phrase
 
 
-@dataclass
-class _Hung:
-    """What links between carriers are known to exert on a body, whatever the intensities."""
-
-    forces: list[Force] = field(default_factory=list)
-    couples: list[Node] = field(default_factory=list)
-
-
 class ChainReactions:
-    """Of one group of a mechanism."""
+    """Of one group of a mechanism.
 
-    def __init__(
-        self,
-        solution: Solution,
-        motions: Motions,
-        acting: ActingForces,
-        joints: Joints,
-        columns: Columns,
-        teeth: Teeth,
-    ) -> None:
-        self.teeth = teeth
+    hung  by body what links between carriers are known to exert on it, whatever the intensities
+    """
+
+    def __init__(self, solution: Solution, acting: ActingForces, joints: Joints, teeth: Teeth) -> None:
         self.solution, self.chain, self.system = solution, solution.chain, solution.system
-        self.motions, self.acting, self.joints, self.columns = motions, acting, joints, columns
-        self.poses: Poses = motions.poses
-        self.hung: dict[str, _Hung] = {}
+        self.acting, self.joints, self.teeth = acting, joints, teeth
+        self.poses, self.motions, self.columns = acting.poses, acting.motions, acting.columns
+        self.hung: dict[str, Acting] = {}
         self.sums: dict[Assembly, Vector] = {}
         self.moments: dict[Assembly, Node] = {}
         self.across: dict[Assembly, Vector] = {}
@@ -89,15 +71,9 @@ class ChainReactions:
     def _at(self, point: str) -> Vector:
         return self.poses.xy[point]
 
-    def _pin(self, binary: Binary) -> str:
-        first = binary.ends[0].joint
-        if not isinstance(first, str):
-            raise TypeError(f"no pin at the first end: {binary}")
-        return first
-
     def _known_of(self, binary: Binary) -> None:
         """S, M(P), and what they make it exert on the two bodies that it joins."""
-        assembly, first, second = binary.assembly, self._pin(binary), binary.ends[1].joint
+        assembly, first, second = binary.assembly, binary.pin, binary.other
         p = self._at(first)
         total = self.sums[assembly] = together(self.acting.total(body) for body in assembly)
         moment = self.moments[assembly] = al.total(self.acting.moment(body, p) for body in assembly)
@@ -109,8 +85,7 @@ class ChainReactions:
         d = self.motions.direction(second)
         n = turned(d)
         self._hang(holder(self.poses, self.chain, first, assembly), Force(times(dot(total, d), d), p))
-        beside = second.other(second.side(assembly))
-        self._hang(beside, Force(times(dot(total, n), n), p), moment)
+        self._hang(second.beyond(assembly), Force(times(dot(total, n), n), p), moment)
 
     def _across(self, assembly: Assembly, span: Span, moment: Node) -> Vector:
         """The part across the way of what a link exerts at its second pin: M(P) J w / l^2."""
@@ -120,23 +95,19 @@ class ChainReactions:
         return times(turning, turned(span.way))
 
     def _hang(self, body: str, force: Force, couple: Node = al.ZERO) -> None:
-        hung = self.hung.setdefault(body, _Hung())
-        if not all(map(al.is_zero, force.vector)):
-            hung.forces.append(force)
-        if not al.is_zero(couple):
-            hung.couples.append(couple)
+        self.hung.setdefault(body, Acting()).add(force, couple)
 
     # --- the intensities ----------------------------------------------------------------------------------------
 
     def _intensities(self, det: Node) -> list[Node]:
         columns = self.columns
         efforts = [self._along(carrier) for carrier in self.chain.carriers]
-        turning = all(isinstance(carrier.reached.joint, str) for carrier in self.chain.carriers)
+        turning = all(isinstance(carrier.reached, str) for carrier in self.chain.carriers)
         if turning:
             det = al.mul(det, columns.metre)
         else:
             efforts = [
-                over(effort, columns.metre) if isinstance(carrier.reached.joint, str) else effort
+                over(effort, columns.metre) if isinstance(carrier.reached, str) else effort
                 for carrier, effort in zip(self.chain.carriers, efforts, strict=True)
             ]
         found = solved(self.system, efforts, transposed=True)
@@ -160,13 +131,11 @@ class ChainReactions:
         """Q of a carrier's unknown."""
         forces, couples = self._felt(carrier)
         number = self.acting.number(carrier.assembly[0])
-        joint = carrier.reached.joint
+        joint = carrier.reached
         what = self.poses.name(carrier.assembly)
         if isinstance(joint, str):
-            about = self._at(joint)
-            arms = al.total(cross(minus(force.at, about), force.vector) for force in forces)
-            return self.acting.torque(f"Q{number}", arms, couples, what)
-        along = dot(together(force.vector for force in forces), self.motions.direction(joint))
+            return self.acting.torque(f"Q{number}", moment_of(forces, self._at(joint)), couples, what)
+        along = dot(sum_of(forces), self.motions.direction(joint))
         if joint.body not in carrier.assembly:
             along = al.neg(along)
         return self.columns.grey(f"Q{number}", along, self.columns.force, phrase("sum_along", link=what))
@@ -177,16 +146,16 @@ class ChainReactions:
         forces: list[Force] = []
         couples: list[Node] = []
         for body in carrier.assembly:
-            own, hung = self.acting.of(body), self.hung.get(body, _Hung())
+            own, hung = self.acting.of(body), self.hung.get(body, Acting())
             forces += [*own.forces, *hung.forces]
             couples += [*own.couples, *hung.couples]
         for other in self.chain.carriers:
-            joint = other.reached.joint
+            joint = other.reached
             if other == carrier or self._below(other) not in carrier.assembly:
                 continue
             handed, turning = self._felt(other)
             if isinstance(joint, str):
-                forces.append(Force(together(force.vector for force in handed), self._at(joint)))
+                forces.append(Force(sum_of(handed), self._at(joint)))
             else:
                 forces += handed
                 couples += turning
@@ -194,15 +163,15 @@ class ChainReactions:
 
     def _below(self, carrier: Carrier) -> str:
         """The body from which a carrier is reached."""
-        joint = carrier.reached.joint
+        joint = carrier.reached
         if isinstance(joint, str):
             return holder(self.poses, self.chain, joint, carrier.assembly)
-        return joint.other(joint.side(carrier.assembly))
+        return joint.beyond(carrier.assembly)
 
     # --- the joints ---------------------------------------------------------------------------------------------
 
     def _held(self, binary: Binary, intensity: Node) -> None:
-        assembly, first, second = binary.assembly, self._pin(binary), binary.ends[1].joint
+        assembly, first, second = binary.assembly, binary.pin, binary.other
         at_first = self.motions.with_point(assembly, first)
         total = self.sums[assembly]
         if isinstance(second, str):
@@ -219,7 +188,7 @@ class ChainReactions:
 
     def _reached(self, carrier: Carrier) -> None:
         """Where a carrier is reached it is held against all else that acts on it by now."""
-        assembly, joint = carrier.assembly, carrier.reached.joint
+        assembly, joint = carrier.assembly, carrier.reached
         total = negative(together(self.acting.total(body) for body in assembly))
         if isinstance(joint, str):
             self.joints.outer(joint, self.motions.with_point(assembly, joint), total)

@@ -8,10 +8,10 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
 from livesheet.formula.vectors import Vector, size
 from livesheet.said import Words
-from mechsheet.kinematics.cell_lengths import CellLengths
 from mechsheet.kinematics.equations import RATES, Condition, ForceKind
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.coefficients import asked
+from mechsheet.kinematics.rates.rate_columns import CellLengths
 from mechsheet.model import Dynamics, torque_unit
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase

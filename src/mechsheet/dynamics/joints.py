@@ -15,14 +15,12 @@ from livesheet.formula.nodes import Node
 from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
 from livesheet.said import Words
 from mechsheet.dynamics.acting import ActingForces, Force
-from mechsheet.dynamics.columns import Columns
 from mechsheet.kinematics.assur import bodies_of
-from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.cams.profile import Contact
 from mechsheet.kinematics.equations import ForceKind
 from mechsheet.kinematics.graph import Slide
 from mechsheet.model import CONTACT, Driver, FurtherDriver, pair_symbol
-from mechsheet.words.equations import body_words, phrase
+from mechsheet.words.equations import phrase
 
 
 class Joints:
@@ -31,10 +29,10 @@ class Joints:
     contacts, couples  by body what the joints of its group exert on it
     """
 
-    def __init__(self, found: Found, acting: ActingForces, columns: Columns) -> None:
-        self.found, self.acting, self.columns = found, acting, columns
-        self.poses = found.poses
-        self.mechanism = found.poses.mechanism
+    def __init__(self, acting: ActingForces) -> None:
+        self.acting, self.columns = acting, acting.columns
+        self.order, self.poses = acting.found.order, acting.poses
+        self.mechanism = acting.poses.mechanism
         self.contacts: dict[str, list[Force]] = {}
         self.couples: dict[str, list[Node]] = {}
         self.pins: dict[str, dict[str, Vector]] = {}
@@ -54,7 +52,7 @@ class Joints:
         """The body with which each point is solved first: what hangs on the point is counted to it."""
         graph = self.poses.graph
         order = [self.mechanism.ground.name]
-        for step in self.found.order.steps:
+        for step in self.order.steps:
             order += bodies_of(step)
         found: dict[str, str] = {}
         for body in order:
@@ -68,16 +66,13 @@ class Joints:
         """The links at a point, its owner first."""
         return [link.name for link in self.mechanism.links if point in link.points]
 
-    def _words(self, body: str) -> Words:
-        return body_words(self.mechanism, body)
-
     def _number(self, link: str) -> int:
         return self.poses.links[link].number
 
     def _named(self, point: str, other: str, force: Vector) -> Vector:
         """The force of a pin's owner on another link, as columns."""
         owner = self._links_at(point)[0]
-        label = phrase("joint_force", one=self._words(owner), other=self._words(other), point=point)
+        label = phrase("joint_force", **self.acting.both(owner, other), point=point)
         return self.columns.joint_force(pair_symbol("F", self._number(owner), self._number(other)), force, label)
 
     def _is_named(self, point: str, body: str) -> bool:
@@ -87,7 +82,7 @@ class Joints:
     def _hidden(self, point: str, body: str, force: Vector) -> Vector:
         """The force of a pin on its owner or on a block, in grey columns where it is no sum of two others."""
         base = f"F_{self.acting.number(body)}"
-        return self.columns.pair(base, force, self.columns.force, "force_on", link=self._words(body), point=point)
+        return self.columns.pair(base, force, self.columns.force, "force_on", link=self.acting.words(body), point=point)
 
     def _known(self, point: str) -> Vector:
         """The sum of the forces that are known already on the bodies at a pin."""
@@ -133,9 +128,7 @@ class Joints:
         self._book_slotted(point)
         at = self.poses.xy[point]
         self.contacts.setdefault(body, []).append(Force(force, at))
-        bearer = self.bearers[point]
-        if bearer != self.mechanism.ground.name:
-            self.acting.hang(bearer, Force(negative(force), at))
+        self.acting.hang(self.bearers[point], Force(negative(force), at))
         return force
 
     def inner(self, point: str, one: str, other: str, force: Vector) -> Vector:
@@ -192,7 +185,7 @@ class Joints:
             self._named(point, rest[0], negative(self._known(point)))
         self._book_slotted(point)
         bearer = self.bearers[point]
-        if bearer not in group and bearer != self.mechanism.ground.name:
+        if bearer not in group:
             self.acting.hang(bearer, Force(negative(on_both), self.poses.xy[point]))
 
     # --- slides -----------------------------------------------------------------------------------------------
@@ -200,7 +193,7 @@ class Joints:
     def _names(self, slide: Slide) -> tuple[str, dict[str, Words]]:
         joint = slide.joint
         name = pair_symbol("F", self._number(joint.on), self._number(joint.link))
-        return name, {"one": self._words(joint.on), "other": self._words(joint.link)}
+        return name, self.acting.both(joint.on, joint.link)
 
     def slide(self, slide: Slide, body: str, normal: Node, couple: Node, at: Vector) -> Vector:
         """The normal force on a body of the group, and the couple about a place; the force over its columns.
@@ -209,7 +202,7 @@ class Joints:
         """
         name, words = self._names(slide)
         joint, metre = slide.joint, self.columns.metre
-        n = turned(self._direction(slide))
+        n = turned(self.acting.motions.direction(slide))
         sign = al.ONE if body == slide.body else al.number(-1.0)
         value = al.mul(sign, normal)
         value = self.columns.black(f"{name}.n", value, self.columns.force, phrase("normal_force", **words), "normal")
@@ -226,12 +219,12 @@ class Joints:
         other = slide.other(body)
         if self._of_one_group(body, other):
             self._hold(other, negative(force), al.neg(own), place)
-        elif other != self.mechanism.ground.name:
+        else:
             self.acting.hang(other, Force(negative(force), place), al.neg(own))
         return force
 
     def _of_one_group(self, one: str, other: str) -> bool:
-        return any({one, other} <= {*dyad.first, *dyad.second} for dyad in self.found.order.dyads)
+        return any({one, other} <= {*dyad.first, *dyad.second} for dyad in self.order.dyads)
 
     def _hold(self, body: str, force: Vector, couple: Node, at: Vector) -> None:
         self.contacts.setdefault(body, []).append(Force(force, at))
@@ -244,7 +237,7 @@ class Joints:
         """T12: of `relative_to` on the driven link."""
         base = driver.relative_to or self.mechanism.ground.name
         name = pair_symbol("T", self._number(base), self._number(driver.link))
-        label = phrase("driving_torque", one=self._words(base), other=self._words(driver.link))
+        label = phrase("driving_torque", **self.acting.both(base, driver.link))
         self.columns.written(name, torque, self.columns.torque, label, self._kind(driver.symbol))
         return name
 
@@ -255,7 +248,7 @@ class Joints:
     def driven_slide(self, slide: Slide, moving: str, force: Vector, couple: Node) -> str:
         """F14.t along the line of the driven slide, beside what it holds as any other: `force` is that on `moving`."""
         name, words = self._names(slide)
-        along = dot(force if moving == slide.body else negative(force), self._direction(slide))
+        along = dot(force if moving == slide.body else negative(force), self.acting.motions.direction(slide))
         label = phrase("driving_force", **words)
         self.columns.written(f"{name}.t", along, self.columns.force, label, self._kind(slide.joint.symbol))
         self.guiding_slide(slide, moving, force, couple)
@@ -266,20 +259,17 @@ class Joints:
         name, words = self._names(slide)
         if moving != slide.body:
             force, couple = negative(force), al.neg(couple)
-        across = dot(force, turned(self._direction(slide)))
+        across = dot(force, turned(self.acting.motions.direction(slide)))
         self.columns.black(f"{name}.n", across, self.columns.force, phrase("normal_force", **words), "normal")
         if slide.joint.kind == "prismatic":
             label = phrase("couple", point=slide.joint.point, **words)
             self.columns.black(f"{name}.c", couple, self.columns.torque, label, "couple")
 
-    def _direction(self, slide: Slide) -> Vector:
-        return self.found.rates.by_driver.direction(slide) if self.found.rates.by_driver else NOWHERE
-
     # --- a cam ------------------------------------------------------------------------------------------------
 
     def pressed(self, contact: Contact, value: Node) -> tuple[Node, Vector]:
         """N, with which the cam presses on a link, which hands it on to the cam; its column, the force over it."""
-        words = {"one": self._words(contact.cam), "other": self._words(contact.link)}
+        words = self.acting.both(contact.cam, contact.link)
         value = self.columns.written(CONTACT, value, self.columns.force, phrase("contact_force", **words), "normal")
         force = self.columns.pair(CONTACT, times(value, contact.normal), self.columns.force, "slide_force", **words)
         self.acting.hang(contact.cam, Force(negative(force), contact.at))

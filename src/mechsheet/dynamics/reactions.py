@@ -35,21 +35,17 @@ from livesheet.formula.vectors import (
 )
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
-from mechsheet.dynamics.acting import ActingForces, Force
+from mechsheet.dynamics.acting import ActingForces, Force, moment_of, sum_of
 from mechsheet.dynamics.chains import ChainReactions
-from mechsheet.dynamics.columns import Columns
 from mechsheet.dynamics.joints import Joints
 from mechsheet.dynamics.preload import write_preload
 from mechsheet.dynamics.teeth import Teeth
-from mechsheet.dynamics.work import own_works
+from mechsheet.dynamics.whole_mechanism import own_works
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
-from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.cams.profile import Contact
 from mechsheet.kinematics.gear_relations import Tied
-from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.graph import Assembly, Slide
 from mechsheet.kinematics.newton.chains import Chain
-from mechsheet.kinematics.poses import Assembly
-from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.model import FurtherDriver
 from mechsheet.words.equations import phrase
 
@@ -60,16 +56,12 @@ class Reactions:
     on_pairs  by the symbol of what is driven: the force of a pin, at which more are joined, on both links turned about it
     """
 
-    def __init__(self, found: Found) -> None:
-        if found.rates.by_driver is None or found.poses.mechanism.dynamics is None:
-            raise ValueError("forces need influence coefficients, and masses or loads")
-        self.found, self.poses = found, found.poses
-        self.motions: Motions = found.rates.by_driver
-        self.columns = Columns(self.poses, found.poses.mechanism.dynamics)
-        self.acting = ActingForces(found, found.poses.mechanism.dynamics, self.columns)
-        self.joints = Joints(found, self.acting, self.columns)
-        self.teeth = Teeth(found, self.motions, self.acting, self.joints, self.columns)
-        self.contact = found.rates.contact
+    def __init__(self, acting: ActingForces) -> None:
+        self.acting, self.found = acting, acting.found
+        self.poses, self.motions, self.columns = acting.poses, acting.motions, acting.columns
+        self.joints = Joints(acting)
+        self.teeth = Teeth(acting, self.joints)
+        self.contact = acting.found.rates.contact
         self.on_pairs: dict[str, Vector] = {}
 
     def write(self) -> dict[str, str]:
@@ -94,9 +86,7 @@ class Reactions:
                     self._dyad(step, det)
                 else:
                     solution = self.found.chains[ledger.group]
-                    ChainReactions(solution, self.motions, self.acting, self.joints, self.columns, self.teeth).write(
-                        det
-                    )
+                    ChainReactions(solution, self.acting, self.joints, self.teeth).write(det)
                 self._driven_inside(step, efforts)
                 ledger.group -= 1
         ledger.group = 0
@@ -199,11 +189,9 @@ class Reactions:
             held = self.joints.contacts.get(body, [])[:]
             p = self.poses.xy[point]
             total = self.acting.total(body)
-            forces = al.total(cross(minus(force.at, p), force.vector) for force in held)
             couples = [self.acting.moment(body, p), *self.joints.couples.get(body, [])]
-            moments.append(
-                self.acting.torque(f"M{self.acting.number(body)}", forces, couples, self.poses.name((body,)))
-            )
+            name = f"M{self.acting.number(body)}"
+            moments.append(self.acting.torque(name, moment_of(held, p), couples, self.poses.name((body,))))
             totals.append(together((total, *(force.vector for force in held))))
             arms.append(minus(r, p))
         both = plus(times(moments[0], arms[1]), times(moments[1], arms[0]))
@@ -308,7 +296,7 @@ class Reactions:
         if isinstance(joint, Pin) and drive.base == ground and not self.joints.contacts.get(moving):
             # alone it holds the link: its force is minus the sum of all others, which needs no columns besides
             acting = self.acting.of(moving)
-            force = self.joints.outer(joint.point, moving, negative(together(each.vector for each in acting.forces)))
+            force = self.joints.outer(joint.point, moving, negative(sum_of(acting.forces)))
             acting.sum = negative(force)
             driver, moment = self.poses.mechanism.driver_of(drive.symbol), self.acting.moment(moving, at, whole=True)
             return self.joints.driving_torque(driver, al.neg(moment) if driver.link == moving else moment)
@@ -321,11 +309,11 @@ class Reactions:
             else:
                 self.joints.inner_of_pair(joint.point, drive.base, moving, total)
             torque = al.neg(moment)
-            if on_known and drive.base != ground:
+            if on_known:
                 self.acting.hang(drive.base, Force(NOWHERE, NOWHERE), moment)
             driver = self.poses.mechanism.driver_of(drive.symbol)
             return self.joints.driving_torque(driver, torque if driver.link == moving else moment)
-        if on_known and drive.base != ground:
+        if on_known:
             self.acting.hang(drive.base, Force(total, at), moment)
         return self.joints.driven_slide(joint, moving, negative(total), al.neg(moment))
 
@@ -344,9 +332,8 @@ class Reactions:
         """The sum of all that acts on a link but at its driven joint, and its moment about a place."""
         held: list[Force] = self.joints.contacts.get(moving, [])
         total = together((*(force.vector for force in held), self.acting.total(moving)))
-        arms = al.total(cross(minus(force.at, at), force.vector) for force in held)
-        couples = self.joints.couples.get(moving, [])
-        return total, al.total([self.acting.moment(moving, at), al.mul(self.columns.metre, arms), *couples])
+        arms = al.mul(self.columns.metre, moment_of(held, at))
+        return total, al.total([self.acting.moment(moving, at), arms, *self.joints.couples.get(moving, [])])
 
     # --- a cam ------------------------------------------------------------------------------------------------
 
@@ -385,6 +372,6 @@ class Reactions:
             else:
                 self.joints.inner_of_pair(joint.point, base, drive.moving, total)
             return
-        if on_known and base != self.poses.mechanism.ground.name:
+        if on_known:
             self.acting.hang(base, Force(total, self._place_of(drive)), moment)
         self.joints.guiding_slide(joint, drive.moving, negative(total), al.neg(moment))

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from mechsheet.dynamics.acting import ActingForces
 from mechsheet.dynamics.reactions import Reactions
-from mechsheet.dynamics.whole_mechanism import Wholes
-from mechsheet.dynamics.work import effort_by_work
+from mechsheet.dynamics.whole_mechanism import Wholes, effort_by_work
 from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import solve as solve_motion
@@ -21,8 +21,7 @@ def solve(mechanism: Mechanism, modes: Mapping[str, int] | None = None) -> Equat
 def _add_forces(found: Found) -> None:
     if found.poses.mechanism.dynamics is None:
         return
-    reactions = Reactions(found)
-    efforts = reactions.write()
-    effort = efforts[found.order.drive.symbol]
-    effort_by_work(reactions.acting, found, efforts)
-    Wholes(reactions.acting, found).write(effort)
+    acting = ActingForces(found)
+    efforts = Reactions(acting).write()
+    effort_by_work(acting, efforts)
+    Wholes(acting).write(efforts[found.order.drive.symbol])

@@ -19,18 +19,14 @@ from __future__ import annotations
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node
-from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, negative, plus, times, together, turned
-from livesheet.said import Words
-from mechsheet.dynamics.acting import ActingForces, Force
-from mechsheet.dynamics.columns import Columns
+from livesheet.formula.vectors import NOWHERE, Vector, dot, minus, negative, plus, times, turned
+from mechsheet.dynamics.acting import ActingForces, Force, moment_of, sum_of
 from mechsheet.dynamics.joints import Joints
-from mechsheet.kinematics.build_equations import Found
 from mechsheet.kinematics.gear_relations import Held, Tied, axis_of, eliminated, terms_of
 from mechsheet.kinematics.graph import Slide
-from mechsheet.kinematics.rates.motions import Motions
 from mechsheet.model import Gear, Rack, Relation, pair_symbol
 from mechsheet.units import LENGTH
-from mechsheet.words.equations import body_words, phrase
+from mechsheet.words.equations import phrase
 
 ALIKE = 1e-9
 """A ratio that differs from 1 by less: the wheels turn alike, and their pitch point is far away."""
@@ -39,10 +35,9 @@ ALIKE = 1e-9
 class Teeth:
     """Of one mechanism."""
 
-    def __init__(self, found: Found, motions: Motions, acting: ActingForces, joints: Joints, columns: Columns) -> None:
-        self.poses, self.motions = found.poses, motions
-        self.acting, self.joints, self.columns = acting, joints, columns
-        self.graph = found.poses.graph
+    def __init__(self, acting: ActingForces, joints: Joints) -> None:
+        self.acting, self.joints, self.columns = acting, joints, acting.columns
+        self.poses, self.graph, self.motions = acting.poses, acting.poses.graph, acting.motions
 
     def write(self, tied: Tied) -> None:
         """The forces of the ties of a step, then those by which its bodies are held."""
@@ -87,18 +82,14 @@ class Teeth:
         own = self.acting.of(held.body)
         if isinstance(held.at, Slide):
             sign = al.ONE if held.body == held.at.body else al.number(-1.0)
-            total = together(force.vector for force in own.forces)
-            return al.mul(sign, dot(total, self.motions.direction(held.at)))
+            return al.mul(sign, dot(sum_of(own.forces), self.motions.direction(held.at)))
         about = self._place(held)
         forces = list(own.forces)
         for other in tied.bodies:
             if other is not held and not isinstance(other.at, Slide) and self._hangs(other, held):
-                forces.append(
-                    Force(together(force.vector for force in self.acting.of(other.body).forces), self._place(other))
-                )
-        arms = al.total(cross(minus(force.at, about), force.vector) for force in forces)
-        what = body_words(self.poses.mechanism, held.body)
-        return self.acting.torque(f"Q{self.acting.number(held.body)}", arms, own.couples, what)
+                forces.append(Force(sum_of(self.acting.of(other.body).forces), self._place(other)))
+        name = f"Q{self.acting.number(held.body)}"
+        return self.acting.torque(name, moment_of(forces, about), own.couples, self.acting.words(held.body))
 
     def _hangs(self, one: Held, other: Held) -> bool:
         """Whether a body is pivoted on another one of the step."""
@@ -116,9 +107,8 @@ class Teeth:
             self._couples(relation, effort)
 
     def _axes(self, gear: Gear) -> tuple[Vector, Vector]:
-        return self.poses.xy[axis_of(self.graph, gear.link, gear.arm)], self.poses.xy[
-            axis_of(self.graph, gear.on, gear.arm)
-        ]
+        link, on = (axis_of(self.graph, wheel, gear.arm) for wheel in (gear.link, gear.on))
+        return self.poses.xy[link], self.poses.xy[on]
 
     def _one_axis(self, gear: Gear) -> bool:
         """Whether the wheels have one axis, or turn alike: then there is no pitch point."""
@@ -129,9 +119,6 @@ class Teeth:
         number = self.poses.ledger.number
         return max(abs(number(way.u)), abs(number(way.v))) == 0 or abs(number(gear.ratio) - 1) < ALIKE
 
-    def _words(self, one: str, other: str) -> dict[str, Words]:
-        return {"one": body_words(self.poses.mechanism, one), "other": body_words(self.poses.mechanism, other)}
-
     def _named(self, on: str, link: str) -> str:
         links = self.poses.links
         return pair_symbol("G", links[on].number, links[link].number)
@@ -139,7 +126,7 @@ class Teeth:
     def _couples(self, gear: Gear, effort: Node) -> None:
         """The torques on the three links."""
         name = self._named(gear.on, gear.link)
-        label = phrase("belt_torque", **self._words(gear.on, gear.link))
+        label = phrase("belt_torque", **self.acting.both(gear.on, gear.link))
         torque = self.columns.black(f"{name}.m", effort, self.columns.torque, label, "couple")
         for body, factor in terms_of(gear).items():
             self.acting.hang(body, Force(NOWHERE, NOWHERE), al.mul(factor, torque))
@@ -174,7 +161,7 @@ class Teeth:
         """The force of the first link on the second: so much along the pitch line, and what pushes the two apart."""
         one, other = links
         name, columns = self._named(one, other), self.columns
-        words = self._words(one, other)
+        words = self.acting.both(one, other)
         t = columns.black(f"{name}.t", tangent, columns.force, phrase("tooth_tangent", **words), "normal")
         tan = al.call("TAN", relation.pressure)
         apart = al.mul(Call("ABS", (t,)), tan)

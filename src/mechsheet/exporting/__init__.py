@@ -12,14 +12,40 @@ from livesheet.said import say
 from mechsheet.arguments.outputs import file_in
 from mechsheet.arguments.values import number_given, whole_number_given
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.exporting.identifiers import ascii_word
+from mechsheet.exporting import geogebra, octave, python, table
+from mechsheet.exporting.drawings import dxf, svg
+from mechsheet.exporting.functions.basic import vba
 from mechsheet.exporting.job import Job, Kind
-from mechsheet.exporting.kinds import KINDS
+from mechsheet.exporting.program import ascii_word
+from mechsheet.exporting.solution import latex, markdown
 from mechsheet.model import Mechanism
 
 __all__ = ["KINDS", "Job", "Kind", "export", "exported", "kind_of"]
 
 MOST_FRAMES = 10_000
+
+_ROWS = (
+    Kind("octave", ".m", "arrays, animated drawing and curves: GNU Octave, MATLAB", octave.write, identifier=True),
+    Kind("python", ".py", "a numpy module that needs nothing else", python.write, identifier=True),
+    Kind("geogebra", ".ggb", "a construction that moves, with sliders, for GeoGebra", geogebra.write),
+    Kind("vba", ".bas", "a module of functions for Excel and LibreOffice", vba, identifier=True),
+    Kind("latex", ".tex", "the solution as a textbook writes it, for one position", latex, positions=True),
+    Kind("markdown", ".md", "the same in Markdown", markdown, positions=True),
+    Kind("csv", ".csv", "the variables over the sweep, with units", table.write),
+    Kind(
+        "svg",
+        ".svg",
+        "drawings of positions, true coordinates",
+        svg,
+        positions=True,
+        frames=True,
+        behind="-drawing",
+    ),
+    Kind("dxf", ".dxf", "drawings for CAD (needs mechsheet[dxf])", dxf, positions=True, frames=True),
+)
+
+KINDS = {kind.name: kind for kind in _ROWS}
+"""Name -> kind, one line each, in the order of the help."""
 
 
 def kind_of(name: str) -> Kind:

@@ -25,7 +25,7 @@ from mechsheet.exporting.lowering import missing_where
 from mechsheet.exporting.program import one_line
 from mechsheet.kinematics.angle_branch import WINDOWED
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.newton.refusing import need_closed_form
+from mechsheet.kinematics.equations import need_closed_form
 from mechsheet.plotting.sampling import sample
 from mechsheet.shapes.forms import HALF, Mark, Shape, place_of
 from mechsheet.shapes.positions import Positions, longest
@@ -139,7 +139,7 @@ class Construction:
         self.points = list(dict.fromkeys(point for link in self.mechanism.links for point in link.points))
         # arrows of loads are left out: their lengths belong to the forces of the whole motion
         shapes = [shape for shape in positions.list.shapes if isinstance(shape, Shape) and shape.size is None]
-        self.drawn = [shape for shape in shapes if shape.kind != "path" and not shape.is_curve]
+        self.drawn = [shape for shape in shapes if shape.kind != "path"]
         self.traced = [shape for shape in shapes if shape.kind == "path"]
         for point in self.points:
             self.places[point] = self._take(label_of(point))
@@ -319,7 +319,10 @@ class Construction:
                 continue
             frame = [self._take(f"{name}_{{f{number}}}") for name in ("O", "U", "V")]
             for label, vector in zip(frame, shape.vectors, strict=True):
-                yield _Element(label, f"({self._text(vector[0])}, {self._text(vector[1])})", "point", HIDDEN)
+                yield _Element(label, self._corner(vector), "point", HIDDEN)
+            if shape.is_curve:
+                yield from self._curve(shape, number, frame[0])
+                continue
             path = ", ".join(f"({number_text(a)}, {number_text(b)})" for a, b in shape.path)
             along, k = self._take(f"L_{{f{number}}}"), "k"
             yield _Element(along, f"{{{path}}}", "list", HIDDEN)
@@ -335,6 +338,17 @@ class Construction:
                 '<show object="true" label="false"/>\n' + _color(shape.color) + '<lineStyle thickness="3" type="0"/>\n'
             )
             yield _Element(label, f"Locus[{self.places[point]}, {driver}]", "locus", shown)
+
+    def _curve(self, shape: Shape, number: int, middle: str) -> Iterator[_Element]:
+        """A cam's curve: the locus of its place in the axes of the cam, turned with these.
+
+        GeoGebra turns no locus, but the list of its points; they are as close to each other as the screen shows.
+        """
+        place, curve = (self._take(f"{name}_{{f{number}}}") for name in ("K", "L"))
+        yield _Element(place, f"{middle} + {self._corner(shape.corners[0])}", "point", HIDDEN)
+        yield _Element(curve, f"Locus[{place}, {self.labels[self.mechanism.driver.symbol]}]", "locus", HIDDEN)
+        x, y = (self._text(part) for part in shape.vectors[1])
+        yield self._line(shape, number, f"Rotate[First[{curve}, Length[{curve}]], atan2({y}, {x}), {middle}]")
 
     def _corners(self, corners: Sequence[Vector]) -> str:
         return "{" + ", ".join(self._corner(corner) for corner in corners) + "}"
@@ -362,7 +376,8 @@ class Construction:
             if equations.of(symbol).role == "variable":
                 unit = self.mechanism.shown(equations.of(symbol).unit)
                 value = self._text(self._form(self._taken(symbol)))
-                value, behind = (f"{value} * 180 / pi", "°") if unit.in_degrees else (value, f" {unit.text}")
+                # over 1°, not times 180/pi: a slider of an angle would stay an angle, of which GeoGebra shows degrees
+                value, behind = (f"({value}) / (1°)", "°") if unit.in_degrees else (value, f" {unit.text}")
                 lines.append(f'"{plain(symbol)} = " + ({value}) + "{behind}"')
         said = ' + "\n" + '.join(lines) or '""'
         for group in reversed(equations.groups):
@@ -382,7 +397,7 @@ class Construction:
 
 
 def _reads(shape: Shape) -> set[str]:
-    return {name for vector in shape.vectors for part in vector for name in symbols(part)}
+    return {name for vector in (*shape.vectors, *shape.corners) for part in vector for name in symbols(part)}
 
 
 def _needed_alone(pair: tuple[str, str], steps: Mapping[str, Node]) -> bool:

@@ -21,8 +21,8 @@ from livesheet.formula.nodes import Binary, Call, Direction, Node, Symbol, Trian
 from livesheet.said import Words
 from mechsheet.compiled import Compiled
 from mechsheet.kinematics.equations import FORCES, RATES, Condition, Equation, Equations, Group, System
-from mechsheet.kinematics.naming import FreshNames, given_names, without_group
-from mechsheet.kinematics.newton.lost_assembly import scales
+from mechsheet.kinematics.ledger import FreshNames, given_names, without_group
+from mechsheet.kinematics.newton.changed_dimensions import scales
 from mechsheet.model import Mechanism
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import NOTHING, phrase

@@ -7,24 +7,51 @@ an angle over the rows, `TRIANGLE` is the angle of a triangle opposite the first
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+import re
+import unicodedata
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from importlib.resources import files
+from itertools import chain, count
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node, Number, Symbol
 from livesheet.formula.printer import print_formula
 from mechsheet.compiled import Compiled
-from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step, columns_of, constants_of
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.doubts.sketched import tell
 from mechsheet.kinematics.equations import Equation, Equations, Group
-from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
+from mechsheet.kinematics.newton.changed_dimensions import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.model import TIME, Dimension, Law, Mechanism, Quantity
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import NOTHING
+from mechsheet.words.symbols import GREEK
+
+_SPELLED = str.maketrans({"ı": "i", "İ": "I", "ß": "ss", "ø": "o", "Ø": "O", "æ": "ae", "Æ": "AE", "ł": "l", "Ł": "L"})
+_GREEK = str.maketrans({letter: name for name, letter in GREEK.items()})
+
+
+def ascii_word(text: str) -> str:
+    """The text in letters, digits and _ of ASCII, beginning with a letter: `C.x` is C_x, `çıkış` is cikis, `θ13` theta13."""
+    plain = unicodedata.normalize("NFC", text).translate(_SPELLED).translate(_GREEK)
+    plain = "".join(letter for letter in unicodedata.normalize("NFKD", plain) if not unicodedata.combining(letter))
+    plain = re.sub(r"[^A-Za-z0-9_]", "_", plain)
+    return plain if plain[:1].isalpha() else f"x{plain}" if plain.strip("_") else "x"
+
+
+def identifiers(symbols: Iterable[str], reserved: Collection[str]) -> dict[str, str]:
+    """Symbol -> its name. Names differ by more than case (some languages do not see it), also from all of `reserved`."""
+    taken = {word.casefold() for word in reserved}
+    found: dict[str, str] = {}
+    for symbol in symbols:
+        plain = ascii_word(symbol)
+        candidates = chain([plain, f"{plain}_"], (f"{plain}_{number}" for number in count(2)))
+        found[symbol] = next(name for name in candidates if name.casefold() not in taken)
+        taken.add(found[symbol].casefold())
+    return found
+
 
 WIDTH = 100
 """Characters of a line of a program that has a comment."""

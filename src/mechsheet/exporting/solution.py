@@ -6,6 +6,7 @@ the steps in their order with symbols and with numbers, and the check that the n
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
@@ -14,15 +15,13 @@ from livesheet.formula.nodes import Call, Node, Number, Symbol, symbols
 from livesheet.formula.scalar import evaluate
 from livesheet.said import Words, say
 from mechsheet.exporting.job import Job
-from mechsheet.exporting.mathtext import RATIO, Pen, packed, point_math, seen, symbol_math
-from mechsheet.exporting.position import Position
+from mechsheet.exporting.mathtext import RATIO, Pen, Position, packed, point_math, seen, symbol_math
 from mechsheet.exporting.program import one_line, quantity
-from mechsheet.kinematics.closures import Loop
-from mechsheet.kinematics.equations import CAM, Equation, Group
-from mechsheet.kinematics.newton.refusing import need_one_position
+from mechsheet.kinematics.equations import CAM, Equation, Group, Loop, need_one_position
 from mechsheet.synthesis.writing import says
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words.catalogue import words
+from mechsheet.words.symbols import GREEK
 
 LINE = 66
 """Characters of LaTeX that numbers and their result may share a line with."""
@@ -323,3 +322,95 @@ def _equated(left: Sequence[str], right: Sequence[str]) -> list[str]:
 def _broken(head: str, lines: Sequence[str]) -> list[str]:
     """The lines of one side, those after the first a little to the right."""
     return [head + lines[0], *(rf"&\quad {line}" for line in lines[1:])]
+
+
+HEAD = r"""\documentclass[a4paper,11pt]{article}
+\usepackage[margin=22mm]{geometry}
+\usepackage{amsmath}
+\usepackage{longtable}
+\usepackage{iftex}
+\ifPDFTeX\usepackage[utf8]{inputenc}\else\usepackage{fontspec}\fi
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{4pt}
+\sloppy
+\allowdisplaybreaks
+\AtBeginDocument{\setlength{\abovedisplayskip}{3pt}\setlength{\belowdisplayskip}{5pt}}
+\begin{document}
+"""
+
+LONG = 24
+"""Rows from which on a table is broken over pages."""
+
+HEADINGS = {2: "section*", 3: "subsection*"}
+
+_SIGNS = {
+    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%", "_": r"\_",
+    "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "→": r"$\to$", "–": "--", "—": "---", "−": r"$-$",
+    "°": r"$^\circ$", "·": r"$\cdot$", "×": r"$\times$", "²": r"$^2$", "³": r"$^3$", "µ": r"$\mu$", "≤": r"$\le$",
+    "≥": r"$\ge$", "±": r"$\pm$", "∠": r"$\angle$", "√": r"$\surd$", "<": r"$<$", ">": r"$>$", "|": r"$|$", '"': "''",
+} | {letter: f"$\\{name}$" for name, letter in GREEK.items()}  # fmt: skip
+
+
+def latex(job: Job) -> list[bytes]:
+    """The document in UTF-8."""
+    parts = [HEAD]
+    for block in solution(job):
+        # no paragraph ends before equations: they would stand further down
+        parts += ["" if isinstance(block, Display) else "\n", _latex_block(block), "\n"]
+    return ["".join([*parts, "\n\\end{document}\n"]).encode()]
+
+
+def _latex_block(block: Block) -> str:
+    match block:
+        case Heading(1, text):
+            return rf"{{\LARGE\bfseries {_latex_escaped(text)}\par}}"
+        case Heading(level, text):
+            return rf"\{HEADINGS[level]}{{{_latex_escaped(text)}}}"
+        case Paragraph(parts):
+            return marked_up(parts, _latex_escaped)
+        case Display(lines):
+            return "\\begin{align*}\n" + " \\\\\n".join(lines) + "\n\\end{align*}"
+        case Table():
+            return _latex_table(block)
+
+
+def _latex_table(table: Table) -> str:
+    """A table; a long one may go on on the next page. Texts in the last column are wrapped."""
+    last = len(table.head) - 1
+    columns = ["r" if index in table.numbers else "l" for index in range(len(table.head))]
+    if last not in table.numbers:
+        columns[last] = "p{95mm}"
+    rows = [table.head, *table.rows]
+    lines = [" & ".join(marked_up(cell, _latex_escaped) for cell in row) + r" \\" for row in rows]
+    kind, place = ("longtable", "[l]") if len(rows) > LONG else ("tabular", "")
+    lines.insert(1, r"\hline" + (r"\endhead" if kind == "longtable" else ""))
+    return "\n".join([rf"\begin{{{kind}}}{place}{{{''.join(columns)}}}", *lines, rf"\end{{{kind}}}\par\smallskip"])
+
+
+def _latex_escaped(text: str) -> str:
+    """Signs that LaTeX would read as its own, and letters that its fonts do not have."""
+    return "".join(_SIGNS.get(letter, letter) for letter in text)
+
+
+def markdown(job: Job) -> list[bytes]:
+    """The document in UTF-8."""
+    return [("\n\n".join(_markdown_block(block) for block in solution(job)) + "\n").encode()]
+
+
+def _markdown_block(block: Block) -> str:
+    match block:
+        case Heading(level, text):
+            return f"{'#' * level} {_markdown_escaped(text)}"
+        case Paragraph(parts):
+            return marked_up(parts, _markdown_escaped)
+        case Display(lines):
+            return "$$\n\\begin{aligned}\n" + " \\\\\n".join(lines) + "\n\\end{aligned}\n$$"
+        case Table(head, rows, numbers):
+            rule = ["--:" if index in numbers else "---" for index in range(len(head))]
+            written = [f"| {' | '.join(marked_up(cell, _markdown_escaped) for cell in row)} |" for row in (head, *rows)]
+            return "\n".join([written[0], f"| {' | '.join(rule)} |", *written[1:]])
+
+
+def _markdown_escaped(text: str) -> str:
+    """Signs that Markdown would read as its own."""
+    return re.sub(r"([\\`*_{}\[\]<>#|$~])", r"\\\1", text)

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from livesheet.formula.nodes import Symbol
 from mechsheet.homework.agreement import Reading, allowance, units_of
 from mechsheet.homework.expected_values import Array, Kind, Quantity, Truth, truth_of
-from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.kinematics.numeric import value
+from mechsheet.kinematics.whole_turns import mean_of_motion
 from mechsheet.model import Summary, Take
 
 FINER = 20

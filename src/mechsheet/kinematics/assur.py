@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypeAlias, cast, get_args
 
 from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.gear_relations import Tied, next_tied
-from mechsheet.kinematics.graph import Graph, Slide
+from mechsheet.kinematics.graph import Assembly, Graph, Slide
 from mechsheet.kinematics.mobility import listed_names, stiff_faults
 from mechsheet.kinematics.newton.chains import MOST_UNKNOWNS, Chain, TooManyUnknownsError, next_chain
 from mechsheet.model import Driver, FurtherDriver, Mechanism, Rack, Relation
@@ -55,6 +55,9 @@ class Drive:
         return Drive(self.moving, self.base, self.joint, self.symbol, not self.positive)
 
 
+Kind: TypeAlias = Literal["RRR", "RRP", "RPR", "PRP", "RPP"]
+
+
 @dataclass(frozen=True, slots=True)
 class Dyad:
     """Two rigid assemblies of bodies. `outer` joins `first` (resp. `second`) to what is solved, `inner` joins them.
@@ -65,16 +68,16 @@ class Dyad:
     whole  pair and dyad as one assembly, in the frame of the first of these bodies
     """
 
-    kind: Literal["RRR", "RRP", "RPR", "PRP", "RPP"]
-    first: tuple[str, ...]
-    second: tuple[str, ...]
+    kind: Kind
+    first: Assembly
+    second: Assembly
     outer: tuple[Contact, Contact]
     inner: Contact
-    frame: tuple[str, ...] = ()
-    whole: tuple[str, ...] = ()
+    frame: Assembly = ()
+    whole: Assembly = ()
 
     @property
-    def assemblies(self) -> tuple[tuple[str, ...], ...]:
+    def assemblies(self) -> tuple[Assembly, ...]:
         """Both of them."""
         return self.first, self.second
 
@@ -84,7 +87,7 @@ class Dyad:
         return (*self.first, *self.second)
 
     @property
-    def by_line(self) -> tuple[tuple[str, ...], tuple[str, ...], Pin, Pin]:
+    def by_line(self) -> tuple[Assembly, Assembly, Pin, Pin]:
         """Of RPR: the assembly that carries the line, the one that slides on it, and the outer pin of each."""
         p, q = self.outer
         if not (isinstance(self.inner, Slide) and isinstance(p, Pin) and isinstance(q, Pin)):
@@ -98,7 +101,6 @@ class Dyad:
 
 
 Step = Drive | Tied | Dyad | Chain
-Bodies = tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +129,7 @@ class Order:
         """The steps that are Assur groups."""
         return tuple(step for step in self.steps if isinstance(step, Dyad | Chain))
 
-    def pair(self, assembly: tuple[str, ...]) -> Drive:
+    def pair(self, assembly: Assembly) -> Drive:
         """The driven joint inside an assembly of bodies."""
         return next(drive for drive in self.drives if {*drive.bodies} <= {*assembly})
 
@@ -135,7 +137,7 @@ class Order:
 def order_of(mechanism: Mechanism, graph: Graph) -> Order:
     """How the mechanism is solved. MechanismError when a driver drives no joint, or a group takes too many unknowns."""
     drives = tuple(_drive(mechanism, driver, graph) for driver in mechanism.all_drivers)
-    clusters: dict[Drive, Bodies] = {drive: drive.bodies for drive in drives}
+    clusters: dict[Drive, Assembly] = {drive: drive.bodies for drive in drives}
     solved = {mechanism.ground.name}
     steps: list[Step] = []
     force = mechanism.solution.force
@@ -165,7 +167,7 @@ def _unused(graph: Graph, steps: Sequence[Step]) -> list[Relation]:
     return [relation for relation in graph.relations if relation not in used]
 
 
-def _next_chain(graph: Graph, assemblies: list[Bodies], steps: list[Step], solved: set[str], force: bool) -> Chain:
+def _next_chain(graph: Graph, assemblies: list[Assembly], steps: list[Step], solved: set[str], force: bool) -> Chain:
     """The smallest group that Newton's method solves; `force` takes dyads so, too."""
     stiff = stiff_faults(graph)
     if stiff:
@@ -182,9 +184,9 @@ def _next_chain(graph: Graph, assemblies: list[Bodies], steps: list[Step], solve
 
 def _grown(
     graph: Graph,
-    assemblies: list[Bodies],
+    assemblies: list[Assembly],
     pending: list[Drive],
-    clusters: dict[Drive, Bodies],
+    clusters: dict[Drive, Assembly],
     solved: set[str],
 ) -> Dyad | None:
     """A dyad on both sides of a driven joint, which are one link with it from now on.
@@ -223,7 +225,7 @@ def _next_drive(pending: list[Drive], solved: set[str]) -> Drive | None:
 
 
 def _oriented(graph: Graph, pending: list[Drive], solved: set[str]) -> set[str]:
-    """Bodies whose angle is known: solved ones, those that slide on such a one, those that are driven from such a one."""
+    """Assembly whose angle is known: solved ones, those that slide on such a one, those that are driven from such a one."""
     found = set(solved)
     ways = [(slide.body, slide.on) for slide in graph.slides if slide.body not in graph.blocks]
     ways += [drive.bodies for drive in pending]
@@ -234,7 +236,7 @@ def _oriented(graph: Graph, pending: list[Drive], solved: set[str]) -> set[str]:
     return found
 
 
-def _assemblies(graph: Graph, pairs: list[Bodies], solved: set[str]) -> list[Bodies]:
+def _assemblies(graph: Graph, pairs: list[Assembly], solved: set[str]) -> list[Assembly]:
     """What is not solved, in the description's order: bodies alone, and both sides of a driven joint with what moves with
     them; of these the larger ones first."""
     grouped = [body for pair in pairs for body in pair]
@@ -297,7 +299,7 @@ def _no_pivot(driver: Driver | FurtherDriver, graph: Graph) -> Fault:
     )
 
 
-def _contacts(graph: Graph, assembly: tuple[str, ...], others: set[str]) -> list[Contact]:
+def _contacts(graph: Graph, assembly: Assembly, others: set[str]) -> list[Contact]:
     """Joints between an assembly and a set of bodies, pins first, a point once."""
     points = dict.fromkeys(point for body in assembly for point in graph.points[body])
     pins: list[Contact] = [Pin(point) for point in points if any(point in graph.points[body] for body in others)]
@@ -310,7 +312,7 @@ def _contacts(graph: Graph, assembly: tuple[str, ...], others: set[str]) -> list
     return pins + slides
 
 
-def _next_dyad(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str]) -> Dyad | None:
+def _next_dyad(graph: Graph, assemblies: list[Assembly], solved: set[str]) -> Dyad | None:
     """The first pair of assemblies, in the description's order, that can be solved from what is known."""
     held = [(bodies, _contacts(graph, bodies, solved)) for bodies in assemblies]
     held = [(bodies, contacts) for bodies, contacts in held if len(contacts) == 1]
@@ -327,7 +329,7 @@ def _next_dyad(graph: Graph, assemblies: list[tuple[str, ...]], solved: set[str]
     return None
 
 
-def _within(graph: Graph, assemblies: list[tuple[str, ...]], driven: tuple[str, ...], solved: set[str]) -> Dyad | None:
+def _within(graph: Graph, assemblies: list[Assembly], driven: Assembly, solved: set[str]) -> Dyad | None:
     """Two links that are joined to each other and each to the driven pair, by three pins; None where there are none.
 
     A link that is joined to what is solved comes first, if there is one: in its frame the whole is read best.
@@ -343,16 +345,11 @@ def _within(graph: Graph, assemblies: list[tuple[str, ...]], driven: tuple[str, 
     return Dyad("RRR", first, second, outer, dyad.inner, driven, whole)
 
 
-def _dyad(
-    first: tuple[str, ...], second: tuple[str, ...], outer_first: Contact, inner: Contact, outer_second: Contact
-) -> Dyad:
+def _dyad(first: Assembly, second: Assembly, outer_first: Contact, inner: Contact, outer_second: Contact) -> Dyad:
     if isinstance(outer_first, Slide) and isinstance(outer_second, Pin):
         first, second, outer_first, outer_second = second, first, outer_second, outer_first
     letters = "".join("R" if isinstance(contact, Pin) else "P" for contact in (outer_first, inner, outer_second))
-    kinds: dict[str, Literal["RRR", "RRP", "RPR", "PRP", "RPP"]] = {
-        "RRR": "RRR", "RRP": "RRP", "RPR": "RPR", "PRP": "PRP", "RPP": "RPP",
-    }  # fmt: skip
-    if letters not in kinds:
+    if letters not in get_args(Kind):
         raise MechanismError(
             Fault(
                 say(
@@ -368,18 +365,18 @@ def _dyad(
                 hint=say("one of the three joints must be a revolute joint"),
             )
         )
-    return Dyad(kinds[letters], first, second, (outer_first, outer_second), inner)
+    return Dyad(cast(Kind, letters), first, second, (outer_first, outer_second), inner)
 
 
 def _joint(contact: Contact) -> str:
     return contact.point if isinstance(contact, Pin) else contact.joint.symbol
 
 
-def _names(bodies: tuple[str, ...]) -> str:
+def _names(bodies: Assembly) -> str:
     return " + ".join(f'"{body}"' for body in bodies)
 
 
-def _too_large(assemblies: Sequence[tuple[str, ...]]) -> Fault:
+def _too_large(assemblies: Sequence[Assembly]) -> Fault:
     names = ", ".join(_names(bodies) for bodies in assemblies)
     return Fault(
         say(

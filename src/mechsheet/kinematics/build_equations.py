@@ -17,30 +17,24 @@ from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin, order_of
 from mechsheet.kinematics.cams.segments import write_segments
-from mechsheet.kinematics.closures import Loop
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, largest_given
 from mechsheet.kinematics.driving import driver_values, given_values, listed_values
 from mechsheet.kinematics.dyads.lines import solve_prp, solve_rpp
-from mechsheet.kinematics.dyads.rpr import solve_rpr
-from mechsheet.kinematics.dyads.rrp import solve_rrp
-from mechsheet.kinematics.dyads.rrr import solve_rrr
-from mechsheet.kinematics.dyads.rrr_on_driven_pair import member, sketched_mode, solve_within
+from mechsheet.kinematics.dyads.right_triangles import solve_rpr, solve_rrp
 from mechsheet.kinematics.dyads.solved import Determinant, Solved
-from mechsheet.kinematics.equations import Equation, Equations, Group, System, assembly_of, validate
+from mechsheet.kinematics.dyads.triangles import member, sketched_mode, solve_rrr, solve_within
+from mechsheet.kinematics.equations import Equation, Equations, Group, Loop, System, assembly_of, validate
 from mechsheet.kinematics.gear_relations import Tied
 from mechsheet.kinematics.graph import Graph, graph_of
-from mechsheet.kinematics.ledger import CLOSING, Ledger
-from mechsheet.kinematics.lengths import largest_given
+from mechsheet.kinematics.ledger import CLOSING, Ledger, given_names
 from mechsheet.kinematics.loops import loops_of
 from mechsheet.kinematics.mobility import check_mobility
-from mechsheet.kinematics.modes import NeverClosesError, pick_mode
-from mechsheet.kinematics.naming import given_names
+from mechsheet.kinematics.modes import NeverClosesError, cannot_follow, cannot_show, pick_mode, way
 from mechsheet.kinematics.nearest import NOTHING_MEANT, Choice, Meant, Nearest
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.newton.newton_equations import ChainWriter, Solution
 from mechsheet.kinematics.newton.picking import pick_assembly, words_of
 from mechsheet.kinematics.newton.steps import settled
-from mechsheet.kinematics.newton.tracing import cannot_follow, cannot_show, way
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.points_in_link import angle_of, cartesian, number
 from mechsheet.kinematics.poses import Member, Poses

@@ -9,17 +9,19 @@ does not exist is no value but a condition beside the expression. How cells and 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.diagnostics import Fault
 from livesheet.formula import algebra as al
+from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Binary, Node, Root, Symbol, symbols
-from livesheet.said import Words
-from mechsheet.kinematics.closures import Loop
+from livesheet.said import Words, say
+from mechsheet.diagnostics import MechanismError
 from mechsheet.model import FurtherDriver, Take
 from mechsheet.units import Unit
 
@@ -123,6 +125,57 @@ class LinkPose:
     x: Node
     y: Node
     places: Mapping[str, tuple[Node, Node]]
+
+
+@dataclass(frozen=True, slots=True)
+class Vector:
+    """length e^(i angle); a displacement may be negative."""
+
+    length: Node
+    angle: Angle
+
+
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """A loop closure equation: vectors in complex form, one way round against the other, sum of r e^(i theta) on each side.
+
+    The ways are given over named points, too: a way and its reverse differ in sign.
+
+    left_way, right_way  the steps of each side, from point to point
+    """
+
+    left: tuple[Vector, ...]
+    right: tuple[Vector, ...]
+    left_way: tuple[tuple[str, str], ...]
+    right_way: tuple[tuple[str, str], ...]
+
+    @property
+    def vectors(self) -> tuple[Vector, ...]:
+        """Those of both sides."""
+        return self.left + self.right
+
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """Every symbol in it, once."""
+        nodes = (node for vector in self.vectors for node in (vector.length, vector.angle.node))
+        return tuple(dict.fromkeys(name for node in nodes for name in symbols(node)))
+
+    @property
+    def gap(self) -> tuple[Node, Node]:
+        """Real and imaginary part of left minus right: both are 0 where the loop closes."""
+
+        def part(function: Callable[[Angle], Node]) -> Node:
+            sides = (
+                al.total(al.mul(vector.length, function(vector.angle)) for vector in side)
+                for side in (self.left, self.right)
+            )
+            return al.sub(*sides)
+
+        return part(al.cos), part(al.sin)
+
+
+NO_LOOP = Loop((), (), (), ())
+"""Of a group that is solved by other equations."""
 
 
 PASSES = 6
@@ -372,3 +425,23 @@ def validate(equations: Equations, given: tuple[str, ...]) -> None:
         if (equation.role == "constant") != (equation in equations.constants):
             raise ValueError(f"{equation.symbol} stands in the wrong list")
         known.add(equation.symbol)
+
+
+def need_closed_form(equations: Equations, what: str, key: str = "", hint: str = "") -> None:
+    """Raise MechanismError where a group is solved by Newton's method; `what` is not written then."""
+    group = next((group for group in equations.groups if group.system is not None), None)
+    if group is not None:
+        message = say("{what}: {group} have no closed form, each row needs the row above", what=what, group=group.label)
+        raise MechanismError(Fault(message, key=key, hint=hint))
+
+
+def need_one_position(equations: Equations, what: str, key: str = "", hint: str = "") -> None:
+    """As `need_closed_form`; the driver's value alone must also say where everything else that is driven stands."""
+    need_closed_form(equations, what, key, hint)
+    for listed in equations.listed:
+        message = say(
+            "{what}: the values of {symbol} are listed row by row, they do not follow from the driver",
+            what=what,
+            symbol=listed.symbol,
+        )
+        raise MechanismError(Fault(message, key=key, hint=hint))

@@ -8,9 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from mechsheet.model import Gear, Joint, Mechanism, Relation
 from mechsheet.words.equations import BLOCK
+
+Assembly: TypeAlias = tuple[str, ...]
+"""Bodies that move as one, in order: the frame of the first is the assembly's."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +32,10 @@ class Slide:
     def side(self, assembly: Collection[str]) -> str:
         """The body of an assembly that is one of the two."""
         return self.body if self.body in assembly else self.on
+
+    def beyond(self, assembly: Collection[str]) -> str:
+        """The body at the other side of an assembly that has one of the two."""
+        return self.other(self.side(assembly))
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,24 +1,26 @@
 """Where equations are written down while a mechanism is being solved: unique names, constants told from columns, values.
 
-The values ride along (a few rows of numpy) so that the sketch can pick each group's assembly mode as soon as the group's
-equations stand.
+Names that the description gives stay as they are; new ones stand beside them. The values ride along (a few rows of numpy) so
+that the sketch can pick each group's assembly mode as soon as the group's equations stand.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from itertools import chain, count
 
 import numpy as np
 
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
+from livesheet.formula.names import folded
 from livesheet.formula.nodes import Call, Direction, Node, Number, Root, Symbol, symbols
 from livesheet.said import Words
 from mechsheet.kinematics.equations import Condition, Equation, ForceKind, Role, System
-from mechsheet.kinematics.naming import FreshNames
 from mechsheet.kinematics.newton.system import followed
 from mechsheet.kinematics.numeric import Array, evaluate_equation
+from mechsheet.model import Mechanism
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import NOTHING, phrase
 
@@ -63,12 +65,13 @@ class Ledger:
         """The assembly mode of the present group, `mode_1`: a constant that is +1 until the sketch says otherwise."""
         name = self.reserve(f"mode_{self.group}" if self.group <= 1 else "mode")
         self.constant_symbols.add(name)
-        self.set_mode(name, 1)
+        self.values[name] = np.ones(self.rows)
         return Symbol(name)
 
-    def set_mode(self, name: str, sign: int) -> None:
-        """Let a mode be +1 or -1; columns must be recomputed."""
-        self.values[name] = np.full(self.rows, float(sign))
+    def set_mode(self, name: str, number: int, start: int) -> None:
+        """Let a mode be +1, -1 or the number of an assembly, and compute the columns again from position `start` on."""
+        self.values[name] = np.full(self.rows, float(number))
+        self._recompute(start)
 
     def is_constant(self, node: Node) -> bool:
         """True when an expression has one value for all rows."""
@@ -161,13 +164,59 @@ class Ledger:
         found = np.flatnonzero(np.isfinite(self.values[symbol]))
         return int(found[0]) if len(found) else None
 
+    def of(self, symbol: str) -> Equation:
+        """The column of a symbol."""
+        return next(equation for equation in self.columns if equation.symbol == symbol)
+
     def replace_expression(self, symbol: str, expression: Node) -> None:
         """Give a column another expression (used to take whole turns out of an angle)."""
-        at = next(index for index, equation in enumerate(self.columns) if equation.symbol == symbol)
+        at = self.columns.index(self.of(symbol))
         self.columns[at] = replace(self.columns[at], expression=expression)
-        self.recompute(at)
+        self._recompute(at)
 
-    def recompute(self, start: int) -> None:
-        """Compute the columns again from the one at position `start` on."""
+    def _recompute(self, start: int) -> None:
         for equation in self.columns[start:]:
             self._compute(equation)
+
+
+def given_names(mechanism: Mechanism) -> list[str]:
+    """Every name that the description gives to a quantity."""
+    return [
+        *(dimension.symbol for dimension in mechanism.dimensions),
+        *(output.symbol for output in mechanism.outputs),
+        *(each.symbol for each in mechanism.motion_numbers),
+        *(link.angle_symbol for link in mechanism.links),
+        *(joint.symbol for joint in mechanism.joints),
+        *mechanism.driven_symbols,
+        *(name for name in mechanism.given_by_row if name not in mechanism.driven_symbols),
+        *_rates(mechanism),
+        *(mechanism.cam.symbols if mechanism.cam else ()),
+    ]
+
+
+def _rates(mechanism: Mechanism) -> tuple[str, ...]:
+    """The names of angular velocities and accelerations, where there are any."""
+    if mechanism.driver.speed is None:
+        return ()
+    return tuple(name for link in mechanism.links for name in link.rate_symbols)
+
+
+def without_group(symbol: str, group: int) -> str:
+    """The symbol without the number of its group: what `FreshNames.reserve` made it from."""
+    return symbol.removesuffix(f"_{group}") if group > 1 else symbol
+
+
+class FreshNames:
+    """Names for quantities that no description gave one."""
+
+    def __init__(self, taken: Iterable[str]) -> None:
+        self._taken = {folded(name) for name in taken}
+
+    def reserve(self, base: str, group: int) -> str:
+        """A name like `base` that nothing else has: `phi`, in the second group `phi_2`."""
+        group = max(group, 1)
+        first = [base, f"{base}_1"] if group == 1 else [f"{base}_{group}"]
+        further = (f"{base}_{group}_{number}" for number in count(2))
+        name = next(name for name in chain(first, further) if folded(name) not in self._taken)
+        self._taken.add(folded(name))
+        return name

@@ -16,7 +16,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Binary, Node, Number, Symbol, Unary
 from mechsheet.kinematics.assur import Contact, Dyad, Pin, Step, bodies_of
-from mechsheet.kinematics.closures import NO_LOOP, Loop, Vector
+from mechsheet.kinematics.equations import NO_LOOP, Loop, Vector
 from mechsheet.kinematics.newton.chains import Chain
 from mechsheet.kinematics.points_in_link import PointInLink, angle_of
 from mechsheet.kinematics.poses import Poses

@@ -1,4 +1,4 @@
-"""Which of a group's two assemblies the sketch means."""
+"""Which of a group's two assemblies the sketch means, and the way from a sketched position to the first row."""
 
 from __future__ import annotations
 
@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 from livesheet.diagnostics import Fault
 from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.dimensions import largest_length
 from mechsheet.kinematics.dyads.solved import Solved
+from mechsheet.kinematics.equations import Equation
 from mechsheet.kinematics.ledger import Ledger
-from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.points_in_link import number
-from mechsheet.model import Mechanism
+from mechsheet.model import Driver, Mechanism
 
 BETWEEN = 0.1
 """A sketch lies between two assemblies where the squares of its distances to them differ by less than this part of the
@@ -62,12 +63,12 @@ def pick_mode(
     if not solved.mode:
         return 1, False
     if given is not None:
-        _take(ledger, solved.mode, given, start)
+        ledger.set_mode(solved.mode, given, start)
         return given, False
     entries = entries_of(mechanism, ledger, start, dimensions)
     columns = {}
     for sign in (-1, 1):  # +1 last: it stays when nothing decides
-        _take(ledger, solved.mode, sign, start)
+        ledger.set_mode(solved.mode, sign, start)
         columns[sign] = [ledger.values[symbol] for symbol, _, _ in entries]
     row = _first_apart(entries, columns, np.flatnonzero(np.isfinite(ledger.values[solved.closes])))
     positions = {sign: [float(column[row]) for column in found] for sign, found in columns.items()}
@@ -89,7 +90,7 @@ def pick_mode(
             return 1, True
         raise BetweenModesError(_between(entries, positions, solved))
     mode = 1 if apart < 0 else -1
-    _take(ledger, solved.mode, mode, start)
+    ledger.set_mode(solved.mode, mode, start)
     return mode, False
 
 
@@ -108,32 +109,31 @@ Entry = tuple[str, float, float]
 
 def entries_of(mechanism: Mechanism, ledger: Ledger, start: int, dimensions: Mapping[str, float]) -> list[Entry]:
     """What the sketch says of the columns from `start` on."""
-    fresh = {equation.symbol: equation.unit.kind for equation in ledger.columns[start:]}
     size = largest_length(mechanism, dimensions) or 1.0
     for equation in ledger.columns[start:]:
         if equation.role == "point":
             found = ledger.values[equation.symbol]
             size = max(size, float(abs(found[found == found]).max(initial=0.0)))
+    return entries_among(mechanism, ledger.columns[start:], dimensions, size)
 
-    entries: list[Entry] = []
-    for point, place in mechanism.sketch.points.items():
-        for axis, quantity in zip("xy", place, strict=True):
-            if f"{point}.{axis}" in fresh:
-                entries.append((f"{point}.{axis}", number(quantity, dimensions), size))
-    for symbol, quantity in mechanism.sketch.symbols.items():
-        if symbol in fresh:
-            entries.append((symbol, number(quantity, dimensions), 0.0 if fresh[symbol] == "angle" else size))
-    return entries
+
+def entries_among(
+    mechanism: Mechanism, columns: Sequence[Equation], dimensions: Mapping[str, float], size: float
+) -> list[Entry]:
+    """What the sketch says of some columns, lengths being measured in `size`."""
+    kinds = {equation.symbol: equation.unit.kind for equation in columns}
+    sketched = [(f"{point}.{axis}", quantity) for point, place in mechanism.sketch.points.items()
+                for axis, quantity in zip("xy", place, strict=True)]  # fmt: skip
+    return [
+        (symbol, number(quantity, dimensions), 0.0 if kinds[symbol] == "angle" else size)
+        for symbol, quantity in (*sketched, *mechanism.sketch.symbols.items())
+        if symbol in kinds
+    ]
 
 
 def difference(a: float, b: float, scale: float) -> float:
     """a - b as a part of the scale; angles (scale 0) modulo a turn."""
     return math.remainder(a - b, math.tau) if scale == 0 else (a - b) / scale
-
-
-def _take(ledger: Ledger, mode: str, sign: int, start: int) -> None:
-    ledger.set_mode(mode, sign)
-    ledger.recompute(start)
 
 
 def shown_entries(entries: Sequence[Entry], found: Sequence[float]) -> str:
@@ -153,4 +153,47 @@ def _between(entries: list[Entry], positions: dict[int, list[float]], solved: So
             plus=shown_entries(entries, positions[1]),
             minus=shown_entries(entries, positions[-1]),
         ),
+    )
+
+
+# --- from the sketched position to the first row -----------------------------------------------------------
+
+STEP = math.radians(1.0)
+FEWEST, MOST = 24, 390
+"""Steps between two values of the driver: fewer than the rows that are looked at when a mechanism is solved."""
+
+
+def way(start: float, end: float, turns: bool) -> Array:
+    """Values of the driver from one to another, in small steps."""
+    count = math.ceil(abs(end - start) / STEP) if turns else FEWEST
+    return np.linspace(start, end, min(max(count, FEWEST), MOST) + 1)
+
+
+def cannot_show(links: Words) -> MechanismError:
+    """There is no position where the sketch is said to show one."""
+    message = say("the sketch cannot show this position: there {links} cannot be joined", links=links)
+    hint = say("check `at`, which is in the driver's unit, and the lengths of these links")
+    return MechanismError(Fault(message, key="assembly.at", hint=hint))
+
+
+def cannot_follow(links: Words, driver: Driver, at: float, place: float) -> MechanismError:
+    """What the sketch shows at the driver's value `at` comes apart on the way, at another [rad or length unit]."""
+    where = {"symbol": driver.symbol, "value": float(driver.unit.to_shown(place))}
+    start = float(driver.unit.to_shown(at))
+    return MechanismError(
+        Fault(
+            say(
+                "from the position that the sketch shows {links} cannot be followed to the first one: they "
+                "come apart at {symbol} = {value:.4g}",
+                links=links,
+                **where,
+            ),
+            key="assembly.at",
+            hint=say(
+                "begin the sweep at {symbol} = {start:.4g}, where it exists, or sketch a position of the first one's "
+                "stretch",
+                symbol=driver.symbol,
+                start=start,
+            ),
+        )
     )

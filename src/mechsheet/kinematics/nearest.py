@@ -20,12 +20,10 @@ from livesheet.formula.nodes import Root
 from livesheet.said import Words, say
 from mechsheet.kinematics.equations import Equation, System
 from mechsheet.kinematics.ledger import CLOSING, Ledger
-from mechsheet.kinematics.modes import BETWEEN, SEPARATE, BetweenModesError, Entry, difference, shown_entries
-from mechsheet.kinematics.newton.picking import listed, turns
-from mechsheet.kinematics.newton.starts import MOST_FOUND
+from mechsheet.kinematics.modes import BETWEEN, SEPARATE, BetweenModesError, difference, entries_among, shown_entries
+from mechsheet.kinematics.newton.picking import MOST_FOUND, listed, turns
 from mechsheet.kinematics.newton.system import followed
 from mechsheet.kinematics.numeric import Array, evaluate_equation
-from mechsheet.kinematics.points_in_link import number
 from mechsheet.model import Mechanism
 
 WIDTH = 256
@@ -100,7 +98,8 @@ class Nearest:
         self._equations: dict[int, list[Equation]] = {}
         for equation in (*ledger.constants, *ledger.columns):
             self._equations.setdefault(equation.group, []).append(equation)
-        self._entries = _entries(mechanism, ledger, dimensions, self._size)
+        columns = [equation for equation in ledger.columns if equation.group > 0]
+        self._entries = entries_among(mechanism, columns, dimensions, self._size)
         numbers = {link.name: link.angle_symbol for link in mechanism.links}
         self._read_by_gears = {numbers[name] for relation in mechanism.relations for name in relation.turning}
 
@@ -269,17 +268,3 @@ def _counted(column: Array) -> Array:
     """An angle that a gear reads: its turns are counted from the first position."""
     there = column[np.isfinite(column)]
     return column - math.tau * round(float(there[0]) / math.tau) if len(there) else column
-
-
-def _entries(mechanism: Mechanism, ledger: Ledger, dimensions: Mapping[str, float], size: float) -> tuple[Entry, ...]:
-    """What is sketched of all groups."""
-    kinds = {equation.symbol: equation.unit.kind for equation in ledger.columns if equation.group > 0}
-    found: list[Entry] = []
-    for point, place in mechanism.sketch.points.items():
-        for axis, quantity in zip("xy", place, strict=True):
-            if f"{point}.{axis}" in kinds:
-                found.append((f"{point}.{axis}", number(quantity, dimensions), size))
-    for symbol, quantity in mechanism.sketch.symbols.items():
-        if symbol in kinds:
-            found.append((symbol, number(quantity, dimensions), 0.0 if kinds[symbol] == "angle" else size))
-    return tuple(found)

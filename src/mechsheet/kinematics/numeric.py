@@ -8,6 +8,7 @@ from __future__ import annotations
 import math
 import operator
 from collections.abc import Callable, Mapping
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 
 from livesheet import portable
 from livesheet.formula.nodes import Binary, Boolean, Call, Direction, Node, Number, Symbol, TriangleAngle, Unary
-from mechsheet.kinematics.equations import Equation
+from mechsheet.kinematics.equations import FORCES, RATES, Equation, Equations
 
 Array = NDArray[np.float64]
 
@@ -37,7 +38,7 @@ def _chosen(number: Any, *values: Any) -> Any:
 FUNCTIONS: dict[str, Callable[..., Any]] = {
     "ABS": np.abs,
     "ACOS": portable.arccos,
-    "AND": lambda *args: _fold(np.logical_and, args),
+    "AND": lambda *args: reduce(np.logical_and, args),
     "ASIN": portable.arcsin,
     "ATAN": portable.arctan,
     "ATAN2": lambda x, y: portable.arctan2(y, x),  # the sheet's order is x first, numpy's y first
@@ -50,12 +51,12 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "ISNUMBER": lambda x: ~np.isnan(x),
     "LN": portable.log,
     "MEDIAN": lambda *args: np.median(np.broadcast_arrays(*args), axis=0),
-    "MAX": lambda *args: _fold(np.maximum, args),
-    "MIN": lambda *args: _fold(np.minimum, args),
+    "MAX": lambda *args: reduce(np.maximum, args),
+    "MIN": lambda *args: reduce(np.minimum, args),
     "MOD": np.mod,
     "NA": lambda: np.nan,
     "NOT": np.logical_not,
-    "OR": lambda *args: _fold(np.logical_or, args),
+    "OR": lambda *args: reduce(np.logical_or, args),
     "PI": lambda: np.pi,
     "RADIANS": np.radians,
     "ROUND": _round,
@@ -64,7 +65,7 @@ FUNCTIONS: dict[str, Callable[..., Any]] = {
     "SIGN": np.sign,
     "SIN": portable.sin,
     "SQRT": np.sqrt,
-    "SUMSQ": lambda *args: _fold(operator.add, tuple(arg * arg for arg in args)),
+    "SUMSQ": lambda *args: reduce(operator.add, (arg * arg for arg in args)),
     "TAN": portable.tan,
 }
 
@@ -80,13 +81,6 @@ OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
     ">=": np.greater_equal,
     "=": np.equal,
 }
-
-
-def _fold(function: Callable[[Any, Any], Any], args: tuple[Any, ...]) -> Any:
-    result = args[0]
-    for arg in args[1:]:
-        result = function(result, arg)
-    return result
 
 
 def value(node: Node, known: Mapping[str, Any], rooted: bool = False, seen: dict[Any, Any] | None = None) -> Any:
@@ -208,3 +202,53 @@ def evaluate_equation(
             if np.any(fails):
                 result = np.where(fails, np.nan, result)
         return np.broadcast_to(np.asarray(result, float), (rows,))
+
+
+ROUNDING = 1e-9
+"""What is less than this part of its terms in every row is rounding: far more than is lost, far less than is meant."""
+
+CANCELS = (*RATES, *FORCES, "output")
+"""Roles of quantities whose terms are looked at through those that they are found from."""
+
+
+def only_rounding(equations: Equations, values: Mapping[str, Array]) -> dict[str, float]:
+    """Quantities that are not 0, but nothing beside their terms in any row: how large these become."""
+    known = {name: np.abs(column) for name, column in values.items()}
+    found = {}
+    for equation in equations.columns:
+        symbol = equation.symbol
+        if equation.role not in CANCELS or symbol not in values:
+            continue
+        with np.errstate(all="ignore"):
+            terms = _terms(equation.expression, values, known)
+        size = values[symbol] if terms is None else np.maximum(np.abs(values[symbol]), terms)
+        known[symbol] = np.abs(size)
+        largest, most = (float(np.nanmax(np.abs(each), initial=0.0)) for each in (values[symbol], size))
+        if 0 < largest <= ROUNDING * most:
+            found[symbol] = most
+    return found
+
+
+def _terms(node: Node, values: Mapping[str, Array], sizes: Mapping[str, Array]) -> Array | None:
+    """The sum of the sizes of what a tree adds up; None where it reads what has no values."""
+    match node:
+        case Symbol(name):
+            return sizes.get(name)
+        case Unary(_, operand):
+            return _terms(operand, values, sizes)
+        case Binary("+" | "-" | "*" | "/" as op, left, right):
+            one = _terms(left, values, sizes)
+            other = _number(right, values) if op == "/" else _terms(right, values, sizes)
+            if one is None or other is None:
+                return None
+            return np.asarray(one + other if op in "+-" else one * other if op == "*" else one / other)
+    return _number(node, values)
+
+
+def _number(node: Node, values: Mapping[str, Array]) -> Array | None:
+    if isinstance(node, Number):
+        return np.asarray(abs(node.value))
+    try:
+        return np.asarray(np.abs(value(node, values, rooted=True)))
+    except (KeyError, ValueError):
+        return None

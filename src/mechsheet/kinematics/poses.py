@@ -15,18 +15,17 @@ import numpy as np
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Node, Symbol, symbols
+from livesheet.formula.vectors import Vector, plus, times
 from livesheet.said import Words
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.equations import LinkPose
 from mechsheet.kinematics.gear_relations import Tied, solved_for
-from mechsheet.kinematics.graph import Graph, Slide
+from mechsheet.kinematics.graph import Assembly, Graph, Slide
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.points_in_link import ORIGIN, PointInLink, PointsInLink, angle_of, arm_of, cartesian
 from mechsheet.model import Joint, Link, Mechanism
 from mechsheet.units import ANGLE, LENGTH
 from mechsheet.words.equations import body_words, link_words, listed, phrase
-
-Assembly = tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,6 +65,15 @@ class Guide:
     angle: Angle
     moving: PointInLink
     symbol: str
+
+    @property
+    def direction(self) -> Vector:
+        """That of positive displacement."""
+        return al.cos(self.delta), al.sin(self.delta)
+
+    def signed(self, way: Node) -> Node:
+        """A way along the line as a displacement, or a displacement as a way."""
+        return way if self.sign > 0 else al.neg(way)
 
 
 STILL = Member(Angle(), ORIGIN)
@@ -179,10 +187,8 @@ class Poses:
 
     def fix_on_guide(self, assembly: Assembly, guide: Guide, displacement: Node) -> None:
         """An assembly on a guide, at a displacement of the guide's joint."""
-        step = displacement if guide.sign > 0 else al.neg(displacement)
-        x = al.add(guide.x, al.mul(step, al.cos(guide.delta)))
-        y = al.add(guide.y, al.mul(step, al.sin(guide.delta)))
-        self.fix(assembly, guide.angle, guide.moving, x, y)
+        way = times(guide.signed(displacement), guide.direction)
+        self.fix(assembly, guide.angle, guide.moving, *plus((guide.x, guide.y), way))
 
     def tie(self, tied: Tied, drives: Sequence[Drive]) -> None:
         """Solve what gears and racks decide. Whole turns are theirs: none is taken out."""

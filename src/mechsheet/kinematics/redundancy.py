@@ -19,11 +19,10 @@ from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.build_equations import write_equations, write_stepped
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, extent
 from mechsheet.kinematics.doubts.sketched import assemblies
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.graph import graph_of
-from mechsheet.kinematics.lengths import extent
 from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.points_in_link import number, number_points
@@ -74,8 +73,8 @@ def redundancy_faults(mechanism: Mechanism, missing: int) -> list[Fault]:
         if (len(left_out) > 1 and parts) or not _moves(mechanism, left_out):
             continue
         for part in left_out:
-            others = [_name(other) for other in left_out if other is not part]
-            parts.setdefault(_name(part), _fault(mechanism, part, others))
+            others = [other.name for other in left_out if other is not part]
+            parts.setdefault(part.name, _fault(mechanism, part, others))
     return list(parts.values())
 
 
@@ -187,7 +186,7 @@ def _moves(mechanism: Mechanism, left_out: list[Part]) -> bool:
 
 
 def _without(mechanism: Mechanism, left_out: list[Part]) -> Mechanism:
-    names = {_name(part) for part in left_out if isinstance(part, Link)}
+    names = {part.name for part in left_out if isinstance(part, Link)}
     slides = {part.symbol for part in left_out if isinstance(part, Joint)}
     return replace(
         mechanism,
@@ -246,10 +245,6 @@ def _place_in_file(mechanism: Mechanism, joint: Joint) -> int:
     return place
 
 
-def _name(part: Part) -> str:
-    return part.name
-
-
 def _fault(mechanism: Mechanism, part: Part, others: list[str]) -> Fault:
     key = f"links.{part.name}" if isinstance(part, Link) else f"joints.{_place_in_file(mechanism, part)}"
     together: str = ""
@@ -270,8 +265,4 @@ def _fault(mechanism: Mechanism, part: Part, others: list[str]) -> Fault:
             together=together,
         )
         hint = say("write `redundant = true` under it: it follows the others, and its length is checked in every row")
-    return Fault(
-        message,
-        key=key,
-        hint=hint,
-    )
+    return Fault(message, key=key, hint=hint)

@@ -16,14 +16,12 @@ from numpy.typing import NDArray
 
 from livesheet.formula.nodes import Call, Direction, Node
 from mechsheet.kinematics.cams.segments import seams
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.driving import at_values, given_between
 from mechsheet.kinematics.equations import Condition, Equations
-from mechsheet.kinematics.lengths import largest_length
-from mechsheet.kinematics.means import LEAST_OF_TURN, rows_count_alike
 from mechsheet.kinematics.numeric import Array, runs_of, value
-from mechsheet.kinematics.period import SAME_AGAIN
 from mechsheet.kinematics.sweep import sweep
+from mechsheet.kinematics.whole_turns import LEAST_OF_TURN, SAME_AGAIN, rows_count_alike
 from mechsheet.model import Mechanism
 
 FINE = 20

@@ -1,6 +1,6 @@
 """From a mechanism to its equations; where there are none, with a reason that helps.
 
-The equations are written in `writing`. What a fault may be mended by is found by solving other mechanisms: without a link,
+`build_equations` writes the equations. What a fault may be mended by is found by solving other mechanisms: without a link,
 at another position.
 """
 

@@ -16,13 +16,11 @@ from typing import TYPE_CHECKING
 from livesheet.diagnostics import Fault, readable_name
 from livesheet.said import say
 from mechsheet import description
-from mechsheet.description.locate import located
 from mechsheet.description.overrides import AS_IT_IS, Overrides, name_of, option_of
 from mechsheet.description.reader import read_again, with_settings
-from mechsheet.description.report import suggestion
+from mechsheet.description.report import located, suggestion
 from mechsheet.description.text.numbers import typed_number
-from mechsheet.description.text.origin import with_origin
-from mechsheet.description.text.rewrite import number_text, with_value
+from mechsheet.description.text.rewrite import number_text, with_origin, with_value
 from mechsheet.description.text.source import parse, parse_as_meant, read_text
 from mechsheet.diagnostics import DescriptionError, MechanismError, MechsheetError, quoted
 from mechsheet.model import Gear, Mechanism

@@ -15,10 +15,9 @@ from mechsheet.description import loads
 from mechsheet.description.text.rewrite import number_text, with_number, with_value, without_key
 from mechsheet.description.text.source import Source
 from mechsheet.diagnostics import MechanismError
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations, Group
-from mechsheet.kinematics.lengths import largest_length
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.solve import solve

@@ -1,8 +1,10 @@
-"""The function routines of the text's Appendix 2, known when a workbook calls them: its macros never run.
+"""Functions that a workbook calls and no spreadsheet program has, put into the book as names for LAMBDA: its macros never
+run.
 
-Boy, Açı, AçıCos, KolKızak, DörtÇubuk, AyarlıPompa, by their English names (Mag, Ang, AngCos, SlottedLever, FourBar,
-AdjustablePump) and in plain letters (Aci, DortCubuk) too, with the others that `mechsheet export --to vba` writes. They are
-the same routines, put into the workbook as names for LAMBDA. A macro that is only called so keeps its stored values.
+Those that stand in modules of Basic beside it; else the function routines of the text's Appendix 2: Boy, Açı, AçıCos,
+KolKızak, DörtÇubuk, AyarlıPompa, by their English names (Mag, Ang, AngCos, SlottedLever, FourBar, AdjustablePump) and in
+plain letters (Aci, DortCubuk) too, with the others that `mechsheet export --to vba` writes. They are the same routines. A
+macro that is only called so keeps its stored values.
 """
 
 from __future__ import annotations
@@ -15,7 +17,7 @@ from copy import copy
 from functools import cache
 from pathlib import Path
 
-from livesheet.diagnostics import Fault
+from livesheet.diagnostics import Fault, WorkbookError, readable_name
 from livesheet.engine import evaluate
 from livesheet.formula.book import Block, Book, BookSheet, DefinedName
 from livesheet.formula.functions import FUNCTIONS
@@ -36,10 +38,7 @@ def with_routines(book: Book, modules: Sequence[Path] = ()) -> Book:
 
     modules  files in Basic that define functions for it
     """
-    if modules:
-        from mechsheet.library.own_functions import with_modules
-
-        book = with_modules(book, modules)
+    book = with_modules(book, modules)
     defined = {folded(one.name) for one in book.names}
     called = {name for sheet in book.sheets for name in _called(sheet) if folded(name) not in defined}
     known = {name: language for name in sorted(called) if (language := _language(name)) is not None}
@@ -144,3 +143,48 @@ def _alike(computed: object, stored: object) -> bool:
 def routine_names(book: Book) -> list[DefinedName]:
     """The names of a book that stand for functions."""
     return [one for one in book.names if isinstance(one.formula, Call) and one.formula.name == "LAMBDA"]
+
+
+MOST_BYTES = 2_000_000
+"""A module is text that somebody wrote."""
+
+
+def with_modules(book: Book, files: Sequence[Path]) -> Book:
+    """The book with the functions of modules; what the book defines itself stays. What cannot be read is a remark.
+
+    Raises WorkbookError where a file cannot be read, or holds no function.
+    """
+    if not files:
+        return book
+    from livesheet.basic import functions_in, lambdas
+
+    found = copy(book)
+    found.names, found.remarks = list(book.names), list(book.remarks)
+    taken = {folded(name.name) for name in book.names}
+    for file in files:
+        shown = readable_name(file)
+        functions, faults = functions_in(_text(file), shown)
+        names, further = lambdas(functions, shown)
+        if not functions and not faults:
+            raise WorkbookError(Fault(say("no function in Basic is in it"), shown, key="--functions"))
+        found.remarks += [*faults, *further]
+        for name in names:
+            if folded(name.name) not in taken:
+                taken.add(folded(name.name))
+                found.names.append(name)
+    return found
+
+
+def _text(file: Path) -> str:
+    from livesheet.basic import decoded
+
+    try:
+        with file.open("rb") as stream:
+            content = stream.read(MOST_BYTES + 1)
+    except OSError as error:
+        raise WorkbookError(
+            Fault(say("cannot be read: {reason}", reason=error.strerror), readable_name(file))
+        ) from None
+    if len(content) > MOST_BYTES or b"\0" in content:
+        raise WorkbookError(Fault(say("is no module of Basic"), readable_name(file), key="--functions"))
+    return decoded(content)

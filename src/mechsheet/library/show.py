@@ -1,4 +1,4 @@
-"""What was understood, as text and data: groups, equations, cells, variables."""
+"""What was understood, as text and data: groups, equations, cells, variables, dimensions with their exact values."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import io
 import json
 import math
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
@@ -23,7 +23,7 @@ from mechsheet.kinematics.mobility import mobility
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.library.building import told
 from mechsheet.library.verdicts import DOUBTS, verdict
-from mechsheet.model import TIME, Mechanism, Output, Rack, Relation, Summary, energy_unit, inertia_unit
+from mechsheet.model import TIME, Dimension, Mechanism, Output, Rack, Relation, Summary, energy_unit, inertia_unit
 from mechsheet.sheet.columns.lowering import Assignment, Assignments, lowered
 from mechsheet.sheet.plan import MEANING
 from mechsheet.sheet.shown import unit_of_column
@@ -314,3 +314,79 @@ def variables_csv(mechanism: Mechanism) -> str:
     for row in zip(*columns.values(), strict=True):
         writer.writerow(["" if value is None else repr(value) for value in row])
     return text.getvalue()
+
+
+DIGITS = 6
+"""Of the rounded values in the table."""
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """A dimension in its own unit; None where it has no value: the task has no solution.
+
+    exact  as it is found;  used  as the mechanism has it: rounded, where the synthesis rounds
+    """
+
+    name: str
+    exact: float | None
+    used: float | None
+    unit: str
+    words: str
+
+
+def values_of(mechanism: Mechanism) -> list[Value]:
+    """The mechanism's own dimensions, then the task of its synthesis, its steps and results."""
+    numbers = dimension_values(mechanism)
+    own = {dim.symbol: dim for dim in mechanism.dimensions}
+    task = mechanism.synthesis
+    if task is not None and not all(math.isfinite(numbers[symbol]) for symbol in task.ends):
+        # without a solution nothing is a result, nor what the task gives of it
+        numbers |= dict.fromkeys((*task.results.values(), *task.taken), math.nan)
+    exact = {} if task is None else {name: task.results[result] for name, result in task.taken.items()}
+    shown = {symbol: _value(mechanism, dim, exact.get(symbol, symbol), numbers) for symbol, dim in own.items()}
+    names = [dim.symbol for dim in mechanism.dimensions if dim.path[:1] != ("synthesis",)]
+    if task is None:
+        return [shown[name] for name in names]
+    of_task = [symbol for symbol in (*task.inputs, *task.steps) if symbol not in exact.values()]
+    found = [shown[name] for name in (*names, *of_task)]
+    there = {value.name for value in found}
+    return found + [replace(shown[symbol], name=name) for name, symbol in task.results.items() if name not in there]
+
+
+def _value(mechanism: Mechanism, dim: Dimension, exact: str, numbers: dict[str, float]) -> Value:
+    def number(symbol: str) -> float | None:
+        value = numbers[symbol]
+        return dim.unit.written(value) if math.isfinite(value) else None
+
+    words = dim.label.of(mechanism.language) if dim.label else ""
+    return Value(dim.symbol, number(exact), number(dim.symbol), dim.unit.text, words)
+
+
+def dimensions_json(mechanism: Mechanism) -> str:
+    """{"a1": 100.0, ...}: exact values in their own units, null where there is none."""
+    return json.dumps({value.name: value.exact for value in values_of(mechanism)}, ensure_ascii=False)
+
+
+def dimensions_text(mechanism: Mechanism) -> str:
+    """A table: name, exact value to six digits, the value that is used, unit, meaning."""
+    values = values_of(mechanism)
+    rounds = mechanism.synthesis is not None
+    head = ("name", "value", "used" if rounds else "", "unit", "")
+    task = mechanism.synthesis
+    taken = set() if task is None else {*task.taken, *(task.results[name] for name in task.mode.values())}
+    rows = [head] + [
+        (value.name, _text(value.exact), _text(value.used) if value.name in taken else "", value.unit, value.words)
+        for value in values
+    ]
+    widths = [max(len(row[col]) for row in rows) for col in range(len(head))]
+    lines = []
+    for row in rows:
+        name, exact, used, unit, words = row
+        cells = [name.ljust(widths[0]), exact.rjust(widths[1])]
+        cells += [used.rjust(widths[2])] if rounds else []
+        lines.append("  ".join((*cells, unit.ljust(widths[3]), words)).rstrip())
+    return "\n".join(lines)
+
+
+def _text(value: float | None) -> str:
+    return "no value" if value is None else f"{value:.{DIGITS}g}"

@@ -1,29 +1,77 @@
-"""What is to be said of a mechanism: the verdicts of its workbook's first sheet, and what no cell can know."""
+"""What is to be said of a mechanism, by name: the verdicts of its workbook's first sheet, and what no cell can know; and
+what the tolerances of its dimensions come to, the bands of outputs and summaries. A wrong name is told with the one that may
+be meant."""
 
 from __future__ import annotations
 
 import json
+import math
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass, replace
+from typing import Any, TypeVar
 
 import numpy as np
 
+from livesheet.diagnostics import Fault
 from livesheet.formula.nodes import Scalar
 from livesheet.said import say
 from mechsheet.compiled import Compiled
+from mechsheet.description import Overrides
+from mechsheet.description.reader import with_settings
+from mechsheet.description.report import suggestion
+from mechsheet.diagnostics import MechsheetError, quoted
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import Search
 from mechsheet.library.building import told
-from mechsheet.library.named import Named
 from mechsheet.model import Mechanism
+from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.columns.bands import ROOT, WORST
 from mechsheet.sheet.findings.limits import InputEnd, Limits
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.findings.searched import SearchedMotion
 from mechsheet.sheet.plan import MEANING, TOLERANCE
 from mechsheet.sheet.shown import shown_unit
+from mechsheet.sheet.table.tolerance import lines_of
 from mechsheet.units import behind_number
 from mechsheet.words.catalogue import text_in
+
+Thing = TypeVar("Thing")
+
+
+class UnknownNameError(MechsheetError, KeyError):
+    """Nothing has this name."""
+
+    def __str__(self) -> str:
+        return "\n".join(str(fault) for fault in self.faults)
+
+
+def unknown(name: object, known: Iterable[str]) -> UnknownNameError:
+    """The error for a name that is none of those known."""
+    message = say("nothing is called {name}", name=quoted(str(name)))
+    return UnknownNameError(Fault(message, hint=suggestion(str(name), known, say("names"))))
+
+
+class Named(dict[str, Thing]):
+    """Things by name; printed one a line."""
+
+    def __missing__(self, name: object) -> Thing:
+        raise unknown(name, self)
+
+    def __str__(self) -> str:
+        return "\n".join(
+            f"{name} = {thing:.10g}" if isinstance(thing, float) else f"{name}{thing}" for name, thing in self.items()
+        )
+
+    def as_json(self) -> str:
+        """Verdicts and bands for programs: {"limit_1": {"value": 33.9, "where": 360.0, "words": "...", "sure": true}}."""
+        things: dict[str, Any] = dict(self)
+        return json.dumps({name: asdict(thing) for name, thing in things.items()}, ensure_ascii=False, indent=1)
+
+
+# --- verdicts ---------------------------------------------------------------------------------------------------------
+
 
 _LANDS = 1e-6
 """By this part of a step the stop may be missed: it is rounding."""
@@ -182,12 +230,67 @@ def verdicts_of(mechanism: Mechanism) -> Named[Verdict]:
     return found
 
 
-def verdicts_text(mechanism: Mechanism) -> str:
-    """The same, one a line: `transmission_1 = 33.9 at 360: 33.9° … 90°: poor`."""
-    return str(verdicts_of(mechanism))
+# --- bands ------------------------------------------------------------------------------------------------------------
 
 
-def verdicts_json(mechanism: Mechanism) -> str:
-    """{"transmission_1": {"value": 33.9, "where": 360.0, "words": "...", "sure": true}}."""
-    found = {name: asdict(said) for name, said in verdicts_of(mechanism).items()}
-    return json.dumps(found, ensure_ascii=False, indent=1)
+@dataclass(frozen=True, slots=True)
+class Band:
+    """Of one quantity or summary; None for no number (a dead centre, no position).
+
+    value       of a summary; None for a quantity, which has one in every row
+    worst, rss  the worst case and the root sum of squares, in `unit`; of a quantity where its band is largest
+    shares      by dimension (S t)^2 of the sum of squares, at most 1
+    words       what the first sheet says
+    """
+
+    value: float | None
+    worst: float | None
+    rss: float | None
+    unit: str
+    shares: dict[str, float | None]
+    words: str
+
+    def __str__(self) -> str:
+        unit = behind_number(self.unit)
+        if self.worst is None or self.rss is None:
+            return f": {self.words}"
+        shares = sorted(self.shares.items(), key=lambda pair: -(pair[1] or 0.0))
+        said = ", ".join(f"{dimension} {share:.0%}" for dimension, share in shares if share is not None)
+        return f" ± {self.worst:.3g}{unit} (RSS {self.rss:.3g}{unit}): {said}; {self.words}"
+
+
+def bands_of(mechanism: Mechanism, file: str = "<text>") -> Named[Band]:
+    """The bands of a mechanism's [tolerance]; without one of all its outputs and summaries.
+
+    file  what messages call its description
+
+    Raises DescriptionError where no dimension has a tolerance or nothing can have a band, MechanismError where the mechanism
+    cannot be solved.
+    """
+    compiled = told(with_settings(mechanism, Overrides(tolerance=True), file))
+    plan = compiled.plan
+
+    def number(spot: Spot) -> float | None:
+        found = compiled.number(spot)
+        return None if math.isnan(found) else found
+
+    result: Named[Band] = Named()
+    for line in lines_of(plan):
+        if line.kind == "shown":
+            continue
+        key = line.key
+        band, spot = plan.banded[line.quantity], plan.places.bands[key]
+        title = plan.at.titles["tolerance"]
+        words = compiled.value(replace(spot, col=MEANING))
+        result[key] = Band(
+            value=number(plan.places.summaries[key]) if line.summary else None,
+            worst=number(line.spot(plan, WORST)),
+            rss=number(line.spot(plan, ROOT)),
+            unit=shown_unit(plan, line.quantity),
+            shares={
+                name: number(Spot(title, line.row + 1, plan.at.spots[symbol].col))
+                for name, symbol in zip(band.dimensions, band.derivatives, strict=True)
+            },
+            words=words if isinstance(words, str) else "",
+        )
+    return result

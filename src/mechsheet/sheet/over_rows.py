@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, with_symbols
-from mechsheet.kinematics.period import SAME_AGAIN, Change
+from mechsheet.kinematics.whole_turns import SAME_AGAIN, Change
 from mechsheet.model import Driver
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula

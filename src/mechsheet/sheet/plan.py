@@ -18,15 +18,13 @@ from livesheet import portable
 from livesheet.formula.names import folded, safe_name
 from livesheet.formula.nodes import Node
 from livesheet.workbook import Name
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import JOINT_FORCES
-from mechsheet.kinematics.lengths import largest_length
-from mechsheet.kinematics.numeric import Array
-from mechsheet.kinematics.period import Periods
+from mechsheet.kinematics.numeric import Array, only_rounding
 from mechsheet.kinematics.rates.sensitivity import NO_BANDS, Sensitivities
 from mechsheet.kinematics.sweep import sweep
-from mechsheet.kinematics.terms import only_rounding
+from mechsheet.kinematics.whole_turns import Periods
 from mechsheet.model import Dimension, Mechanism
 from mechsheet.shapes.loads import first_shown
 from mechsheet.sheet.addresses import Addresses, Spot

@@ -21,13 +21,11 @@ from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.cams.inputs import asked_by_cam
 from mechsheet.kinematics.cams.segments import seams
-from mechsheet.kinematics.dimensions import dimension_order, dimension_values
+from mechsheet.kinematics.dimensions import dimension_order, dimension_values, largest_length
 from mechsheet.kinematics.driving import given_between, given_values, step_of
 from mechsheet.kinematics.equations import FORCES, RATES
-from mechsheet.kinematics.lengths import largest_length
-from mechsheet.kinematics.means import LEAST_OF_TURN
 from mechsheet.kinematics.numeric import Array, value
-from mechsheet.kinematics.period import Periods
+from mechsheet.kinematics.whole_turns import LEAST_OF_TURN, Periods
 from mechsheet.model import Condition, Mechanism, Study, Way
 from mechsheet.sheet.checks.boundless import bounded, divisor_of, seen_by_rates
 from mechsheet.sheet.checks.search_rules import CORNER_PLACE, WRAPS
@@ -35,11 +33,10 @@ from mechsheet.sheet.classification import classification
 from mechsheet.sheet.columns.lowering import lowered
 from mechsheet.sheet.over_rows import is_back, meeting, whole_turns
 from mechsheet.sheet.plan import LEAST_PROBED
-from mechsheet.studies.extremes import Asked
+from mechsheet.studies.extremes import Asked, Codes, Texts, apart, said
 from mechsheet.studies.lowering import Lowered, Lowering
 from mechsheet.studies.motion import DIVISOR, Motion
 from mechsheet.studies.questions import Questions, holds, number_of, questions_of, turns_fully
-from mechsheet.studies.remarks import Codes, Texts, apart, said
 from mechsheet.studies.sampling import sampling_of
 
 DESIGN, REMARKS, APART = "design", "remarks", "set_apart"

@@ -3,12 +3,17 @@
 All rules are the workbook's own trees (`sheet/checks/search_rules.py`, `rivals.py`, `boundless.py`), evaluated over arrays:
 where a search begins, where it probes, what is said of what it finds, and where a stretch of rows begins and ends between
 them. Places count rows from 1.
+
+The remarks and their limits are those of the first sheet: *(about)* where the last probe still changed the extreme, *(or
+beyond)* where it may be beside another row or in a spike, *(grows without bound)* where there is none, *(rows only)* where
+nobody looked between the rows. A design is set apart where a condition or an objective reads a number of the last two kinds:
+it is kept and told of, but not compared with others.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Literal, TypeVar
 
@@ -20,7 +25,7 @@ from livesheet.formula.nodes import Call, Node, transform, with_symbols
 from mechsheet.kinematics.numeric import value as value_of
 from mechsheet.sheet.checks import boundless, rivals
 from mechsheet.sheet.checks import search_rules as rules
-from mechsheet.studies.remarks import OF_DOUBTS, Codes
+from mechsheet.words.catalogue import Language, words
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -376,3 +381,45 @@ def least_gap(margins: Array, margin: Probe) -> Array:
             state[name] = place + step + 1.0
             state[f"f_{name}"] = margins[np.arange(len(margins)), place + step]
         return np.asarray(_probed(state, margin)["f_middle"])
+
+
+# --- what is said of it ----------------------------------------------------------------------------------------------------
+
+Codes = NDArray[np.int8]
+Texts = NDArray[np.object_]
+
+ABOUT, BEYOND, BOUNDLESS, ROWS_ONLY, SEVERAL = 1, 2, 3, 4, 5
+"""Codes of remarks, 0 for none: of two the larger is said, as on the first sheet."""
+
+OF_DOUBTS: Codes = np.zeros(5, np.int8)
+OF_DOUBTS[[rules.ABOUT, rules.BEYOND, rules.ROWS]] = ABOUT, BEYOND, ROWS_ONLY
+"""The code of what the sheet of extremes says beside a value, by its number."""
+
+WORDS = {
+    ABOUT: "verdict.about",
+    BEYOND: "verdict.beyond",
+    BOUNDLESS: "verdict.boundless",
+    ROWS_ONLY: "verdict.rows.only",
+    SEVERAL: "verdict.several",
+}
+
+
+def said(codes: Mapping[str, Codes], language: Language, count: int) -> Texts:
+    """The remarks of designs, as one text each: "swing (rows only), v_max (grows without bound)"; None without any.
+
+    codes  of each quantity, by its name
+    """
+    found: Texts = np.full(count, None, object)
+    for name, column in codes.items():
+        for place in np.flatnonzero(column):
+            text = name + words(language, WORDS[int(column[place])])
+            found[place] = text if found[place] is None else f"{found[place]}, {text}"
+    return found
+
+
+def apart(codes: Mapping[str, Codes], decisive: Iterable[str], count: int) -> Mask:
+    """Which designs are set apart; `decisive`: names of quantities that conditions and objectives read."""
+    found = np.zeros(count, bool)
+    for name in decisive:
+        found |= codes[name] >= BOUNDLESS
+    return found

@@ -15,14 +15,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from livesheet.formula.nodes import Call, Node, Symbol, symbols
-from mechsheet.kinematics.means import mean_of_motion
 from mechsheet.kinematics.numeric import OPERATORS, Array, value
+from mechsheet.kinematics.whole_turns import mean_of_motion
 from mechsheet.model import WAYS, Condition, Take
 from mechsheet.sheet.checks.boundless import BEYOND_ROWS
 from mechsheet.sheet.checks.search_rules import ONLY_ROWS, SPIKES, least_margin
 from mechsheet.sheet.transmission import acute
 from mechsheet.studies.extremes import (
+    BEYOND,
+    BOUNDLESS,
+    ROWS_ONLY,
+    SEVERAL,
     Anchors,
+    Codes,
     Rows,
     Stretches,
     Way,
@@ -35,7 +40,6 @@ from mechsheet.studies.extremes import (
     stretches_of,
 )
 from mechsheet.studies.lowering import ANCHOR, THERE
-from mechsheet.studies.remarks import BEYOND, BOUNDLESS, ROWS_ONLY, SEVERAL, Codes
 
 if TYPE_CHECKING:
     from mechsheet.studies.designs import Called, Designs

@@ -15,13 +15,12 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.model import Mechanism
 from mechsheet.studies.book import book_of
 from mechsheet.studies.designs import Designs
-from mechsheet.studies.folder import Folder, Result
-from mechsheet.studies.lock import locked
+from mechsheet.studies.folder import Folder, Result, locked
 from mechsheet.studies.packages import arrow
 from mechsheet.studies.parts import Counted, Order, counted, order_of
 from mechsheet.studies.picture import picture_of
 from mechsheet.studies.ranking import Ranked, ranked, rows_of
-from mechsheet.studies.running import here, workers_within
+from mechsheet.studies.workers import here, workers_within
 
 BOOK = "study"
 """What the summary workbook and the picture are called."""
@@ -117,7 +116,7 @@ def _compute(
     earlier = done
     tell(Progress(done, kept, order.designs, earlier))
     if on is not None:
-        from mechsheet.studies.cluster import on_cluster
+        from mechsheet.studies.workers import on_cluster
 
         parts = on_cluster(order, missing, on) if missing else iter(())
     else:

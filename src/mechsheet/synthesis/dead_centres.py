@@ -26,11 +26,9 @@ Primrose, The classical transmission angle problem, IMechE conference on mechani
 from __future__ import annotations
 
 from mechsheet.model import Synthesis
-from mechsheet.synthesis.cubic import root
-from mechsheet.synthesis.four_bar import INPUT_TURNS, position
+from mechsheet.synthesis.four_bar import INPUT_TURNS, LAST_RATIO, curve_over_ratio, position
 from mechsheet.synthesis.kind import BETWEEN_DEAD_CENTRES, Curve, Kind, Line, Requirement
-from mechsheet.synthesis.over_ratio import LONGEST, curve_over_ratio
-from mechsheet.synthesis.writing import Writer
+from mechsheet.synthesis.writing import Writer, root
 
 
 def _write(w: Writer) -> None:
@@ -79,7 +77,7 @@ def _ratio(w: Writer) -> None:
         w.step("d_cubic", "-t_squared*(1 + t_squared)/u_squared", plain, "cubic_d")
         root(w, "Q", "b_cubic", "c_cubic", "d_cubic")
         w.step("lam_squared", "t_squared/Q", plain, "lam_squared", "Q")
-        w.result("lam", "sqrt(lam_squared)", plain, "best_lam", f"min(lam_squared - 1, {LONGEST}^2 - lam_squared)")
+        w.result("lam", "sqrt(lam_squared)", plain, "best_lam", f"min(lam_squared - 1, {LAST_RATIO}^2 - lam_squared)")
 
 
 def _lengths(w: Writer) -> None:

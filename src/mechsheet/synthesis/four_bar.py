@@ -1,8 +1,12 @@
-"""A four-bar on A0B0 = +x, as expressions over its lengths a1 to a4: what kinds of synthesis ask of it and draw."""
+"""What kinds of synthesis share of what they ask and draw, as expressions over lengths and angles.
+
+A four-bar has A0B0 = +x and the lengths a1 to a4. Where a task leaves the ratio λ = a3/a2 free, the sheet shows the least
+transmission angle over it, of four-bars and of slider-cranks.
+"""
 
 from __future__ import annotations
 
-from mechsheet.synthesis.kind import Line
+from mechsheet.synthesis.kind import Curve, Line
 
 
 def output_angle(theta: str) -> str:
@@ -45,3 +49,33 @@ RANGE_ROWS = 81
 def part(first: str, last: str) -> str:
     """The input angle in row `n` of so many, from the first point to the last."""
     return f"{first} + ({last} - {first})*n/{RANGE_ROWS - 1}"
+
+
+LAST_RATIO = "400"
+"""A coupler of so many cranks is none that anybody builds: beyond it no best one is looked for."""
+
+FIRST_RATIO = "1.0005"
+"""Of the table over λ; the last is `LAST_RATIO`."""
+
+RATIO_ROWS = 121
+
+
+def curve_over_ratio(crank: str, rocker: str, least: str, cosine: str, together: str) -> Curve:
+    """The least transmission angle over λ, in equal steps of its logarithm.
+
+    crank, rocker  lengths in parts of a1, or of the stroke; of a slider-crank `rocker` is the eccentricity
+    least, cosine  of the least transmission angle: what its cosine is found from, and the cosine
+    together       above 0 where one assembly has both dead centres; else there is no angle
+    """
+    return Curve(
+        RATIO_ROWS,
+        {
+            "lam": (f"exp(ln({FIRST_RATIO}) + ln({LAST_RATIO}/{FIRST_RATIO})*n/{RATIO_ROWS - 1})", "number"),
+            "crank": (crank, "number"),
+            "rocker": (rocker, "number"),
+            "least": (least, "number"),
+            "mu": (f"where({together}, acos({cosine}), acos(2))", "angle"),
+        },
+        "lam",
+        "mu",
+    )

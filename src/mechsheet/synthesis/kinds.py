@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 
 from mechsheet.model import Synthesis
-from mechsheet.synthesis import dead_centres, function, guidance, quick_return_lever, quick_return_slider
+from mechsheet.synthesis import dead_centres, function, guidance, quick_return
 from mechsheet.synthesis.kind import Kind
 from mechsheet.synthesis.writing import Task, Units, Writer
 
@@ -13,8 +13,8 @@ KINDS: Mapping[str, Kind] = {
     "function": function.KIND,
     "dead-centres": dead_centres.KIND,
     "guidance": guidance.KIND,
-    "quick-return-slider": quick_return_slider.KIND,
-    "quick-return-lever": quick_return_lever.KIND,
+    "quick-return-slider": quick_return.SLIDER,
+    "quick-return-lever": quick_return.LEVER,
 }
 
 

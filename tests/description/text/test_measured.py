@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from mechsheet.description.text.measured import home, like, measured
+from mechsheet.description.text.numbers import home, like, measured
 
 
 @pytest.mark.parametrize(

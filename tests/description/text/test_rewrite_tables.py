@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechsheet.description.text.rewrite_tables import with_last_key, with_table, without_table
+from mechsheet.description.text.rewrite import with_last_key, with_table, without_table
 from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import DescriptionError
 

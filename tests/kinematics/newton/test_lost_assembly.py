@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from mechsheet.description import loads
-from mechsheet.kinematics.newton.lost_assembly import TREND, scales, trends
+from mechsheet.kinematics.newton.changed_dimensions import TREND, scales, trends
 from mechsheet.units import ANGLE, LENGTH
 
 TWO_LINKS = """

@@ -17,7 +17,7 @@ from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.doubts.sketched import doubts
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.newton.cramer import cramer
+from mechsheet.kinematics.newton.newton_equations import cramer
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep

@@ -12,7 +12,7 @@ from laid import Laid
 import mechsheet
 from chosen import ALL, part
 from livesheet.formula.nodes import Number
-from mechsheet.exporting.kinds import KINDS
+from mechsheet.exporting import KINDS
 
 CASES = Path(__file__).parents[2] / "cases/reference"
 FAR = math.hypot(3, 2)

@@ -12,8 +12,7 @@ from chosen import ALL, IN_CI, ITERATED, first, part
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.kinematics.newton.leading import leading
-from mechsheet.kinematics.newton.system import CLOSED, refined
+from mechsheet.kinematics.newton.system import CLOSED, leading, refined
 from mechsheet.kinematics.numeric import evaluate_equation
 from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.plan import MEANING

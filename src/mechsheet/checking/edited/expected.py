@@ -11,7 +11,7 @@ from livesheet.formula.nodes import Call
 from livesheet.workbook import Workbook
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.description.locate import located
+from mechsheet.description.report import located
 from mechsheet.diagnostics import MechanismError
 from mechsheet.sheet.layout import DESCRIPTION_SHEET
 from mechsheet.sheet.plan import TOLERANCE, Plan

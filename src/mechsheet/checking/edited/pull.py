@@ -20,10 +20,9 @@ from mechsheet.checking.inputs import description_or_fault
 from mechsheet.checking.report import text_of
 from mechsheet.description import loads
 from mechsheet.description.driving.driver import LANDS
-from mechsheet.description.locate import located
+from mechsheet.description.report import located
 from mechsheet.description.text.index import Path as Place
-from mechsheet.description.text.origin import without_origin
-from mechsheet.description.text.rewrite import number_text, with_number, without_key
+from mechsheet.description.text.rewrite import number_text, with_number, without_key, without_origin
 from mechsheet.description.text.source import Source, parse, read_text
 from mechsheet.diagnostics import DescriptionError, MechanismError
 from mechsheet.kinematics.dimensions import dimension_values

@@ -10,7 +10,7 @@ from livesheet.formula.names import folded
 from livesheet.formula.nodes import symbols
 from livesheet.said import Said, say
 from mechsheet.description.driving.rates import is_rate
-from mechsheet.description.forces.force_names import CENTER, OF_MOTION
+from mechsheet.description.force_names import CENTER, OF_MOTION
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path

@@ -10,12 +10,12 @@ from livesheet.formula.derivatives import derivative
 from livesheet.formula.nodes import Call, Node, Symbol, symbols, walk
 from livesheet.said import reason, say
 from mechsheet.description.driving import motion_laws
-from mechsheet.description.forces.force_names import OF_MOTION
+from mechsheet.description.force_names import OF_MOTION
 from mechsheet.description.kinds import ANY
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.scope import Scope
 from mechsheet.description.text.index import Path
-from mechsheet.description.text.measured import measured
+from mechsheet.description.text.numbers import measured
 from mechsheet.description.text.rewrite import OWN_CELLS
 from mechsheet.diagnostics import quoted
 from mechsheet.model import POINT_RATES, Dimension, Driver, Joint, Law, Link, Quantity, rate_symbols

@@ -17,9 +17,8 @@ from mechsheet.description.driving import driver as drivers
 from mechsheet.description.driving.segment_laws import way_of
 from mechsheet.description.joints import Ends
 from mechsheet.description.kinds import ANGLE
-from mechsheet.description.own_cells import own_cell
 from mechsheet.description.report import BAD, suggestion
-from mechsheet.description.scope import Scope
+from mechsheet.description.scope import Scope, own_cell
 from mechsheet.description.text.index import Path
 from mechsheet.diagnostics import quoted
 from mechsheet.model import Dimension, Driver, FurtherDriver, Joint, Link, Segment, Segments

@@ -11,13 +11,13 @@ from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.description.driving.driver import LANDS, check_sweep, kind_and_unit
 from mechsheet.description.grammar import MOST_ROWS, Quantity
+from mechsheet.description.overrides import DIGITS, scope_for, table_of, typed_value
 from mechsheet.description.report import BAD
 from mechsheet.description.scope import Scope
 from mechsheet.description.shape import fit
 from mechsheet.description.text.numbers import typed_number
 from mechsheet.description.text.rewrite import number_text, with_value
 from mechsheet.description.text.source import Source
-from mechsheet.description.typed_value import DIGITS, scope_for, table_of, typed_value
 from mechsheet.diagnostics import quoted
 from mechsheet.units import DEG, Unit
 

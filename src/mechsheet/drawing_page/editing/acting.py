@@ -7,8 +7,8 @@ from itertools import count
 from typing import Any
 
 from livesheet.formula.names import folded
-from mechsheet.description.text.measured import METRES
-from mechsheet.description.text.rewrite_tables import with_table
+from mechsheet.description.text.numbers import METRES
+from mechsheet.description.text.rewrite import with_table
 from mechsheet.drawing_page.cells import number_in_unit, own_units
 from mechsheet.drawing_page.editing.links import ground_pin
 from mechsheet.drawing_page.editing.naming import free_symbol

@@ -6,8 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 
-from mechsheet.description.text.rewrite import number_text, with_value, without_key
-from mechsheet.description.text.rewrite_tables import with_table
+from mechsheet.description.text.rewrite import number_text, with_table, with_value, without_key
 from mechsheet.description.text.source import Source
 from mechsheet.drawing_page.editing.shaping import size_of, slid
 from mechsheet.drawing_page.editing.sheet import Sheet, rounded

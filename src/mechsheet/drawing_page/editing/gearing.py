@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from mechsheet.description.text.rewrite_tables import with_table
+from mechsheet.description.text.rewrite import with_table
 from mechsheet.drawing_page.cells import number_in_unit
 from mechsheet.drawing_page.editing.links import ground_pin, link
 from mechsheet.drawing_page.editing.remarks import line, noted, quoted_key

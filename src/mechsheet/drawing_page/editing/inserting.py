@@ -7,8 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from mechsheet.description.text.rewrite import without_key
-from mechsheet.description.text.rewrite_tables import with_last_key
+from mechsheet.description.text.rewrite import with_last_key, without_key
 from mechsheet.drawing_page.editing.remarks import noted
 from mechsheet.drawing_page.editing.sheet import Sheet
 from mechsheet.drawing_page.editing.weighing import weigh, without_mass

@@ -6,8 +6,7 @@ import math
 from typing import Any
 
 from mechsheet.description.text.index import key_text
-from mechsheet.description.text.rewrite import without_key
-from mechsheet.description.text.rewrite_tables import with_last_key, with_table
+from mechsheet.description.text.rewrite import with_last_key, with_table, without_key
 from mechsheet.description.text.source import Source
 from mechsheet.drawing_page.editing.naming import free_link, free_point, free_symbol
 from mechsheet.drawing_page.editing.sheet import Sheet, end_of, in_frame, rounded, sketched, with_length

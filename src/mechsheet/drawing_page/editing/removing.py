@@ -6,10 +6,9 @@ import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from mechsheet.description.forces.force_names import first_key
+from mechsheet.description.force_names import first_key
 from mechsheet.description.parts import Parts, parts_of
-from mechsheet.description.text.rewrite import without_key
-from mechsheet.description.text.rewrite_tables import without_table
+from mechsheet.description.text.rewrite import without_key, without_table
 from mechsheet.description.text.source import Source
 from mechsheet.drawing_page.questions import Impossible, Refusal
 from mechsheet.drawing_page.reading import read_by_guide, reads_of

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from livesheet.formula.names import folded
-from mechsheet.description.renaming import Renamed, renamed
 from mechsheet.description.scope import symbol_fault
+from mechsheet.description.text.rewrite import Renamed, renamed
 from mechsheet.drawing_page.editing.sheet import Sheet
 from mechsheet.drawing_page.questions import Impossible, Refusal
 

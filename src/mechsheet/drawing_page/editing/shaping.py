@@ -11,13 +11,11 @@ import numpy as np
 
 from livesheet.diagnostics import Fault
 from livesheet.said import say
-from mechsheet.description.overrides import with_values
+from mechsheet.description.overrides import scope_for, typed_value, with_values
 from mechsheet.description.parts import Parts
 from mechsheet.description.text.numbers import typed_number
-from mechsheet.description.text.rewrite import number_text, with_number, with_value, without_key
-from mechsheet.description.text.rewrite_tables import with_last_key
+from mechsheet.description.text.rewrite import number_text, with_last_key, with_number, with_value, without_key
 from mechsheet.description.text.source import Source
-from mechsheet.description.typed_value import scope_for, typed_value
 from mechsheet.diagnostics import DescriptionError, MechsheetError, quoted
 from mechsheet.drawing_page.fitting import Fit, fitted
 from mechsheet.drawing_page.looking import shown_value, values_at

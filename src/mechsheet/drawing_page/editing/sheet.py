@@ -8,8 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from mechsheet.description.parts import Parts, parts_of
-from mechsheet.description.text.rewrite import number_text
-from mechsheet.description.text.rewrite_tables import with_last_key
+from mechsheet.description.text.rewrite import number_text, with_last_key
 from mechsheet.description.text.source import Source
 from mechsheet.drawing_page.editing.naming import free_point
 from mechsheet.drawing_page.editing.shaping import Drawn, digits_for, size_of, with_sketched

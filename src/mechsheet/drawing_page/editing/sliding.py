@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from mechsheet.description.text.index import key_text
-from mechsheet.description.text.rewrite_tables import with_table
+from mechsheet.description.text.rewrite import with_table
 from mechsheet.drawing_page.editing.naming import free_link, free_symbol
 from mechsheet.drawing_page.editing.sheet import Sheet, end_of, in_frame, rounded, sketched, with_length
 from mechsheet.drawing_page.positions import Point, Pose, local_points

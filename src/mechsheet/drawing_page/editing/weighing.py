@@ -10,8 +10,8 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Node, Symbol
 from livesheet.formula.printer import print_formula
 from mechsheet.description.scope import symbol_fault
-from mechsheet.description.text.measured import METRES, labels_of
-from mechsheet.description.text.rewrite_tables import with_last_key
+from mechsheet.description.text.numbers import METRES, labels_of
+from mechsheet.description.text.rewrite import with_last_key
 from mechsheet.description.text.source import Source
 from mechsheet.drawing_page.cells import number_in_unit, own_units
 from mechsheet.drawing_page.editing.naming import free_symbol

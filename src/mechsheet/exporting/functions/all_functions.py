@@ -10,9 +10,8 @@ from functools import lru_cache
 from livesheet.formula.names import folded, safe_name
 from livesheet.formula.nodes import Call, Node, Symbol
 from livesheet.said import Words
-from mechsheet.exporting.functions.calls import with_calls
 from mechsheet.exporting.functions.library import basics, name_of
-from mechsheet.exporting.functions.routines import Routine, Source
+from mechsheet.exporting.functions.routines import Routine, Source, with_calls
 from mechsheet.exporting.lowering import Step
 from mechsheet.model import Label, Mechanism, TableRequest
 from mechsheet.units import DEG, NUMBER

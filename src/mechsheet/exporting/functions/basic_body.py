@@ -7,8 +7,8 @@ from collections.abc import Iterable, Mapping
 
 from livesheet.formula.nodes import Call, Node, Symbol, transform
 from livesheet.formula.printer import print_formula
-from mechsheet.exporting.identifiers import ascii_word, identifiers
 from mechsheet.exporting.lowering import Step
+from mechsheet.exporting.program import ascii_word, identifiers
 from mechsheet.kinematics.newton.newton_equations import ITERATED
 
 WIDTH = 100

@@ -16,10 +16,9 @@ from livesheet.formula.printer import print_formula
 from mechsheet.exporting.functions.basic_body import KEYWORDS, Body, comment, shown_name, wrapped
 from mechsheet.exporting.functions.routines import unknown_key
 from mechsheet.exporting.functions.solvers import Block, Solver
-from mechsheet.exporting.identifiers import identifiers
 from mechsheet.exporting.lowering import Step
-from mechsheet.exporting.program import brought
-from mechsheet.kinematics.newton.lost_assembly import LEAP, STEADY, TREND
+from mechsheet.exporting.program import brought, identifiers
+from mechsheet.kinematics.newton.changed_dimensions import LEAP, STEADY, TREND
 from mechsheet.kinematics.newton.system import CLOSED, FIRST_PASSES, LED, SETTLED
 from mechsheet.words.catalogue import words
 

@@ -23,9 +23,8 @@ from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Call, Direction, Node, Previous, Root, Symbol, TriangleAngle, symbols, transform
 from livesheet.formula.scalar import evaluate
 from mechsheet.compiled import Compiled
-from mechsheet.kinematics.closures import Vector
 from mechsheet.kinematics.dimensions import dimension_order
-from mechsheet.kinematics.equations import Group
+from mechsheet.kinematics.equations import Group, Vector
 
 TRIED = 3
 """Sets of dimensions with which two expressions are compared: those that agree in all of them are the same."""

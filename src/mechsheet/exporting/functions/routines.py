@@ -12,7 +12,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, renamed, transform
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, children, renamed, transform
+from livesheet.formula.written import pairwise
 from livesheet.said import Words
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.lowering import Lowering, Step
@@ -260,3 +261,50 @@ def with_values(routine: Routine, values: Mapping[str, Node]) -> Routine:
     given = {parameter.symbol: Symbol(parameter.symbol) for parameter in left} | dict(values)
     steps, result = tidied(rules, "result", given)
     return replace(routine, parameters=left, steps=steps, result=result)
+
+
+def with_calls(routine: Routine, patterns: Sequence[Routine]) -> Routine:
+    """The routine calling the patterns (routines without steps) where its expressions match them; the first that does."""
+    always = [pattern for pattern in patterns if pattern.missing is None]
+    sometimes = [pattern for pattern in patterns if pattern.missing is not None]
+
+    def change(part: Node) -> Node:
+        if isinstance(part, Call) and part.name == "SUMSQ":
+            return pairwise(part)
+        for pattern in always:
+            found: dict[str, Node] = {}
+            if matches(pattern.result, part, found):
+                return _call(pattern, found)
+        return part
+
+    def called(step: Step) -> Step:
+        for pattern in sometimes:
+            found: dict[str, Node] = {}
+            if pattern.missing is None or step.missing is None or not matches(pattern.missing, step.missing, found):
+                continue
+            if matches(pattern.result, step.expression, found):
+                return Step(step.symbol, _call(pattern, found))
+        return step
+
+    routine = mapped(routine, lambda node: transform(node, change))
+    return replace(routine, steps=tuple(called(step) for step in routine.steps))
+
+
+def _call(pattern: Routine, found: dict[str, Node]) -> Call:
+    return Call(pattern.key, tuple(found[parameter.symbol] for parameter in pattern.parameters))
+
+
+def matches(pattern: Node, node: Node, found: dict[str, Node]) -> bool:
+    """True when `node` is `pattern` with its symbols replaced, each by the same expression everywhere; they come in `found`.
+
+    Patterns are a few levels deep, so recursion does.
+    """
+    if isinstance(pattern, Symbol):
+        return found.setdefault(pattern.name, node) == node
+    below, other = children(pattern), children(node)
+    if type(pattern) is not type(node) or len(below) != len(other):
+        return False
+    if not below:
+        return pattern == node
+    same_head = all(getattr(pattern, name, "") == getattr(node, name, "") for name in ("op", "name"))
+    return same_head and all(matches(one, two, found) for one, two in zip(below, other, strict=True))

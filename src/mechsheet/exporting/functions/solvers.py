@@ -25,16 +25,14 @@ from livesheet.formula.nodes import Node, Symbol
 from livesheet.said import Words
 from mechsheet.compiled import Compiled
 from mechsheet.exporting.functions.all_functions import patterns, prefix_of
-from mechsheet.exporting.functions.calls import with_calls
-from mechsheet.exporting.functions.routines import Routine, Source, folded, needed_for, unknown_key
+from mechsheet.exporting.functions.routines import Routine, Source, folded, needed_for, unknown_key, with_calls
 from mechsheet.exporting.lowering import Step
 from mechsheet.exporting.program import quantity
 from mechsheet.kinematics.angle_branch import WINDOWED
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.equations import Group, System
-from mechsheet.kinematics.lengths import largest_length
-from mechsheet.kinematics.newton.lost_assembly import scales
-from mechsheet.kinematics.newton.tracing import STEP
+from mechsheet.kinematics.modes import STEP
+from mechsheet.kinematics.newton.changed_dimensions import scales
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import NOTHING

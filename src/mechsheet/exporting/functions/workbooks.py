@@ -23,16 +23,12 @@ from mechsheet.exporting.functions.all_functions import (
     main_table,
     variable_key,
 )
-from mechsheet.exporting.functions.basic import function_names, module
-from mechsheet.exporting.functions.function_sheet import LIST_TITLE, functions_sheet
+from mechsheet.exporting.functions.basic import function_names, introduction, module, refuse_synthesis
 from mechsheet.exporting.functions.lambdas import modes_read, named_functions
 from mechsheet.exporting.functions.lesson import chain_of
-from mechsheet.exporting.functions.lesson_sheet import TITLE as LESSON_TITLE
-from mechsheet.exporting.functions.lesson_sheet import lesson_sheet
 from mechsheet.exporting.functions.routines import Source
-from mechsheet.exporting.functions.vba import introduction
-from mechsheet.exporting.refusing import refuse_synthesis
-from mechsheet.kinematics.newton.refusing import need_one_position
+from mechsheet.exporting.functions.sheets import LESSON_TITLE, LIST_TITLE, functions_sheet, lesson_sheet
+from mechsheet.kinematics.equations import need_one_position
 from mechsheet.model import TableRequest
 from mechsheet.sheet import styles
 from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW

@@ -22,14 +22,14 @@ from livesheet.said import say
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, loads
-from mechsheet.description.text.file_names import is_device
+from mechsheet.description.reader import is_device
 from mechsheet.diagnostics import DescriptionError, MechsheetError
 from mechsheet.homework.classroom.figure import figure_of
 from mechsheet.homework.classroom.task_sheet import task_sheet
 from mechsheet.homework.expected_values import truth_of
 from mechsheet.homework.recognition import deciding
 from mechsheet.homework.summaries import taken
-from mechsheet.kinematics.means import rows_count_alike
+from mechsheet.kinematics.whole_turns import rows_count_alike
 from mechsheet.model import Mechanism, Need, Vary
 from mechsheet.words.catalogue import said
 

@@ -20,17 +20,15 @@ from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.diagnostics import DescriptionWarning
 from mechsheet.kinematics.build_equations import write_equations
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, extent
 from mechsheet.kinematics.doubts.base_circle import base_circle_doubts
-from mechsheet.kinematics.doubts.outsized import inertia_doubts, sweep_doubts
-from mechsheet.kinematics.doubts.way_back import way_back_doubts
+from mechsheet.kinematics.doubts.slips import inertia_doubts, sweep_doubts, way_back_doubts
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import Equations
-from mechsheet.kinematics.lengths import extent
 from mechsheet.kinematics.mobility import listed_names
+from mechsheet.kinematics.modes import way
 from mechsheet.kinematics.newton.changed_dimensions import assembly_doubts
 from mechsheet.kinematics.newton.steps import step_doubts
-from mechsheet.kinematics.newton.tracing import way
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.sweep import sweep

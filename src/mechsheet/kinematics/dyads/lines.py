@@ -14,6 +14,7 @@ from livesheet.diagnostics import Fault
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Call, Node, Symbol
+from livesheet.formula.vectors import cross
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Dyad, Pin
@@ -40,6 +41,10 @@ def meet(
     sine = al.sin(delta2 - delta1)
     e_x = ledger.hoist("e_x", e[0], LENGTH, phrase("between_lines", axis="x"))
     e_y = ledger.hoist("e_y", e[1], LENGTH, phrase("between_lines", axis="y"))
+
+    def across(delta: Angle) -> Node:
+        return cross((e_x, e_y), (al.cos(delta), al.sin(delta)))
+
     fixed = al.value_of(sine)
     parallel: Node | None = None
     if fixed is not None and abs(fixed) < PARALLEL:
@@ -61,12 +66,9 @@ def meet(
         sine = ledger.hoist("D_0", sine, NUMBER, phrase("sine_between_lines"))
         crossing = Condition(Call("ABS", (sine,)), al.number(PARALLEL))
         column = ledger.column("D", sine, NUMBER, phrase("sine_where_they_meet"), [crossing])
-        ahead = al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2)))
-        parallel = Call("AND", (crossing.fails, al.less(Call("ABS", (ahead,)), ledger.tolerance)))
+        parallel = Call("AND", (crossing.fails, al.less(Call("ABS", (across(delta2),)), ledger.tolerance)))
         d, closes = column, column.name
-    k1 = al.div(al.sub(al.mul(e_x, al.sin(delta2)), al.mul(e_y, al.cos(delta2))), d)
-    k2 = al.div(al.sub(al.mul(e_x, al.sin(delta1)), al.mul(e_y, al.cos(delta1))), d)
-    return k1, k2, d, closes, parallel
+    return al.div(across(delta2), d), al.div(across(delta1), d), d, closes, parallel
 
 
 def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
@@ -84,7 +86,7 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
         poses.ledger, e, guides[0].delta, guides[1].delta, (guides[0].symbol, guides[1].symbol)
     )
     for guide, k in zip(guides, (k1, k2), strict=True):
-        poses.displacement(guide.symbol, k if guide.sign > 0 else al.neg(k))
+        poses.displacement(guide.symbol, guide.signed(k))
     for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True):
         poses.fix_on_guide(assembly, guide, Symbol(guide.symbol))
     symbols = f"{guides[0].symbol}, {guides[1].symbol}"
@@ -133,7 +135,7 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     e = (al.sub(al.add(xp, x1), al.add(guide.x, x2)), al.sub(al.add(yp, y1), al.add(guide.y, y2)))
     # guide + k1 d1 + (fixed) + sign s d2 = P + (own):  k1 d1 = e - k2 d2 with k2 = sign s, so k2 enters with a minus.
     k1, k2, sine, closes, parallel = meet(ledger, e, guide.delta, delta, (guide.symbol, joint.symbol))
-    poses.displacement(guide.symbol, k1 if guide.sign > 0 else al.neg(k1))
+    poses.displacement(guide.symbol, guide.signed(k1))
     poses.displacement(joint.symbol, al.neg(k2) if sign > 0 else k2)
     poses.fix_on_guide(dyad.second, guide, Symbol(guide.symbol))
     poses.fix(dyad.first, angle, poses.point(dyad.first, p), xp, yp)

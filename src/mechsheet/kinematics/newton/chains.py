@@ -14,12 +14,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, islice
+from typing import TypeAlias
 
 from mechsheet.kinematics.gear_relations import terms_of
-from mechsheet.kinematics.graph import Graph, Slide
+from mechsheet.kinematics.graph import Assembly, Graph, Slide
 from mechsheet.model import Relation
-
-Assembly = tuple[str, ...]
 
 MOST_UNKNOWNS = 4
 MOST_LINKS = 8
@@ -36,16 +35,8 @@ MOST_WAYS = 500
 CLASSES = {3: "III", 4: "IV", 5: "V", 6: "VI"}
 
 
-@dataclass(frozen=True, slots=True)
-class Meeting:
-    """A joint of an assembly: the name of a shared point, or a sliding joint."""
-
-    joint: str | Slide
-
-    @property
-    def is_pin(self) -> bool:
-        """Whether it is a revolute joint."""
-        return isinstance(self.joint, str)
+Meeting: TypeAlias = str | Slide
+"""A joint of an assembly: the name of a shared point, or a sliding joint."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,10 +49,11 @@ class Carrier:
 
 @dataclass(frozen=True, slots=True)
 class Binary:
-    """An assembly with two joints, of which the first is a pin: what it asks of the carriers is one equation."""
+    """An assembly with a pin and one joint more: what it asks of the carriers is one equation."""
 
     assembly: Assembly
-    ends: tuple[Meeting, Meeting]
+    pin: str
+    other: Meeting
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,8 +87,8 @@ class Chain:
     def pins(self) -> tuple[str, ...]:
         """The points of its revolute joints."""
         meetings = [carrier.reached for carrier in self.carriers]
-        meetings += [end for binary in self.binaries for end in binary.ends]
-        points = [meeting.joint for meeting in meetings if isinstance(meeting.joint, str)]
+        meetings += [end for binary in self.binaries for end in (binary.pin, binary.other)]
+        points = [meeting for meeting in meetings if isinstance(meeting, str)]
         return tuple(dict.fromkeys([*points, *(point for point, _, _ in self.shut)]))
 
 
@@ -174,17 +166,15 @@ class _Work:
 
     def meetings(self, assembly: Assembly) -> list[Meeting]:
         """The joints of a member, pins first, a point once."""
-        pins = [
-            Meeting(point) for point in self.points[assembly] if point in self.fixed or len(self.holders[point]) > 1
-        ]
-        return pins + [Meeting(slide) for slide in self.slides if {slide.body, slide.on} & {*assembly}]
+        pins = [point for point in self.points[assembly] if point in self.fixed or len(self.holders[point]) > 1]
+        return [*pins, *(slide for slide in self.slides if {slide.body, slide.on} & {*assembly})]
 
     def chain(self) -> Chain | None:
         """With the fewest unknowns; None where that takes more than four."""
         binary = [
             each
             for each in self.members
-            if len(ends := self.meetings(each)) == 2 and ends[0].is_pin and not self.tied.intersection(each)
+            if len(ends := self.meetings(each)) == 2 and isinstance(ends[0], str) and not self.tied.intersection(each)
         ]
         for count in range(len(self.members) // 2, min(MOST_UNKNOWNS, len(self.members)) + 1):
             for others in combinations(reversed(binary), len(self.members) - count):
@@ -213,11 +203,11 @@ class _Work:
         binaries = []
         for assembly in sorted(others, key=self.members.index):
             first, second = self.meetings(assembly)
-            if not (self._stands(first, assembly, known, there) and self._stands(second, assembly, known, there)):
+            if not isinstance(first, str) or first not in known or not self._stands(second, assembly, known, there):
                 return None
-            binaries.append(Binary(assembly, (first, second)))
+            binaries.append(Binary(assembly, first, second))
         shut = self._shut(placed)
-        left = [slide for slide in self.slides if Meeting(slide) not in used and self._between(slide, there)]
+        left = [slide for slide in self.slides if slide not in used and self._between(slide, there)]
         if left or len(placed) != len(binaries) + 2 * len(shut) + len(self.relations) or not self._slid(used):
             return None
         return Chain(self._class(), placed, tuple(binaries), shut, frozenset(self.solved), tuple(self.relations))
@@ -225,7 +215,7 @@ class _Work:
     def _slid(self, used: set[Meeting]) -> bool:
         """Whether the displacements that racks tie are unknowns, or of joints between what is known."""
         slides = [self.graph.slide(name) for name in self.tied if name not in self.graph.bodies]
-        return all(Meeting(slide) in used or {slide.body, slide.on} <= self.solved for slide in slides)
+        return all(slide in used or {slide.body, slide.on} <= self.solved for slide in slides)
 
     def _steps(self, carriers: list[Assembly], there: set[Assembly]) -> Iterator[Carrier]:
         """Carriers that can be reached now, over pins first."""
@@ -233,14 +223,14 @@ class _Work:
             for assembly in carriers:
                 for meeting in self.meetings(assembly) if assembly not in there else ():
                     known = self.fixed | {point for each in there for point in self.points[each]}
-                    if meeting.is_pin == pins and self._stands(meeting, assembly, known, there):
+                    if isinstance(meeting, str) == pins and self._stands(meeting, assembly, known, there):
                         yield Carrier(assembly, meeting)
 
     def _stands(self, meeting: Meeting, assembly: Assembly, known: set[str], there: set[Assembly]) -> bool:
         """Whether the other side of a joint of an assembly is known or a carrier that has been reached."""
-        if isinstance(meeting.joint, str):
-            return meeting.joint in known
-        other = meeting.joint.other(next(body for body in (meeting.joint.body, meeting.joint.on) if body in assembly))
+        if isinstance(meeting, str):
+            return meeting in known
+        other = meeting.beyond(assembly)
         return other in self.solved or self.of.get(other) in there
 
     def _between(self, slide: Slide, there: set[Assembly]) -> bool:
@@ -252,7 +242,7 @@ class _Work:
         holder: dict[str, Assembly] = {}
         for carrier in placed:
             for point in self.points[carrier.assembly]:
-                if carrier.reached.joint == point:
+                if carrier.reached == point:
                     continue
                 if point in self.fixed:
                     found.append((point, (), carrier.assembly))

@@ -19,12 +19,12 @@ import numpy as np
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Call, Node, Number, Symbol, renamed, symbols
-from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, turned
+from livesheet.formula.vectors import NOWHERE, Vector, cross, dot, minus, negative, turned
 from livesheet.said import Words
 from mechsheet.kinematics.equations import Condition, Equation, System
 from mechsheet.kinematics.gear_relations import terms_of
-from mechsheet.kinematics.newton.chains import Assembly, Binary, Carrier, Chain
-from mechsheet.kinematics.newton.cramer import Cramer, cramer
+from mechsheet.kinematics.graph import Assembly
+from mechsheet.kinematics.newton.chains import Binary, Carrier, Chain
 from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.kinematics.poses import Guide, Poses
 from mechsheet.model import Rack, Relation
@@ -109,7 +109,7 @@ class ChainWriter:
     def _reach(self, carrier: Carrier) -> None:
         """Its angle or displacement, as a number for now, and with it its pose and points."""
         poses, assembly = self.poses, carrier.assembly
-        joint = carrier.reached.joint
+        joint = carrier.reached
         if isinstance(joint, str):
             body = assembly[0]
             link = poses.links.get(body)
@@ -133,7 +133,7 @@ class ChainWriter:
         carrier = self.carrier.get(body)
         if carrier is None:
             return NOWHERE
-        joint = carrier.reached.joint
+        joint = carrier.reached
         own = carrier.assembly == unknown
         if isinstance(joint, str):
             pin = self.poses.xy[joint]
@@ -142,10 +142,8 @@ class ChainWriter:
             )
         if own:
             guide = self.guides[carrier.assembly]
-            direction = al.cos(guide.delta), al.sin(guide.delta)
-            return direction if guide.sign > 0 else (al.neg(direction[0]), al.neg(direction[1]))
-        inside = joint.side(carrier.assembly)
-        return self._moves(joint.other(inside), place, unknown)
+            return guide.direction if guide.sign > 0 else negative(guide.direction)
+        return self._moves(joint.beyond(carrier.assembly), place, unknown)
 
     def _holder(self, point: str, but: Assembly = ()) -> str:
         """The body, known or a carrier, with which the point was found."""
@@ -155,17 +153,14 @@ class ChainWriter:
 
     def _asked(self, binary: Binary) -> Demand:
         """The equation of a link with two joints."""
-        poses, assembly = self.poses, binary.assembly
-        first, second = (end.joint for end in binary.ends)
-        if not isinstance(first, str):
-            raise TypeError(f"no pin at the first end: {binary}")
+        poses, assembly, first, second = self.poses, binary.assembly, binary.pin, binary.other
         p, body_p = poses.xy[first], self._holder(first, assembly)
         if isinstance(second, str):
             q, body_q = poses.xy[second], self._holder(second, assembly)
             length, _ = poses.arm(assembly, first, second)
             self.lengths[assembly] = length
             way = minus(p, q)
-            value = al.div(al.sub(dot_of(way), al.square(length)), al.TWO)
+            value = al.div(al.sub(al.total(map(al.square, way)), al.square(length)), al.TWO)
             slopes = tuple(
                 dot(way, minus(self._moves(body_p, p, each), self._moves(body_q, q, each))) for each in self.unknowns
             )
@@ -173,9 +168,7 @@ class ChainWriter:
             return Demand(value, slopes, 2, label)
         guide = poses.guide(second, assembly)
         self.guides[assembly] = guide
-        inside = second.side(assembly)
-        carrier = second.other(inside)
-        direction = al.cos(guide.delta), al.sin(guide.delta)
+        carrier, direction = second.beyond(assembly), guide.direction
         offset = (poses.point(assembly, first) - guide.moving).turned(guide.angle - guide.delta)[1]
         value = al.sub(cross(direction, minus(p, (guide.x, guide.y))), offset)
         slopes = tuple(
@@ -231,8 +224,8 @@ class ChainWriter:
         carrier = self.carrier.get(name)
         if carrier is None:
             return ()
-        joint = carrier.reached.joint
-        return carrier.assembly if isinstance(joint, str) else self._moved_by(joint.other(joint.side(carrier.assembly)))
+        joint = carrier.reached
+        return carrier.assembly if isinstance(joint, str) else self._moved_by(joint.beyond(carrier.assembly))
 
     @property
     def unknowns(self) -> tuple[Assembly, ...]:
@@ -300,8 +293,8 @@ class ChainWriter:
         )  # fmt: skip
         fits = Condition(al.sub(al.number(CLOSED), Symbol(residual)), al.ZERO)
         heads = [
-            replace(each, symbol=iterated[each.symbol], expression=root, role="iteration", label=each.label)
-            for root, each in zip(system.roots(), (_of(written, name) for name in variables), strict=True)
+            replace(each, symbol=iterated[each.symbol], expression=root, role="iteration")
+            for root, each in zip(system.roots(), (ledger.of(name) for name in variables), strict=True)
         ]
         after = [
             replace(each, expression=Symbol(iterated[each.symbol]), exists=(fits,))
@@ -332,10 +325,7 @@ class ChainWriter:
 
     def _pose(self, binary: Binary) -> None:
         """Between its pins, or along its line."""
-        poses, assembly = self.poses, binary.assembly
-        first, second = (end.joint for end in binary.ends)
-        if not isinstance(first, str):
-            raise TypeError(f"no pin at the first end: {binary}")
+        poses, assembly, first, second = self.poses, binary.assembly, binary.pin, binary.other
         p = poses.xy[first]
         place = poses.point(assembly, first)
         if isinstance(second, str):
@@ -356,8 +346,7 @@ class ChainWriter:
         guide = self.guides[assembly]
         x, y = (place - guide.moving).turned(guide.angle)
         way = minus(minus(p, (guide.x, guide.y)), (x, y))
-        reach = al.add(al.mul(way[0], al.cos(guide.delta)), al.mul(way[1], al.sin(guide.delta)))
-        poses.displacement(guide.symbol, reach if guide.sign > 0 else al.neg(reach))
+        poses.displacement(guide.symbol, guide.signed(dot(way, guide.direction)))
         poses.fix(assembly, guide.angle, place, *p)
 
 
@@ -375,11 +364,6 @@ def _given(body: Sequence[Equation], iterated: dict[str, str]) -> tuple[str, ...
     return tuple(name for name in found if name not in own)
 
 
-def dot_of(way: Vector) -> Node:
-    """|way|^2."""
-    return al.add(al.square(way[0]), al.square(way[1]))
-
-
 def _reading(equation: Equation, names: dict[str, str]) -> Equation:
     return replace(
         equation,
@@ -388,5 +372,91 @@ def _reading(equation: Equation, names: dict[str, str]) -> Equation:
     )
 
 
-def _of(equations: Sequence[Equation], symbol: str) -> Equation:
-    return next(each for each in equations if each.symbol == symbol)
+# --- J^-1 F in formulas ------------------------------------------------------------------------------------
+
+Matrix = Sequence[Sequence[Node]]
+
+
+@dataclass(frozen=True, slots=True)
+class Cramer:
+    """The determinant of J, and what is divided by it; `minors` are named parts that they read."""
+
+    minors: tuple[tuple[str, Node], ...]
+    determinant: Node
+    numerators: tuple[Node, ...]
+
+
+def cramer(matrix: Matrix, right: Sequence[Node]) -> Cramer:
+    """The solution of  matrix d = right: Cramer's rule for up to three unknowns, minors of two rows (Laplace) for four."""
+    if len(matrix) == 4:
+        return _four(matrix, right)
+    columns = range(len(matrix))
+    numerators = (
+        _determinant([[right[row] if at == column else matrix[row][at] for at in columns] for row in columns])
+        for column in columns
+    )
+    return Cramer((), _determinant(matrix), tuple(numerators))
+
+
+def _determinant(m: Matrix) -> Node:
+    if len(m) == 1:
+        return m[0][0]
+    if len(m) == 2:
+        return al.sub(al.mul(m[0][0], m[1][1]), al.mul(m[0][1], m[1][0]))
+    parts = [al.mul(m[0][at], _determinant([[*row[:at], *row[at + 1 :]] for row in m[1:]])) for at in range(3)]
+    return al.add(al.sub(parts[0], parts[1]), parts[2])
+
+
+_PAIRS = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))
+
+
+def _four(m: Matrix, right: Sequence[Node]) -> Cramer:
+    """By the minors of the upper and of the lower two rows. Source: D. Eberly, The Laplace Expansion Theorem."""
+    minors: list[tuple[str, Node]] = []
+
+    def minor(letter: str, top: int, pair: tuple[int, int]) -> Node:
+        i, j = pair
+        node = al.sub(al.mul(m[top][i], m[top + 1][j]), al.mul(m[top + 1][i], m[top][j]))
+        if al.is_simple(node):
+            return node
+        name = f"{letter}{i + 1}{j + 1}"
+        minors.append((name, node))
+        return Symbol(name)
+
+    s = [minor("S", 0, pair) for pair in _PAIRS]
+    c = [minor("C", 2, pair) for pair in _PAIRS]
+
+    def combined(*terms: tuple[int, Node, Node]) -> Node:
+        total: Node = al.ZERO
+        for sign, one, other in terms:
+            part = al.mul(one, other)
+            total = al.add(total, part) if sign > 0 else al.sub(total, part)
+        return total
+
+    determinant = combined((1, s[0], c[5]), (-1, s[1], c[4]), (1, s[2], c[3]),
+                           (1, s[3], c[2]), (-1, s[4], c[1]), (1, s[5], c[0]))  # fmt: skip
+    f = right
+    # the minors of pairs of rows with the right side in them: u of the upper two rows, w of the lower two
+    u = [al.sub(al.mul(f[0], m[1][at]), al.mul(f[1], m[0][at])) for at in range(4)]
+    w = [al.sub(al.mul(f[2], m[3][at]), al.mul(f[3], m[2][at])) for at in range(4)]
+    named: list[list[Node]] = []
+    for letter, nodes in (("U", u), ("W", w)):
+        row: list[Node] = []
+        for at, node in enumerate(nodes):
+            if not al.is_simple(node):
+                minors.append((f"{letter}{at + 1}", node))
+                node = Symbol(f"{letter}{at + 1}")
+            row.append(node)
+        named.append(row)
+    upper, lower = named
+    numerators = (
+        combined((1, upper[1], c[5]), (-1, upper[2], c[4]), (1, upper[3], c[3]),
+                 (1, s[3], lower[3]), (-1, s[4], lower[2]), (1, s[5], lower[1])),
+        combined((-1, upper[0], c[5]), (1, upper[2], c[2]), (-1, upper[3], c[1]),
+                 (-1, s[1], lower[3]), (1, s[2], lower[2]), (-1, s[5], lower[0])),
+        combined((1, upper[0], c[4]), (-1, upper[1], c[2]), (1, upper[3], c[0]),
+                 (1, s[0], lower[3]), (-1, s[2], lower[1]), (1, s[4], lower[0])),
+        combined((-1, upper[0], c[3]), (1, upper[1], c[1]), (-1, upper[2], c[0]),
+                 (-1, s[0], lower[2]), (1, s[1], lower[1]), (-1, s[3], lower[0])),
+    )  # fmt: skip
+    return Cramer(tuple(minors), determinant, numerators)

@@ -21,20 +21,21 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
+from livesheet.formula.derivatives import derivative
 from livesheet.formula.nodes import Binary as NodeBinary
 from livesheet.formula.nodes import Call, Node, Number, Symbol, renamed, transform
-from livesheet.formula.vectors import Vector, dot, minus, negative, turned
+from livesheet.formula.vectors import NOWHERE, Vector, dot, minus, negative, turned
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import Condition, System
 from mechsheet.kinematics.gear_relations import terms_of
-from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.graph import Assembly, Slide
 from mechsheet.kinematics.newton.chains import Binary
-from mechsheet.kinematics.newton.cramer import Cramer, cramer
-from mechsheet.kinematics.newton.newton_equations import Solution, holder
-from mechsheet.kinematics.poses import Assembly
+from mechsheet.kinematics.newton.newton_equations import Cramer, Solution, cramer, holder
 from mechsheet.kinematics.rates.motions import Motions, PointRate, Rate
-from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS
+from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, LONGEST, RateColumns, order_words
 from mechsheet.model import Rack, Relation
+from mechsheet.units import LENGTH, NUMBER, Unit
+from mechsheet.words.equations import phrase
 
 SIDES = ((al.ONE, al.ZERO), (al.ZERO, al.ONE))
 
@@ -91,7 +92,7 @@ class Closings:
         """In the order of the group's equations."""
         motions = self.motions
         for carrier, symbol in zip(self.chain.carriers, self.solution.system.variables, strict=True):
-            joint = carrier.reached.joint
+            joint = carrier.reached
             if isinstance(joint, str):
                 motions.pinned(carrier.assembly, joint, self._at(joint, carrier.assembly), motions.rates.of(symbol))
             else:
@@ -107,12 +108,9 @@ class Closings:
         return self.motions.motion[holder(self.poses, self.chain, point, but)](self.poses.xy[point])
 
     def _over(self, binary: Binary) -> Closing:
-        first, second = (end.joint for end in binary.ends)
-        if not isinstance(first, str):
-            raise TypeError(f"no pin at the first end: {binary}")
-        if isinstance(second, str):
-            return self._over_pins(binary.assembly, first, second)
-        return self._on_line(binary.assembly, first, second)
+        if isinstance(binary.other, str):
+            return self._over_pins(binary.assembly, binary.pin, binary.other)
+        return self._on_line(binary.assembly, binary.pin, binary.other)
 
     def _over_pins(self, assembly: Assembly, first: str, second: str) -> Closing:
         span = self.solution.spans[assembly]
@@ -239,3 +237,93 @@ def without(vector: Vector, names: Iterable[str]) -> Vector:
         return al.tidied(part)
 
     return transform(vector[0], change), transform(vector[1], change)
+
+
+class ChainColumns:
+    """Of one group."""
+
+    def __init__(
+        self, columns: RateColumns, system: System, closings: Sequence[Closing], points: dict[str, PointRate]
+    ) -> None:
+        """`points`: the rates of points that have columns; more are added."""
+        self.columns, self.system, self.closings, self.points = columns, system, closings, points
+        self.owns = [(place, closing.own) for place, closing in enumerate(closings) if closing.own is not None]
+        self.gaps: list[Vector] = [NOWHERE] * len(closings)
+
+    def write(self) -> tuple[Symbol, list[str]]:
+        """D, and the symbols of which there are coefficients now."""
+        system, columns = self.system, self.columns
+        slides = [columns.ledger.of(name).unit == LENGTH for name in system.variables]
+        columns.angles.update(name for name, slide in zip(system.variables, slides, strict=True) if not slide)
+        label = phrase("determinant")
+        alive = dead(system, slides, columns.ledger.size(), lambda node: columns.define("r", node, NUMBER, label))
+        det = columns.define("D", Symbol(system.determinant), NUMBER, label, alive)
+        for order in (1, 2):
+            names = [f"{name}{COEFFICIENTS[order - 1]}" for name in system.variables]
+            self._unknowns(det, names, order)
+            for place, own in self.owns:
+                self._own(place, own, names, order)
+        for closing in self.closings:
+            if closing.point:
+                parts = [[Symbol(f"{closing.point}.{axis}{part}") for axis in "xy"] for part in COEFFICIENTS]
+                self.points[closing.point] = PointRate((parts[0][0], parts[0][1]), (parts[1][0], parts[1][1]))
+        return det, [*system.variables, *(own.symbol for _, own in self.owns)]
+
+    def _unknowns(self, det: Symbol, names: Sequence[str], order: int) -> None:
+        columns = self.columns
+        label = phrase("newton_minor")
+        found = solved(self.system, self._right_sides(names, order))
+        minors = {name: columns.define(name, node, NUMBER, label).name for name, node in found.minors}
+        for name, node in zip(self.system.variables, found.numerators, strict=True):
+            numerator = columns.within(renamed(node, minors), "n", NUMBER, label)
+            columns.coefficient(name, order, al.div(numerator, det))
+
+    def _right_sides(self, names: Sequence[str], order: int) -> list[Node]:
+        """-F' or -F''; each is read for every unknown: in columns, unless it is simple."""
+        found: list[Node] = []
+        for place, closing in enumerate(self.closings):
+
+            def write(free: Vector, closing: Closing = closing) -> list[Node]:
+                return known_sides(closing, free, order)
+
+            self.gaps[place] = self._short(place, order, without(self._free(place, order), names), write)
+            for node in write(self.gaps[place]):
+                base = f"{'uk'[order - 1]}{len(found) + 1}"
+                label = phrase("known_side_of", number=str(len(found) + 1), order=order_words(order))
+                found.append(self.columns.hoist(base, node, self._unit(closing, order), label))
+        return found
+
+    def _own(self, place: int, own: Own, names: Sequence[str], order: int) -> None:
+        """The rate of a link between two carriers, when those of the unknowns are known: they add what is linear in them."""
+        free: list[Node] = []
+        for known, whole in zip(self.gaps[place], self._free(place, order), strict=True):
+            free.append(al.total([known, *(al.mul(derivative(whole, name), Symbol(name)) for name in names)]))
+
+        def write(gap: Vector) -> list[Node]:
+            return [own_rate(own, gap)]
+
+        gap = free[0], free[1]
+        point = self.closings[place].point
+        if point:
+            gap = negative(self.columns.point(point, order, minus(NOWHERE, gap)))
+        else:
+            gap = self._short(place, order, gap, write)
+        self.columns.coefficient(own.symbol, order, own_rate(own, gap))
+
+    def _free(self, place: int, order: int) -> Vector:
+        return self.closings[place].free.of(order)
+
+    def _short(self, place: int, order: int, gap: Vector, write: Callable[[Vector], list[Node]]) -> Vector:
+        """The gap between the two ways to a place, in columns where what is written with it becomes long."""
+        if max(map(self.columns.length, write(gap))) <= LONGEST:
+            return gap
+        parts = []
+        for axis, node in zip("xy", gap, strict=True):
+            label = phrase("gap_part", number=str(place + 1), axis=axis, order=order_words(order))
+            parts.append(self.columns.hoist(f"g{place + 1}_{axis}", node, self.columns.unit(1, order), label))
+        return parts[0], parts[1]
+
+    def _unit(self, closing: Closing, order: int) -> Unit:
+        """Of an equation: a distance is asked as a square, an offset or a pin as a length, a gear as an angle."""
+        squared = closing.own is not None and closing.own.square != al.ONE
+        return self.columns.unit(2 if squared else closing.power, order)

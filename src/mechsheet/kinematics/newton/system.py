@@ -12,7 +12,7 @@ changes its sign on the way it could not. (E. L. Allgower, K. Georg, Introductio
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, TypeAlias
@@ -228,3 +228,25 @@ def _spelt(node: Node, names: Mapping[str, str]) -> str:
         case Call(name, args):
             return f"f_{name}({', '.join(_spelt(arg, names) for arg in args)})"
     raise ValueError(f"no pass can hold this: {node}")
+
+
+def leading(
+    wanted: Sequence[str], rules: Mapping[str, Collection[str]], changing: Collection[str]
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """(those of `changing` that `wanted` follows from, the rules between them in order); the rest stays as it is.
+
+    rules     by symbol what it reads, in order of solution
+    changing  symbols that are given, whatever rule they have
+    """
+    moving = set(changing)
+    for symbol, reads in rules.items():
+        if not moving.isdisjoint(reads):
+            moving.add(symbol)
+    needed = set(wanted) & moving
+    for symbol, reads in reversed([*rules.items()]):
+        if symbol in needed and symbol not in changing:
+            needed.update(moving.intersection(reads))
+    return (
+        tuple(symbol for symbol in changing if symbol in needed),
+        tuple(symbol for symbol in rules if symbol in needed and symbol not in changing),
+    )

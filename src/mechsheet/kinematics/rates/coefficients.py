@@ -20,23 +20,21 @@ from livesheet.diagnostics import Fault
 from livesheet.formula import algebra as al
 from livesheet.formula.derivatives import derivative
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, with_symbols
-from livesheet.formula.vectors import Vector, cross, minus, plus, size, times
+from livesheet.formula.vectors import Vector, cross, minus, size
 from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.cams.profile import Contact, write_cam
-from mechsheet.kinematics.cell_lengths import LONGEST
 from mechsheet.kinematics.dyads.solved import Determinant, Solved
 from mechsheet.kinematics.equations import Fit
 from mechsheet.kinematics.gear_relations import Held, Tied, solved_for
 from mechsheet.kinematics.graph import Slide
 from mechsheet.kinematics.newton.chains import Chain
-from mechsheet.kinematics.newton.coefficients import ChainColumns
 from mechsheet.kinematics.newton.newton_equations import Solution
-from mechsheet.kinematics.newton.rates import Closings, known_pins, without
+from mechsheet.kinematics.newton.rates import ChainColumns, Closings, known_pins, without
 from mechsheet.kinematics.poses import Poses
 from mechsheet.kinematics.rates.motions import Meeting, Motions, PointRate, Rate
-from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, RateColumns, order_words
+from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, LONGEST, RateColumns, order_words
 from mechsheet.model import POINT_RATES, FurtherDriver, Mechanism, rate_symbols
 from mechsheet.units import LENGTH, RAD, Unit
 from mechsheet.words.equations import link_words, phrase
@@ -143,17 +141,11 @@ class _ByTime:
         return Rate(*(Symbol(name) for name in rate_symbols(symbol, symbol in self.angles)))
 
     def of_relative(self, symbol: str) -> Rate:
-        own, speed = primed(symbol), self.driver.first
-        second = al.add(al.mul(own.second, al.square(speed)), al.mul(own.first, self.driver.second))
-        return Rate(al.mul(own.first, speed), second)
+        return primed(symbol).by_time(self.driver)
 
     def of_point(self, point: str) -> PointRate | None:
         found = self.points.get(point)
-        if found is None:
-            return None
-        speed, acceleration = self.driver.first, self.driver.second
-        second = plus(times(al.square(speed), found.second), times(acceleration, found.first))
-        return PointRate(times(speed, found.first), second)
+        return None if found is None else found.by_time(self.driver)
 
 
 @dataclass(frozen=True, slots=True)
@@ -279,7 +271,7 @@ class _Writer:
         if not self.timed:
             return
         self._rates(symbol, self.names.of(symbol), turns)
-        speed, acceleration = (Symbol(name) for name in self.mechanism.driver_rates)
+        speed, acceleration = self._driven.both
         if self.ledger.is_constant(speed) and self.ledger.is_constant(acceleration):
             change = al.mul(al.mul(Number(3.0), Symbol(f"{symbol}.dd")), al.mul(speed, acceleration))
             jerk = al.add(al.mul(Symbol(f"{symbol}.ddd"), Binary("^", speed, Number(3.0))), change)
@@ -288,12 +280,10 @@ class _Writer:
 
     def _in_columns(self, symbol: str, rate: Rate, turns: bool) -> Rate:
         """Coefficients in cells of their own where they are no short constants; and the rates by time, that people read."""
-        if all(
-            self.ledger.is_constant(node) and self.columns.length(node) <= SHORT for node in (rate.first, rate.second)
-        ):
+        if all(self.ledger.is_constant(node) and self.columns.length(node) <= SHORT for node in rate.both):
             own = rate
         else:
-            for order, node in enumerate((rate.first, rate.second), 1):
+            for order, node in enumerate(rate.both, 1):
                 self.columns.coefficient(symbol, order, node, turns)
             own = self.names.of(symbol)
         if self.timed:
@@ -363,7 +353,7 @@ class _Writer:
     def _cramer(self, meeting: Meeting, order: int) -> _Cramer:
         """The equations of the first or of the second coefficients."""
         unknowns = [f"{symbol}{COEFFICIENTS[order - 1]}" for symbol in meeting.unknowns]
-        left, right = ((way.first if order == 1 else way.second) for way in meeting.ways)
+        left, right = (way.of(order) for way in meeting.ways)
         columns = []
         for name in unknowns:
             parts = [al.sub(derivative(a, name), derivative(b, name)) for a, b in zip(left, right, strict=True)]
@@ -405,15 +395,13 @@ class _Writer:
         found = []
         for axis, node in zip("xy", right, strict=True):
             label = phrase("known_side", axis=axis, order=order_words(order))
-            if not al.is_simple(node):
-                node = self.columns.within(node, f"{base}_{axis}", unit, label)
-                node = node if al.is_simple(node) else self.columns.define(f"{base}_{axis}", node, unit, label)
-            found.append(node)
+            found.append(self.columns.hoist(f"{base}_{axis}", node, unit, label))
         return found[0], found[1]
 
     def _rates(self, symbol: str, own: Rate, turns: bool) -> None:
         """omega, alpha of an angle, which `turns`; velocity and acceleration of a displacement."""
-        for order, (name, node) in enumerate(zip(rate_symbols(symbol, turns), self._by_time(own), strict=True), 1):
+        names, by_time = rate_symbols(symbol, turns), own.by_time(self._driven)
+        for order, (name, node) in enumerate(zip(names, by_time.both, strict=True), 1):
             words = self._rate_words(symbol, turns, order)
             self.ledger.define(name, node, self._rate_unit(turns, order), words, "rate")
 
@@ -428,11 +416,11 @@ class _Writer:
         key = "angular_velocity" if order == 1 else "angular_acceleration"
         return phrase(key, number=str(link.number), link=link_words(link))
 
-    def _by_time(self, own: Rate) -> tuple[Node, Node]:
-        """q' omega12 and q'' omega12^2 + q' alpha12."""
-        speed, acceleration = (Symbol(name) for name in self.mechanism.driver_rates)
-        second = al.add(al.mul(own.second, al.square(speed)), al.mul(own.first, acceleration))
-        return al.mul(own.first, speed), second
+    @property
+    def _driven(self) -> Rate:
+        """The driver's speed and acceleration."""
+        speed, acceleration = self.mechanism.driver_rates
+        return Rate(Symbol(speed), Symbol(acceleration))
 
     # --- points, and what is asked for by name ----------------------------------------------------------------
 
@@ -451,7 +439,7 @@ class _Writer:
             self._other_names(driver.symbol, Rate(al.ONE, al.ZERO), not driver.joint)
 
     def _other_names(self, symbol: str, own: Rate, turns: bool) -> None:
-        for order, node in enumerate((own.first, own.second), 1):
+        for order, node in enumerate(own.both, 1):
             name = f"{symbol}{COEFFICIENTS[order - 1]}"
             if name in self.asked and name not in self.ledger.values:
                 self.columns.coefficient(symbol, order, node)
@@ -459,7 +447,7 @@ class _Writer:
             return
         own_column = turns and not al.is_simple(own.first) and own.first not in self.shown
         self.shown.add(own.first)
-        for order, node in enumerate(self._by_time(own), 1):
+        for order, node in enumerate(own.by_time(self._driven).both, 1):
             name = rate_symbols(symbol, turns)[order - 1]
             if (name in self.asked or own_column) and name not in self.ledger.values:
                 self.ledger.define(
@@ -468,9 +456,7 @@ class _Writer:
 
     def _columns_of(self, point: str, found: PointRate) -> PointRate:
         """A point's coefficients as columns."""
-        known = PointRate(
-            *(self.columns.point(point, order, rate) for order, rate in ((1, found.first), (2, found.second)))
-        )
+        known = PointRate(*(self.columns.point(point, order, found.of(order)) for order in (1, 2)))
         self.names.points[point] = known
         return known
 
@@ -479,9 +465,8 @@ class _Writer:
         known = self.names.of_point(point)
         if known is None:
             known = self._columns_of(point, self.motions.of_point(point, self.columns.length))
-        speed, acceleration = (Symbol(name) for name in self.mechanism.driver_rates)
-        parts = plus(times(al.square(speed), known.second), times(acceleration, known.first))
-        for letter, order, vector in (("v", 1, times(speed, known.first)), ("a", 2, parts)):
+        rates = known.by_time(self._driven)
+        for letter, order, vector in (("v", 1, rates.first), ("a", 2, rates.second)):
             unit = self._rate_unit(False, order)
             for axis, node in zip("xy", vector, strict=True):
                 name = f"{point}.{letter}{axis}"
@@ -489,14 +474,14 @@ class _Writer:
                     label = phrase(f"point_{letter}_part", point=point, axis=axis)
                     self.ledger.define(name, node, unit, label, "rate")
             squares = known.first if order == 1 else vector
-            node = al.mul(Call("ABS", (speed,)), size(squares)) if order == 1 else size(squares)
+            node = al.mul(Call("ABS", (self._driven.first,)), size(squares)) if order == 1 else size(squares)
             self.ledger.define(f"{point}.{letter}", node, unit, phrase(f"point_{letter}", point=point), "rate")
 
     # --- do they fit? -----------------------------------------------------------------------------------------
 
     def _by_time_alone(self) -> Written:
         """How fast each link turns; of each group by how much its two ways to the closing point differ."""
-        names = {self.mechanism.driver.symbol: Rate(*(Symbol(name) for name in self.mechanism.driver_rates))}
+        names = {self.mechanism.driver.symbol: self._driven}
         for driver in self.mechanism.drivers:
             names[driver.symbol] = Rate(*(Symbol(name) for name in rate_symbols(driver.symbol, not driver.joint)))
         by_time = _ByTime(self.mechanism, self.names.points, names)
@@ -522,10 +507,7 @@ class _Writer:
                 meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.columns.length) for pin in pins})
             left, right = meeting.ways
             found[number] = Fit(minus(left.first, right.first), minus(left.second, right.second))
-        turning = {
-            link.angle_symbol: (motions.turning[link.name].first, motions.turning[link.name].second)
-            for link in self.mechanism.links[1:]
-        }
+        turning = {link.angle_symbol: motions.turning[link.name].both for link in self.mechanism.links[1:]}
         return Written(found, turning, by_time=motions)
 
     def _fit_of_chain(self, motions: Motions, solution: Solution) -> Fit:

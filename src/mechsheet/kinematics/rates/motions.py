@@ -22,9 +22,9 @@ from livesheet.formula.nodes import Node
 from livesheet.formula.vectors import NOWHERE, Vector, minus, plus, times, turned
 from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
 from mechsheet.kinematics.gear_relations import Tied
-from mechsheet.kinematics.graph import Slide
+from mechsheet.kinematics.graph import Assembly, Slide
 from mechsheet.kinematics.points_in_link import angle_of
-from mechsheet.kinematics.poses import Assembly, Poses
+from mechsheet.kinematics.poses import Poses
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,11 +34,21 @@ class Rate:
     first: Node
     second: Node
 
+    @property
+    def both(self) -> tuple[Node, Node]:
+        """The first, and the second."""
+        return self.first, self.second
+
     def __neg__(self) -> Rate:
         return Rate(al.neg(self.first), al.neg(self.second))
 
     def __add__(self, other: Rate) -> Rate:
         return Rate(al.add(self.first, other.first), al.add(self.second, other.second))
+
+    def by_time(self, driver: Rate) -> Rate:
+        """Of what these are by the driver's variable: q' omega12 and q'' omega12^2 + q' alpha12."""
+        second = al.add(al.mul(self.second, al.square(driver.first)), al.mul(self.first, driver.second))
+        return Rate(al.mul(self.first, driver.first), second)
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +57,15 @@ class PointRate:
 
     first: Vector
     second: Vector
+
+    def of(self, order: int) -> Vector:
+        """The first or the second."""
+        return self.first if order == 1 else self.second
+
+    def by_time(self, driver: Rate) -> PointRate:
+        """Of what these are by the driver's variable: x' omega12 and x'' omega12^2 + x' alpha12."""
+        second = plus(times(al.square(driver.first), self.second), times(driver.second, self.first))
+        return PointRate(times(driver.first, self.first), second)
 
 
 Motion: TypeAlias = Callable[[Vector], PointRate]
@@ -240,13 +259,13 @@ class Motions:
     def meet_within(self, dyad: Dyad) -> Meeting:
         """The two ways to the closing point of a dyad on the driven pair, whose base stands still here."""
         drive = self.order.pair(dyad.frame)
-        pins = [contact.point for contact in (*dyad.outer, dyad.inner) if isinstance(contact, Pin)]
+        p, q, r = dyad.pins
         ways = []
-        for (body,), pin in zip((dyad.first, dyad.second), pins, strict=False):
+        for (body,), pin in zip(dyad.assemblies, (p, q), strict=True):
             moves = self.motion[self.with_point(dyad.frame, pin)](self.coordinates(pin))
             self._turns(body, pin, moves, self.relative(body, drive))
-            ways.append(self.motion[body](self.coordinates(pins[2])))
-        names = [relative_name(self.poses, body) for (body,) in (dyad.first, dyad.second)]
+            ways.append(self.motion[body](self.coordinates(r)))
+        names = [relative_name(self.poses, body) for (body,) in dyad.assemblies]
         return Meeting((ways[0], ways[1]), (names[0], names[1]))
 
     def with_point(self, assembly: Assembly, point: str) -> str:

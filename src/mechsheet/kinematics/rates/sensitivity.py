@@ -23,8 +23,8 @@ from dataclasses import dataclass
 from livesheet.formula import algebra as al
 from livesheet.formula.derivatives import derivative
 from livesheet.formula.nodes import Node, Symbol, symbols, transform, walk, with_symbols
-from mechsheet.kinematics.cell_lengths import terms_of
 from mechsheet.kinematics.equations import Equations, Group
+from mechsheet.kinematics.rates.rate_columns import terms_of
 from mechsheet.model import Dimension, Mechanism
 
 WRITTEN_OUT = 25

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from livesheet.said import say
 from livesheet.workbook import Sheet
-from mechsheet.kinematics.newton.refusing import need_closed_form
+from mechsheet.kinematics.equations import need_closed_form
 from mechsheet.model import TableRequest
 from mechsheet.sheet.plan import Plan
 

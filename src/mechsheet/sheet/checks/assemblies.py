@@ -10,7 +10,7 @@ import math
 from typing import Literal
 
 from livesheet.formula.nodes import Call, CellRef, Node
-from mechsheet.kinematics.newton.lost_assembly import LEAP
+from mechsheet.kinematics.newton.changed_dimensions import LEAP
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
 

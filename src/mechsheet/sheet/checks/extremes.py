@@ -13,7 +13,7 @@ from dataclasses import replace
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, with_symbols
 from livesheet.workbook import Column, PrintSetup, Sheet
-from mechsheet.kinematics.means import LEAST_OF_TURN
+from mechsheet.kinematics.whole_turns import LEAST_OF_TURN
 from mechsheet.model import WAYS, Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot

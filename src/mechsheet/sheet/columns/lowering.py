@@ -31,7 +31,7 @@ from livesheet.formula.nodes import (
 )
 from livesheet.said import Words
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group, LinkPose, Role, System
-from mechsheet.kinematics.naming import FreshNames, given_names
+from mechsheet.kinematics.ledger import FreshNames, given_names
 from mechsheet.kinematics.newton.newton_equations import ITERATED
 from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.model import Mechanism

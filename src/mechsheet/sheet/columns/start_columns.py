@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from livesheet.formula.nodes import Node, symbols
 from mechsheet.kinematics.equations import System
-from mechsheet.kinematics.newton.leading import leading
+from mechsheet.kinematics.newton.system import leading
 from mechsheet.sheet.columns.lowering import Assignment, Assignments
 
 

@@ -13,7 +13,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.derivatives import derivative
 from livesheet.formula.nodes import Node, Symbol, symbols
 from livesheet.workbook import Rich
-from mechsheet.kinematics.closures import Loop, Vector
+from mechsheet.kinematics.equations import Loop, Vector
 from mechsheet.model import rate_symbols
 from mechsheet.sheet.mathematics import Part, written
 from mechsheet.sheet.plan import Plan

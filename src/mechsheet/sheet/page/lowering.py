@@ -20,11 +20,10 @@ import numpy as np
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Direction, Node, Symbol, TriangleAngle, symbols, transform, walk
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Condition, Equation, Equations, Group
-from mechsheet.kinematics.lengths import largest_length
-from mechsheet.kinematics.naming import FreshNames, given_names
+from mechsheet.kinematics.ledger import FreshNames, given_names
 from mechsheet.kinematics.numeric import value as numeric
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Mechanism

@@ -13,8 +13,7 @@ from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import driver_values
-from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations
-from mechsheet.kinematics.newton.refusing import need_closed_form
+from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations, need_closed_form
 from mechsheet.model import Mechanism
 from mechsheet.shapes.points import remarkable_points
 from mechsheet.sheet.addresses import Addresses, Spot

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from livesheet.formula.nodes import CellRef, Node, Number, Text, transform
 from livesheet.workbook import Area, Comment, Content, Fill, Merge, Style
-from mechsheet.kinematics.means import LEAST_OF_TURN
+from mechsheet.kinematics.whole_turns import LEAST_OF_TURN
 from mechsheet.model import WAYS, Summary
 from mechsheet.sheet import styles
 from mechsheet.sheet.cells import Cells

@@ -14,7 +14,7 @@ The text's lengths for that lam, put into cos(mu) where crank and ground are in 
                   / sqrt(L (sin(phi/2)^2 + cos(phi/2)^2 L))
 
 Towards the lam from which the dead centres lie on both assemblies mu_min goes down to 0, so the best is always below it: the
-bounds are those of `best`, 1 and `LONGEST`.
+bounds are those of `best`, 1 and `LAST_RATIO`.
 Sources: E. Soeylemez, Mechanisms, section 7.1; F. Freudenstein and E. J. F. Primrose (1972). Such charts go back to H. Alt.
 """
 
@@ -47,7 +47,7 @@ from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 from mechsheet.sheet.synthesis.naming import Naming
 from mechsheet.sheet.transmission import POOR
-from mechsheet.synthesis.over_ratio import LONGEST
+from mechsheet.synthesis.four_bar import LAST_RATIO
 
 SWINGS = tuple(range(10, 130, 10))
 """psi of the columns, degrees; the task's own follows them."""
@@ -210,7 +210,7 @@ class _Alt(Cells):
             self.fills.append(Fill(ANGLES + 2, HELPERS + col, node, style, DOWN, cols))
 
     def _ratio(self) -> Node:
-        """The best lam, #N/A from `LONGEST` on."""
+        """The best lam, #N/A from `LAST_RATIO` on."""
         at = self._at(RATIOS)
         cosine = formula("IF(w>1,((w+SQRT(w^2-1))^(1/3)+(w-SQRT(w^2-1))^(1/3))/2,COS(ACOS(w)/3))", w=at["w"])
         root = formula("2*s*cosine-2/3", s=at["s"], cosine=cosine)
@@ -230,7 +230,7 @@ class _Alt(Cells):
             "(part*(lam^2-1)/2+SQRT(crank))/(lam*SQRT(rocker))", part=part, lam=lam, crank=crank, rocker=rocker
         )
         return formula(
-            "IF(AND(lam>1,lam<longest),DEGREES(ACOS(cosine)),NA())", lam=lam, longest=float(LONGEST), cosine=cosine
+            "IF(AND(lam>1,lam<longest),DEGREES(ACOS(cosine)),NA())", lam=lam, longest=float(LAST_RATIO), cosine=cosine
         )
 
     # --- the chart

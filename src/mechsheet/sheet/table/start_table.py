@@ -12,7 +12,7 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import CellRef, Node, Previous, RangeRef, Symbol, transform
 from livesheet.workbook import Fill
 from mechsheet.kinematics.equations import Group, System
-from mechsheet.kinematics.newton.lost_assembly import STEADY, trends
+from mechsheet.kinematics.newton.changed_dimensions import STEADY, trends
 from mechsheet.kinematics.newton.system import FIRST_PASSES, LED, SETTLED
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses, Spot

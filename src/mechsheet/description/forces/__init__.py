@@ -1,1 +1,0 @@
-"""[dynamics], [[loads]], masses and [flywheel], and the names of all forces."""
