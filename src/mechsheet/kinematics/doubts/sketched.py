@@ -193,7 +193,7 @@ def _turned(
 
     sketched  places and angles by name;  there: every symbol's value
     """
-    link = next(link for link in mechanism.links if link.name == name)
+    link = mechanism.link(name)
     if link is mechanism.ground:
         return 0.0
     if link.angle_symbol in sketched:
@@ -298,7 +298,7 @@ def _slid_off(mechanism: Mechanism, rack: Rack, entry: Entry, place: Mapping[str
         return entry.wanted[0] - place[joint.symbol]
     if entry.name != joint.point:
         return 0.0
-    on = next(link for link in mechanism.links if link.name == joint.on)
+    on = mechanism.link(joint.on)
     turned = 0.0 if on is mechanism.ground else place[on.angle_symbol]
     direction = turned + number(joint.angle, dimension_values(mechanism))
     x, y = (wanted - place[column] for wanted, column in zip(entry.wanted, entry.columns, strict=True))
