@@ -426,6 +426,10 @@ class Mechanism:
     before: Mechanism | None = field(default=None, compare=False)
     listing: str = field(default="", compare=False, repr=False)
 
+    def link(self, name: str) -> Link:
+        """The link of that name."""
+        return next(link for link in self.links if link.name == name)
+
     @property
     def whole_links(self) -> tuple[Link, ...]:
         """The links as described: redundant ones with both joints."""

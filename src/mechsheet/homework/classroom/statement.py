@@ -149,7 +149,7 @@ class Statement:
         if not all(map(al.is_zero, dynamics.gravity)):
             yield Rich(((f"{self.text('gravity')} ", ""), *self._pair(*dynamics.gravity)))
         for load in dynamics.loads:
-            link = next(one for one in self.mechanism.links if one.name == load.link)
+            link = self.mechanism.link(load.link)
             on = self.text("on", link=link_words(link).of(self.language))
             if load.force is None:
                 assert load.torque is not None
@@ -180,7 +180,7 @@ class Statement:
             link = next((one for one in self.mechanism.links if one.name == driver.link), None)
             if link is not None:
                 base = driver.relative_to or self.mechanism.ground.name
-                other = next(one for one in self.mechanism.links if one.name == base)
+                other = self.mechanism.link(base)
                 line += [(": ", ""), *self.direction(link)]
                 if other is not self.mechanism.ground:
                     line += [(f" {self.text('against')} ", ""), *self.direction(other)]
@@ -356,7 +356,7 @@ class Statement:
         """A sliding joint: what slides where, from where its displacement counts."""
         names = {key: body_words(self.mechanism, name) for key, name in (("link", joint.link), ("on", joint.on))}
         spoken = {key: name.of(self.language) for key, name in names.items()}
-        on = next(link for link in self.mechanism.links if link.name == joint.on)
+        on = self.mechanism.link(joint.on)
         line: Line = [(words(self.language, f"notes.{joint.kind}", point=joint.point, **spoken) + " ", "")]
         ground = on is self.mechanism.ground
         if isinstance(joint.through, str):

@@ -1,4 +1,7 @@
-"""What is the same in all rows, in generated code: single numbers and ranges, computed once before the rows."""
+"""What all generated code has in common: the values that it needs, and what is computed once before the rows.
+
+`TroubleError` hands the rows to the interpreter.
+"""
 
 from __future__ import annotations
 
@@ -8,13 +11,97 @@ from typing import Any
 
 import numpy as np
 
-from ..kernels.arithmetic import FAST, Arithmetic
+from ..kernels.math import FAST, Arithmetic, rounded
 from ..layout import Layout
 from ..values.cells import NEAR
-from .helpers import HELPERS, TroubleError, power_of
-from .lowering import Lowering, Value
+from .lowering import Effect, Lowering, Value
 from .scalars import SINGLE
-from .usage import Usage
+
+
+class TroubleError(Exception):
+    """Something is not a plain number: the interpreter must do these rows."""
+
+
+def _pick(line: Any, place: Any) -> Any:
+    """INDEX: the cell at a place counted from 1."""
+    if np.ndim(place) == 0:
+        if not 1 <= place < len(line) + 1:
+            raise TroubleError
+        return line.item(int(place) - 1)
+    if not ((place >= 1) & (place < len(line) + 1)).all():
+        raise TroubleError
+    return line[place.astype(np.intp) - 1]
+
+
+def power_of(base: float, exponent: float, raised: Callable[..., Any] = np.power) -> float:
+    """One number to the power of another, whatever that is."""
+    if base == 0:
+        raise TroubleError
+    return float(np.square(base)) if exponent == 2 else float(raised(base, exponent))
+
+
+HELPERS: dict[str, Callable[..., Any]] = {
+    "pick": _pick, "rounded": rounded, "power_of": power_of,
+}  # fmt: skip
+
+
+def roots(effect: Effect) -> list[int]:
+    """The values that an effect looks at."""
+    if effect.what == "somewhere" and isinstance(effect.data, int):
+        return [effect.value, effect.data]
+    return [effect.value]
+
+
+class Usage:
+    """What the emitter must know before it writes the first line."""
+
+    def __init__(self, lowering: Lowering) -> None:
+        self.lowering = lowering
+        self.values = lowering.values
+        self.needed = self._needed()
+        self.items = [item for item in lowering.order if isinstance(item, Effect) or item in self.needed]
+        self.uses = self._uses()
+        self.last = self._last_uses()
+        self.outputs = self._outputs()
+
+    def _needed(self) -> set[int]:
+        stack = [v for item in self.lowering.order if isinstance(item, Effect) for v in roots(item)]
+        found: set[int] = set()
+        while stack:
+            number = stack.pop()
+            if number not in found:
+                found.add(number)
+                stack.extend(self.values[number].args)
+        return found
+
+    def _uses(self) -> dict[int, int]:
+        uses = dict.fromkeys(self.needed, 0)
+        for item in self.items:
+            for number in roots(item) if isinstance(item, Effect) else self.values[item].args:
+                uses[number] += 1
+        return uses
+
+    def _last_uses(self) -> dict[int, int]:
+        last: dict[int, int] = {}
+        for place, item in enumerate(self.items):
+            for number in roots(item) if isinstance(item, Effect) else self.values[item].args:
+                last[number] = place
+        return last
+
+    def _outputs(self) -> dict[int, int]:
+        """Value -> where the column begins into whose cells it is computed directly."""
+        found: dict[int, int] = {}
+        for item in self.lowering.order:
+            if isinstance(item, Effect) and item.what == "store" and isinstance(item.data, int):
+                value = self.values[item.value]
+                if value.along and value.op not in ("column", "count") and item.value not in found:
+                    found[item.value] = item.data
+        for number in list(found):
+            value = self.values[number]
+            if value.op == "snap" and self.uses[value.args[0]] == 1:
+                found[value.args[0]] = found[number]
+        return found
+
 
 _TERMS = 64
 """Terms of a sum in the code: Python's compiler takes no chains of thousands."""
