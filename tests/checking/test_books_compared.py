@@ -21,10 +21,9 @@ from livesheet.formula.book import BookBuilder
 from livesheet.formula.nodes import Unary
 from livesheet.formula.parser import parse_formula
 from mechsheet.checking import check, with_twins
-from mechsheet.checking.excuses.cells import EqualRows
+from mechsheet.checking.books_compared import compare_twins
+from mechsheet.checking.cells_apart import EqualRows, difference
 from mechsheet.checking.inputs import Inputs, OfTheLast
-from mechsheet.checking.report import difference
-from mechsheet.checking.xlsx_against_ods import compare_twins
 from mechsheet.description import load
 from mechsheet.dynamics.solve import solve
 from mechsheet.library.building import FORMATS

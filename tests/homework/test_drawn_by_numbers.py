@@ -10,7 +10,7 @@ import mechsheet
 from homework.handmade import STEPS, Table, four_bar
 from homework.shaper import shaped
 from mechsheet import reference
-from mechsheet.homework.classroom.feedback import pictures
+from mechsheet.homework.drawn_by_numbers import pictures
 
 GIVEN = (("a1", "a1", 70.0), ("a2", "a2", 35.0), ("a3", "a3", 62.3), ("a4", "a4", 56.0))
 

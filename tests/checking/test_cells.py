@@ -9,8 +9,8 @@ from test_summary_table import built, evaluated
 
 from livesheet.evaluation import book_of
 from livesheet.formula.nodes import ErrorValue
-from mechsheet.checking.searched.probed_cells import UNMOVED, Astray, Searched, compare_program
-from mechsheet.checking.searched.summaries import Expected
+from mechsheet.checking.against_search import ExpectedSummary
+from mechsheet.checking.cells import UNMOVED, Astray, Searched, compare_program
 from mechsheet.compiled import Compiled
 from mechsheet.description import load
 from mechsheet.description.templates import template_text
@@ -18,7 +18,7 @@ from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.asked.two_way import FIRST
 from mechsheet.sheet.table.tolerance import lines_of
 
-HOEKEN = Path(__file__).parents[3] / "templates/hoeken.toml"
+HOEKEN = Path(__file__).parents[2] / "templates/hoeken.toml"
 
 
 @pytest.fixture(scope="module")
@@ -88,4 +88,4 @@ def test_a_tables_angle_is_known_up_to_a_turn_until_it_goes_on_from_the_cell_abo
 
 def test_no_number_where_an_angle_is_expected():
     """A program that has an error there has a wrong value; it is not asked by how many turns."""
-    assert Expected(1.0, 1.0, 1.0, 0.0, 360.0, True, True).apart(math.nan, True) == math.inf
+    assert ExpectedSummary(1.0, 1.0, 1.0, 0.0, 360.0, True, True).apart(math.nan, True) == math.inf

@@ -1,20 +1,140 @@
-"""A cell's value beside somebody else's: the reasons for which two may differ, told from the formula and from what it reads.
+"""How far may two right answers differ: a cell's value beside somebody else's.
 
-Large numbers that cancel leave nothing but rounding. A cell that only says where something is may name another row, if the
-rows are equal up to rounding.
+By the tolerances of the `Rules`; beyond them for reasons that are told from the formula and from what it reads. Large
+numbers that cancel leave nothing but rounding. A cell that only says where something is may name another row, if the rows
+are equal up to rounding.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
+from livesheet.diagnostics import Fault, WorkbookError
 from livesheet.formula.book import Book
-from livesheet.formula.nodes import Binary, Call, CellRef, NameRef, Node, Number, RangeRef, Scalar, Unary, walk
-from mechsheet.checking.report import TOLERANCE, difference
+from livesheet.formula.nodes import (
+    Binary,
+    Call,
+    CellRef,
+    ErrorValue,
+    NameRef,
+    Node,
+    Number,
+    RangeRef,
+    Scalar,
+    Unary,
+    walk,
+)
+from livesheet.said import say
+from mechsheet.arguments.values import Area, area_of
+from mechsheet.checking.report import TOLERANCE
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """What a check is to overlook.
+
+    relative   largest relative difference of two numbers that count as equal
+    absolute   largest difference of two numbers that count as equal, however small they are
+    ignore     cells that are left out: `Sheet!A1:B9`, a name, a whole sheet
+    """
+
+    relative: float = TOLERANCE
+    absolute: float = 0.0
+    ignore: tuple[str, ...] = field(default=())
+
+    def __post_init__(self) -> None:
+        for name, value in (("relative", self.relative), ("absolute", self.absolute)):
+            if not (0 <= value < math.inf):
+                raise WorkbookError(
+                    Fault(
+                        say("{value} cannot be the largest difference: expected a number from 0 on", value=value),
+                        key=name,
+                    )
+                )
+
+
+@dataclass(frozen=True, slots=True)
+class Ignored:
+    """The cells of one book that are left out."""
+
+    areas: tuple[Area, ...] = ()
+
+    def has(self, sheet: str, row: int, col: int) -> bool:
+        """Whether a cell is one of them."""
+        return any(
+            area.sheet == sheet and area.row <= row < area.row + area.rows and area.col <= col < area.col + area.cols
+            for area in self.areas
+        )
+
+
+def ignored_in(book: Book, texts: Sequence[str]) -> Ignored:
+    """The cells that `texts` mean in a book; `unmeant` has those that mean none."""
+    found = (area_of(book, text) for text in texts)
+    return Ignored(tuple(area for area in found if isinstance(area, Area)))
+
+
+def unmeant(book: Book, texts: Sequence[str]) -> dict[str, Fault]:
+    """The texts that mean no cells of a book, with why."""
+    found = {text: area_of(book, text) for text in texts}
+    return {
+        text: replace(fault, file=book.source, key=f"ignore {text}")
+        for text, fault in found.items()
+        if isinstance(fault, Fault)
+    }
+
+
+def difference(ours: Scalar, theirs: Scalar, scale: float = 1.0, period: float | None = None) -> float:
+    """How far two cell values are apart: numbers as a part of `scale` (or of themselves, if larger); else 0 or infinity.
+
+    Numbers with a period are compared modulo it, as a part of it. Any error equals any error: programs name the same
+    fault differently (#NUM! and #VALUE!). Texts as in `texts_apart`.
+    """
+    if isinstance(ours, ErrorValue) or isinstance(theirs, ErrorValue):
+        return 0.0 if isinstance(ours, ErrorValue) and isinstance(theirs, ErrorValue) else math.inf
+    if isinstance(ours, bool) or isinstance(theirs, bool):
+        return 0.0 if ours == theirs else math.inf
+    if isinstance(ours, float | int) and isinstance(theirs, float | int):
+        if period is not None:
+            return abs(math.remainder(ours - theirs, period)) / period
+        return abs(ours - theirs) / max(scale, abs(ours), abs(theirs))
+    if (ours or "") == (theirs or ""):
+        return 0.0
+    return texts_apart(ours, theirs) if isinstance(ours, str) and isinstance(theirs, str) else math.inf
+
+
+_NUMBER = re.compile(r"([0-9]+\.[0-9]+(?:[eE][-+]?[0-9]+)?|[0-9]+)")
+
+
+_COMMA = re.compile(r"(?<=[0-9]),(?=[0-9])")
+
+
+def texts_apart(ours: str, theirs: str) -> float:
+    """The largest relative difference of the numbers in two texts, infinity when anything else differs.
+
+    Programs write numbers into texts with 15 or 17 digits, and with the decimal sign of their user's language: a comma
+    between two digits counts as a point.
+    """
+    parts = [_NUMBER.split(_COMMA.sub(".", text)) for text in (ours, theirs)]
+    if parts[0][::2] != parts[1][::2]:
+        return math.inf
+    numbers = zip(map(float, parts[0][1::2]), map(float, parts[1][1::2]), strict=True)
+    return max((abs(one - other) / max(one, other) for one, other in numbers if one != other), default=0.0)
+
+
+def column_scale(column: Sequence[Scalar], size: float) -> float:
+    """What a difference in a column is measured by: its largest value, or the size where the values are smaller still.
+
+    A column that passes through zero has rounding errors of its large values there.
+    """
+    numbers = [abs(value) for value in column if isinstance(value, float) and math.isfinite(value)]
+    return max([size, *numbers])
+
 
 ROUNDING = 1e-14
 """What is lost when numbers cancel, as a part of the largest number that the formula reads."""

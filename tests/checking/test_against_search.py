@@ -13,7 +13,7 @@ from livesheet.engine import compile_book
 from livesheet.evaluation import book_of
 from livesheet.formula.references import cell_address
 from mechsheet.checking import check
-from mechsheet.checking.searched.against_search import EXACT, against_search
+from mechsheet.checking.against_search import EXACT, against_search
 from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.description.templates import template_text

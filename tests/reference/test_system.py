@@ -2,7 +2,7 @@ import random
 
 import pytest
 
-from mechsheet.reference.structure import blocks, matching
+from mechsheet.reference.system import blocks, matching
 
 
 def test_triangular():

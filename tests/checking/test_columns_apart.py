@@ -8,8 +8,8 @@ from chosen import part
 from judging import judged
 from livesheet.formula.book import Book
 from livesheet.formula.parser import parse_formula
-from mechsheet.checking.excuses.cells import Rounding
-from mechsheet.checking.excuses.columns import given_by_rounding
+from mechsheet.checking.cells_apart import Rounding
+from mechsheet.checking.columns_apart import given_by_rounding
 from mechsheet.description import loads
 from mechsheet.reference import solve, variables
 
