@@ -21,8 +21,8 @@ from livesheet.workbook import (
 )
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import ChartRequest, Ends, Mechanism
+from mechsheet.sheet.as_typed import with_typed_constants
 from mechsheet.sheet.asked.requested import table_sheets
-from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing.charts import STEPS, chart_requests, curve_chart
 from mechsheet.sheet.first.mechanism import position_controls
 from mechsheet.sheet.layout import description_sheet, properties_of
