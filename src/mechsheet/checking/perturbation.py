@@ -20,7 +20,7 @@ from livesheet.diagnostics import Fault, WorkbookError, readable_name
 from livesheet.engine import compile_book
 from livesheet.formats import read, update_values
 from livesheet.formula.book import Book
-from livesheet.formula.nodes import Scalar
+from livesheet.formula.nodes import Scalar, symbols
 from livesheet.said import say
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.inputs import description_in, plan_inside
@@ -313,8 +313,9 @@ def _kept_of_cam(plan: Plan, typed: Mapping[str, float]) -> dict[str, float]:
     internal = {symbol: dim.unit.to_internal(typed[symbol]) for symbol, dim in inputs.items()}
     if not any(refused_by_cam(plan.mechanism, internal)):
         return {}
-    asked = (inputs[each.symbol] for each in asked_by_cam(plan.mechanism))
-    return {dim.symbol: dim.unit.to_shown(dim.value) for dim in asked if isinstance(dim.value, float)}
+    read = {name for each in asked_by_cam(plan.mechanism) for name in (each.symbol, *symbols(each.margin))}
+    kept = (dim for symbol, dim in inputs.items() if symbol in read)
+    return {dim.symbol: dim.unit.to_shown(dim.value) for dim in kept if isinstance(dim.value, float)}
 
 
 def _shortest(value: float) -> str:

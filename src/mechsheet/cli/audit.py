@@ -14,14 +14,15 @@ from livesheet.diagnostics import Fault, readable_name
 from livesheet.said import say
 from livesheet.time_limit import limited
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.words.catalogue import LANGUAGES
 
 from .common import (
+    FILE,
     JSON,
     MOST_SECONDS,
     Explained,
     at_lines_of,
     described,
+    language_option,
     modules_option,
     progress,
     say_written,
@@ -35,18 +36,18 @@ if TYPE_CHECKING:
 
 
 @click.command(cls=Explained, short_help="Find quantities and faults in a workbook made by hand.")
-@click.argument("workbook", metavar="BOOK", type=click.Path(path_type=Path))
+@click.argument("workbook", metavar="BOOK", type=FILE)
 @click.option(
-    "--against", "description", metavar="DESCRIPTION", type=click.Path(path_type=Path),
+    "--against", "description", metavar="DESCRIPTION", type=FILE,
     help="What the workbook should be (or the key.json of an exercise); if not given, find out what it seems to be.",
 )  # fmt: skip
 @click.option("--assembly", type=click.Choice(["any"]), help="any: accept assemblies other than the sketch's.")
 @click.option(
-    "--describe", metavar="OUT.toml", type=click.Path(path_type=Path),
+    "--describe", metavar="OUT.toml", type=FILE,
     help="Without --against: write a description to start from.",
 )  # fmt: skip
 @modules_option
-@click.option("--language", type=click.Choice(LANGUAGES), help="Of the words, in place of the description's.")
+@language_option("Of the words, in place of the description's.")
 @seconds_option(MOST_SECONDS)
 @JSON
 def audit(

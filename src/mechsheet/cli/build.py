@@ -11,9 +11,9 @@ import click
 from livesheet.diagnostics import Fault, OutputError, readable_name
 from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.words.catalogue import LANGUAGES
 
 from .common import (
+    FILE,
     FORMATS_COMPLETED,
     STANDARD_INPUT,
     STANDARD_OUTPUT,
@@ -22,6 +22,7 @@ from .common import (
     at_lines_of,
     change_options,
     described,
+    language_option,
     progress,
     same_file,
     say_written,
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 
 
 @click.command(cls=Explained, short_help="Write the workbooks of descriptions.")
-@click.argument("descriptions", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.argument("descriptions", nargs=-1, required=True, type=FILE)
 @click.option(
     "-o",
     "--output",
@@ -45,7 +46,7 @@ if TYPE_CHECKING:
 @click.option(
     "--format", "formats", shell_complete=FORMATS_COMPLETED, help="xlsx, ods, or both with a comma.  [default: xlsx]"
 )
-@click.option("--language", type=click.Choice(LANGUAGES), help="Language of the workbook.")
+@language_option("Language of the workbook.")
 @click.option("--layout", type=click.Choice(["sheets", "page"]), help="Several sheets, or all on one.")
 @click.option("--tolerance", is_flag=True, help="Bands of all outputs and summaries by the dimensions' tolerances.")
 @click.option(

@@ -14,7 +14,7 @@ from livesheet.diagnostics import Fault
 from livesheet.said import say, say_count
 from mechsheet.diagnostics import MechsheetError
 
-from .common import JSON, Explained, completing, modules_option, seconds_option
+from .common import FILE, JSON, Explained, completing, modules_option, seconds_option
 from .gate import Gate, concluded, descriptions_among, fails, gate_options, of_each, workbooks
 from .speaking import speak_of, told
 
@@ -26,7 +26,7 @@ def _programs() -> tuple[str, ...]:
 
 
 @click.command(cls=Explained, short_help="Recalculate and compare with the reference and other programs.")
-@click.argument("files", nargs=-1, required=True, type=click.Path(path_type=Path))
+@click.argument("files", nargs=-1, required=True, type=FILE)
 @click.option(
     "--with",
     "programs",

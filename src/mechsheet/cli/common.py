@@ -17,8 +17,9 @@ import click
 from livesheet.diagnostics import Fault, OutputError, readable_name
 from livesheet.replacing import is_stream
 from livesheet.said import Said, say
-from mechsheet.arguments.outputs import file_in, is_there
+from mechsheet.arguments.outputs import file_in, folder_ready, is_there
 from mechsheet.diagnostics import DescriptionWarning, MechanismError, MechsheetError
+from mechsheet.words.catalogue import LANGUAGES
 
 from .speaking import fault_told, language_of, speak, told
 
@@ -26,6 +27,9 @@ if TYPE_CHECKING:
     from mechsheet.model import Mechanism
 
 Command = TypeVar("Command", bound=Callable[..., Any])
+
+FILE = click.Path(path_type=Path)
+"""The type of what names a file or a folder."""
 
 STANDARD_INPUT = Path("-")
 
@@ -106,22 +110,30 @@ def bar_of(done: int, whole: int) -> str:
     return "#" * filled + "." * (WIDTH - filled)  # signs of every code page
 
 
+Told = TypeVar("Told")
+
+
 @contextlib.contextmanager
-def progress(label: str) -> Iterator[Callable[[str], None]]:
-    """Say on a terminal what is being done, `set 3 of 100` with a bar; nothing in a pipe."""
+def on_terminal(line: Callable[[Told], str]) -> Iterator[Callable[[Told], None]]:
+    """Say on a terminal how far something is, each time in place of the line before; nothing in a pipe."""
     if sys.stderr is None or not sys.stderr.isatty():
         yield lambda _: None
         return
-
-    def tell(what: str) -> None:
-        counted = _COUNTED.search(what)
-        bar = f"{bar_of(int(counted[1]), int(counted[2]))} " if counted else ""
-        click.echo(f"\r\033[K{label}: {bar}{told(what if isinstance(what, Said) else say(what))} …", nl=False, err=True)
-
     try:
-        yield tell
+        yield lambda what: click.echo(f"\r\033[K{line(what)}", nl=False, err=True)
     finally:
         click.echo("\r\033[K", nl=False, err=True)
+
+
+def progress(label: str) -> contextlib.AbstractContextManager[Callable[[str], None]]:
+    """Say on a terminal what is being done, `set 3 of 100` with a bar; nothing in a pipe."""
+
+    def line(what: str) -> str:
+        counted = _COUNTED.search(what)
+        bar = f"{bar_of(int(counted[1]), int(counted[2]))} " if counted else ""
+        return f"{label}: {bar}{told(what if isinstance(what, Said) else say(what))} …"
+
+    return on_terminal(line)
 
 
 _QUOTED = re.compile(r"'(?:[^']|'')*'!")
@@ -180,9 +192,15 @@ def change_options(command: Command) -> Command:
 
 
 modules_option = click.option(
-    "--functions", "modules", multiple=True, metavar="FILE.bas", type=click.Path(path_type=Path),
+    "--functions", "modules", multiple=True, metavar="FILE.bas", type=FILE,
     help="A module in Basic whose functions the workbook calls; may be repeated.",
 )  # fmt: skip
+
+
+def language_option(about: str) -> Callable[[Any], Any]:
+    """The option --language; `about` says of what."""
+    return click.option("--language", type=click.Choice(LANGUAGES), help=about)
+
 
 JSON = click.option("--json", "as_json", is_flag=True, help="Print JSON.")
 
@@ -294,6 +312,14 @@ def same_file(one: Path, other: Path) -> bool:
         return one.samefile(other)
     except (OSError, ValueError):
         return False
+
+
+def write_text(file: Path, text: str, output: str | None) -> None:
+    """Write a text into the file that -o means."""
+    from livesheet.replacing import replace_file
+
+    with folder_ready(output):
+        replace_file(file, text.encode())
 
 
 def say_written(files: list[Path]) -> None:

@@ -11,15 +11,14 @@ import click
 from livesheet.diagnostics import Fault, readable_name
 from livesheet.said import say
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.words.catalogue import LANGUAGES
 
-from .common import Explained
+from .common import FILE, Explained, language_option
 from .speaking import told
 
 
 @click.command(cls=Explained, short_help="Draw a mechanism with the mouse, in the browser.")
-@click.argument("description", required=False, type=click.Path(path_type=Path))
-@click.option("--language", type=click.Choice(LANGUAGES), help="Language of the page.  [default: the browser's]")
+@click.argument("description", required=False, type=FILE)
+@language_option("Language of the page.  [default: the browser's]")
 @click.option("--no-browser", is_flag=True, help="Print the address and open nothing.")
 def draw(description: Path | None, language: str | None, no_browser: bool) -> None:
     """Draw a mechanism with the mouse: a page on this machine, beside its text.

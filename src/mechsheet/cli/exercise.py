@@ -11,9 +11,8 @@ from livesheet.diagnostics import Fault, readable_name
 from livesheet.said import say
 from mechsheet.arguments.outputs import folder_ready
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.words.catalogue import LANGUAGES
 
-from .common import Explained, at_lines_of, described, output_file, progress, say_written
+from .common import FILE, Explained, at_lines_of, described, language_option, output_file, progress, say_written
 from .speaking import note
 
 if TYPE_CHECKING:
@@ -21,18 +20,18 @@ if TYPE_CHECKING:
 
 
 @click.command(cls=Explained, short_help="Give each student in a list different dimensions.")
-@click.argument("description", type=click.Path(path_type=Path))
-@click.argument("class_list", metavar="[CLASS.CSV]", required=False, type=click.Path(path_type=Path))
+@click.argument("description", type=FILE)
+@click.argument("class_list", metavar="[CLASS.CSV]", required=False, type=FILE)
 @click.option(
     "-o",
     "--output",
     required=True,
     metavar="FOLDER|TASK.PDF",
-    type=click.Path(path_type=Path),
+    type=FILE,
     help="Folder to write into, or a .pdf for paper.",
 )
 @click.option("--seed", default=0, show_default=True, help="Another seed: other dimensions.")
-@click.option("--language", type=click.Choice(LANGUAGES), help="Of the sheets, in place of the description's.")
+@language_option("Of the sheets, in place of the description's.")
 def exercise(description: Path, class_list: Path | None, output: Path, seed: int, language: str | None) -> None:
     """Give each student in a list different dimensions, as [exercise] of the description says.
 

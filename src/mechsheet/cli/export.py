@@ -11,15 +11,16 @@ from livesheet.diagnostics import Fault
 from livesheet.said import say
 from mechsheet.arguments.outputs import folder_ready
 from mechsheet.diagnostics import MechsheetError
-from mechsheet.words.catalogue import LANGUAGES
 
 from .common import (
+    FILE,
     STANDARD_OUTPUT,
     Explained,
     at_lines_of,
     change_options,
     completing,
     described,
+    language_option,
     output_file,
     output_option,
     progress,
@@ -47,14 +48,14 @@ def _kinds() -> tuple[str, ...]:
 
 
 @click.command(cls=WithKinds)
-@click.argument("description", type=click.Path(path_type=Path))
+@click.argument("description", type=FILE)
 @click.option(
     "--to", "kind", required=True, metavar="KIND", shell_complete=completing(_kinds), help="What to write: see below."
 )
 @output_option("File to write, or - to print it; with --frames, a folder.")
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
 @click.option("--frames", type=int, metavar="N", help="Draw N positions of the sweep, one file each.")
-@click.option("--language", type=click.Choice(LANGUAGES), help="Language of the file.")
+@language_option("Language of the file.")
 @change_options
 def export(
     description: Path,

@@ -16,7 +16,7 @@ from livesheet.said import say
 from livesheet.time_limit import in_time, limited
 from mechsheet.diagnostics import OWN_FAILURES, MechsheetError, own_fault
 
-from .common import Command, doubts_told, in_file, progress, with_options
+from .common import FILE, Command, doubts_told, in_file, progress, with_options
 from .speaking import note, wrote
 
 if TYPE_CHECKING:
@@ -40,9 +40,9 @@ OPTIONS = (
     click.option(
         "--ignore", multiple=True, metavar="RANGE", help="Leave out Sheet!A1:B9, a name, a sheet; may be repeated."
     ),
-    click.option("--baseline", type=click.Path(path_type=Path), help="Differences that are accepted, one line a cell."),
+    click.option("--baseline", type=FILE, help="Differences that are accepted, one line a cell."),
     click.option("--update-baseline", is_flag=True, help="Accept what differs now: rewrite the baseline."),
-    click.option("--junit", "junit_file", type=click.Path(path_type=Path), help="Write a report for build servers."),
+    click.option("--junit", "junit_file", type=FILE, help="Write a report for build servers."),
 )
 
 

@@ -10,10 +10,8 @@ import click
 from livesheet.diagnostics import readable_name
 from livesheet.said import say
 
-from .common import JSON, MOST_SECONDS, Explained, at_lines_of, progress, same_file, say_written, seconds_option
+from .common import FILE, JSON, MOST_SECONDS, Explained, at_lines_of, progress, same_file, say_written, seconds_option
 from .speaking import speak_of
-
-FILE = click.Path(path_type=Path)
 
 
 @click.command(cls=Explained)

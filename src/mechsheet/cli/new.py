@@ -5,9 +5,9 @@ from __future__ import annotations
 import click
 
 from livesheet.said import say
-from mechsheet.arguments.outputs import folder_ready, is_there
+from mechsheet.arguments.outputs import is_there
 
-from .common import STANDARD_OUTPUT, Explained, completing, output_file, output_option, refuse_existing
+from .common import STANDARD_OUTPUT, Explained, completing, output_file, output_option, refuse_existing, write_text
 from .speaking import spoken, told, wrote
 from .streams import print_file
 
@@ -47,12 +47,9 @@ def new(template: str | None, output: str | None, show_list: bool) -> None:
     if output in (None, STANDARD_OUTPUT):
         print_file(text)
         return
-    from livesheet.replacing import replace_file
-
     file = output_file(output, f"{template.removesuffix('.toml')}.toml")
     refuse_existing(file)
     # Editors complain of a schema that is not there.
     text = first_line + text if is_there(file.parent / FILE) else text
-    with folder_ready(output):
-        replace_file(file, text.encode())
+    write_text(file, text, output)
     wrote(file.as_posix())

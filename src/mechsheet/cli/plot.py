@@ -8,16 +8,26 @@ from typing import Any
 import click
 
 from mechsheet.arguments.outputs import folder_ready
-from mechsheet.words.catalogue import LANGUAGES
 
-from .common import Explained, at_lines_of, change_options, described, output_file, output_option, progress, say_written
+from .common import (
+    FILE,
+    Explained,
+    at_lines_of,
+    change_options,
+    described,
+    language_option,
+    output_file,
+    output_option,
+    progress,
+    say_written,
+)
 
 
 @click.command(cls=Explained, short_help="Draw it: a picture, an animation, a web page, a report.")
-@click.argument("description", type=click.Path(path_type=Path))
+@click.argument("description", type=FILE)
 @click.option("--at", type=float, metavar="VALUE", help="Position: a value of the driver, in its unit.")
 @output_option("File to write: .svg, .png, .gif, .html or .pdf.")
-@click.option("--language", type=click.Choice(LANGUAGES), help="Language of the picture.")
+@language_option("Language of the picture.")
 @click.option("--vectors", is_flag=True, help="Velocities, accelerations and joint forces as arrows.")
 @change_options
 def plot(

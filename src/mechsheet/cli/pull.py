@@ -7,17 +7,26 @@ from pathlib import Path
 import click
 
 from livesheet.said import say
-from mechsheet.arguments.outputs import folder_ready
 
-from .common import STANDARD_OUTPUT, Explained, output_file, output_option, progress, refuse_existing, same_file
+from .common import (
+    FILE,
+    STANDARD_OUTPUT,
+    Explained,
+    output_file,
+    output_option,
+    progress,
+    refuse_existing,
+    same_file,
+    write_text,
+)
 from .speaking import told, wrote
 from .streams import print_file
 
 
 @click.command(cls=Explained, short_help="Bring changes made in a workbook back into its description.")
-@click.argument("workbook", type=click.Path(path_type=Path))
+@click.argument("workbook", type=FILE)
 @output_option("File to write; standard output without it.")
-@click.option("--into", type=click.Path(path_type=Path), help="Bring the changes into this description instead.")
+@click.option("--into", type=FILE, help="Bring the changes into this description instead.")
 def pull(workbook: Path, output: str | None, into: Path | None) -> None:
     """Bring dimensions and modes that were changed in a workbook back into its description.
 
@@ -27,7 +36,6 @@ def pull(workbook: Path, output: str | None, into: Path | None) -> None:
     mechsheet pull edited.xlsx -o new.toml
     mechsheet pull edited.xlsx --into mine.toml -o mine.toml
     """
-    from livesheet.replacing import replace_file
     from mechsheet.checking.edited.pull import pull as pulled_from
 
     file = None if output in (None, STANDARD_OUTPUT) else output_file(output, f"{workbook.stem}.toml", (workbook,))
@@ -43,6 +51,5 @@ def pull(workbook: Path, output: str | None, into: Path | None) -> None:
     if file is None:
         print_file(result.text)
         return
-    with folder_ready(output):
-        replace_file(file, result.text.encode())
+    write_text(file, result.text, output)
     wrote(file.as_posix())

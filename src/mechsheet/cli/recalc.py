@@ -18,7 +18,17 @@ from livesheet.time_limit import limited
 from mechsheet.arguments.outputs import folder_ready, names_folder
 from mechsheet.diagnostics import MechsheetError
 
-from .common import JSON, Explained, modules_option, output_file, output_option, progress, seconds_option, settings_of
+from .common import (
+    FILE,
+    JSON,
+    Explained,
+    modules_option,
+    output_file,
+    output_option,
+    progress,
+    seconds_option,
+    settings_of,
+)
 from .gate import Gate, concluded, gate_options, of_each, workbooks
 from .speaking import note, told, wrote
 
@@ -28,7 +38,7 @@ if TYPE_CHECKING:
 
 
 @click.command(cls=Explained, short_help="Recalculate any workbook without a spreadsheet program.")
-@click.argument("files", nargs=-1, required=True, metavar="WORKBOOK...", type=click.Path(path_type=Path))
+@click.argument("files", nargs=-1, required=True, metavar="WORKBOOK...", type=FILE)
 @click.option(
     "--set", "settings", multiple=True, metavar="CELL=VALUE", help="Set a named cell or Sheet!B2; may be repeated."
 )

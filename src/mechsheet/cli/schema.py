@@ -5,9 +5,8 @@ from __future__ import annotations
 import click
 
 from livesheet.said import say
-from mechsheet.arguments.outputs import folder_ready
 
-from .common import STANDARD_OUTPUT, Explained, output_file, output_option
+from .common import STANDARD_OUTPUT, Explained, output_file, output_option, write_text
 from .speaking import wrote
 from .streams import print_file
 
@@ -28,11 +27,8 @@ def schema(output: str | None) -> None:
     if output in (None, STANDARD_OUTPUT):
         print_file(text)
         return
-    from livesheet.replacing import replace_file
-
     file = output_file(output, FILE)
-    with folder_ready(output):
-        replace_file(file, text.encode())
+    write_text(file, text, output)
     wrote(
         say("{name}; first line of a description beside it: #:schema {schema}", name=file.as_posix(), schema=file.name)
     )

@@ -9,12 +9,12 @@ import click
 
 from livesheet.diagnostics import readable_name
 
-from .common import JSON, Explained, at_lines_of, change_options, described, progress
+from .common import FILE, JSON, Explained, at_lines_of, change_options, described, progress
 from .streams import print_file
 
 
 @click.command(cls=Explained, short_help="Show how a description is understood: equations, verdicts.")
-@click.argument("description", type=click.Path(path_type=Path))
+@click.argument("description", type=FILE)
 @change_options
 @click.option("--equations", "what", flag_value="equations", help="The equations, in order of solution.")
 @click.option("--cells", "what", flag_value="cells", help="Every cell of the workbook.")

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +14,7 @@ from livesheet.diagnostics import Fault
 from livesheet.said import Said, say, say_count
 from mechsheet.diagnostics import MechanismError
 
-from .common import FORMATS_COMPLETED, Explained, at_lines_of, bar_of, change_options, described
+from .common import FILE, FORMATS_COMPLETED, Explained, at_lines_of, bar_of, change_options, described, on_terminal
 from .speaking import told
 
 if TYPE_CHECKING:
@@ -23,10 +22,8 @@ if TYPE_CHECKING:
 
 
 @click.command(cls=Explained, short_help="Try millions of designs and keep the good ones.")
-@click.argument("description", type=click.Path(path_type=Path))
-@click.option(
-    "-o", "--output", required=True, metavar="FOLDER", type=click.Path(path_type=Path), help="Folder to write into."
-)
+@click.argument("description", type=FILE)
+@click.option("-o", "--output", required=True, metavar="FOLDER", type=FILE, help="Folder to write into.")
 @click.option("--workers", type=click.IntRange(1), metavar="N", help="Number of processes.  [default: one per core]")
 @click.option("--on", metavar="ADDRESS", help="Compute on a Dask scheduler: tcp://HOST:8786.")
 @click.option("--resume", is_flag=True, help="Continue the study in the folder.")
@@ -132,15 +129,11 @@ def _table(found: Studied) -> str:
     )
 
 
-@contextmanager
-def _bar() -> Iterator[Callable[[Progress], None]]:
+def _bar() -> AbstractContextManager[Callable[[Progress], None]]:
     """A bar on a terminal: designs, share kept, designs a second, time left; nothing in a pipe."""
-    if sys.stderr is None or not sys.stderr.isatty():
-        yield lambda _: None
-        return
     begun = time.monotonic()
 
-    def tell(progress: Progress) -> None:
+    def line(progress: Progress) -> str:
         passed = max(time.monotonic() - begun, 1e-9)
         rate = (progress.done - progress.earlier) / passed
         words = f"{bar_of(progress.done, progress.all)} " + told(
@@ -151,12 +144,9 @@ def _bar() -> Iterator[Callable[[Progress], None]]:
         if rate:
             left = _duration((progress.all - progress.done) / rate)
             words += told(say(", {rate:,.0f}/s, {left} left", rate=rate, left=left))
-        click.echo(f"\r\033[K{words}", nl=False, err=True)
+        return words
 
-    try:
-        yield tell
-    finally:
-        click.echo("\r\033[K", nl=False, err=True)
+    return on_terminal(line)
 
 
 def _duration(seconds: float) -> str:

@@ -82,8 +82,10 @@ def read(
     _turns_elsewhere(cam, driver, links, scope)
     start = None
     if isinstance(driver, dict) and "start" not in driver:
-        start, offset = _Start(cam, driver, links, joints, scope).found()
-        cam = replace(cam, decides_start=start is not None, offset=offset)
+        begun = _Start(cam, driver, links, joints, scope).found()
+        if begun is not None:
+            start = begun.start
+            cam = replace(cam, decides_start=True, offset=begun.offset, touches=begun.touches)
     return ReadCam(cam, tuple(cells), start)
 
 
@@ -117,6 +119,15 @@ def _moves(point: str, links: tuple[Link, ...], path: tuple[str, ...], scope: Sc
     return bool(owners)
 
 
+@dataclass(frozen=True, slots=True)
+class _Begun:
+    """Where the follower starts: its displacement or angle; `offset` and `touches` as a `Cam` has them."""
+
+    start: Node
+    offset: Node | None = None
+    touches: Node | None = None
+
+
 class _Start:
     """Where the follower stands when its roller or face touches the base circle, of a slide or a rocker on the ground.
 
@@ -129,14 +140,14 @@ class _Start:
         self.cam, self.driver, self.links, self.joints, self.scope = cam, driver, links, joints, scope
         self.ground = links[0]
 
-    def found(self) -> tuple[Node | None, Node | None]:
-        """The displacement or angle, None where the base circle alone does not say it; and the offset, see `Cam`."""
+    def found(self) -> _Begun | None:
+        """None where the base circle alone does not say it."""
         touching = touched_by(self.cam, self.links)
         where = self.ground.points.get(self.cam.center)
         center = None if where is None else _place(where)
         own = None if touching is None else _place(touching.points[self.cam.point])
         if touching is None or center is None or own is None:
-            return None, None
+            return None
         if "joint" in self.driver and "link" not in self.driver:
             joint = next((one for one in self.joints if one.name == self.driver["joint"]), None)
             if (
@@ -144,25 +155,25 @@ class _Start:
                 or joint.kind != "prismatic"
                 or (joint.link, joint.on) != (touching.name, self.ground.name)
             ):
-                return None, None
+                return None
             pin = _place(touching.points[joint.point])
-            return (None, None) if pin is None else self._slide(joint, center, own, pin)
+            return None if pin is None else self._slide(joint, center, own, pin)
         link = self.driver.get("link", BAD)
         if link != touching.name or self.driver.get("relative_to", self.ground.name) != self.ground.name:
-            return None, None
+            return None
         shared = next((point for point in touching.points if point in self.ground.points), None)
         if shared is None or self.cam.radius is None:
-            return None, None
+            return None
         pivot, pin = _place(self.ground.points[shared]), _place(touching.points[shared])
         if pivot is None or pin is None:
-            return None, None
-        return self._rocker(minus(pivot, center), minus(own, pin)), None
+            return None
+        return self._rocker(minus(pivot, center), minus(own, pin))
 
-    def _slide(self, joint: Joint, center: Vector, own: Vector, pin: Vector) -> tuple[Node | None, Node | None]:
+    def _slide(self, joint: Joint, center: Vector, own: Vector, pin: Vector) -> _Begun | None:
         through = joint.through
         base = _place(self.ground.points[through]) if isinstance(through, str) else _place(Cartesian(*through))
         if base is None:
-            return None, None
+            return None
         line = _angle(joint.angle)
         aside = line + _angle(joint.orientation)
         along = _direction(line)
@@ -176,33 +187,32 @@ class _Start:
                 message = say("the slide passes the centre at {offset:.6g}: a base circle of {radius:.6g} does not reach it",
                               offset=abs(self.scope.number(across)), radius=self.scope.number(reach))  # fmt: skip
                 self.scope.report.at(("cam", "base_radius"), message)
-                return None, None
+                return None
             root = al.sqrt(square)
-            return al.sub(root if outwards else al.neg(root), before), across
+            return _Begun(al.sub(root if outwards else al.neg(root), before), across, square)
         normal = _direction(aside + _angle(self.cam.face) + Angle(degrees=90))
         moved = dot(normal, along)
         if abs(self.scope.number(moved)) < SQUARE:
             message = say("the face is nowhere tangent to the cam: it lies along the way of the slide")
             self.scope.report.at(("cam", "face"), message)
-            return None, None
+            return None
         radius = al.as_node(self.cam.base_radius)
         far = radius if (self.scope.number(moved) > 0) == outwards else al.neg(radius)
-        return al.div(al.sub(far, dot(normal, way)), moved), None
+        return _Begun(al.div(al.sub(far, dot(normal, way)), moved))
 
-    def _rocker(self, pivot: Vector, arm: Vector) -> Node | None:
+    def _rocker(self, pivot: Vector, arm: Vector) -> _Begun | None:
         reach = al.add(al.as_node(self.cam.base_radius), al.as_node(self.cam.radius or 0.0))
         far, long = (al.add(al.square(x), al.square(y)) for x, y in (pivot, arm))
         cosine = al.div(
             al.sub(al.sub(al.square(reach), far), long), al.mul(al.TWO, al.mul(al.sqrt(far), al.sqrt(long)))
         )
         if not abs(self.scope.number(cosine)) <= 1:
-            self.scope.report.at(
-                ("cam", "base_radius"), say("the rocker's roller never touches a base circle of this radius")
-            )
+            self.scope.report.at(("cam", "base_radius"), say("the roller never touches a base circle of this radius"))
             return None
         between = Call("ACOS", (cosine,))
         facing = al.sub(al.atan2(*pivot), al.atan2(*arm))
-        return al.sub(facing, between) if self._outwards() else al.add(facing, between)
+        start = al.sub(facing, between) if self._outwards() else al.add(facing, between)
+        return _Begun(start, touches=al.sub(al.ONE, al.square(cosine)))
 
     def _outwards(self) -> bool:
         """Whether the first part that moves goes towards larger values."""

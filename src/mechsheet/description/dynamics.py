@@ -13,12 +13,11 @@ from typing import Any
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol, symbols
-from livesheet.formula.scalar import evaluate
 from livesheet.said import Said, say
-from mechsheet.description.driving.rates import check_speed, is_rate
+from mechsheet.description.driving.rates import check_speed
 from mechsheet.description.force_names import CENTER, MOMENTS, POWER, first_key, keys_of
 from mechsheet.description.links import place as read_place
-from mechsheet.description.report import BAD, suggestion
+from mechsheet.description.report import BAD, suggestion, within
 from mechsheet.description.scope import Scope, symbol_fault
 from mechsheet.description.text.index import Path
 from mechsheet.description.text.numbers import CONSISTENT, METRES, consistent, measured, spelled
@@ -41,7 +40,7 @@ from mechsheet.model import (
     inertia_label,
     torque_unit,
 )
-from mechsheet.units import NUMBER, Unit, unit_of
+from mechsheet.units import NUMBER, Unit
 
 
 def read(
@@ -178,29 +177,24 @@ class _Reader:
 
     def _own_place(self, value: Any, names: tuple[str, str], path: Path, link: Link) -> GivenPoint:
         """A place in a link's frame, its plain numbers as cells."""
-        unit = unit_of(self.scope.length_unit, self.scope.length_unit)
         found = read_place(value, path, self.scope)
         if isinstance(found, Cartesian):
             parts: list[Quantity] = [found.x, found.y]
             for index, (name, part) in enumerate(zip(names, parts, strict=True)):
                 if isinstance(part, float) and math.isfinite(part):
-                    parts[index] = self._cell(name, part, unit, (*path, index), "coordinate") or part
+                    parts[index] = self._cell(name, part, self.scope.length, (*path, index), "coordinate") or part
             return Cartesian(parts[0], parts[1])
         if isinstance(found, Distances):
             for other in (found.first, found.second):
                 if other and other not in link.points:
-                    self._no_point(other, (*path, "distances", other), link)
+                    self.scope.no_point_of(link.name, other, link.points, (*path, "distances", other))
         return found
-
-    def _no_point(self, point: str, path: Path, link: Link) -> None:
-        message = say("the link {link} has no point {point}", link=quoted(link.name), point=quoted(point))
-        self.scope.report.at(path, message, suggestion(point, link.points, say("points of {link}", link=link.name)))
 
     def _spot(self, value: Any, names: tuple[str, str], path: Path, link: Link) -> str | GivenPoint:
         """A point of the link by name, or a place in its frame."""
         if isinstance(value, str):
             if value not in link.points:
-                self._no_point(value, path, link)
+                self.scope.no_point_of(link.name, value, link.points, path)
             return value
         return next(iter(link.points), "") if value is BAD else self._own_place(value, names, path, link)
 
@@ -326,8 +320,7 @@ class _Reader:
         for place, point in enumerate(points):
             owner = next((link.name for link in self.links if point in link.points), None)
             if owner is None and point is not BAD:
-                hint = suggestion(point, scope.points, "points")
-                scope.report.at((*path, "between", place), say("no point is called {point}", point=quoted(point)), hint)
+                scope.no_point(point, (*path, "between", place))
             elif owner is not None:
                 ends.append((owner, point))
         if len(ends) == 2 and ends[0][0] == ends[1][0]:
@@ -340,7 +333,7 @@ class _Reader:
         length = scope.length_unit
         units = {
             "stiffness": Unit("label", f"{self.force_unit}/{length}"),
-            "free_length": unit_of(length, length),
+            "free_length": scope.length,
             "damping": Unit("label", f"{self.force_unit} s/{length}"),
         }
         cells = [
@@ -389,10 +382,10 @@ class _Reader:
         """True for a dimension, a position or a rate; reports what else it is."""
         scope = self.scope
         point, dot, axis = name.partition(".")
-        where = "" if name == text.strip() else say("in {text}: ", text=quoted(text))
+        where = within(text, name)
         if name in scope.units or name in scope.variables or (dot and point in scope.points and axis in ("x", "y")):
             return True
-        if is_rate(name, scope):
+        if scope.is_rate(name):
             check_speed(name, path, scope, where)
             return True
         if name in scope.forces:
@@ -414,8 +407,9 @@ class _Reader:
                 ),
             )
         else:
-            rates = scope.rates if scope.moves else ()
-            hint = scope.meant(name) or suggestion(name, [*scope.variables, *scope.units, *rates], "allowed")
+            hint = scope.meant(name) or suggestion(
+                name, [*scope.variables, *scope.units, *scope.rates_there], "allowed"
+            )
             scope.report.at(
                 path,
                 say("{where}{name} is not a position, a rate or a dimension", where=where, name=quoted(name)),
@@ -496,15 +490,7 @@ def _of_speed(driver: Driver, dimensions: tuple[Dimension, ...], scope: Scope) -
     speed, acceleration = (
         cells.get(rate.name) if isinstance(rate, Symbol) else None for rate in (driver.speed, driver.acceleration)
     )
-    if speed is None or acceleration is None or abs(_number(acceleration, scope)) > 0.0:
+    if speed is None or acceleration is None or abs(scope.number(acceleration)) > 0.0:
         hint = say("give one number as `speed`, and no `acceleration`")
         return [(say("a flywheel needs a constant speed: this one varies"), hint)]
-    return [(say("a flywheel needs a speed: at rest it stores no energy"), "")] if _number(speed, scope) == 0.0 else []
-
-
-def _number(quantity: Quantity, scope: Scope) -> float:
-    """The value; nan where it has none, as a motion that takes next to no time."""
-    try:
-        return quantity if isinstance(quantity, float) else evaluate(quantity, scope.numbers)
-    except (ArithmeticError, ValueError):
-        return math.nan
+    return [(say("a flywheel needs a speed: at rest it stores no energy"), "")] if scope.number(speed) == 0.0 else []

@@ -20,7 +20,7 @@ from mechsheet.description.sketch import SketchedAngles
 from mechsheet.description.text.index import Path
 from mechsheet.diagnostics import quoted
 from mechsheet.model import PRESSURE, Dimension, Gear, Joint, Link, Rack, Relation
-from mechsheet.units import NUMBER, Unit, unit_of
+from mechsheet.units import NUMBER
 
 ROUGH = 1
 """Decimals of a phase [deg] that is read off a sketch."""
@@ -75,7 +75,7 @@ class _Reader:
         """The ratio (of a rack the radius), and the pressure angle."""
         key = say("radius") if entry["type"] == "rack" else say("ratio")
         path: Path = ("joints", order, key)
-        kind, unit = (LENGTH, self._length) if key == "radius" else (ANY, NUMBER)
+        kind, unit = (LENGTH, self.scope.length) if key == "radius" else (ANY, NUMBER)
         number = self.ends.numbers[link] if link is not None else order
         node = own_cell(self.scope, self.cells, self._name(key, number), entry[key], kind, unit, path, key)
         if entry[key] is not BAD and self.scope.number(node) == 0:
@@ -87,10 +87,6 @@ class _Reader:
                 message = say("must be less than 90 degrees to either side")
                 self.scope.report.at((*path[:2], "pressure_angle"), message, say("usual are 20 and 14.5 degrees"))
         return node, al.as_node(degrees) if "pressure_angle" in entry else PRESSURE
-
-    @property
-    def _length(self) -> Unit:
-        return unit_of(self.scope.length_unit, self.scope.length_unit)
 
     def _name(self, key: str, number: int) -> str:
         """ratio_4 of link 4; ratio_4_2 where it has another one already."""
@@ -202,7 +198,7 @@ class _Reader:
     def _phase(self, entry: dict[str, Any], order: int, link: str, shown: float) -> Node:
         """The phase as given, or the one `shown` [deg or length unit] by the sketch; a cell, unless it is an expression."""
         rack = entry["type"] == "rack"
-        kind, unit = (LENGTH, self._length) if rack else (ANGLE, self.scope.angle_unit)
+        kind, unit = (LENGTH, self.scope.length) if rack else (ANGLE, self.scope.angle_unit)
         if not rack and "phase" not in entry:
             shown = round(unit.to_shown(math.radians(shown)), ROUGH if unit.in_degrees else 3)
         name = self._name("phase", self.ends.numbers[link])

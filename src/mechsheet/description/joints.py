@@ -50,8 +50,7 @@ class Ends:
         if points is None:
             return False
         if point not in points:
-            message = say("the link {link} has no point {point}", link=quoted(link), point=quoted(point))
-            self.scope.report.at(path, message, suggestion(point, points, say("points of {link}", link=link)))
+            self.scope.no_point_of(link, point, points, path)
         return point in points
 
     def pair_symbol(self, letter: str, on: str, link: str) -> str:

@@ -9,7 +9,7 @@ from typing import Any
 from livesheet import portable
 from livesheet.said import say
 from mechsheet.description.kinds import ANGLE, LENGTH
-from mechsheet.description.report import BAD, listed, suggestion
+from mechsheet.description.report import BAD, listed
 from mechsheet.description.scope import REPORTED, Scope, Space, circle_message, cycles, words
 from mechsheet.description.text.index import Path
 from mechsheet.diagnostics import quoted
@@ -134,11 +134,8 @@ def _check_distances(places: Mapping[str, GivenPoint], points: dict[str, Any], p
         needs[name] = [other for other in (place.first, place.second) if other in points]
         for other in (place.first, place.second):
             if other not in points:
-                hint = suggestion(
-                    other, [point for point in points if point != name], say("points of {link}", link=path[1])
-                )
-                message = say("the link {link} has no point {point}", link=quoted(str(path[1])), point=quoted(other))
-                scope.report.at((*path, name, "distances", other), message, hint)
+                others = [point for point in points if point != name]
+                scope.no_point_of(str(path[1]), other, others, (*path, name, "distances", other))
     order, circles = cycles(needs)
     for circle in circles:
         scope.report.at((*path, circle[0], "distances"), circle_message(circle, "the points"))

@@ -6,11 +6,10 @@ from typing import Any
 
 from livesheet.formula.nodes import Call, Node, Symbol, symbols, transform, walk
 from livesheet.said import say
-from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.driving.rates import known as known_rate
 from mechsheet.description.kinds import ANGLE, LENGTH, label_fault, plain_unit, unit_kind
-from mechsheet.description.report import BAD, listed, suggestion
-from mechsheet.description.requests import coordinates, is_coordinate
+from mechsheet.description.report import BAD, listed, suggestion, within
+from mechsheet.description.requests import is_coordinate
 from mechsheet.description.scope import Scope, circle_message, cycles, words
 from mechsheet.description.text.index import Path
 from mechsheet.diagnostics import quoted
@@ -99,7 +98,7 @@ def _check_of_row(name: str, tree: Node, entry: dict[str, Any], unit: Unit, scop
     path, text = ("outputs", name, "formula"), entry["formula"]
     names = symbols(tree)
     good = [each in scope.units or _is_known(each, text, path, scope) for each in names]
-    if any(is_rate(each, scope) or each in scope.forces or each in scope.of_rates for each in names):
+    if any(map(scope.reads_rates, names)):
         scope.of_rates.add(name)
     scope.fits(tree, text, unit_kind(unit), path, _wants_unit(entry))
     if all(good) and all(each in scope.numbers for each in names):
@@ -125,23 +124,17 @@ def _check_label(name: str, tree: Node, text: str, unit: Unit, scope: Scope) -> 
 
 def _is_known(name: str, text: str, path: Path, scope: Scope) -> bool:
     """True when a formula's symbol is a variable, a coordinate or an output; reports what else it is."""
-    where = _where(name, text)
+    where = within(text, name)
     if name in scope.outputs:
         return True
     if name in scope.variables or known_rate(name, path, scope) or is_coordinate(name, path, scope, where):
         return True
     if "." in name or not (scope.complete and scope.solved):
         return False
-    rates = scope.rates if scope.moves else ()
-    hint = scope.meant(name) or suggestion(
-        name, [*scope.variables, *coordinates(scope), *scope.units, *scope.outputs, *rates, *scope.forces], "allowed"
-    )
+    known = [*scope.variables, *scope.coordinates, *scope.units, *scope.outputs, *scope.rates_there, *scope.forces]
+    hint = scope.meant(name) or suggestion(name, known, "allowed")
     scope.report.at(path, say("{where}{name} is not a variable or dimension", where=where, name=quoted(name)), hint)
     return False
-
-
-def _where(name: str, text: str) -> str:
-    return "" if name == text.strip() else say("in {text}: ", text=quoted(text))
 
 
 # --- of the whole motion ----------------------------------------------------------------------------------------------
@@ -192,9 +185,9 @@ def _check_of_motion(name: str, tree: Node, entry: dict[str, Any], unit: Unit, s
 
 
 def _refuse(name: str, named: list[str], text: str, path: Path, scope: Scope) -> None:
-    where = _where(name, text)
+    where = within(text, name)
     known = [*scope.summaries, *scope.units]
-    if name in scope.variables or name in scope.outputs or is_rate(name, scope) or name in scope.forces or "." in name:
+    if name in scope.variables or name in scope.outputs or scope.is_rate(name) or name in scope.forces or "." in name:
         message = say(
             "{name} differs from row to row, but {others} are numbers of the whole motion",
             name=quoted(name),

@@ -55,6 +55,11 @@ def suggestion(word: str, allowed: Iterable[str], what: str) -> Said:
     return say("{near} {all}", near=near, all=list_of) if near else list_of
 
 
+def within(text: str, name: str) -> str:
+    """`in "a2 + x": `, before what is said of a name in a text; nothing where the name is the whole of it."""
+    return "" if name == text.strip() else say("in {text}: ", text=quoted(text))
+
+
 def listed(names: Iterable[str], last: Literal["and", "or"] = "and") -> str:
     """`"a", "b" and "c"`."""
     quoted = [f'"{name}"' for name in names]

@@ -7,7 +7,6 @@ from typing import Any
 from livesheet.formula.nodes import Symbol
 from livesheet.said import say
 from mechsheet.description.driving.driver import rows_of
-from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.driving.rates import known as known_rate
 from mechsheet.description.report import BAD, listed, suggestion
 from mechsheet.description.schema import MOST_CELLS, MOST_PAIRS
@@ -57,19 +56,13 @@ def is_coordinate(name: str, path: Path, scope: Scope, where: str = "") -> bool:
     return point in scope.points and axis in ("x", "y")
 
 
-def coordinates(scope: Scope) -> list[str]:
-    """The names of all coordinates of points."""
-    return [f"{point}.{axis}" for point in scope.points for axis in "xy"]
-
-
 def check_column(name: Any, path: Path, scope: Scope) -> None:
     """`name` must be a variable, a coordinate or an output: something with a value in every row."""
     if name is BAD or name in scope.variables or name in scope.outputs or known_rate(name, path, scope):
         return
     if is_coordinate(name, path, scope) or "." in name or not scope.complete:
         return
-    rates = scope.rates if scope.moves else ()
-    allowed = [*scope.variables, *scope.outputs, *coordinates(scope), *rates, *scope.forces]
+    allowed = [*scope.variables, *scope.outputs, *scope.coordinates, *scope.rates_there, *scope.forces]
     hint = scope.meant(name) or suggestion(name, allowed, "allowed")
     message = say("no variable or output is called {name}", name=quoted(name))
     if name in scope.charted:
@@ -119,8 +112,7 @@ def charts(data: list[Any], driver: Driver | None, scope: Scope) -> tuple[ChartR
         for key, names in (("paths", paths), ("hodographs", hodographs)):
             for number, name in enumerate(names):
                 if name is not BAD and name not in scope.points:
-                    hint = suggestion(name, scope.points, "points")
-                    scope.report.at((*path, key, number), say("no point is called {name}", name=quoted(name)), hint)
+                    scope.no_point(name, (*path, key, number))
         for key, names in (("y", y), ("paths", paths), ("hodographs", hodographs)):
             _check_twice(names, (*path, key), scope)
         _check_moves(paths, (*path, "paths"), scope)
@@ -160,8 +152,7 @@ def _check_velocities(names: list[Any], path: Path, scope: Scope) -> None:
     for number, name in enumerate(names):
         if name in scope.fixed:
             message = say("{name} is a point of the ground: it has no velocity", name=quoted(name))
-            moving = [point for point in scope.points if point not in scope.fixed]
-            scope.report.at((*path, number), message, suggestion("", moving, "moving points"))
+            scope.still(message, (*path, number))
     if not scope.moves:
         scope.report.at(
             path, say("a hodograph shows velocities: it needs the driver's speed"), say("write `speed` in [driver]")
@@ -181,11 +172,10 @@ def _check_curve(name: Any, path: Path, driver: Driver | None, scope: Scope) -> 
 def _check_moves(names: list[Any], path: Path, scope: Scope) -> None:
     """A chart of paths needs a point that moves; fixed points beside it are marks in the picture."""
     if names and all(name in scope.fixed for name in names):
-        moving = [point for point in scope.points if point not in scope.fixed]
         message = say("{points} is a point of the ground: what does not move has no path", points=listed(names))
         if len(names) > 1:
             message = say("{points} are points of the ground: what does not move has no path", points=listed(names))
-        scope.report.at(path, message, suggestion("", moving, "moving points"))
+        scope.still(message, path)
 
 
 def tables(data: list[Any], driver: Driver | None, scope: Scope) -> tuple[TableRequest, ...]:
@@ -290,7 +280,7 @@ def _check_pairs(
 
 def _check_position(name: Any, path: Path, scope: Scope, hint: str = "") -> None:
     """A two-way table holds positions, one formula a cell: a rate would need its whole group there."""
-    if name is BAD or not (is_rate(name, scope) or name in scope.forces or name in scope.of_rates):
+    if name is BAD or not scope.reads_rates(name):
         return
     message = say(
         "{name} is a velocity, an acceleration or a force: two-way tables have positions only", name=quoted(name)

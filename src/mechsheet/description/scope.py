@@ -46,7 +46,7 @@ from mechsheet.description.text.numbers import (
     unit_named,
 )
 from mechsheet.diagnostics import quoted
-from mechsheet.model import Dimension, Label, Quantity, Take
+from mechsheet.model import POINT_RATES, Dimension, Label, Quantity, Take
 from mechsheet.units import DEG, NUMBER, Unit, unit_of
 from mechsheet.words.catalogue import ENGLISH
 
@@ -151,6 +151,11 @@ class Scope:
         self.symbols = Space(self.report)
         self.cells = Space(self.report)
 
+    @property
+    def length(self) -> Unit:
+        """The unit of lengths."""
+        return unit_of(self.length_unit, self.length_unit)
+
     # ---- names
 
     def add_variable(self, symbol: str, kind: str, what: str, path: Path, hint: str = "") -> None:
@@ -206,6 +211,45 @@ class Scope:
                 against=quoted(against),
             )
         return None
+
+    @property
+    def coordinates(self) -> list[str]:
+        """The names of all coordinates of points."""
+        return [f"{point}.{axis}" for point in self.points for axis in "xy"]
+
+    @property
+    def rates_there(self) -> Iterable[str]:
+        """The rates that formulas may name: none where the driver has no speed."""
+        return self.rates if self.moves else ()
+
+    def is_rate(self, name: str) -> bool:
+        """True for omega13, s14.v, theta13.d, C.vx."""
+        owner, dot, part = name.partition(".")
+        if name in self.rates:
+            return True
+        return bool(dot) and (
+            (owner in self.variables and part in ("d", "dd")) or (owner in self.points and part in POINT_RATES)
+        )
+
+    def reads_rates(self, name: str) -> bool:
+        """True for a rate, a force, or an output that reads one."""
+        return self.is_rate(name) or name in self.forces or name in self.of_rates
+
+    def no_point(self, name: str, path: Path) -> None:
+        """Report a point that no link has."""
+        self.report.at(
+            path, say("no point is called {name}", name=quoted(name)), suggestion(name, self.points, "points")
+        )
+
+    def no_point_of(self, link: str, point: str, points: Iterable[str], path: Path) -> None:
+        """Report a point that a link does not have; `points`: those that it may have there."""
+        message = say("the link {link} has no point {point}", link=quoted(link), point=quoted(point))
+        self.report.at(path, message, suggestion(point, points, say("points of {link}", link=link)))
+
+    def still(self, message: Said, path: Path) -> None:
+        """Report a point of the ground where one is needed that moves."""
+        moving = [point for point in self.points if point not in self.fixed]
+        self.report.at(path, message, suggestion("", moving, "moving points"))
 
     # ---- expressions
 
@@ -430,7 +474,7 @@ class Scope:
         unit = table.get("unit", self.length_unit)
         choices = ("deg", "rad", "1", self.length_unit)
         if unit is BAD or unit == self.length_unit:
-            return unit_of(self.length_unit, self.length_unit)
+            return self.length
         if plain_unit(unit) in choices:
             return unit_of(plain_unit(unit), self.length_unit)
         labels = labels_of(self.length_unit)
@@ -499,7 +543,7 @@ def _deeper_than(tree: Node, most: int) -> bool:
     return True
 
 
-def part(data: dict[str, Any], key: str, empty: Any) -> Any:
+def part(data: Mapping[str, Any], key: str, empty: Any) -> Any:
     """What stands at `key`; `empty` where there is nothing, or nothing usable."""
     value = data.get(key, BAD)
     return empty if value is BAD else value

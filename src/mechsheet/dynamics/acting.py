@@ -231,7 +231,8 @@ class ActingForces:
 
     def _load(self, acting: Acting, load: Load, link: Link) -> None:
         if load.torque is not None:
-            acting.couples.append(self.columns.grey(load.name, load.torque, self.columns.torque, _load_words(load)))
+            label = phrase("load", name=load.name)
+            acting.couples.append(self.columns.grey(load.name, load.torque, self.columns.torque, label))
         if load.force is not None:
             at = self.place(link, load.point, load.name, phrase("loaded_place", name=load.name))
             acting.forces.append(Force(self._in_ground(load, link), at))
@@ -301,7 +302,3 @@ class ActingForces:
                 self.columns.grey(symbol, node, LENGTH, words, own_name=symbol not in self.poses.ledger.values)
             )
         return parts[0], parts[1]
-
-
-def _load_words(load: Load) -> Words:
-    return phrase("load", name=load.name)

@@ -95,6 +95,11 @@ class Dyad:
         return (self.first, self.second, p, q) if self.inner.on in self.first else (self.second, self.first, q, p)
 
     @property
+    def outer_pins(self) -> tuple[str, ...]:
+        """The points at which it is pinned to what is solved."""
+        return tuple(contact.point for contact in self.outer if isinstance(contact, Pin))
+
+    @property
     def pins(self) -> tuple[str, ...]:
         """The points of its revolute joints."""
         return tuple(contact.point for contact in (*self.outer, self.inner) if isinstance(contact, Pin))

@@ -281,10 +281,13 @@ class _Groups:
     def _known_mode(self, dyad: Dyad, solved: Solved) -> int | None:
         """The mode that need not be picked by the sketch of this group."""
         mechanism = self.poses.mechanism
-        mode = self.given.get(solved.mode, _found_mode(mechanism, solved, self.dimensions))
-        if mode is None and self._left_out.intersection(dyad.bodies):
-            return 1  # its length, from the first pin to the second, is no negative number
-        return mode
+        if solved.mode in self.given:
+            return self.given[solved.mode]
+        found = _mode_of_task(mechanism, solved)
+        if found is not None:
+            return round(number(found, self.dimensions))
+        # the length of a link that is left out, from the first pin to the second, is no negative number
+        return 1 if self._left_out.intersection(dyad.bodies) else None
 
 
 def _check_solved(mechanism: Mechanism) -> None:
@@ -313,11 +316,6 @@ def counts_from_driven(mechanism: Mechanism, pins: Sequence[str]) -> bool:
     """Whether the mode of a group with such pins is counted from the driven link to the other, as a task counts it."""
     driven = next((link for link in mechanism.links if link.name == mechanism.driver.link), None)
     return driven is None or pins[0] in driven.points
-
-
-def _found_mode(mechanism: Mechanism, solved: Solved, dimensions: Mapping[str, float]) -> int | None:
-    follows = _mode_of_task(mechanism, solved)
-    return None if follows is None else round(number(follows, dimensions))
 
 
 def _at_rest(mechanism: Mechanism, values: tuple[Quantity, ...]) -> Mechanism:

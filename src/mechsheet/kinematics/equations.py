@@ -9,7 +9,7 @@ does not exist is no value but a condition beside the expression. How cells and 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -22,7 +22,7 @@ from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Binary, Node, Root, Symbol, symbols
 from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
-from mechsheet.model import FurtherDriver, Take
+from mechsheet.model import FurtherDriver, Mechanism, Take
 from mechsheet.units import Unit
 
 Role = Literal[
@@ -274,7 +274,7 @@ class Group:
     @property
     def mode_value(self) -> int:
         """What the mode cell holds: +1 for the first assembly of a dyad, -1 for the second; else its number from 1."""
-        return mode_value(self.assembly) if self.system is None else self.assembly + 1
+        return 1 - 2 * self.assembly if self.system is None else self.assembly + 1
 
     @property
     def mode_values(self) -> tuple[int, ...]:
@@ -298,11 +298,6 @@ class Group:
     def mode_words(self) -> Words:
         """What the assembly that was taken looks like."""
         return self.assemblies[self.assembly]
-
-
-def mode_value(assembly: int) -> int:
-    """The number that formulas multiply by for an assembly of a dyad: +1, -1."""
-    return 1 - 2 * assembly
 
 
 def assembly_of(mode: float) -> int:
@@ -373,6 +368,26 @@ class Equations:
     def shown_forces(self) -> tuple[str, ...]:
         """What people read of the forces: not the parts, nor the effort once more."""
         return self.forces("effort", "besides", *JOINT_FORCES, "couple", "whole", "center", "hold")
+
+    def unit_of(self, mechanism: Mechanism, symbol: str) -> Unit:
+        """The unit of a quantity: of what is given row by row, or of an equation."""
+        return mechanism.given_unit(symbol) or self.of(symbol).unit
+
+    def is_angle(self, mechanism: Mechanism, symbol: str) -> bool:
+        """Whether a quantity is an angle, which may go on by whole turns."""
+        unit = self.unit_of(mechanism, symbol)
+        return unit.kind == "angle" and not unit.per
+
+    def behind(self, wanted: Iterable[str]) -> list[Equation]:
+        """The columns among those wanted, and all columns that they follow from."""
+        columns = {equation.symbol: equation for equation in self.columns}
+        waiting, found = [*wanted], dict[str, Equation]()
+        while waiting:
+            symbol = waiting.pop()
+            if symbol in columns and symbol not in found:
+                found[symbol] = columns[symbol]
+                waiting += columns[symbol].reads
+        return [*found.values()]
 
     def range_has_gaps(self, symbol: str, take: Take) -> bool:
         """Whether a take of several stretches is none: how far an angle goes that counts its turns anew after each gap."""

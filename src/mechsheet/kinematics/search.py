@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from livesheet.formula.nodes import Call, Direction, Node
 from mechsheet.kinematics.cams.segments import seams
 from mechsheet.kinematics.dimensions import dimension_values, largest_length
-from mechsheet.kinematics.driving import at_values, given_between
+from mechsheet.kinematics.driving import at_values, given_between, step_of
 from mechsheet.kinematics.equations import Condition, Equations
 from mechsheet.kinematics.numeric import Array, runs_of, value
 from mechsheet.kinematics.sweep import sweep
@@ -91,7 +91,7 @@ class Search:
         driver = given[mechanism.driver.symbol]
         self.rows = len(driver)
         self.stepped = stepped and self.rows > 1
-        self.step = float(driver[-1] - driver[0]) / (self.rows - 1) if self.stepped else 0.0
+        self.step = step_of(driver) if self.stepped else 0.0
         self.dimensions = dimension_values(mechanism)
         self.size = largest_length(mechanism, self.dimensions) or 1.0
         self.fine = max(1, min(FINE, MOST // self.rows)) if self.stepped else 1
@@ -151,15 +151,8 @@ class Search:
     @cached_property
     def _counts_turns(self) -> bool:
         """Whether anything that gears or racks decide follows from an angle that goes on without a jump."""
-        reads = {equation.symbol: set(equation.reads) for equation in self.equations.columns}
-        going_on = {each.symbol for each in self.equations.columns if isinstance(each.expression, Direction)}
-        stack, seen = [*self.equations.tied], set[str]()
-        while stack:
-            symbol = stack.pop()
-            if symbol not in seen:
-                seen.add(symbol)
-                stack += reads.get(symbol, ())
-        return self.stepped and bool(seen & going_on)
+        behind = self.equations.behind(self.equations.tied)
+        return self.stepped and any(isinstance(each.expression, Direction) for each in behind)
 
     def exists(self, known: dict[str, Array]) -> Mask:
         """Where every group closes."""
@@ -397,8 +390,7 @@ class Search:
         """Whether a quantity is an angle that is known up to whole turns."""
         if symbol == self.mechanism.driver.symbol:
             return False
-        unit = self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit
-        return unit.kind == "angle" and not unit.per
+        return self.equations.is_angle(self.mechanism, symbol)
 
     def _held(self, column: Array) -> Array:
         """The column with the nearest value before it, or the first, in places that do not exist."""

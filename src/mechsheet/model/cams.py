@@ -72,6 +72,7 @@ class Cam:
     follower     the link with the face, "" for a roller;  face: direction of the face against its x axis [rad]
     decides_start  whether the base circle says where the follower starts
     offset       by how much a roller's slide passes the centre, where the base circle decides its start; else None
+    touches      what is below 0 where the roller of a follower that starts on the base circle never touches it; else None
     """
 
     link: str
@@ -85,6 +86,7 @@ class Cam:
     face: Quantity = 0.0
     decides_start: bool = False
     offset: Quantity | None = None
+    touches: Node | None = None
 
     @property
     def symbols(self) -> tuple[str, ...]:

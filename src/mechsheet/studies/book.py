@@ -6,6 +6,8 @@ that was moved is typed once; the chart follows the cells of the front.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 from livesheet.evaluation import computed
@@ -42,8 +44,9 @@ HEAD_ROW, FIRST = 5, 6
 
 NUMBER = styles.numbered(styles.COLUMN, "0.0000")
 WHOLE = styles.numbered(styles.COLUMN, "0")
-COMMAND = styles.STATUS
-REMARK = styles.STATUS
+COUNT = styles.numbered(styles.RESULT, "#,##0")
+TEXT = styles.STATUS
+"""Of commands and of remarks."""
 
 
 def book_of(found: Studied) -> Workbook:
@@ -75,12 +78,30 @@ def _table(table: Any, row: int, col: int) -> list[Cell]:
     return cells
 
 
+def _top(found: Studied, title: str, about: str) -> list[Cell]:
+    """What a sheet is of, above its table."""
+    return [Cell(0, 0, title, styles.TITLE), Cell(1, 0, _said(found, about), styles.SUBTITLE)]
+
+
+def _heads(heads: Sequence[str]) -> list[Cell]:
+    """The row over a table."""
+    return [Cell(HEAD_ROW, col, head, styles.HEAD) for col, head in enumerate(heads)]
+
+
+def _sheet(name: str, cells: Sequence[Cell], columns: Sequence[Column], frozen: int, **more: Any) -> Sheet:
+    """A sheet with a table; so many columns stay where they are when somebody scrolls."""
+    return Sheet(
+        name, tuple(cells), columns=tuple(columns), row_heights=((0, 26.0), (HEAD_ROW, 42.0)), freeze=(FIRST, frozen),
+        gridlines=False, print_setup=PrintSetup(repeat_rows=(HEAD_ROW, HEAD_ROW)), **more,
+    )  # fmt: skip
+
+
 def _remarks(found: Studied, remarks: list[str | None], col: int) -> list[Cell]:
     """The column of what the workbook says of the designs' numbers; nothing where it says nothing."""
     if not any(remarks):
         return []
     cells = [Cell(HEAD_ROW, col, _said(found, "remarks"), styles.HEAD)]
-    return cells + [Cell(FIRST + row, col, text, REMARK) for row, text in enumerate(remarks)]
+    return cells + [Cell(FIRST + row, col, text, TEXT) for row, text in enumerate(remarks)]
 
 
 def _best(found: Studied) -> Sheet:
@@ -88,7 +109,7 @@ def _best(found: Studied) -> Sheet:
     count = 0 if table is None else table.num_rows
     name, kept = mechanism.title.of(mechanism.language), found.result.kept
     title = words_of_count(mechanism.language, "study.title", kept, title=name, shown=count, kept=f"{kept:,}")
-    cells = [Cell(0, 0, title, styles.TITLE), Cell(1, 0, _said(found, "about"), styles.SUBTITLE)]
+    cells = _top(found, title, "about")
     for row, (key, text) in enumerate(
         (("description", f"{mechanism.stem}.toml"), ("folder", found.folder.path.name)), 2
     ):
@@ -100,7 +121,7 @@ def _best(found: Studied) -> Sheet:
     heads = [_said(found, "rank"), _said(found, "design"), *heads_of(table)[1:]]
     last = len(heads)
     tail = ([_said(found, "on_front")] if front else []) + [_said(found, "command")]
-    cells += [Cell(HEAD_ROW, col, head, styles.HEAD) for col, head in enumerate([*heads, *tail])]
+    cells += _heads([*heads, *tail])
     cells += _table(table, FIRST, 1)
     cells += _remarks(found, remarks, last + len(tail))
     for row, design in enumerate(table.column(DESIGN).to_pylist()):
@@ -109,12 +130,9 @@ def _best(found: Studied) -> Sheet:
             words = _said(found, "yes") if design in front else None
             cells.append(Cell(FIRST + row, last, words, styles.centred(styles.COLUMN)))
     command = last + len(tail) - 1
-    fill = Fill(FIRST, command, _command(1), COMMAND, rows=table.num_rows)
+    fill = Fill(FIRST, command, _command(1), TEXT, rows=table.num_rows)
     columns = (Column(0, 0, 20.0), Column(1, 1, 12.0), Column(2, command - 1, 13.0), *_wide(command))
-    return Sheet(
-        _said(found, "best"), tuple(cells), (fill,), columns, row_heights=((0, 26.0), (HEAD_ROW, 42.0)),
-        freeze=(FIRST, 2), selected=(FIRST, 0), gridlines=False, print_setup=PrintSetup(repeat_rows=(HEAD_ROW, HEAD_ROW)),
-    )  # fmt: skip
+    return _sheet(_said(found, "best"), cells, columns, 2, fills=(fill,), selected=(FIRST, 0))
 
 
 def _apart(found: Studied) -> Sheet:
@@ -124,15 +142,11 @@ def _apart(found: Studied) -> Sheet:
     title = words_of_count(language, "study.apart.title", apart, shown=table.num_rows, apart=f"{apart:,}")
     heads = [_said(found, "design"), *heads_of(table)[1:], _said(found, "command")]
     command = len(heads) - 1
-    cells = [Cell(0, 0, title, styles.TITLE), Cell(1, 0, _said(found, "apart.about"), styles.SUBTITLE)]
-    cells += [Cell(HEAD_ROW, col, head, styles.HEAD) for col, head in enumerate(heads)]
+    cells = [*_top(found, title, "apart.about"), *_heads(heads)]
     cells += [*_table(table, FIRST, 0), *_remarks(found, remarks, len(heads))]
-    fill = Fill(FIRST, command, _command(0, _said(found, "best")), COMMAND, rows=table.num_rows)
+    fill = Fill(FIRST, command, _command(0, _said(found, "best")), TEXT, rows=table.num_rows)
     columns = (Column(0, 0, 12.0), Column(1, command - 1, 13.0), *_wide(command))
-    return Sheet(
-        _said(found, "apart"), tuple(cells), (fill,), columns, row_heights=((0, 26.0), (HEAD_ROW, 42.0)),
-        freeze=(FIRST, 1), gridlines=False, print_setup=PrintSetup(repeat_rows=(HEAD_ROW, HEAD_ROW)),
-    )  # fmt: skip
+    return _sheet(_said(found, "apart"), cells, columns, 1, fills=(fill,))
 
 
 def _wide(command: int) -> tuple[Column, Column]:
@@ -149,10 +163,7 @@ def _command(col: int, inputs: str | None = None) -> Node:
     description, folder = (CellRef(row, 2, True, True, inputs) for row in (2, 3))
     parts: list[Node] = [Text("mechsheet build "), description, Text(" --design "), folder, Text(":"), design]
     parts += [Text(" -o design-"), design, Text(".xlsx")]
-    node = parts[0]
-    for part in parts[1:]:
-        node = Binary("&", node, part)
-    return node
+    return reduce(lambda before, part: Binary("&", before, part), parts)
 
 
 def _front(found: Studied) -> Sheet:
@@ -162,22 +173,16 @@ def _front(found: Studied) -> Sheet:
         table = table.take([round(at * (table.num_rows - 1) / (MOST_FRONT - 1)) for at in range(MOST_FRONT)])
     names = list(dict.fromkeys([DESIGN, *(each.text for each in objectives), *found.designs.varied]))
     remarks, table = told_of(table)[1], table.select(names)
-    cells = [
-        Cell(0, 0, _said(found, "front.title"), styles.TITLE),
-        Cell(1, 0, _said(found, "front.about"), styles.SUBTITLE),
-    ]
+    cells = _top(found, _said(found, "front.title"), "front.about")
     if table.num_rows < len(every) or not found.ranked.whole:
         words = _said(found, "front.thinned", shown=f"{table.num_rows:,}", all=f"{len(every):,}")
         cells.append(Cell(2, 0, words, styles.NOTE))
     heads = heads_of(table)
-    cells += [Cell(HEAD_ROW, col, head, styles.HEAD) for col, head in enumerate([_said(found, "design"), *heads[1:]])]
+    cells += _heads([_said(found, "design"), *heads[1:]])
     cells += [*_table(table, FIRST, 0), *_remarks(found, remarks, len(heads))]
     charts = (_chart(found, heads, table.num_rows, any(remarks)),) if len(objectives) > 1 else ()
-    return Sheet(
-        _said(found, "front"), tuple(cells), columns=(Column(0, 0, 12.0), Column(1, len(heads) - 1, 15.0)), charts=charts,
-        row_heights=((0, 26.0), (HEAD_ROW, 42.0)), freeze=(FIRST, 1), gridlines=False,
-        print_setup=PrintSetup(repeat_rows=(HEAD_ROW, HEAD_ROW)),
-    )  # fmt: skip
+    columns = (Column(0, 0, 12.0), Column(1, len(heads) - 1, 15.0))
+    return _sheet(_said(found, "front"), cells, columns, 1, charts=charts)
 
 
 def _chart(found: Studied, heads: list[str], rows: int, remarks: bool) -> Chart:
@@ -200,14 +205,14 @@ def _aim(found: Studied, objective: Objective) -> str:
 def _settings(found: Studied) -> Sheet:
     designs, study = found.designs, found.designs.study
     lines: list[tuple[str, str | float | None, Style]] = [
-        (_said(found, "designs"), float(found.result.designs), styles.numbered(styles.RESULT, "#,##0")),
-        (_said(found, "kept"), float(found.result.kept), styles.numbered(styles.RESULT, "#,##0")),
+        (_said(found, "designs"), float(found.result.designs), COUNT),
+        (_said(found, "kept"), float(found.result.kept), COUNT),
     ]
     share = len(lines)
     lines += [
         (_said(found, "share"), None, styles.RESULT),
-        (_said(found, "settings.apart"), float(found.result.apart), styles.numbered(styles.RESULT, "#,##0")),
-        (_said(found, "rows"), float(designs.rows), styles.numbered(styles.RESULT, "#,##0")),
+        (_said(found, "settings.apart"), float(found.result.apart), COUNT),
+        (_said(found, "rows"), float(designs.rows), COUNT),
         (_said(found, "sample"), _said(found, study.sample), styles.VERDICT),
     ]
     if study.sample == "sobol":
@@ -215,7 +220,7 @@ def _settings(found: Studied) -> Sheet:
     lines.append((_said(found, "vary"), None, styles.SECTION))
     lines += [(one.symbol, _span(one), styles.VERDICT) for one in study.vary]
     lines.append((_said(found, "conditions"), None, styles.SECTION))
-    lines += [(text, float(count), styles.numbered(styles.RESULT, "#,##0")) for text, count in found.result.failed]
+    lines += [(text, float(count), COUNT) for text, count in found.result.failed]
     lines.append((_said(found, "objectives"), None, styles.SECTION))
     lines += [(each.text, _aim(found, each), styles.VERDICT) for each in study.objectives]
     lines.append((_said(found, "versions"), None, styles.SECTION))

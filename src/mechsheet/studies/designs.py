@@ -200,14 +200,7 @@ class Designs:
 
     def _reads_rates(self, symbol: str) -> bool:
         """Whether a quantity is, or reads, a velocity or a force."""
-        columns = {equation.symbol: equation for equation in self.equations.columns}
-        stack, seen = [symbol], set[str]()
-        while stack:
-            name = stack.pop()
-            if name in columns and name not in seen:
-                seen.add(name)
-                stack += columns[name].reads
-        return any(columns[name].role in (*RATES, *FORCES) for name in seen)
+        return any(equation.role in (*RATES, *FORCES) for equation in self.equations.behind([symbol]))
 
     @property
     def _read(self) -> set[str]:
@@ -272,13 +265,12 @@ class Designs:
 
     def is_angle(self, symbol: str) -> bool:
         """Whether a quantity is an angle, which may go on by whole turns."""
-        unit = self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit
-        return unit.kind == "angle" and not unit.per
+        return self.equations.is_angle(self.mechanism, symbol)
 
     def asked(self, symbol: str, way: Way) -> Asked:
         """An extreme, and what decides where its search begins."""
         if (symbol, way) not in self._asked:
-            unit = self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit
+            unit = self.equations.unit_of(self.mechanism, symbol)
             wraps = with_symbols(WRAPS, {"meet": meeting(self._periods.change(symbol), unit)})
             pole = symbol in self.may_grow and symbol not in self.seen_by_rates
             moves = self.mechanism.driver.law is None

@@ -212,7 +212,7 @@ class Motion:
 
         def probe(places: Array, row: Rows) -> Array:
             near = {name: anchors.angles[designs_, at, row][:, None] for name, at in columns.items()}
-            return _at_places(designs, program, {**inside, **near})(places[:, None])[symbol][:, 0]
+            return _column_of(symbol, _at_places(designs, program, {**inside, **near}))(places)
 
         return probe
 

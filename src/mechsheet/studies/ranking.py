@@ -9,6 +9,7 @@ front and the list of the best.
 
 from __future__ import annotations
 
+from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -96,8 +97,6 @@ def front_of(points: Array) -> Numbers:
 
 def _staircase(points: Array) -> list[int]:
     """Of points in order, those not dominated in both coordinates by one before: a staircase of what is best so far."""
-    from bisect import bisect_left, bisect_right
-
     across: list[float] = []
     down: list[float] = []  # falls as `across` rises
     kept = []

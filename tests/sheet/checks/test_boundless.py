@@ -3,11 +3,13 @@
 import json
 import math
 
+import numpy as np
 import pytest
 from laid import Laid
 
 import mechsheet
 from livesheet.formula.nodes import ErrorValue
+from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.library.show import overview_text
@@ -187,3 +189,40 @@ def test_an_acceleration_that_changes_its_sign_quickly_has_a_largest_value():
     laid = Laid(FLAT.replace("SEGMENTS", rise + ', { law = "dwell", over = 200 }, { law = "modified sine", to = 0 }'))
     factor = 8 * math.pi / (2 + math.pi)
     assert laid.spot("summary slowest") == pytest.approx(-factor * 0.882 / math.radians(20) ** 2)
+
+
+KNIFE = """
+format = 1
+mechanism.name = "knife"
+links.ground.points = { O = [3, 4], G = [8, 3] }
+links.f.points = { C = [2, 1], D = [60, 0] }
+cam = { center = "O", base_radius = 31, roller = { point = "C", radius = 0 } }
+[[joints]]
+type = "prismatic"
+name = "guide"
+link = "f"
+on = "ground"
+point = "D"
+through = "G"
+angle = -98
+orientation = 0.3
+symbol = "s"
+[driver]
+joint = "guide"
+step = 10
+closed = false
+segments = [
+  { law = "modified sine", over = 92, to = -0.3 }, { law = "cycloidal", over = 24, to = 2.1 },
+  { law = "dwell", over = 146 }, { law = "uniform", over = 98, to = 3.2 },
+]
+[summary]
+most = { of = "kappa", take = "max" }
+"""
+
+
+def test_the_curvature_of_a_rollers_way_has_no_pole():
+    """Over three rows of its cycloidal rise it goes from hollow to sharp, as it would beside one."""
+    laid = Laid(KNIFE)
+    mechanism = loads(KNIFE.replace("step = 10\n", "step = 0.1\n"))
+    assert laid.spot("summary most") == pytest.approx(np.max(compiled_of(mechanism).values["kappa"]), rel=1e-4)
+    assert WORDS["en"] not in summary(laid, "most")[1]

@@ -15,6 +15,7 @@ from livesheet.formula.printer import print_formula
 from livesheet.formula.references import cell_address
 from mechsheet.checking.inputs import inputs_in
 from mechsheet.checking.perturbation import drawn
+from mechsheet.description.templates import template_text
 from mechsheet.sheet.findings.inputs import first_wrong, inputs_of
 from mechsheet.sheet.plan import VALUE
 from random_cams import ON_A_SLIDE
@@ -27,6 +28,8 @@ OPEN = ON_A_SLIDE + f'driver = {{ joint = "s", step = 15, closed = false, segmen
 BY_DIMENSIONS = """
 dimensions = { d = 70, beta = { value = 90, unit = "deg" } }
 """ + CLOSED.replace("base_radius = 35", 'base_radius = "d/2"').replace('"3-4-5", over = 90', '"3-4-5", over = "beta"')
+A_ROCKER = template_text("cam-rocker").partition("[summary]")[0]
+DIVIDED = "\ndimensions = { k = 4, m = 1 }\n" + CLOSED.replace('"3-4-5", over = 90', '"3-4-5", over = "pi/(k/2)*m"')
 
 CANNOT_BE = [
     (CLOSED, {"over_1": -5}, "over_1"),
@@ -37,14 +40,19 @@ CANNOT_BE = [
     (CLOSED, {"base_radius": -5}, "base_radius"),
     (CLOSED, {"base_radius": 0}, "base_radius"),
     (CLOSED, {"roller_radius": -3}, "roller_radius"),
+    (CLOSED, {"base_radius": 1, "roller_radius": 3}, "base_radius"),  # the slide passes the centre at 5
+    (A_ROCKER, {"rb": 161}, "rb"),  # farther than pivot and arm reach together
+    (A_ROCKER, {"c": 131}, "rb"),
     (BY_DIMENSIONS, {"d": 0}, "d"),
     (BY_DIMENSIONS, {"beta": -90}, "beta"),
     (BY_DIMENSIONS, {"beta": 250}, "over_3"),
+    (DIVIDED, {"k": 0}, "k"),
 ]
 CAN_BE = [
     (CLOSED, {"over_2": 149}),
     (OPEN, {"over_3": 210}),
     (CLOSED, {"roller_radius": 0}),
+    (CLOSED, {"base_radius": 1, "roller_radius": 5}),
     (BY_DIMENSIONS, {"d": 80, "beta": 100}),
 ]
 
@@ -79,7 +87,15 @@ def test_check_refuses_it_at_its_cell(text, typed, named):
 
 def test_check_says_it_in_the_words_of_a_description():
     said = []
-    for typed in ({"over_1": -5}, {"over_1": 400}, {"over_2": 150}, {"base_radius": 0}, {"roller_radius": -3}):
+    out_of_reach = {"base_radius": 1, "roller_radius": 3}
+    for typed in (
+        {"over_1": -5},
+        {"over_1": 400},
+        {"over_2": 150},
+        {"base_radius": 0},
+        {"roller_radius": -3},
+        out_of_reach,
+    ):
         laid = Laid(CLOSED).change(**typed)
         with pytest.raises(WorkbookError) as refused:
             inputs_in(book_of(laid.workbook), laid.values, laid.plan, "cam.xlsx")
@@ -90,6 +106,7 @@ def test_check_says_it_in_the_words_of_a_description():
         "nothing is left of the turn: the segments before end at 360°",
         "the radius of the base circle must be greater than 0",
         "a radius is not negative; 0 is a knife edge",
+        "the roller never touches a base circle of this radius",
     ]
 
 

@@ -9,10 +9,9 @@ from typing import Any
 from livesheet.formula.names import folded
 from livesheet.formula.nodes import symbols
 from livesheet.said import Said, say
-from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.force_names import CENTER, OF_MOTION
 from mechsheet.description.report import BAD, suggestion
-from mechsheet.description.scope import Scope
+from mechsheet.description.scope import Scope, part
 from mechsheet.description.text.index import Path
 from mechsheet.diagnostics import quoted
 from mechsheet.model import Exercise, Need, Vary
@@ -28,32 +27,30 @@ def read(data: Mapping[str, Any], summaries: Mapping[str, Any], driver: str, sco
     """The exercise, None where the description has none. `driver`: the driver's symbol."""
     if not data:
         return None
-    asked = _asked(data.get("asked", {}), summaries, driver, scope)
-    needs = _needs(data.get("need", ""), summaries, scope)
-    tolerance, not_live = data.get("tolerance", 1e-4), data.get("not_live", 0.5)
-    for key, value in (("tolerance", tolerance), ("not_live", not_live)):
-        if value is not BAD and not 0 <= value <= (1 if key == "not_live" else 0.1):
-            most = 1 if key == "not_live" else 0.1
+    asked = _asked(part(data, "asked", {}), summaries, driver, scope)
+    needs = _needs(part(data, "need", ""), summaries, scope)
+    tolerance, not_live = part(data, "tolerance", 1e-4), part(data, "not_live", 0.5)
+    for key, value, most in (("tolerance", tolerance, 0.1), ("not_live", not_live, 1)):
+        if not 0 <= value <= most:
             scope.report.at(
                 ("exercise", key), say("must lie between 0 and {most}, not {value:g}", most=most, value=value)
             )
     return Exercise(
         asked=asked,
-        vary=_varied(data.get("vary", {}), scope),
+        vary=_varied(part(data, "vary", {}), scope),
         need=needs,
-        tolerance=1e-4 if tolerance is BAD else float(tolerance),
+        tolerance=float(tolerance),
         follow_through=data.get("follow_through", True) is not False,
-        not_live=0.5 if not_live is BAD else float(not_live),
+        not_live=float(not_live),
     )
 
 
-def _asked(data: Any, summaries: Mapping[str, Any], driver: str, scope: Scope) -> dict[str, float]:
+def _asked(data: Mapping[str, Any], summaries: Mapping[str, Any], driver: str, scope: Scope) -> dict[str, float]:
     """Marks by what is asked. What drives is no question: its values are given, and so is a number taken of them."""
     found: dict[str, float] = {}
-    coordinates = [f"{point}.{axis}" for point in scope.points for axis in "xy"]
     forces = [name for name, what in scope.forces.items() if what not in (*OF_MOTION, CENTER)]
-    known = [*scope.variables, *coordinates, *scope.outputs, *scope.rates, *forces, *summaries]
-    for symbol, marks in ({} if data is BAD else data).items():
+    known = [*scope.variables, *scope.coordinates, *scope.outputs, *scope.rates, *forces, *summaries]
+    for symbol, marks in data.items():
         if symbol not in known and scope.complete:
             message = say(
                 "no variable, coordinate, rate, force, output or summary is called {symbol}", symbol=quoted(symbol)
@@ -68,7 +65,7 @@ def _asked(data: Any, summaries: Mapping[str, Any], driver: str, scope: Scope) -
                     "{symbol} is a dimension that follows from others; an output asks for it", symbol=quoted(symbol)
                 )
                 hint = _as_output(symbol, scope)
-            elif is_rate(symbol, scope) or symbol in scope.forces:
+            elif scope.is_rate(symbol) or symbol in scope.forces:
                 message = say("{symbol} can be asked for by an output that names it", symbol=quoted(symbol))
                 name = symbol.replace(".", "_")
                 hint = say('write {name} = "{symbol}" in [outputs], and ask for {name}', name=name, symbol=symbol)
@@ -96,10 +93,10 @@ def _as_output(symbol: str, scope: Scope) -> Said:
     return say("write {name} = {formula} in [outputs], and ask for {name}", name=name, formula=formula)
 
 
-def _varied(data: Any, scope: Scope) -> tuple[Vary, ...]:
+def _varied(data: Mapping[str, Any], scope: Scope) -> tuple[Vary, ...]:
     """The dimensions that vary, in their own units."""
     found = []
-    for symbol, span in ({} if data is BAD else data).items():
+    for symbol, span in data.items():
         path: Path = ("exercise", "vary", symbol)
         if scope.can_vary(symbol, path) and span is not BAD and BAD not in span:
             low, high, step = map(float, span)
@@ -109,18 +106,18 @@ def _varied(data: Any, scope: Scope) -> tuple[Vary, ...]:
     return tuple(found)
 
 
-def _needs(text: Any, summaries: Mapping[str, Any], scope: Scope) -> tuple[Need, ...]:
+def _needs(text: str, summaries: Mapping[str, Any], scope: Scope) -> tuple[Need, ...]:
     """What must hold: `all rows`, or comparisons of summaries joined by `and`."""
     path: Path = ("exercise", "need")
     found = []
-    for part in [] if text is BAD or not text.strip() else re.split(r"\band\b|,", text):
-        if " ".join(part.split()).lower() == ALL_ROWS:
+    for each in [] if not text.strip() else re.split(r"\band\b|,", text):
+        if " ".join(each.split()).lower() == ALL_ROWS:
             found.append(Need())
             continue
-        compared = _COMPARED.fullmatch(part)
+        compared = _COMPARED.fullmatch(each)
         if compared is None:
             hint = say('"{all_rows}", or a comparison such as "mu_min > 30"', all_rows=ALL_ROWS)
-            scope.report.at(path, say("{text} is no condition", text=quoted(part.strip())), hint)
+            scope.report.at(path, say("{text} is no condition", text=quoted(each.strip())), hint)
             continue
         sides = [scope.condition_side(side.strip(), path) for side in (compared[1], compared[3])]
         known = [*summaries, *scope.units]
@@ -130,5 +127,5 @@ def _needs(text: Any, summaries: Mapping[str, Any], scope: Scope) -> tuple[Need,
                     message = say("{name} is no summary and no dimension", name=quoted(name))
                     scope.report.at(path, message, suggestion(name, known, "allowed"))
         if sides[0] is not None and sides[1] is not None:
-            found.append(Need(sides[0], compared[2], sides[1], part.strip()))
+            found.append(Need(sides[0], compared[2], sides[1], each.strip()))
     return tuple(found)

@@ -10,7 +10,7 @@ from typing import Any
 from livesheet.formula.nodes import Call, Node, Symbol, symbols, transform
 from livesheet.said import say
 from mechsheet.description.report import BAD, suggestion
-from mechsheet.description.scope import Scope
+from mechsheet.description.scope import Scope, part
 from mechsheet.description.text.index import Path
 from mechsheet.diagnostics import quoted
 from mechsheet.model import EXTREME, POINT_RATES, Condition, Objective, Range, Study
@@ -35,9 +35,9 @@ def read(
     if not data:
         return None
     sample = "sobol" if data.get("sample") == "sobol" else "grid"
-    count = data.get("count", 0)
-    vary = _varied(data.get("vary", {}), sample, scope)
-    if sample == "sobol" and not count:
+    count = part(data, "count", 0)
+    vary = _varied(part(data, "vary", {}), sample, scope)
+    if sample == "sobol" and "count" not in data:
         scope.report.at(
             ("study",), say("a Sobol sample needs its number of designs"), say("for example count = 100_000")
         )
@@ -48,26 +48,26 @@ def read(
             scope.report.at(
                 ("study", key), say("belongs to a Sobol sample; a grid is all combinations"), say('sample = "sobol"')
             )
-    texts = enumerate([] if data.get("keep", BAD) is BAD else data["keep"])
+    texts = enumerate(part(data, "keep", []))
     keep = [_condition(text, ("study", "keep", at), bodies, summaries, scope) for at, text in texts if text is not BAD]
     return Study(
         vary=vary,
         sample="sobol" if sample == "sobol" else "grid",
-        count=0 if count is BAD else int(count),
-        seed=0 if data.get("seed", BAD) is BAD else int(data["seed"]),
+        count=int(count),
+        seed=int(part(data, "seed", 0)),
         keep=tuple(each for each in keep if each is not None),
         objectives=_objectives(data, summaries, scope),
-        best=50 if data.get("best", BAD) is BAD else int(data["best"]),
+        best=int(part(data, "best", 50)),
     )
 
 
 # --- what varies ------------------------------------------------------------------------------------------------------
 
 
-def _varied(data: Any, sample: str, scope: Scope) -> tuple[Range, ...]:
+def _varied(data: Mapping[str, Any], sample: str, scope: Scope) -> tuple[Range, ...]:
     """The ranges, in the units of their dimensions."""
     found = []
-    for symbol, given in ({} if data is BAD else data).items():
+    for symbol, given in data.items():
         path: Path = ("study", "vary", symbol)
         if scope.can_vary(symbol, path) and given is not BAD:
             one = _range(symbol, given, sample, path, scope)
@@ -171,8 +171,7 @@ def _condition(
 def _objectives(data: Mapping[str, Any], summaries: Mapping[str, Any], scope: Scope) -> tuple[Objective, ...]:
     found = []
     for key in ("minimize", "maximize"):
-        texts = data.get(key, [])
-        for at, text in enumerate([] if texts is BAD else texts):
+        for at, text in enumerate(part(data, key, [])):
             if text is not BAD and (node := _value(text, ("study", key, at), summaries, scope)) is not None:
                 found.append(Objective(" ".join(text.split()), node, key == "maximize"))
     if len(found) > MOST_OBJECTIVES:
@@ -194,15 +193,15 @@ def _value(text: str, path: Path, summaries: Mapping[str, Any], scope: Scope) ->
     tree = scope.condition_side(text, path)
     if tree is None:
         return None
-    rowwise = [*scope.variables, *(f"{point}.{axis}" for point in scope.points for axis in "xy"), *scope.outputs]
+    rowwise = [*scope.variables, *scope.coordinates, *scope.outputs]
     rowwise += [*scope.rates, *scope.forces]
     rowwise += [f"{point}.{part}" for point in scope.points for part in POINT_RATES if scope.moves]
 
-    def change(part: Node) -> Node:
-        match part:
+    def change(node: Node) -> Node:
+        match node:
             case Call("MIN" | "MAX" as function, (Symbol(name),)) if name in rowwise:
                 return Symbol(EXTREME.format(take=function.lower(), of=name))
-        return part
+        return node
 
     tree = transform(tree, change)
     known = [*summaries, *scope.units]

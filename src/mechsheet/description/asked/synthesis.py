@@ -20,7 +20,7 @@ from mechsheet.model import Dimension, Synthesis, TaskPlace
 from mechsheet.synthesis.kind import Kind
 from mechsheet.synthesis.kinds import KINDS, written
 from mechsheet.synthesis.writing import Task, Units, Writer
-from mechsheet.units import NUMBER, Unit, unit_of
+from mechsheet.units import NUMBER, Unit
 
 ROUNDING = "round_to"
 
@@ -61,7 +61,7 @@ def read(data: Any, given: Mapping[str, Any], scope: Scope, others: Iterable[str
     task = _task(data, given, scope)
     if task is None or any(f"{fault.key}.".startswith("synthesis.") for fault in scope.report.faults):
         return Found()  # also what was told before: it is not among the data
-    units = Units(unit_of(scope.length_unit, scope.length_unit), scope.angle_unit, NUMBER)
+    units = Units(scope.length, scope.angle_unit, NUMBER)
     plain = [symbol for symbol, entry in given.items() if _is_plain(entry)]
     scope.solved = True
     writer = written(data["kind"], task, units, frozenset((*given, *others)), plain)
@@ -120,7 +120,7 @@ def unit_in(place: TaskPlace, kind: Kind, scope: Scope) -> Unit:
             return scope.angle_unit
         case "number":
             return NUMBER
-    return unit_of(scope.length_unit, scope.length_unit)
+    return scope.length
 
 
 def _is_plain(entry: Any) -> bool:

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from typing import Any
 
 from livesheet.said import say
-from mechsheet.description.driving.rates import is_rate
 from mechsheet.description.report import BAD, suggestion
 from mechsheet.description.requests import check_column
 from mechsheet.description.scope import Scope
@@ -84,7 +83,7 @@ def _check(name: Any, before: list[Any], given: set[str], path: Path, scope: Sco
         return
     if name not in scope.summaries:
         check_column(name, path, scope)
-    if _reads_rates(of, scope):
+    if scope.reads_rates(of):
         message = say(
             "{name} is, or reads, a velocity, an acceleration or a force: bands are found of positions only",
             name=quoted(name),
@@ -107,7 +106,7 @@ def _check(name: Any, before: list[Any], given: set[str], path: Path, scope: Sco
 
 def _known(name: str, scope: Scope) -> bool:
     return (
-        name in scope.variables or name in scope.outputs or "." in name or is_rate(name, scope) or name in scope.forces
+        name in scope.variables or name in scope.outputs or "." in name or scope.is_rate(name) or name in scope.forces
     )
 
 
@@ -120,16 +119,12 @@ def _report_unknown(name: str, path: Path, scope: Scope) -> None:
         scope.report.at(path, message, suggestion(name, known, "allowed"))
 
 
-def _reads_rates(name: str, scope: Scope) -> bool:
-    return is_rate(name, scope) or name in scope.forces or name in scope.of_rates
-
-
 def _has_positions(name: str, given: set[str], scope: Scope) -> bool:
     """Whether an output or a summary is of positions, and changes as they do."""
     if name in scope.takes and not scope.takes[name].linear:
         return False
     of = scope.summaries.get(name, name)
-    return of is not BAD and not _reads_rates(of, scope) and of not in given and of.partition(".")[0] not in scope.fixed
+    return of is not BAD and not scope.reads_rates(of) and of not in given and of.partition(".")[0] not in scope.fixed
 
 
 def _example(given: set[str], scope: Scope) -> str:

@@ -18,7 +18,7 @@ from mechsheet.description.scope import Scope, circle_message, cycles, own_cell
 from mechsheet.description.text.index import Path
 from mechsheet.diagnostics import quoted
 from mechsheet.model import Dimension, Driver, FurtherDriver, Joint, Link, Quantity, TableRequest
-from mechsheet.units import Unit, unit_of
+from mechsheet.units import Unit
 
 LANDS = 1e-9
 """`stop` counts as reached when the steps miss it by this part of a step."""
@@ -53,6 +53,10 @@ def rows_of(driver: Driver, scope: Scope) -> int | None:
     start, stop, step = (scope.number(part) for part in (driver.start, driver.stop, driver.step))
     if not all(map(math.isfinite, (start, stop, step))) or step == 0:
         return None
+    return _rows(start, stop, step)
+
+
+def _rows(start: float, stop: float, step: float) -> int:
     return math.floor((stop - start) / step + LANDS) + 1
 
 
@@ -70,7 +74,7 @@ def _slides(data: dict[str, Any]) -> bool:
 def kind_and_unit(data: dict[str, Any], scope: Scope) -> tuple[str, Unit]:
     """What the driver's values are, ANGLE or LENGTH, and the unit in which they are written."""
     if _slides(data) and "segments" not in data:
-        return LENGTH, unit_of(scope.length_unit, scope.length_unit)
+        return LENGTH, scope.length
     return ANGLE, scope.angle_unit
 
 
@@ -151,7 +155,7 @@ def check_sweep(start: float, stop: float, step: float, data: dict[str, Any], sc
         if stop > start:
             message = say("a step of {step} never leads from {start} to {stop}: it must be positive", **shown)
         scope.report.at(path, message)
-    elif (rows := math.floor((stop - start) / step + LANDS) + 1) > MOST_ROWS:
+    elif (rows := _rows(start, stop, step)) > MOST_ROWS:
         message = say(
             "the sweep has {rows:,} rows; a sheet holds at most {most:,} below its headings",
             rows=rows,

@@ -13,7 +13,7 @@ Source: Norton, Design of Machinery, chapter 8 (cam functions); Soeylemez, Mecha
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from livesheet.formula import algebra as al
@@ -62,13 +62,26 @@ assert _LAWS.keys() == {*LAWS}
 
 
 @dataclass(frozen=True, slots=True)
-class Timed:
-    """The motion of a driver by a law; speed and acceleration, and the cells of all this, as of `rates.Motion`."""
+class Motion:
+    """How the driver moves, by a law or not: see `Driver`; `dimensions` are those of its own that are cells."""
 
-    law: Law
     speed: Node
     acceleration: Node
     dimensions: tuple[Dimension, ...]
+    law: Law | None = None
+    speeds: tuple[Quantity, ...] = ()
+    accelerations: tuple[Quantity, ...] = ()
+
+    def of(self, driver: Driver) -> Driver:
+        """The driver, moving so."""
+        return replace(
+            driver,
+            speed=self.speed,
+            acceleration=self.acceleration,
+            law=self.law,
+            speeds=self.speeds,
+            accelerations=self.accelerations,
+        )
 
 
 def declare(data: dict[str, Any], scope: Scope) -> None:
@@ -91,7 +104,7 @@ def declare(data: dict[str, Any], scope: Scope) -> None:
 
 def read(
     data: dict[str, Any], driver: Driver, names: tuple[str, str], units: tuple[Unit, Unit], scope: Scope
-) -> Timed | None:
+) -> Motion | None:
     """The motion, when no fault hides it. `names`, `units`: of the driver's speed and acceleration."""
     given = data["motion"]
     if given is BAD or "values" in data:
@@ -124,7 +137,7 @@ def read(
             tree = Symbol(name)
         made.append(tree)
     where = al.add(Symbol(START), al.mul(way, value))
-    return Timed(Law(law, rows, START, STOP, DURATION, where), made[0], made[1], tuple(cells))
+    return Motion(made[0], made[1], tuple(cells), Law(law, rows, START, STOP, DURATION, where))
 
 
 def _cell(symbol: str, value: Quantity, unit: Unit, written: Any, key: str) -> Dimension:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from livesheet.formula import algebra as al
@@ -10,6 +9,7 @@ from livesheet.formula.derivatives import derivative
 from livesheet.formula.nodes import Call, Node, Symbol, symbols, walk
 from livesheet.said import reason, say
 from mechsheet.description.driving import motion_laws
+from mechsheet.description.driving.motion_laws import Motion
 from mechsheet.description.force_names import OF_MOTION
 from mechsheet.description.kinds import ANY
 from mechsheet.description.report import BAD, suggestion
@@ -18,7 +18,7 @@ from mechsheet.description.text.index import Path
 from mechsheet.description.text.numbers import measured
 from mechsheet.description.text.rewrite import OWN_CELLS
 from mechsheet.diagnostics import quoted
-from mechsheet.model import POINT_RATES, Dimension, Driver, Joint, Law, Link, Quantity, rate_symbols
+from mechsheet.model import Dimension, Driver, Joint, Link, Quantity, rate_symbols
 from mechsheet.units import RAD, Unit
 
 _SIXTIETH = al.div(al.PI, al.number(30.0))
@@ -31,29 +31,6 @@ _WITH_CORNERS = {"ABS": "abs", "SIGN": "sign", "MIN": "min", "MAX": "max", "IF":
 """Functions without a derivative somewhere, and what a description calls them."""
 
 Key = Literal["speed", "acceleration"]
-
-
-@dataclass(frozen=True, slots=True)
-class Motion:
-    """How the driver moves: see `Driver`; `dimensions` are those of its own that are cells."""
-
-    speed: Node
-    acceleration: Node
-    dimensions: tuple[Dimension, ...]
-    law: Law | None = None
-    speeds: tuple[Quantity, ...] = ()
-    accelerations: tuple[Quantity, ...] = ()
-
-    def of(self, driver: Driver) -> Driver:
-        """The driver, moving so."""
-        return replace(
-            driver,
-            speed=self.speed,
-            acceleration=self.acceleration,
-            law=self.law,
-            speeds=self.speeds,
-            accelerations=self.accelerations,
-        )
 
 
 def declare(links: tuple[Link, ...], joints: tuple[Joint, ...], driver: Driver | None, data: Any, scope: Scope) -> None:
@@ -96,8 +73,7 @@ def motion(data: dict[str, Any], links: tuple[Link, ...], driver: Driver, scope:
     names = _names(links, driver)
     if "motion" in data:
         units = (_unit("speed", driver, scope), _unit("acceleration", driver, scope))
-        timed = motion_laws.read(data, driver, names, units, scope)
-        return None if timed is None else Motion(timed.speed, timed.acceleration, timed.dimensions, timed.law)
+        return motion_laws.read(data, driver, names, units, scope)
     speed, cells = _rate("speed", data["speed"], names[0], driver, scope)
     acceleration: Node | None
     if "acceleration" in data:
@@ -138,7 +114,7 @@ def _listed(key: Key, given: Any, data: dict[str, Any], driver: Driver, scope: S
 
 def _unit(key: Key, driver: Driver, scope: Scope) -> Unit:
     """Radians or lengths per second, per second squared."""
-    unit = Unit("length", scope.length_unit) if driver.joint else RAD
+    unit = scope.length if driver.joint else RAD
     return unit.per_time() if key == "speed" else unit.per_time().per_time()
 
 
@@ -240,27 +216,13 @@ def points(data: dict[str, Any], scope: Scope) -> tuple[str, ...] | None:
         if name is BAD:
             continue
         if name not in scope.points:
-            scope.report.at(
-                path, say("no point is called {name}", name=quoted(name)), suggestion(name, scope.points, "points")
-            )
+            scope.no_point(name, path)
         elif name in scope.fixed:
-            moving = [point for point in scope.points if point not in scope.fixed]
-            message = say("{name} is a point of the ground: it does not move", name=quoted(name))
-            scope.report.at(path, message, suggestion("", moving, "moving points"))
+            scope.still(say("{name} is a point of the ground: it does not move", name=quoted(name)), path)
         elif name in found:
             scope.report.at(path, say("{name} is listed twice", name=quoted(name)))
         found.append(name)
     return tuple(found)
-
-
-def is_rate(name: str, scope: Scope) -> bool:
-    """True for omega13, s14.v, theta13.d, C.vx."""
-    owner, dot, part = name.partition(".")
-    if name in scope.rates:
-        return True
-    return bool(dot) and (
-        (owner in scope.variables and part in ("d", "dd")) or (owner in scope.points and part in POINT_RATES)
-    )
 
 
 def known(name: str, path: Path, scope: Scope) -> bool:
@@ -272,7 +234,7 @@ def known(name: str, path: Path, scope: Scope) -> bool:
             )
             scope.report.at(path, message, say("write `speed` in [driver]"))
         return True
-    if not is_rate(name, scope) or name in scope.units or name in scope.outputs:
+    if not scope.is_rate(name) or name in scope.units or name in scope.outputs:
         return False
     check_speed(name, path, scope)
     return True

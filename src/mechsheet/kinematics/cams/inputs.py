@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Node, Number, symbols
+from livesheet.formula.nodes import Binary, Call, Node, Number, symbols, walk
 from livesheet.said import Said, say
 from mechsheet.kinematics.cams.segments import MEETING
 from mechsheet.kinematics.dimensions import dimension_order
@@ -28,6 +30,7 @@ class Asked:
     why     what is said where it is not, of the angle [degrees] that is a whole turn less the margin
     zero    whether 0 will do, too
     begins  where a segment begins that must end within the turn: of one that begins beyond it an earlier one is told
+    reads   the inputs that are read where the margin may have no value although they are numbers, as 360/k has none
     """
 
     symbol: str
@@ -35,6 +38,7 @@ class Asked:
     why: Callable[[float], Said]
     zero: bool = False
     begins: Node = al.ZERO
+    reads: tuple[str, ...] = ()
 
     @property
     def holds(self) -> Binary:
@@ -56,13 +60,19 @@ def asked_by_cam(mechanism: Mechanism) -> tuple[Asked, ...]:
         found += [Asked(symbol, radius, _base_circle) for symbol in reads.first_of(radius)]
         wheel = al.as_node(mechanism.cam.radius or 0.0)
         found += [Asked(symbol, wheel, _roller, zero=True) for symbol in reads.first_of(wheel)]
+        touches = mechanism.cam.touches
+        if (
+            touches is not None
+        ):  # the offset may be too large as well as the base circle too small: one of them is named
+            named = reads.first_of(radius) or reads.first_of(touches)
+            found += [Asked(symbol, touches, _out_of_reach, zero=True) for symbol in named]
     if mechanism.segments is not None:
         found += _of_segments(mechanism.segments, reads)
-    return tuple(found)
+    return tuple(replace(each, reads=reads.divided(each.margin)) if each.begins == al.ZERO else each for each in found)
 
 
 def refused_by_cam(mechanism: Mechanism, typed: Mapping[str, float]) -> Iterator[tuple[Asked, Said]]:
-    """What does not hold with such inputs, and how that is said. What follows from no number is told elsewhere."""
+    """Of each input the first thing that does not hold, and how that is said."""
     asked = asked_by_cam(mechanism)
     if not asked:
         return
@@ -74,11 +84,14 @@ def refused_by_cam(mechanism: Mechanism, typed: Mapping[str, float]) -> Iterator
             values[symbol] = typed[symbol] if isinstance(quantity, float) else number(quantity, values)
         except (ArithmeticError, ValueError):  # the start has no place on a base circle that cannot be
             values[symbol] = math.nan
+    told: set[str] = set()
     for each in asked:
-        margin = float(value(each.margin, values))
-        if each.earlier is not None and value(each.earlier, values):
-            continue
-        if margin < 0 or (margin == 0 and not each.zero):
+        with np.errstate(all="ignore"):
+            margin = float(value(each.margin, values))
+            if each.earlier is not None and (math.isnan(margin) or value(each.earlier, values)):
+                continue
+        if each.symbol not in told and not (0 < margin < math.inf or (margin == 0 and each.zero)):
+            told.add(each.symbol)
             yield each, each.why(math.degrees(math.tau - margin))
 
 
@@ -105,6 +118,21 @@ class _Inputs:
     def __init__(self, mechanism: Mechanism) -> None:
         self.dimensions = {dim.symbol: dim.value for dim in mechanism.dimensions}
 
+    def divided(self, node: Node) -> tuple[str, ...]:
+        """All that are read, where what follows from them may have no value although all are numbers; else none."""
+        trees, found = [node], []
+        for tree in trees:
+            for symbol in symbols(tree):
+                given = self.dimensions.get(symbol)
+                if isinstance(given, float):
+                    found.append(symbol)
+                elif given is not None:
+                    trees.append(given)
+        fails = any(
+            isinstance(part, Call) or getattr(part, "op", "") in ("/", "^") for tree in trees for part in walk(tree)
+        )
+        return tuple(dict.fromkeys(found)) if fails else ()
+
     def first_of(self, node: Node) -> tuple[str, ...]:
         """The first input that is read, as a tuple of one; none by what reads none."""
         for symbol in symbols(node):
@@ -117,6 +145,10 @@ class _Inputs:
 
 def _base_circle(_: float) -> Said:
     return say("the radius of the base circle must be greater than 0")
+
+
+def _out_of_reach(_: float) -> Said:
+    return say("the roller never touches a base circle of this radius")
 
 
 def _roller(_: float) -> Said:

@@ -10,11 +10,13 @@ Parallel lines do not meet, or coincide and leave the position undetermined: #N/
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from livesheet.diagnostics import Fault
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Call, Node, Symbol
-from livesheet.formula.vectors import cross
+from livesheet.formula.vectors import Vector, cross
 from livesheet.said import say
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.assur import Dyad, Pin
@@ -31,13 +33,32 @@ PARALLEL = 1e-12
 """Lines whose directions differ by less [rad] count as parallel."""
 
 
-def meet(
-    ledger: Ledger, e: tuple[Node, Node], delta1: Angle, delta2: Angle, names: tuple[str, str]
-) -> tuple[Node, Node, Node, str, Node | None]:
-    """(k1, k2, D, symbol that is a number where the lines meet, condition for lines that coincide).
+@dataclass(frozen=True, slots=True)
+class _Meeting:
+    """Two lines with displacements of these names meet k1 and k2 along them; `sine`: D.
 
-    Raises MechanismError for lines that are parallel whatever the dimensions.
+    closes    symbol that is a number where they meet, "" where they always do
+    parallel  the condition for lines that coincide
     """
+
+    names: tuple[str, str]
+    k1: Node
+    k2: Node
+    sine: Node
+    closes: str
+    parallel: Node | None
+
+    def solved(self, poses: Poses, dyad: Dyad, pin: str, turned: bool) -> Solved:
+        """What is known of the dyad."""
+        label = phrase("group_two_slides", links=poses.both(dyad), pin=pin, slides=", ".join(self.names))
+        return Solved(
+            "", ONE_ASSEMBLY, self.closes or self.names[0], None, (pin,), self.names, label,
+            lines_cross(self.sine, turned), degenerate=self.parallel,
+        )  # fmt: skip
+
+
+def _meet(ledger: Ledger, e: Vector, delta1: Angle, delta2: Angle, names: tuple[str, str]) -> _Meeting:
+    """Raises MechanismError for lines that are parallel whatever the dimensions."""
     sine = al.sin(delta2 - delta1)
     e_x = ledger.hoist("e_x", e[0], LENGTH, phrase("between_lines", axis="x"))
     e_y = ledger.hoist("e_y", e[1], LENGTH, phrase("between_lines", axis="y"))
@@ -48,17 +69,11 @@ def meet(
     fixed = al.value_of(sine)
     parallel: Node | None = None
     if fixed is not None and abs(fixed) < PARALLEL:
-        raise MechanismError(
-            Fault(
-                say(
-                    "the lines of {first} and {second} are parallel in every position: they never meet",
-                    first=names[0],
-                    second=names[1],
-                ),
-                key="joints",
-                hint=say("change the angle of one of them"),
-            )
-        )
+        message = say(
+            "the lines of {first} and {second} are parallel in every position: they never meet",
+            first=names[0], second=names[1],
+        )  # fmt: skip
+        raise MechanismError(Fault(message, key="joints", hint=say("change the angle of one of them")))
     if fixed is not None:
         d: Node = sine
         closes = ""
@@ -68,7 +83,7 @@ def meet(
         column = ledger.column("D", sine, NUMBER, phrase("sine_where_they_meet"), [crossing])
         parallel = Call("AND", (crossing.fails, al.less(Call("ABS", (across(delta2),)), ledger.tolerance)))
         d, closes = column, column.name
-    return al.div(across(delta2), d), al.div(across(delta1), d), d, closes, parallel
+    return _Meeting(names, al.div(across(delta2), d), al.div(across(delta1), d), d, closes, parallel)
 
 
 def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
@@ -82,20 +97,13 @@ def solve_prp(poses: Poses, dyad: Dyad) -> Solved:
         for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True)
     ]
     e = (al.sub(starts[1][0], starts[0][0]), al.sub(starts[1][1], starts[0][1]))
-    k1, k2, sine, closes, parallel = meet(
-        poses.ledger, e, guides[0].delta, guides[1].delta, (guides[0].symbol, guides[1].symbol)
-    )
-    for guide, k in zip(guides, (k1, k2), strict=True):
+    names = guides[0].symbol, guides[1].symbol
+    meeting = _meet(poses.ledger, e, guides[0].delta, guides[1].delta, names)
+    for guide, k in zip(guides, (meeting.k1, meeting.k2), strict=True):
         poses.displacement(guide.symbol, guide.signed(k))
     for assembly, guide in zip((dyad.first, dyad.second), guides, strict=True):
         poses.fix_on_guide(assembly, guide, Symbol(guide.symbol))
-    symbols = f"{guides[0].symbol}, {guides[1].symbol}"
-    return Solved(
-        "", ONE_ASSEMBLY, closes or guides[0].symbol, None, (inner.point,),
-        (guides[0].symbol, guides[1].symbol),
-        phrase("group_two_slides", links=poses.both(dyad), pin=inner.point, slides=symbols),
-        lines_cross(sine, turned=guides[0].sign == guides[1].sign), degenerate=parallel,
-    )  # fmt: skip
+    return meeting.solved(poses, dyad, inner.point, turned=guides[0].sign == guides[1].sign)
 
 
 def _pin_line(poses: Poses, assembly: tuple[str, ...], guide: Guide, pin: str) -> tuple[Node, Node]:
@@ -134,14 +142,9 @@ def solve_rpp(poses: Poses, dyad: Dyad) -> Solved:
     xp, yp = poses.xy[p]
     e = (al.sub(al.add(xp, x1), al.add(guide.x, x2)), al.sub(al.add(yp, y1), al.add(guide.y, y2)))
     # guide + k1 d1 + (fixed) + sign s d2 = P + (own):  k1 d1 = e - k2 d2 with k2 = sign s, so k2 enters with a minus.
-    k1, k2, sine, closes, parallel = meet(ledger, e, guide.delta, delta, (guide.symbol, joint.symbol))
-    poses.displacement(guide.symbol, guide.signed(k1))
-    poses.displacement(joint.symbol, al.neg(k2) if sign > 0 else k2)
+    meeting = _meet(ledger, e, guide.delta, delta, (guide.symbol, joint.symbol))
+    poses.displacement(guide.symbol, guide.signed(meeting.k1))
+    poses.displacement(joint.symbol, al.neg(meeting.k2) if sign > 0 else meeting.k2)
     poses.fix_on_guide(dyad.second, guide, Symbol(guide.symbol))
     poses.fix(dyad.first, angle, poses.point(dyad.first, p), xp, yp)
-    symbols = f"{guide.symbol}, {joint.symbol}"
-    return Solved(
-        "", ONE_ASSEMBLY, closes or guide.symbol, None, (p,), (guide.symbol, joint.symbol),
-        phrase("group_two_slides", links=poses.both(dyad), pin=p, slides=symbols),
-        lines_cross(sine, turned=guide.sign != sign), degenerate=parallel,
-    )  # fmt: skip
+    return meeting.solved(poses, dyad, p, turned=guide.sign != sign)

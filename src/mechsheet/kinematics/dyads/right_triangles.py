@@ -5,6 +5,7 @@ from __future__ import annotations
 from livesheet.formula import algebra as al
 from livesheet.formula.algebra import Angle
 from livesheet.formula.nodes import Binary, Call, Node
+from livesheet.said import Words
 from mechsheet.kinematics.assur import Dyad, Pin
 from mechsheet.kinematics.dyads.solved import Solved, along_and_across, half_turn_unless, known_way, leg, leg_left
 from mechsheet.kinematics.equations import Condition
@@ -44,12 +45,8 @@ def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
     poses.displacement(joint.symbol, al.sub(al.mul(mode, w), ahead))
     delta = Angle(al.sub(phi, half_turn_unless(mode)))
     if not al.is_zero(h):
-        chi = ledger.column(
-            "chi",
-            al.atan2(w, h),
-            ANGLE,
-            phrase("angle_between", start=p, end=q, symbol=joint.symbol),
-        )
+        words = phrase("angle_between", start=p, end=q, symbol=joint.symbol)
+        chi = ledger.column("chi", al.atan2(w, h), ANGLE, words)
         delta = delta - Angle(al.mul(mode, chi))
     on_angle = delta - angle_of(joint.angle) - poses.members[slide.on].angle
     poses.fix(carrier, on_angle, poses.point(carrier, p), xp, yp)
@@ -57,10 +54,7 @@ def solve_rpr(poses: Poses, dyad: Dyad) -> Solved:
     poses.fix(slider, line - poses.members[slide.body].angle, poses.point(slider, q), xq, yq)
     return Solved(
         mode.name,
-        (
-            phrase("larger_of_two", symbol=joint.symbol),
-            phrase("smaller_of_two", symbol=joint.symbol),
-        ),
+        _larger_or_smaller(joint.symbol),
         closes=w.name,
         apart=w,
         pins=(p, q),
@@ -79,10 +73,9 @@ def _offsets(
 ) -> tuple[Node, Node]:
     """(along, across) of the way P -> line's origin plus moving point -> Q, in the line's frame."""
     joint = slide.joint
-    name = "guide"
-    through = poses.in_assembly(slide.on, poses.through(joint), name)
+    through = poses.in_assembly(slide.on, poses.through(joint), "guide")
     start = through - poses.point(carrier, p)
-    moving = poses.in_assembly(slide.body, poses.own_point(slide.body, joint.point), f"{name}_block")
+    moving = poses.in_assembly(slide.body, poses.own_point(slide.body, joint.point), "guide_block")
     end = poses.point(slider, q) - moving
     line = poses.members[slide.on].angle + angle_of(joint.angle)
     start_along, start_across = start.turned(-line)
@@ -118,25 +111,11 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
     guide = poses.guide(slide, dyad.second)
     mode = ledger.mode()
     offset_x, offset_y = (poses.point(dyad.second, r) - guide.moving).turned(guide.angle)
-    e_x = ledger.hoist(
-        "e_x",
-        al.sub(al.add(guide.x, offset_x), xp),
-        LENGTH,
-        phrase("to_guide", point=p, axis="x"),
-    )
-    e_y = ledger.hoist(
-        "e_y",
-        al.sub(al.add(guide.y, offset_y), yp),
-        LENGTH,
-        phrase("to_guide", point=p, axis="y"),
-    )
+    x, y = al.sub(al.add(guide.x, offset_x), xp), al.sub(al.add(guide.y, offset_y), yp)
+    e_x = ledger.hoist("e_x", x, LENGTH, phrase("to_guide", point=p, axis="x"))
+    e_y = ledger.hoist("e_y", y, LENGTH, phrase("to_guide", point=p, axis="y"))
     along, across = along_and_across(e_x, e_y, guide.delta)
-    t = ledger.hoist(
-        "t",
-        along,
-        LENGTH,
-        phrase("along_guide", point=p),
-    )
+    t = ledger.hoist("t", along, LENGTH, phrase("along_guide", point=p))
     n = ledger.hoist("n", across, LENGTH, phrase("across_guide", point=p))
     separate = Condition(a, ledger.tolerance)  # pins that coincide leave the link free to turn about them
     w = leg(ledger, "w", a, n, phrase("arm_along_guide", start=p, end=r), separate)
@@ -150,10 +129,7 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
     poses.fix(dyad.second, guide.angle, poses.point(dyad.second, r), xr, yr)
     return Solved(
         mode.name,
-        (
-            phrase("larger_of_two", symbol=guide.symbol),
-            phrase("smaller_of_two", symbol=guide.symbol),
-        ),
+        _larger_or_smaller(guide.symbol),
         closes=w.name,
         apart=w,
         pins=(p, r),
@@ -163,3 +139,8 @@ def solve_rrp(poses: Poses, dyad: Dyad) -> Solved:
         transmission=psi.name,
         sides=(a, n),
     )
+
+
+def _larger_or_smaller(symbol: str) -> tuple[Words, Words]:
+    """What tells the two assemblies: the displacement."""
+    return phrase("larger_of_two", symbol=symbol), phrase("smaller_of_two", symbol=symbol)

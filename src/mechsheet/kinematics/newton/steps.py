@@ -53,18 +53,14 @@ class Steps:
         self.besides = listed_values(mechanism, dimension_values(mechanism), driver)
         self.mechanism, self.equations, self.driver, self.sweep = mechanism, equations, driver, sweep
         self.parts = max((parts for parts in FINER if parts * len(driver) <= MOST_ROWS), default=1)
-        finest = self._followed(driver, with_passes(equations, MOST_PASSES), self.parts)
+        finest = self._followed(with_passes(equations, MOST_PASSES), self.parts)
         self.truth = [column[:: self.parts] for column, _ in finest]
         self.reached = [there[:: self.parts] for _, there in finest]
 
-    def _at(self, driver: Array, equations: Equations, parts: int) -> list[Array]:
-        """The unknowns at these values of the driver, followed in steps divided into so many parts."""
-        return [column[::parts] for column, _ in self._followed(driver, equations, parts)]
-
-    def _followed(self, driver: Array, equations: Equations, parts: int) -> list[tuple[Array, NDArray[np.bool_]]]:
-        """The unknowns in these smaller steps, each with where it has been followed to."""
-        rows = np.arange(len(driver), dtype=float)
-        places = np.arange((len(driver) - 1) * parts + 1) / parts
+    def _followed(self, equations: Equations, parts: int) -> list[tuple[Array, NDArray[np.bool_]]]:
+        """The unknowns in steps divided into so many parts, each with where it has been followed to."""
+        rows = np.arange(len(self.driver), dtype=float)
+        places = np.arange((len(self.driver) - 1) * parts + 1) / parts
 
         def listed(column: Array) -> tuple[float, ...]:
             return tuple(float(value) for value in interpolated(places, rows, column))
@@ -73,7 +69,7 @@ class Steps:
         drivers = tuple(
             replace(other, values=besides[other.symbol]) if other.values else other for other in self.mechanism.drivers
         )
-        path = interpolated(places, rows, driver)
+        path = interpolated(places, rows, self.driver)
         finer = replace(self.mechanism, driver=at_values(self.mechanism.driver, path), drivers=drivers)
         own = _finer(equations, parts)
         given: dict[str, Array] = {symbol: np.array(column) for symbol, column in besides.items()}
@@ -91,7 +87,7 @@ class Steps:
         """The rows with these equations, in steps divided into so many parts."""
         lost = np.zeros(len(self.driver), dtype=bool)
         elsewhere = lost.copy()
-        columns = self._at(self.driver, equations, parts)
+        columns = [column[::parts] for column, _ in self._followed(equations, parts)]
         for true, reached, own in zip(self.truth, self.reached, columns, strict=True):
             gap = np.abs(own - true)
             lost |= np.isnan(own) & reached

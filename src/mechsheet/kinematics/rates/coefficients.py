@@ -13,7 +13,7 @@ Source: Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, section 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Container, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from livesheet.diagnostics import Fault
@@ -23,7 +23,7 @@ from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols,
 from livesheet.formula.vectors import Vector, cross, minus, size
 from livesheet.said import Words, say
 from mechsheet.diagnostics import MechanismError
-from mechsheet.kinematics.assur import Drive, Dyad, Order, Pin
+from mechsheet.kinematics.assur import Drive, Dyad, Order
 from mechsheet.kinematics.cams.profile import Contact, write_cam
 from mechsheet.kinematics.dyads.solved import Determinant, Solved
 from mechsheet.kinematics.equations import Fit
@@ -322,9 +322,8 @@ class _Writer:
             once, twice = (self._cramer(meeting, order) for order in (1, 2))
             self._solve(solved, meeting, once, twice, timed=False)
             return
-        pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
         for force in (False, True):
-            meeting = self.motions.meet(dyad, {pin: self._outer(pin, force) for pin in pins})
+            meeting = self.motions.meet(dyad, {pin: self._outer(pin, force) for pin in dyad.outer_pins})
             once, twice = (self._cramer(meeting, order) for order in (1, 2))
             longest = max(map(self.columns.length, (*once.right, *twice.right)))
             if longest <= LONGEST:
@@ -398,12 +397,13 @@ class _Writer:
             found.append(self.columns.hoist(f"{base}_{axis}", node, unit, label))
         return found[0], found[1]
 
-    def _rates(self, symbol: str, own: Rate, turns: bool) -> None:
-        """omega, alpha of an angle, which `turns`; velocity and acceleration of a displacement."""
+    def _rates(self, symbol: str, own: Rate, turns: bool, only: Container[str] | None = None) -> None:
+        """omega, alpha of an angle, which `turns`; velocity and acceleration of a displacement. `only`: those of them."""
         names, by_time = rate_symbols(symbol, turns), own.by_time(self._driven)
         for order, (name, node) in enumerate(zip(names, by_time.both, strict=True), 1):
-            words = self._rate_words(symbol, turns, order)
-            self.ledger.define(name, node, self._rate_unit(turns, order), words, "rate")
+            if only is None or name in only:
+                words = self._rate_words(symbol, turns, order)
+                self.ledger.define(name, node, self._rate_unit(turns, order), words, "rate")
 
     def _rate_words(self, symbol: str, turns: bool, order: int) -> Words:
         if not turns:
@@ -447,12 +447,8 @@ class _Writer:
             return
         own_column = turns and not al.is_simple(own.first) and own.first not in self.shown
         self.shown.add(own.first)
-        for order, node in enumerate(own.by_time(self._driven).both, 1):
-            name = rate_symbols(symbol, turns)[order - 1]
-            if (name in self.asked or own_column) and name not in self.ledger.values:
-                self.ledger.define(
-                    name, node, self._rate_unit(turns, order), self._rate_words(symbol, turns, order), "rate"
-                )
+        names = [name for name in rate_symbols(symbol, turns) if name in self.asked or own_column]
+        self._rates(symbol, own, turns, only={name for name in names if name not in self.ledger.values})
 
     def _columns_of(self, point: str, found: PointRate) -> PointRate:
         """A point's coefficients as columns."""
@@ -503,8 +499,8 @@ class _Writer:
             if dyad.frame:
                 meeting = pairs[self.order.pair(dyad.frame)].meet_within(dyad)
             else:
-                pins = [contact.point for contact in dyad.outer if isinstance(contact, Pin)]
-                meeting = motions.meet(dyad, {pin: motions.of_point(pin, self.columns.length) for pin in pins})
+                pins = {pin: motions.of_point(pin, self.columns.length) for pin in dyad.outer_pins}
+                meeting = motions.meet(dyad, pins)
             left, right = meeting.ways
             found[number] = Fit(minus(left.first, right.first), minus(left.second, right.second))
         turning = {link.angle_symbol: motions.turning[link.name].both for link in self.mechanism.links[1:]}

@@ -142,17 +142,13 @@ class Motions:
 
     # --- points -----------------------------------------------------------------------------------------------
 
-    def coordinates(self, point: str) -> Vector:
-        """Of a solved point."""
-        return self.poses.xy[point]
-
     def of_point(self, point: str, length: Callable[[Node], float]) -> PointRate:
         """The rates of a point: its own columns, or the shortest way to write them, measured by `length`."""
         own = self.rates.of_point(point)
         if own is not None:
             return own
         bodies = [body for body in self.poses.graph.bodies_at(point) if body in self.motion]
-        ways = [self.motion[body](self.coordinates(point)) for body in bodies]
+        ways = [self.motion[body](self.poses.xy[point]) for body in bodies]
         return min(ways, key=lambda way: sum(map(length, (*way.first, *way.second))))
 
     # --- bodies -----------------------------------------------------------------------------------------------
@@ -171,7 +167,7 @@ class Motions:
         if isinstance(drive.joint, Pin):
             pin = drive.joint.point
             turning = self.turning[drive.base] + (rate if drive.positive else -rate)
-            self._turns(drive.moving, pin, self.motion[drive.base](self.coordinates(pin)), turning)
+            self._turns(drive.moving, pin, self.motion[drive.base](self.poses.xy[pin]), turning)
         else:
             self._slides(drive.moving, drive.joint, rate)
 
@@ -181,7 +177,7 @@ class Motions:
             if isinstance(held.at, Slide):
                 self._slides(held.body, held.at, rates[held.variable])
                 continue
-            at = self.coordinates(held.at)
+            at = self.poses.xy[held.at]
             moves = self.rates.of_point(held.at)
             if moves is None:
                 carrier = next(body for body in self.poses.graph.bodies_at(held.at) if body in self.motion)
@@ -212,7 +208,7 @@ class Motions:
 
     def _turns(self, body: str, pin: str, moves: PointRate, turning: Rate) -> None:
         self.turning[body] = turning
-        self.motion[body] = about(self.coordinates(pin), moves, turning)
+        self.motion[body] = about(self.poses.xy[pin], moves, turning)
 
     def _slides(self, body: str, slide: Slide, rate: Rate) -> None:
         """A body on another whose motion is known; a positive displacement moves `slide.body` on `slide.on`."""
@@ -243,7 +239,7 @@ class Motions:
                 for point in self.poses.graph.points[body]
                 if point in self.poses.graph.points[other]
             )
-            moves = self.motion[carrier](self.coordinates(pin))
+            moves = self.motion[carrier](self.poses.xy[pin])
             self._turns(body, pin, moves, base + self.relative(body, drive))
             waiting.remove(body)
 
@@ -262,9 +258,9 @@ class Motions:
         p, q, r = dyad.pins
         ways = []
         for (body,), pin in zip(dyad.assemblies, (p, q), strict=True):
-            moves = self.motion[self.with_point(dyad.frame, pin)](self.coordinates(pin))
+            moves = self.motion[self.with_point(dyad.frame, pin)](self.poses.xy[pin])
             self._turns(body, pin, moves, self.relative(body, drive))
-            ways.append(self.motion[body](self.coordinates(r)))
+            ways.append(self.motion[body](self.poses.xy[r]))
         names = [relative_name(self.poses, body) for (body,) in dyad.assemblies]
         return Meeting((ways[0], ways[1]), (names[0], names[1]))
 
@@ -314,7 +310,7 @@ class Motions:
 
     def _meet_at_pin(self, dyad: Dyad, inner: Pin, outer: Mapping[str, PointRate]) -> Meeting:
         """RRR, RRP, PRP: at the inner pin."""
-        place = self.coordinates(inner.point)
+        place = self.poses.xy[inner.point]
         unknowns, ways = [], []
         for assembly, contact in zip((dyad.first, dyad.second), dyad.outer, strict=True):
             if isinstance(contact, Pin):
@@ -335,7 +331,7 @@ class Motions:
     def _at_known(self, assembly: Assembly, pin: Pin, moves: PointRate) -> tuple[PointRate, PointRate]:
         """An assembly that has slid to a known pin: both ways to its rates; it then turns about it."""
         body = self.with_point(assembly, pin.point)
-        way = self.motion[body](self.coordinates(pin.point))
+        way = self.motion[body](self.poses.xy[pin.point])
         self._turns(body, pin.point, moves, self.turning[body])  # as sliding has it, and shorter
         self._whole(assembly, body)
         return way, moves

@@ -23,6 +23,7 @@ from dataclasses import dataclass
 from livesheet.formula import algebra as al
 from livesheet.formula.derivatives import derivative
 from livesheet.formula.nodes import Node, Symbol, symbols, transform, walk, with_symbols
+from livesheet.formula.vectors import cross
 from mechsheet.kinematics.equations import Equations, Group
 from mechsheet.kinematics.rates.rate_columns import terms_of
 from mechsheet.model import Dimension, Mechanism
@@ -193,10 +194,10 @@ class _Writer:
             (x1, y1), (x2, y2) = (
                 [self.partials.of(part, unknown) for part in group.closure.gap] for unknown in group.unknowns
             )
-            right = al.sub(al.mul(other, y1), al.mul(one, y2)), al.sub(al.mul(one, x2), al.mul(other, x1))
+            right = cross((other, one), (y2, y1)), cross((one, other), (x1, x2))
             if max(map(_size, right)) > LONGEST:
                 x1, y1, x2, y2 = map(self._part, (x1, y1, x2, y2))
-                right = al.sub(al.mul(other, y1), al.mul(one, y2)), al.sub(al.mul(one, x2), al.mul(other, x1))
+                right = cross((other, one), (y2, y1)), cross((one, other), (x1, x2))
             det = Symbol(determinant_symbol(group.number))
             names = gap_symbols(self.quantity, group.number)
             along = [self._column(name, al.div(node, det)) for name, node in zip(names, right, strict=True)]

@@ -90,15 +90,16 @@ def bounded(mechanism: Mechanism, equations: Equations, transmission: Iterable[G
 
 
 def _of_cam(mechanism: Mechanism, equations: Equations, columns: set[str]) -> set[str]:
-    """How the follower moves, which laws without poles say, the pressure angle, and what a face that does not turn shows:
-    where segments meet these leap, and rows around a leap look like those around a pole."""
+    """How the follower moves, which laws without poles say, the pressure angle, the curvature of a roller's way, which has
+    no pole where that goes on, and what a face that does not turn shows: where segments meet these leap, and rows around a
+    leap look like those around a pole."""
     cam, follower = mechanism.cam, mechanism.follower
     found = {*follower.by_angle, *follower.by_time} if follower is not None else set()
     touched = None if cam is None else touched_by(cam, mechanism.links)
     if cam is None or touched is None:
         return found
     stays = cam.radius is None and columns.isdisjoint(symbols(equations.of(touched.angle_symbol).expression))
-    return found | {"alpha"} | ({"rho", "contact"} if stays else set())
+    return found | {"alpha", *(() if cam.radius is None else ("kappa",)), *(("rho", "contact") if stays else ())}
 
 
 def _keeps_bounds(node: Node, columns: Collection[str], known: Collection[str]) -> bool:

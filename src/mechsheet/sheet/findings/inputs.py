@@ -91,11 +91,15 @@ class Input:
     def can_be(self, cell: Node, plan: Plan, first: bool = False) -> Node:
         """Whether its cell, read on the first sheet, holds what it can; `first`: or another one's is told in its place."""
         can_be = formula(CAN_BE[self.kind], cell=cell, **({"most": self.most} if self.kind == "choice" else {}))
-        for each in self.asked:  # an error among what it follows from is another cell's
+        for each in self.asked:
             holds: Node = each.holds
             if first and each.earlier is not None:
                 holds = formula("OR(earlier,holds)", earlier=each.earlier, holds=holds)
-            can_be = formula("can_be*IFERROR(holds,TRUE)", can_be=can_be, holds=plan.at.bind(holds, plan.main))
+            cells = tuple(plan.at.bind(plan.at.spots[symbol].cell, plan.main) for symbol in each.reads)
+            # an error is another cell's fault, unless all are numbers from which it follows
+            other = formula("counted<all", counted=Call("COUNT", cells), all=len(cells)) if cells else formula("TRUE")
+            bound = plan.at.bind(holds, plan.main)
+            can_be = formula("can_be*IFERROR(holds,other)", can_be=can_be, holds=bound, other=other)
         return can_be
 
 
