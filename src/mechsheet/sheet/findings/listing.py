@@ -44,7 +44,12 @@ def _closing(found: Classification, by_rows: bool) -> Iterator[Finding]:
         yield from (limits.Limits(), limits.InputEnd("from"), limits.InputEnd("to"), limits.Passes())
     yield from (closing.LargestGap(), closing.Leaps())
     if found.newton:
-        yield from (closing.SameAssembly(), closing.LargestResidual(), closing.PassesNeeded(), closing.LeastDeterminant())
+        yield from (
+            closing.SameAssembly(),
+            closing.LargestResidual(),
+            closing.PassesNeeded(),
+            closing.LeastDeterminant(),
+        )
 
 
 def _motion(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
