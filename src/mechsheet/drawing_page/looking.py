@@ -18,9 +18,8 @@ from mechsheet.compiled import SHOWN_ROLES, Compiled
 from mechsheet.description.parts import Parts
 from mechsheet.description.text.numbers import METRES
 from mechsheet.description.text.source import dotted
-from mechsheet.drawing_page.cells import SPEED, cells_of, first_speed, own_units
 from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_positions, line_of, local_points
-from mechsheet.drawing_page.reading import Reading, fault_entry
+from mechsheet.drawing_page.reading import SPEED, Reading, cells_of, fault_entry, first_speed, own_units
 from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array, value

@@ -1,21 +1,80 @@
-"""Formulas read cell by cell, gathered into blocks: one parse for a run, however long.
+"""Formulas of a sheet while it is read: cell by cell, gathered into blocks, and what is wrong with them.
 
-A file that repeats the full text in every row costs a comparison of texts a cell: the text that fill-down would have
-written in the next row is predicted from the first one. Columns with the same formula side by side become one block.
+One parse does for a run, however long. A file that repeats the full text in every row costs a comparison of texts a cell:
+the text that fill-down would have written in the next row is predicted from the first one. Columns with the same formula
+side by side become one block. An array formula is one formula, and
+cells that show its array, which files store as values.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from bisect import bisect_right
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import NamedTuple
 
-from livesheet.diagnostics import FormulaError
-from livesheet.formula.book import Block
+from livesheet.diagnostics import Fault, FormulaError
+from livesheet.formula.book import Block, BookSheet, CellStore, Kind
 from livesheet.formula.lexer import tokenise
-from livesheet.formula.nodes import MAX_ROWS, Node, shifted
-from livesheet.formula.references import CELL, ROW
+from livesheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, Node, shifted
+from livesheet.formula.parser import parse_formula
+from livesheet.formula.references import CELL, ROW, area_name, parse_area
+from livesheet.said import say
 
-from .cell_faults import Area
+MAX_FAULTS = 100
+"""Most faults that one sheet reports: a file of another kind would have one for each cell."""
+MAX_FORMULA = 1 << 16
+"""Most characters of a formula: Excel takes 8,192, the files spell some of them longer."""
+_SHOWN = 60
+
+Area = tuple[int, int, int, int]
+"""Row, column, rows, columns."""
+
+
+class CellFaults:
+    """The faults and remarks of one sheet, each with its cells; formulas are parsed here, where most remarks come from.
+
+    dialect  the spelling of the formulas, as `parse_formula` names it
+    found    what refuses the file;  remarks  what is read in another way than it is meant
+    """
+
+    def __init__(self, file: str, title: str, dialect: str) -> None:
+        self.file, self.title, self.dialect = file, title, dialect
+        self.found: list[Fault] = []
+        self.remarks: list[Fault] = []
+
+    def note(self, message: str, row: int, col: int, hint: str = "") -> None:
+        """Note what is wrong with a cell."""
+        if len(self.found) < MAX_FAULTS:
+            self.found.append(self._fault(message, (row, col, 1, 1), hint))
+
+    def remark(self, message: str, area: Area, hint: str = "") -> None:
+        """Note what is not as it is meant in the cells of `area`."""
+        if len(self.remarks) < MAX_FAULTS:
+            self.remarks.append(self._fault(message, area, hint))
+
+    def _fault(self, message: str, area: Area, hint: str) -> Fault:
+        return Fault(message, file=self.file, key=f"{self.title}!{area_name(*area)}", hint=hint)
+
+    def formula(self, text: str, area: Area) -> Node | None:
+        """The tree of a formula. None when it cannot be parsed, which is remarked: its cells keep their stored values."""
+        if len(text) > MAX_FORMULA:
+            self.remark(
+                say("a formula of {count} characters, which is not read: stored values are kept", count=len(text)), area
+            )
+            return None
+        try:
+            return parse_formula(text, self.dialect)
+        except FormulaError as problem:
+            fault = problem.faults[0]
+            text = text.removeprefix("=")
+            shown = text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
+            self.remark(
+                say("{message} of ={shown}: stored values are kept", message=fault.message, shown=shown),
+                area,
+                fault.hint,
+            )
+            return None
 
 
 class Template:
@@ -166,6 +225,10 @@ class FormulaRuns:
             return False
         return run.shared is None or run.shared == self._latest(run.shared[0])
 
+    def all_go_on(self, runs: Mapping[int, Run], row: int) -> bool:
+        """The same of several runs, by column."""
+        return all(self.goes_on(col, run, row) for col, run in runs.items())
+
     def _start(self, col: int, run: Run) -> None:
         old = self._open.get(col)
         if old is not None:
@@ -210,3 +273,74 @@ def _continues(last: Block, block: Block) -> bool:
     if (last.row, last.rows, last.col + last.cols) != (block.row, block.rows, block.col):
         return False
     return shifted(last.formula, 0, last.cols) == block.formula
+
+
+MOST_CELLS = 1 << 24
+"""Cells of all array formulas of a sheet: more of them are a mistake, or meant to fill the memory."""
+
+
+class ArrayText(NamedTuple):
+    """An array formula as it is read; a dynamic one grows and shrinks with its array."""
+
+    row: int
+    col: int
+    rows: int
+    cols: int
+    text: str
+    dynamic: bool
+
+
+def array_text(row: int, col: int, ref: str, text: str, dynamic: bool) -> ArrayText | None:
+    """An array formula in (row, col) with the area `ref` ("B2:B9"); None when that does not begin there or is too large."""
+    area = parse_area(ref)
+    if area is None or area[:2] != (row, col):
+        return None
+    rows, cols = area[2] - row + 1, area[3] - col + 1
+    if rows < 1 or cols < 1 or rows * cols > MOST_CELLS:
+        return None
+    return ArrayText(row, col, rows, cols, text, dynamic)
+
+
+def give_arrays(sheet: BookSheet, arrays: Iterable[ArrayText], faults: CellFaults) -> None:
+    """Put array formulas into a sheet that has been read. The values in their areas are results, not constants."""
+    taken: list[Block] = []
+    cells = 0
+    for array in arrays:
+        cells += array.rows * array.cols
+        if cells > MOST_CELLS:
+            faults.note(
+                say("array formulas over more than {most} cells: this is no workbook", most=MOST_CELLS),
+                array.row,
+                array.col,
+            )
+            break
+        area = array.row, array.col, array.rows, array.cols
+        formula = faults.formula(array.text, area)
+        if formula is None:
+            sheet.keep([(array.row, array.col, 1, 1)])
+            continue
+        if array.row + array.rows > MAX_ROWS or array.col + array.cols > MAX_COLUMNS:
+            faults.note(say("an array formula that leaves the sheet"), array.row, array.col)
+            continue
+        kind: Kind = "spill" if array.dynamic else "array"
+        taken.append(Block(*area, formula, kind))
+    sheet.blocks.extend(taken)
+    wide = [block for block in taken if block.rows * block.cols > 1]
+    if wide:
+        move_values(sheet, wide)
+
+
+def move_values(sheet: BookSheet, blocks: list[Block]) -> None:
+    """What stands as a constant inside the areas is a stored result."""
+    areas: dict[int, list[tuple[int, int]]] = {}
+    for block in sorted(blocks, key=lambda block: block.row):
+        for col in range(block.col, block.col + block.cols):
+            areas.setdefault(col, []).append((block.row, block.row + block.rows))
+    constants = CellStore()
+    for row, col, value in sheet.constants.items():
+        here = areas.get(col, ())
+        # Areas that overlap are refused later; the last that begins above is the one to look at in all others.
+        index = bisect_right(here, (row, MAX_ROWS + 1)) - 1
+        inside = index >= 0 and row < here[index][1]
+        (sheet.cached if inside else constants).put(row, col, value)
+    sheet.constants = constants

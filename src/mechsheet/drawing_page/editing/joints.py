@@ -1,18 +1,33 @@
-"""Sliding joints: a block or a pin, along a link, along a fixed line, along a new link about a pin."""
+"""Sliding joints, gear wheels and racks: what slides along what, what turns what, and in which ratio."""
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from mechsheet.description.text.index import key_text
 from mechsheet.description.text.rewrite import with_table
-from mechsheet.drawing_page.editing.naming import free_link, free_symbol
-from mechsheet.drawing_page.editing.sheet import Sheet, end_of, in_frame, rounded, sketched, with_length
+from mechsheet.drawing_page.editing.links import link, new_pin
+from mechsheet.drawing_page.editing.shaping import size_of
+from mechsheet.drawing_page.editing.sheet import (
+    Sheet,
+    end_of,
+    free_link,
+    free_symbol,
+    in_frame,
+    line,
+    noted,
+    quoted_key,
+    rounded,
+    sketched,
+    with_length,
+)
 from mechsheet.drawing_page.positions import Point, Pose, local_points
-from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
+from mechsheet.drawing_page.questions import Impossible, Refusal, end, point_in, table, text_in
+from mechsheet.drawing_page.reading import number_in_unit
 from mechsheet.model import Link
 
 
@@ -24,19 +39,18 @@ def slide(sheet: Sheet, kind: str, end: Any, on: Any) -> Sheet:
     """
     if kind not in ("prismatic", "pin-slot"):
         raise Refusal(f'no sliding joint is called "{kind}"')
-    if not isinstance(on, dict):
-        raise Refusal('"on" is a table')
+    guided = table(on, '"on" is a table')
     point, place, new = end_of(sheet, end)
     fresh = {point: place} if new else {}
-    if fresh and "link" not in on and kind == "pin-slot":
+    if fresh and "link" not in guided and kind == "pin-slot":
         raise Impossible("pin_first")
     sheet = sheet.with_places(fresh)
-    if "link" in on:
-        guide = _along_link(sheet, text_in(on, "link"), point)
-    elif "point" in on:
-        guide = _through_pin(sheet, text_in(on, "point"), point, place)
+    if "link" in guided:
+        guide = _along_link(sheet, text_in(guided, "link"), point)
+    elif "point" in guided:
+        guide = _through_pin(sheet, text_in(guided, "point"), point, place)
     else:
-        guide = _fixed_line(sheet, place, point_in(on, "at"), point)
+        guide = _fixed_line(sheet, place, point_in(guided, "at"), point)
     return _with_joint(guide, kind, point, fresh)
 
 
@@ -51,9 +65,7 @@ class _Guide:
 
 def _along_link(sheet: Sheet, name: str, point: str) -> _Guide:
     """The line from a link's first point to its second."""
-    link = sheet.parts.link(name)
-    if link is None or link is sheet.ground:
-        raise Impossible("moving_link")
+    link = sheet.moving(name, "moving_link")
     if point in link.points:
         raise Impossible("pinned_there", point=point)
     own = local_points(link, sheet.parts.numbers)
@@ -143,3 +155,72 @@ def _with_joint(guide: _Guide, kind: str, point: str, fresh: Mapping[str, Point]
     lines.append(f'symbol = "{free_symbol(sheet.parts, wanted)}"')
     source = with_table(source, ("joints", len(sheet.parts.orders)), lines)
     return sketched(sheet.again(source, fresh), fresh)
+
+
+RIM = 0.12
+"""Radius at which a new wheel has the point that shows its turn, of the drawing's size."""
+
+EXPRESSION = re.compile(r"[\w.+\-*/^() ]+")
+
+
+def gear(sheet: Sheet, driving: str, driven: Any, size: str) -> Sheet:
+    """A wheel that a link turns.
+
+    driven  {"link": …}: that link is the wheel; {"at": …}: a new wheel about a new pin of the ground; {"joint": …}: the
+          sliding joint of a rack
+    size  the ratio of the angles, negative where the wheels turn against each other: "-z2/z3"; of a rack the pinion's radius
+    """
+    wheel = sheet.moving(driving, "gear_pivot")
+    given = end(driven)
+    if "joint" in given:
+        joint = text_in(given, "joint")
+        if joint not in sheet.parts.orders:
+            raise Refusal(f'there is no sliding joint "{joint}"')
+        radius = number_in_unit(sheet.source, size, sheet.parts.length_unit)
+        return sheet.with_entry(
+            "joints",
+            [
+                line(sheet, "type", '"rack"'),
+                line(sheet, "joint", quoted_key(joint)),
+                f"link = {noted(sheet, quoted_key(driving), 'pinion')}",
+                line(sheet, "radius", radius),
+            ],
+        )
+    if "at" in given:
+        sheet, other = _new_wheel(sheet, given)
+    else:
+        other = text_in(given, "link")
+    arm = _arm(sheet, wheel, sheet.moving(other, "gear_pivot"))
+    ratio = size.strip().replace(",", ".")
+    if not EXPRESSION.fullmatch(ratio):
+        raise Impossible("ratio")
+    lines = [
+        line(sheet, "type", '"gear"'),
+        f"link = {noted(sheet, quoted_key(other), 'gear')}",
+        line(sheet, "on", quoted_key(driving)),
+        line(sheet, "ratio", f'"{ratio}"'),
+    ]
+    if arm is not sheet.ground:
+        lines.insert(3, line(sheet, "arm", quoted_key(arm.name)))
+    return sheet.with_entry("joints", lines)
+
+
+def _arm(sheet: Sheet, first: Link, second: Link) -> Link:
+    """The link that carries both axes: it shares a pivot with each; the ground where it does."""
+    if first is second:
+        raise Impossible("gear_pivot")
+    others = [each for each in sheet.parts.links if each not in (first, second)]
+    arms = [each for each in others if all(set(each.points) & set(wheel.points) for wheel in (first, second))]
+    if not arms:
+        raise Impossible("gear_pivot")
+    return arms[0]
+
+
+def _new_wheel(sheet: Sheet, place: dict[str, Any]) -> tuple[Sheet, str]:
+    """A link that turns about a new pin of the ground, and its name."""
+    x, y = point_in(place, "at")
+    radius = float(rounded(RIM * size_of(sheet.drawn.places), max(0, sheet.digits - 2))) or 1.0
+    sheet, pin = new_pin(sheet, place)
+    known = {each.name for each in sheet.parts.links}
+    sheet = link(sheet, [{"point": pin}, {"at": [x, y + radius]}])
+    return sheet, next(each.name for each in sheet.parts.links if each.name not in known)

@@ -3,7 +3,7 @@
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from livesheet.formats.reading.fill_runs import FormulaRuns
+from livesheet.formats.reading.formulas import FormulaRuns
 from livesheet.formula.nodes import shifted
 from livesheet.formula.parser import parse_formula
 
