@@ -11,7 +11,7 @@ import tomllib
 from dataclasses import dataclass, field
 
 from livesheet.said import say
-from mechsheet.description.text.index import BARE_KEY, Path, key_text
+from mechsheet.description.text.index import BARE_KEY, Path, key_text, line_end
 from mechsheet.description.text.numbers import BLANKS, MINUS, Typed, typed_number
 from mechsheet.diagnostics import quoted
 
@@ -239,8 +239,7 @@ class _Walk:
 
     def header(self, begin: int) -> None:
         """`[links.sarkaç]`: the line's table, with the parts that need quotes in quotes."""
-        end = self.text.find("\n", begin)
-        line = self.text[begin : end if end >= 0 else len(self.text)]
+        line = self.text[begin : line_end(self.text, begin)]
         found = _HEAD.match(line)
         if found is None or not _parts(found[2]):
             self.keep(line)
@@ -325,8 +324,7 @@ class _Walk:
         if (slashes := _COMMENT.search(self.text, begin, self.at)) and slashes.start() > begin:
             self.at = slashes.start()
             self.value(self.text[begin : self.at], begin)
-            end = self.text.find("\n", begin)
-            self.at = end if end >= 0 else len(self.text)
+            self.at = line_end(self.text, begin)
             self.mend(slashes.start(), "", say("a comment begins with #, not with //"), say('write "#" in its place'))
             return
         if _is_value(word):
