@@ -319,6 +319,8 @@ def variables_csv(mechanism: Mechanism) -> str:
     return text.getvalue()
 
 
+# --- dimensions -------------------------------------------------------------------------------------------------------
+
 DIGITS = 6
 """Of the rounded values in the table."""
 

@@ -148,6 +148,9 @@ def _replaced(source: Source, start: int, end: int, new: str) -> Source:
     return parse(source.text[:start] + new + source.text[end:], source.file)
 
 
+# --- whole tables -----------------------------------------------------------------------------------------------------
+
+
 def with_table(source: Source, path: Path, lines: list[str]) -> Source:
     """The source with a table `[path]`, or with a further `[[path]]` where `path` ends with a number; `lines` stand in it.
 
@@ -221,6 +224,8 @@ def _apart(source: Source, spots: list[Spot]) -> bool:
     starts = [source.text.rfind("\n", 0, spot.start) for spot in spots]
     return all(start < 1 or source.text[start - 1] == "\n" for start in starts) if len(spots) > 1 else False
 
+
+# --- names of points and links ----------------------------------------------------------------------------------------
 
 ALSO_WORDS = ("A", "I", "O")
 
@@ -323,6 +328,8 @@ def _shapes(shape: Shape, path: Path) -> Iterator[Shape]:
         case Items(item):
             yield from _shapes(item, tuple(rest))
 
+
+# --- what it said before ----------------------------------------------------------------------------------------------
 
 _OF_BUILD = ("layout", "language", "references")
 """Keys of [workbook] that do not change a number, and that `build` has options for."""
