@@ -17,7 +17,7 @@ from chosen import part
 from command_line import run
 from degenerate_cases import cases
 from livesheet.formats import read
-from livesheet.formats.seal import is_untouched
+from livesheet.formats.archive import is_untouched
 from mechsheet.compiled import Compiled
 from mechsheet.description.templates import template_text
 

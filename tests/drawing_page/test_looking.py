@@ -13,9 +13,8 @@ from loaded_mechanisms import SUSPENSION
 from mechsheet import reference
 from mechsheet.description import load
 from mechsheet.drawing_page.answers import Studio
-from mechsheet.drawing_page.cells import typed_in_cell
 from mechsheet.drawing_page.looking import look
-from mechsheet.drawing_page.reading import read
+from mechsheet.drawing_page.reading import read, typed_in_cell
 from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.library.building import compile_workbook
 

@@ -4,7 +4,7 @@ import zipfile
 
 import pytest
 
-from livesheet.formats.seal import PROPERTIES, is_untouched
+from livesheet.formats.archive import PROPERTIES, is_untouched
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.library.building import build

@@ -4,8 +4,7 @@ Read are functions of plain arithmetic with If, For, Do and While, Exit, GoTo of
 function does besides (arrays, objects, variables that keep their values, messages) refuses that function, not the others.
 """
 
-from .reading import decoded, functions_in
-from .statements import Function
+from .reading import Function, decoded, functions_in
 from .translating import lambdas
 
 __all__ = ["Function", "decoded", "functions_in", "lambdas"]

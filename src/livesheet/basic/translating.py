@@ -16,7 +16,7 @@ from ..formula.functions import FUNCTIONS
 from ..formula.nodes import Apply, Binary, Boolean, Call, ErrorValue, Local, Node, Number, Symbol, transform, walk
 from ..said import reason, say
 from .expressions import NotReadError, whole
-from .statements import Assign, Do, Exit, For, Function, GoTo, If, Label, OnError, Statements
+from .reading import Assign, Do, Exit, For, Function, GoTo, If, Label, OnError, Statements
 
 Values = Mapping[str, Node]
 """What each variable is at a place; what is not among them has no value yet and counts as 0."""

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from livesheet.workbook import Workbook
 
 FORMATS = {".xlsx": "xlsx", ".xlsm": "xlsx", ".ods": "ods", ".ots": "ods", ".xls": "xls"}
-"""Suffix -> the folder that reads the format and updates its values."""
+"""Suffix -> the folder that reads the format and, but for .xls, updates its values."""
 WRITTEN = (".xlsx", ".ods")
 
 
@@ -48,6 +48,10 @@ def update_values(source: Path, output: Path, book: Book, values: Any, changes: 
 
     Raises WorkbookError, and OutputError when `output` cannot be written or is to have another format.
     """
+    if _format_of(source) == "xls":
+        message = say("an .xls is read, not written")
+        hint = say("save it as .xlsx first, then recalculate that")
+        raise OutputError(Fault(message, readable_name(output), hint=hint))
     _function(_format_of(source), "update_values")(source, output, book, values, changes)
 
 

@@ -54,6 +54,18 @@ def parse_cell(text: str) -> tuple[int, int] | None:
     return None if ref is None else (ref.row, ref.col)
 
 
+def parse_area(text: str) -> tuple[int, int, int, int] | None:
+    """`B2:C9` or `B2` -> (1, 1, 8, 2), the first and the last cell; None when one of them is no cell of a sheet."""
+    first, _, last = text.partition(":")
+    start, end = parse_cell(first), parse_cell(last or first)
+    return None if start is None or end is None else (*start, *end)
+
+
+def absolute_name(row: int, col: int) -> str:
+    """(8, 2) -> $C$9."""
+    return f"${column_letters(col)}${row + 1}"
+
+
 def parse_reference(text: str, sheet: str | None = None) -> CellRef | None:
     """`$C9` or `Sheet1!C9` -> the reference with its anchors; None when it is not a cell of a sheet."""
     before, mark, cell = text.rpartition("!")

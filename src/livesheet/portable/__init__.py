@@ -15,8 +15,7 @@ together is the way of Sun Microsystems' fdlibm; J.-M. Muller, "Elementary Funct
 
 from .arcs import arccos, arcsin, arctan, arctan2
 from .circular import cos, sin, sin_and_cos, tan
-from .exponential import exp, log
-from .powers import log10, power
+from .powers import exp, log, log10, power
 from .steps import hypot
 
 __all__ = [

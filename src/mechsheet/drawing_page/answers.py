@@ -14,11 +14,10 @@ from livesheet.said import say
 from mechsheet.description.reader import is_file_name
 from mechsheet.description.templates import template_names, template_text, template_titles
 from mechsheet.description.text.source import read_text
-from mechsheet.drawing_page.cells import number_in_unit
 from mechsheet.drawing_page.editing.orders import edited
 from mechsheet.drawing_page.looking import look
-from mechsheet.drawing_page.questions import Impossible, Refusal, number_in, places_in, text_in
-from mechsheet.drawing_page.reading import Reading, read
+from mechsheet.drawing_page.questions import Impossible, Refusal, number_in, places_in, table, text_in
+from mechsheet.drawing_page.reading import Reading, number_in_unit, read
 from mechsheet.words.catalogue import ENGLISH, LANGUAGES, Language
 from mechsheet.words.catalogue import text_in as said_in
 
@@ -133,9 +132,7 @@ class Studio:
     def _edit(self, question: dict[str, Any]) -> dict[str, Any]:
         """The text after one order of the page (`editing.orders`), and what it shows then."""
         reading = self._read(question)
-        order = question.get("order")
-        if not isinstance(order, dict):
-            raise Refusal('"order" must be a table')
+        order = table(question.get("order"), '"order" must be a table')
         held, language = places_in(question, "places"), _language(question)
         text, at = edited(reading, order, number_in(question, "at"), held, language)
         velocities = question.get("velocities") is True

@@ -18,9 +18,8 @@ from mechsheet.compiled import SHOWN_ROLES, Compiled
 from mechsheet.description.parts import Parts
 from mechsheet.description.text.numbers import METRES
 from mechsheet.description.text.source import dotted
-from mechsheet.drawing_page.cells import SPEED, cells_of, first_speed, own_units
 from mechsheet.drawing_page.positions import Point, Pose, drawn_poses, drawn_positions, line_of, local_points
-from mechsheet.drawing_page.reading import Reading, fault_entry
+from mechsheet.drawing_page.reading import SPEED, Reading, cells_of, fault_entry, first_speed, own_units
 from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import Array, value
@@ -28,11 +27,10 @@ from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import edges
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Link, Mechanism
-from mechsheet.shapes.described import Described
+from mechsheet.shapes.described import Described, corners, direction_of, through_of
 from mechsheet.shapes.forms import Kind, Shape
 from mechsheet.shapes.listing import is_cylinder
 from mechsheet.shapes.loads import first_shown
-from mechsheet.shapes.outlines import corners, direction_of, through_of
 from mechsheet.shapes.positions import Positions
 from mechsheet.words.catalogue import Language, words
 from mechsheet.words.equations import given_words, link_words

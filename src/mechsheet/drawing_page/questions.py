@@ -42,6 +42,18 @@ def text_in(question: Mapping[str, Any], key: str, default: str | None = None) -
     return value
 
 
+def table(value: Any, message: str) -> dict[str, Any]:
+    """A table that stands in a question. Raises Refusal with the message for anything else."""
+    if not isinstance(value, dict):
+        raise Refusal(message)
+    return value
+
+
+def end(value: Any) -> dict[str, Any]:
+    """Where something that is drawn begins or ends: {"point": …}, {"at": …} or {"link": …}. Raises Refusal."""
+    return table(value, "an end is a table")
+
+
 def number_in(question: Mapping[str, Any], key: str) -> float | None:
     """A finite number, or None where there is none. Raises Refusal."""
     value = question.get(key)
@@ -62,9 +74,7 @@ def point_in(question: Mapping[str, Any], key: str) -> Point:
 
 def places_in(question: Mapping[str, Any], key: str) -> dict[str, Point]:
     """Places by the names of points; what is none is left out. Raises Refusal."""
-    value = question.get(key, {})
-    if not isinstance(value, dict):
-        raise Refusal(f'"{key}" must be a table of places')
+    value = table(question.get(key, {}), f'"{key}" must be a table of places')
     pairs = {name: _pair(place) for name, place in value.items()}
     return {name: place for name, place in pairs.items() if place is not None}
 

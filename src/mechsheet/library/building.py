@@ -121,7 +121,7 @@ def is_folder(output: str | Path) -> bool:
 
 def refuse_edited(wanted: Iterable[Target]) -> None:
     """Raise OutputError when files are there that `build` did not write as they are now."""
-    from livesheet.formats.seal import is_untouched
+    from livesheet.formats.archive import is_untouched
     from livesheet.replacing import is_stream
 
     faults = []

@@ -6,7 +6,7 @@ import pytest
 from asking_page import Drawing, four_bar
 
 from mechsheet.description import loads
-from mechsheet.drawing_page.editing.inserting import KINDS
+from mechsheet.drawing_page.editing.orders import INSERTED
 from mechsheet.drawing_page.questions import Impossible, Refusal
 from mechsheet.words.catalogue import is_key
 
@@ -20,7 +20,7 @@ def driven(language="en"):
     return Drawing(text_of_a_driven_four_bar(), language)
 
 
-@pytest.mark.parametrize("what", KINDS)
+@pytest.mark.parametrize("what", INSERTED)
 def test_whatever_is_inserted_fits_and_all_else_stays(what):
     drawing = driven("tr" if what == "masses" else "en")
     before = drawing.text

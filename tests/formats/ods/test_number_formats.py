@@ -7,7 +7,7 @@ import csv
 import pytest
 
 from livesheet.formats import write
-from livesheet.formats.ods.number_formats import number_style
+from livesheet.formats.ods.styles import number_style
 from livesheet.workbook import Cell, Sheet, Style, Workbook
 from mechsheet.checking.programs import convert_with_libreoffice, libreoffice_command
 from odf import schema_errors

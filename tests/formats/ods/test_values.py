@@ -3,7 +3,7 @@
 import pytest
 
 from livesheet.formats.ods.values import date_text, time_number, time_text
-from livesheet.formats.reading.numbers import NULL_DATE, day_number
+from livesheet.formats.xml_text import NULL_DATE, day_number
 
 
 @pytest.mark.parametrize("number", [45351.0, 45351.5, 1.25, 60.000011574074074])

@@ -1,6 +1,6 @@
 """A large part passes through in pieces: what is not edited arrives as it was, and nothing of it twice."""
 
-from livesheet.formats.reading.raw_xml import Edit, RawXml
+from livesheet.formats.new_values import Edit, RawXml
 
 PART = b"<a><b>1</b><c>22</c><d/></a>"
 

@@ -17,7 +17,7 @@ import mechsheet
 from command_line import run
 from livesheet.diagnostics import WorkbookError
 from livesheet.formats import read
-from livesheet.formats.xls.function_numbers import FUNCTION_NUMBERS
+from livesheet.formats.xls.formulas import FUNCTION_NUMBERS
 from livesheet.formula.functions import FUNCTIONS
 from livesheet.formula.nodes import Boolean, Call, ErrorValue, Foreign, NameRef, SheetsRef, shifted
 from livesheet.formula.parser import parse_formula

@@ -5,7 +5,7 @@ import struct
 import xls_files as xls
 
 from livesheet.formats import read
-from livesheet.formats.xls.tokens import normal
+from livesheet.formats.xls.formulas import normal
 from livesheet.formula.printer import print_formula
 
 OPERATORS = ("+", "-", "*", "/", "^", "&", "<", "<=", "=", ">=", ">", "<>")

@@ -7,7 +7,7 @@ from livesheet.workbook import Area, Axis, Chart, Series
 
 from ..house_style import AXIS_COLOR, FONT, GRID_COLOR, HAIR_LINE, TEXT_COLOR, TEXT_SIZE, TITLE_SIZE
 from ..xml_text import attribute, number
-from .number_formats import number_style
+from .styles import number_style
 from .text import area_address, opened, paragraphs, points
 
 MEDIA_TYPE = "application/vnd.oasis.opendocument.chart"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from pathlib import Path
-from xml.parsers import expat
 
 from livesheet.diagnostics import Fault, FormulaError, WorkbookError
 from livesheet.formula.book import Book, DefinedName
@@ -11,11 +10,10 @@ from livesheet.formula.nodes import CellRef, anchored, shifted, transform
 from livesheet.formula.parser import parse_formula
 from livesheet.said import say
 
-from ..reading.numbers import NULL_DATE, NULL_DATE_1904
-from ..reading.package import Package, local_name, open_package, part_key, saved_by
-from ..reading.settings import settings_remarks
-from .parts import SHEET_TYPE
+from ..reading.package import Package, local_name, open_package, part_key, saved_by, settings_remarks
+from ..xml_text import NULL_DATE, NULL_DATE_1904
 from .scan import CONTENT, ContentScan, NameText
+from .text import SHEET_TYPE
 
 NULL_YEAR = "1930"
 """The year that 30 means where a document does not say otherwise."""
@@ -89,9 +87,7 @@ def _is_encrypted(package: Package) -> bool:
         del attributes
         found = found or local_name(tag) == "encryption-data"
 
-    parser = expat.ParserCreate()
-    parser.StartElementHandler = start
-    package.parse(_MANIFEST, parser)
+    package.read(_MANIFEST, start)
     return found
 
 

@@ -6,11 +6,20 @@ import re
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from livesheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, Scalar
+from livesheet.formula.nodes import MAX_COLUMNS, Scalar
 
-from ..reading.fill_runs import Run
-from ..reading.repeated_rows import Groups
-from ..reading.row_matching import LEAST, LONGEST, NUMBER, TEXT, RowExpression, give_numbers, give_values
+from ..reading.formulas import Run
+from ..reading.repeated_rows import (
+    LEAST,
+    LONGEST,
+    NUMBER,
+    TEXT,
+    Groups,
+    Pattern,
+    RowExpression,
+    give_numbers,
+    give_values,
+)
 
 if TYPE_CHECKING:
     from .scan import ContentScan, Table
@@ -49,33 +58,21 @@ class Cell(NamedTuple):
     formula: bool
 
 
-class RowPattern:
+class RowPattern(Pattern):
     """The rows below a row of a table."""
 
     def __init__(self, scan: ContentScan, expression: RowExpression, cells: list[Cell], runs: dict[int, Run]) -> None:
-        self.expression = expression.finished()
+        super().__init__(expression, runs)
         self._scan = scan
         self._table = scan.current
         self._cells = cells
-        self._runs = runs
-        self._rows = list(expression.rows.items())
 
-    def ready(self) -> bool:
-        """Whether the row after the last one would be the next of all runs."""
+    def next_row(self) -> int | None:
+        """The row after the last one, where all runs go on in it."""
         table, row = self._table, self._scan.next_row
-        return (
-            table is not None
-            and self._scan.current is table
-            and all(table.runs.goes_on(col, run, row) for col, run in self._runs.items())
-        )
-
-    def accepts(self, groups: Groups, down: int) -> bool:
-        """Whether all row numbers are as far from the row's own as they were."""
-        row = self._scan.next_row + down
-        for offset, group in self._rows:
-            if groups[group] != b"%d" % (row + 1 + offset):
-                return False
-        return row < MAX_ROWS
+        if table is None or self._scan.current is not table:
+            return None
+        return row if table.runs.all_go_on(self.runs, row) else None
 
     def take(self, rows: list[Groups]) -> bytes:
         """Put the values of consecutive rows into the table; the runs go on."""
@@ -89,7 +86,7 @@ class RowPattern:
             else:
                 value = partial(self._value, table, cell)
                 give_values(table.sheet, first, cell.col, cell.formula, columns[cell.group], value)
-        for run in self._runs.values():
+        for run in self.runs.values():
             run.end += len(rows)
         self._scan.next_row += len(rows)
         return b'<table:table-row table:number-rows-repeated="%d"/>' % len(rows)

@@ -15,15 +15,12 @@ from livesheet.formula.parser import parse_formula
 from livesheet.formula.printer import print_formula
 from livesheet.said import say
 
-from ..reading.array_areas import ArrayText, give_arrays
-from ..reading.cell_faults import CellFaults
-from ..reading.fill_runs import FormulaRuns
-from ..reading.numbers import NULL_DATE, day_number, finite
+from ..reading.formulas import ArrayText, CellFaults, FormulaRuns, give_arrays
 from ..reading.package import MAX_SHEETS, Package
 from ..reading.repeated_rows import RepeatedRows
-from .paragraph_text import ParagraphText
+from ..xml_text import NULL_DATE, day_number, finite
 from .row_pattern import ROW, row_pattern
-from .values import error_of, error_shown, time_number
+from .values import ParagraphText, error_of, error_shown, time_number
 from .words import Words, words_of
 
 CONTENT = "content.xml"

@@ -1,19 +1,306 @@
-"""One table of an .ods: what stands around its rows, and what stands in cells beside their content."""
+"""One table of an .ods: its rows as text, a column of a band at a time, and what stands around them.
+
+Beside their content cells have notes, charts, rules of what may be typed, and looks under conditions.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
 
-from livesheet.workbook import Chart, Column, Comment, Control, Sheet
+from livesheet.formula.nodes import ErrorValue, Node, Scalar
+from livesheet.formula.printer import print_formula
+from livesheet.formula.references import cell_address
+from livesheet.workbook import (
+    PLAIN,
+    Area,
+    Cell,
+    Chart,
+    Column,
+    Comment,
+    Conditional,
+    Control,
+    Fill,
+    Rich,
+    Sheet,
+    Style,
+    Validation,
+)
 
 from ..archive import FIXED_TIME
-from ..bands import linked_value
+from ..bands import Band, Place, bands, column_values, linked_value
+from ..fill_down_text import ColumnTexts
 from ..house_style import COLUMN_PIXELS, DIGIT_PIXELS, NOTE_PIXELS, PADDING_PIXELS, note_height
-from ..xml_text import attribute, escaped
-from .cells import Extras, TableRows
+from ..xml_text import attribute, escaped, numbers, plain_value
 from .charts import chart_ranges
 from .styles import OdsStyles
-from .text import address, area_address, paragraphs, points
+from .text import address, area_address, paragraphs, points, result_attributes, value_attributes
+
+_KINDS = {
+    "decimal": "cell-content-is-decimal-number() and ",
+    "whole": "cell-content-is-whole-number() and ",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Rules:
+    """The rules of one sheet.
+
+    maps         area -> <style:map> element, in the order of the sheet
+    validations  area -> name of the <table:content-validation>
+    """
+
+    maps: tuple[tuple[Area, str], ...]
+    validations: tuple[tuple[Area, str], ...]
+
+    @property
+    def areas(self) -> list[Area]:
+        """All areas that have a rule."""
+        return [area for area, _ in (*self.maps, *self.validations)]
+
+
+def sheet_rules(sheet: Sheet, styles: OdsStyles, number: int) -> Rules:
+    """The rules of a sheet; its validations are numbered from `number` + 1."""
+    maps = tuple((rule.area, _map(rule, sheet.title, styles)) for rule in sheet.conditionals)
+    names = tuple((rule.area, f"val{number + i}") for i, rule in enumerate(sheet.validations, 1))
+    return Rules(maps, names)
+
+
+def _map(rule: Conditional, title: str, styles: OdsStyles) -> str:
+    base = address(title, rule.area.first_row, rule.area.first_col)
+    condition = f"is-true-formula({_formula(rule.condition)})"
+    return (
+        f'<style:map style:condition="{attribute(condition)}"'
+        f' style:apply-style-name="{styles.conditional(rule.style)}" style:base-cell-address="{attribute(base)}"/>'
+    )
+
+
+def content_validations(sheets: tuple[Sheet, ...]) -> str:
+    """The <table:content-validations> of the document, "" when it has none; numbered as `sheet_rules` names them."""
+    rules = [(sheet.title, rule) for sheet in sheets for rule in sheet.validations]
+    body = "".join(_validation(f"val{i}", title, rule) for i, (title, rule) in enumerate(rules, 1))
+    return f"<table:content-validations>{body}</table:content-validations>" if body else ""
+
+
+def _validation(name: str, title: str, rule: Validation) -> str:
+    base = address(title, rule.area.first_row, rule.area.first_col)
+    display = ' table:display-list="unsorted"' if rule.kind == "list" else ""
+    kind = "stop" if rule.stop else "warning"
+    help_message = _message("help-message", "", rule.input_title, rule.input_message)
+    error_message = _message("error-message", f' table:message-type="{kind}"', rule.error_title, rule.error_message)
+    return (
+        f'<table:content-validation table:name="{name}" table:condition="{attribute(_condition(rule))}"'
+        f' table:allow-empty-cell="true"{display} table:base-cell-address="{attribute(base)}">'
+        f"{help_message}{error_message}</table:content-validation>"
+    )
+
+
+def _message(element: str, kind: str, title: str, text: str) -> str:
+    shown = f' table:title="{attribute(title)}"' if title else ""
+    body = paragraphs(text) if text else ""
+    return f'<table:{element}{kind}{shown} table:display="true">{body}</table:{element}>'
+
+
+def _condition(rule: Validation) -> str:
+    if rule.kind == "list":
+        if rule.low is not None:
+            return f"of:cell-content-is-in-list({_formula(rule.low)})"
+        choices = ";".join('"' + choice.replace('"', '""') + '"' for choice in rule.choices)
+        return f"of:cell-content-is-in-list({choices})"
+    if rule.kind == "custom":
+        return f"of:is-true-formula({_formula(rule.low)})"
+    if rule.operator == "between":
+        return f"of:{_KINDS[rule.kind]}cell-content-is-between({_formula(rule.low)},{_formula(rule.high)})"
+    return f"of:{_KINDS[rule.kind]}cell-content(){rule.operator}{_formula(rule.low)}"
+
+
+def _formula(node: Node | None) -> str:
+    if node is None:
+        raise ValueError("a rule without its formula reached the writer")
+    return print_formula(node, "openformula")
+
+
+_END = "</table:table-cell>"
+
+
+@dataclass(frozen=True, slots=True)
+class Extras:
+    """What stands in cells beside their content, by place.
+
+    notes   <office:annotation> elements;  shapes  frames and controls
+    """
+
+    notes: dict[Place, str] = field(default_factory=dict)
+    shapes: dict[Place, str] = field(default_factory=dict)
+
+    @property
+    def places(self) -> set[Place]:
+        """All cells that have something."""
+        return {*self.notes, *self.shapes}
+
+
+class TableRows:
+    """The rows of one sheet. Making it enters the styles of all its cells, because they are written before."""
+
+    def __init__(self, sheet: Sheet, styles: OdsStyles, rules: Rules, extras: Extras) -> None:
+        self.sheet, self.styles, self.rules, self.extras = sheet, styles, rules, extras
+        self.heights = dict(sheet.row_heights)
+        self.fill_down = ColumnTexts("openformula", attribute)
+        self.spans = {(merge.area.first_row, merge.area.first_col): merge.area for merge in sheet.merges}
+        self.covered = {place for area in self.spans.values() for place in _places(area)} - self.spans.keys()
+        heading = sheet.print_setup.repeat_rows
+        self.heading = None if heading is None else Area(heading[0], 0, heading[1], 0)
+        self.begins = frozenset(sheet.print_setup.row_at)
+        areas = (
+            rules.areas
+            + ([self.heading] if self.heading else [])
+            + [Area(row, 0, row, 0) for row in sorted(self.begins)]
+        )
+        self.bands = list(bands(sheet, areas, extras.places))
+        self.edges = sorted({edge for area in rules.areas for edge in (area.first_col, area.last_col + 1)})
+        used = [cell.col + 1 for band in self.bands for cell in band.cells] + self.edges
+        self.columns = max(used + [fill.col + fill.cols for fill in sheet.fills], default=1)
+        self._enter_styles()
+
+    def _enter_styles(self) -> None:
+        self.styles.row(None)
+        for band in self.bands:
+            self.styles.row(self.heights.get(band.first), band.first in self.begins)
+            for cell in band.cells:
+                self._look(cell.style, band.first, cell.col)
+            for fill in band.fills:
+                for col in range(fill.col, fill.col + fill.cols):
+                    self._look(fill.style, band.first, col)
+            for edge in self.edges:
+                self._look(PLAIN, band.first, edge)
+
+    def rows(self) -> Iterator[str]:
+        """The rows from the first to the last that is used, in pieces of a few megabytes at most."""
+        end = max([1, *(band.last for band in self.bands)])
+        if self.heading is None:
+            yield from self._between(0, end)
+            return
+        first, last = self.heading.first_row, self.heading.last_row + 1
+        yield from self._between(0, first)
+        yield "<table:table-header-rows>"
+        yield from self._between(first, last)
+        yield "</table:table-header-rows>"
+        yield from self._between(last, end)
+
+    def _between(self, first: int, last: int) -> Iterator[str]:
+        """Rows first..last-1."""
+        for band in self.bands:
+            if first <= band.first < last:
+                yield self._empty_rows(band.first - first)
+                yield self._band(band)
+                first = band.last
+        yield self._empty_rows(last - first)
+
+    def _empty_rows(self, count: int) -> str:
+        style = self.styles.row(None)
+        repeated = _repeated("rows", count)
+        row = f'<table:table-row table:style-name="{style}"{repeated}><table:table-cell/></table:table-row>'
+        return row if count > 0 else ""
+
+    def _band(self, band: Band) -> str:
+        columns = [(cell.col, [self._constant(cell)]) for cell in band.cells]
+        for fill in band.fills:
+            columns += [(col, self._formulas(fill, col, band)) for col in range(fill.col, fill.col + fill.cols)]
+        columns.sort(key=lambda column: column[0])
+        count = band.last - band.first
+        height = self.styles.row(self.heights.get(band.first), band.first in self.begins)
+        pieces = [[f'<table:table-row table:style-name="{height}">'] * count]
+        next_col = 0
+        for col, texts in columns:
+            pieces += [[self._gap(band.first, next_col, col)] * count, texts]
+            next_col = col + 1
+        pieces += [[self._gap(band.first, next_col, self.columns) + "</table:table-row>"] * count]
+        return "".join(map("".join, zip(*pieces, strict=True)))
+
+    def _gap(self, row: int, first: int, last: int) -> str:
+        """Cells without content, first..last-1: a run for each set of rules."""
+        edges = [first, *(edge for edge in self.edges if first < edge < last), last] if first < last else []
+        return "".join(
+            f"<table:table-cell{self._look(PLAIN, row, start)}{_repeated('columns', stop - start)}/>"
+            for start, stop in pairwise(edges)
+        )
+
+    def _look(self, style: Style, row: int, col: int) -> str:
+        """The attributes of a cell that come from its style, the conditions there, and what may be typed."""
+        maps = tuple(element for area, element in self.rules.maps if _holds(area, row, col))
+        name = self.styles.cell(style, maps)
+        valid = next((name for area, name in self.rules.validations if _holds(area, row, col)), "")
+        text = f' table:style-name="{name}"' if name else ""
+        return f'{text} table:content-validation-name="{valid}"' if valid else text
+
+    def _head(self, style: Style, row: int, col: int) -> str:
+        area = self.spans.get((row, col))
+        spans = ""
+        if area:
+            cols, rows = area.last_col - area.first_col + 1, area.last_row - area.first_row + 1
+            spans = f' table:number-columns-spanned="{cols}" table:number-rows-spanned="{rows}"'
+        return f"<table:table-cell{self._look(style, row, col)}{spans}"
+
+    def _constant(self, cell: Cell) -> str:
+        place = (cell.row, cell.col)
+        if place in self.covered:
+            return f"<table:covered-table-cell{self._look(cell.style, *place)}/>"
+        content = cell.content
+        text = paragraphs(content) if isinstance(content, (str, Rich)) else ""
+        value = "" if content is None else value_attributes(content)
+        return f"{self._head(cell.style, *place)}{value}>{self._inside(place, text)}{_END}"
+
+    def _inside(self, place: Place, text: str) -> str:
+        return self.extras.notes.get(place, "") + text + self.extras.shapes.get(place, "")
+
+    def _formulas(self, fill: Fill, col: int, band: Band) -> list[str]:
+        """One column of a fill."""
+        place = (band.first, col)
+        formulas = self.fill_down.rows(fill, col, band.first, band.last)
+        head = f'{self._head(fill.style, *place)} table:formula="of:='
+        values = column_values(fill, col, band.first, band.last)
+        address = cell_address(self.sheet.title, *place)
+        if place in self.extras.places:
+            value = plain_value(values[0], address)
+            return [f'{head}{formulas[0]}"{result_attributes(value)}>{self._inside(place, _shown(value))}{_END}']
+        return _formula_cells(head, formulas, values, address)
+
+
+def _formula_cells(head: str, formulas: Sequence[str], values: Sequence[Scalar], place: str) -> list[str]:
+    texts = numbers(values)
+    if texts is not None:
+        return [
+            f'{head}{formula}" office:value-type="float" office:value="{text}"/>'
+            for formula, text in zip(formulas, texts, strict=True)
+        ]
+    checked = (plain_value(value, place) for value in values)
+    return [
+        f'{head}{formula}"{result_attributes(value)}>{_shown(value)}{_END}'
+        for formula, value in zip(formulas, checked, strict=True)
+    ]
+
+
+def _shown(value: float | str | bool | ErrorValue) -> str:
+    """The paragraphs of a formula's cell: texts and errors are read from there."""
+    return paragraphs(str(value)) if isinstance(value, (str, ErrorValue)) else ""
+
+
+def _repeated(what: str, count: int) -> str:
+    return f' table:number-{what}-repeated="{count}"' if count > 1 else ""
+
+
+def _holds(area: Area, row: int, col: int) -> bool:
+    return area.first_row <= row <= area.last_row and area.first_col <= col <= area.last_col
+
+
+def _places(area: Area) -> Iterator[Place]:
+    return (
+        (row, col)
+        for row in range(area.first_row, area.last_row + 1)
+        for col in range(area.first_col, area.last_col + 1)
+    )
+
 
 _ALL_COLUMNS = 1024
 """Columns that are given our width; LibreOffice's own is wider."""

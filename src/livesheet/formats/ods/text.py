@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from livesheet.formula.nodes import ErrorValue
-from livesheet.formula.references import cell_name, column_letters
+from livesheet.formula.references import absolute_name, cell_name
 from livesheet.workbook import Area, Content, Rich
 
 from ..xml_text import attribute, escaped, number
@@ -30,6 +30,8 @@ NAMESPACES = {
     "calcext": "urn:org:documentfoundation:names:experimental:calc:xmlns:calcext:1.0",
     "loext": "urn:org:documentfoundation:names:experimental:office:xmlns:loext:1.0",
 }
+SHEET_TYPE = "application/vnd.oasis.opendocument.spreadsheet"
+"""What a spreadsheet of OpenDocument is by its media type."""
 DECLARATION = '<?xml version="1.0" encoding="UTF-8"?>\n'
 VERSION = "1.3"
 _PLAIN_SHEET = re.compile(r"[A-Za-z]+")
@@ -54,7 +56,7 @@ def address(title: str, row: int, col: int) -> str:
 
 def absolute(title: str, row: int, col: int) -> str:
     """$Sheet.$A$1, not yet escaped."""
-    return f"${sheet_name(title)}.${column_letters(col)}${row + 1}"
+    return f"${sheet_name(title)}.{absolute_name(row, col)}"
 
 
 def area_address(title: str, area: Area) -> str:

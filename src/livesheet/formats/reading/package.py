@@ -9,13 +9,15 @@ import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 from xml.parsers import expat
 
 from livesheet.diagnostics import Fault, WorkbookError, readable_name, system_reason
+from livesheet.formula.book import Settings
 from livesheet.said import say
 
-from .repeated_rows import RepeatedRows
+if TYPE_CHECKING:
+    from .repeated_rows import RepeatedRows
 
 DAMAGED = (zipfile.BadZipFile, zlib.error, struct.error, EOFError, NotImplementedError)
 """What zipfile raises at archives that are damaged or packed in a way that it does not know."""
@@ -113,6 +115,22 @@ class Package:
                 raise self.fault(say("the file is damaged (cut off)"), info.filename)
             left -= len(piece)
             yield piece
+
+    def read(
+        self,
+        part: str,
+        start: Callable[[str, dict[str, Any]], None],
+        end: Callable[[str], None] | None = None,
+        texts: list[str] | None = None,
+    ) -> None:
+        """Read a part by what is to be done where an element begins, and where it ends; `texts` gathers the text at hand."""
+        parser = expat.ParserCreate()
+        parser.buffer_text = True
+        parser.StartElementHandler = start
+        parser.EndElementHandler = end
+        if texts is not None:
+            parser.CharacterDataHandler = texts.append
+        self.parse(part, parser, () if texts is None else texts)
 
     def parse(
         self, part: str, parser: expat.XMLParserType, texts: Sequence[str] = (), rows: RepeatedRows | None = None
@@ -284,9 +302,7 @@ def relationships(package: Package, part: str) -> dict[str, tuple[str, str]]:
             kind = attributes.get("Type", "").rpartition("/")[2]
             found[attributes.get("Id", "")] = kind, _target(place, attributes.get("Target", ""))
 
-    parser = expat.ParserCreate()
-    parser.StartElementHandler = start
-    package.parse(rels, parser)
+    package.read(rels, start)
     return found
 
 
@@ -301,3 +317,11 @@ def _target(part: PurePosixPath, target: str) -> str:
         elif step != ".":
             steps.append(step)
     return "/".join(steps)
+
+
+def settings_remarks(settings: Settings, file: str) -> list[Fault]:
+    """The remarks on a file with these settings."""
+    if not settings.as_shown:
+        return []
+    message = say("every value is rounded as it is shown (a setting of this workbook): stored values are kept")
+    return [Fault(message, file, hint=say("switch “precision as displayed” off to have it computed"))]

@@ -10,14 +10,12 @@ from livesheet.formula.book import Book, BookSheet, DefinedName, Settings
 from livesheet.formula.nodes import Foreign, Node
 from livesheet.said import reason, say
 
-from ..reading.package import MAX_SHEETS, refuse_what_it_is
-from ..reading.settings import settings_remarks
+from ..reading.package import MAX_SHEETS, refuse_what_it_is, settings_remarks
 from .compound import SIGNATURE, Compound
 from .contents import FILTER, Contents, contents_of, is_biff8
-from .formulas import Formulas, UnreadableError
+from .formulas import ROWS, Formulas, UnreadableError
 from .records import DamagedError, Kind, Reader
 from .scan import SheetScan
-from .tokens import ROWS
 
 MAX_BYTES = 1 << 29
 """Of a file: a sheet full of numbers takes a quarter of it."""

@@ -13,12 +13,10 @@ from livesheet.formula.nodes import ErrorValue, Node, Scalar
 from livesheet.formula.references import cell_name
 from livesheet.said import reason, say
 
-from ..reading.array_areas import MOST_CELLS, move_values
-from ..reading.cell_faults import CellFaults
-from .formulas import ERRORS, Formulas, UnreadableError
+from ..reading.formulas import MOST_CELLS, CellFaults, move_values
+from .formulas import COLUMNS, ERRORS, Formulas, Token, UnreadableError, normal
 from .records import DamagedError, Reader, Record, records
 from .records import Kind as Of
-from .tokens import COLUMNS, Token, normal
 
 Key = tuple[bytes, bytes]
 """A formula as fill-down leaves it: its tokens in normal form, and the constants of its arrays."""

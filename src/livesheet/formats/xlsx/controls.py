@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from livesheet.formula.references import column_letters
+from livesheet.formula.references import absolute_name
 from livesheet.workbook import Control
 
 from ..xml_text import attribute
@@ -43,7 +43,7 @@ class PlacedControl:
     @property
     def link(self) -> str:
         """The cell it moves, $B$8."""
-        return f"${column_letters(self.control.linked_col)}${self.control.linked_row + 1}"
+        return absolute_name(self.control.linked_row, self.control.linked_col)
 
     @property
     def horizontal(self) -> bool:

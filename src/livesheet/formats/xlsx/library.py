@@ -24,8 +24,7 @@ from xlsxwriter.worksheet import Worksheet
 
 from livesheet.workbook import Anchor, Area
 
-from ..archive import Archive
-from ..seal import seal
+from ..archive import Archive, seal
 from ..xml_text import attribute, number, ooxml_escaped
 from .cells import SheetData
 from .controls import CONTENT_TYPE, EMU, PlacedControl, anchor_text, control_properties, control_shape, controls_element

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
-from xml.parsers import expat
 
 from livesheet.diagnostics import Fault, FormulaError, WorkbookError
-from livesheet.formula.book import Book, BookSheet, DefinedName, Settings
+from livesheet.formula.book import Book, BookSheet, DefinedName, Settings, Table
 from livesheet.formula.nodes import Foreign, Node
 from livesheet.formula.parser import parse_formula
+from livesheet.formula.references import parse_area
 from livesheet.said import say
 
 from ..reading.package import (
@@ -22,12 +22,10 @@ from ..reading.package import (
     part_key,
     relationships,
     saved_by,
+    settings_remarks,
     unescaped,
 )
-from ..reading.settings import settings_remarks
-from .dynamic_arrays import dynamic_marks
 from .scan import SheetScan
-from .tables import tables_of
 
 _OTHERS = (
     ("Index/Document.iwa", say("a spreadsheet of Apple Numbers (.numbers), which is not read")),
@@ -66,13 +64,13 @@ def _read(package: Package) -> Book:
     macros = "VBA" if any(kind == "vbaProject" for kind, _ in links.values()) else ""
     program = saved_by(package, "docProps/app.xml")
     book = Book([], date1904=contents.date1904, source=package.name, macros=macros, program=program)
-    dynamic = dynamic_marks(package, links)
+    dynamic = _dynamic_marks(package, links)
     faults: list[Fault] = []
     for title, target in _sheet_parts(package, part, contents, links):
         sheet = BookSheet(title)
         book.sheets.append(sheet)
         scan = SheetScan(package, target, sheet, strings, contents.date1904, dynamic)
-        book.tables += tables_of(package, target, title, scan.filters)
+        book.tables += _tables_of(package, target, title, scan.filters)
         faults += scan.run()
         book.remarks += scan.faults.remarks
     if faults:
@@ -87,10 +85,7 @@ def _read(package: Package) -> Book:
 
 def _contents(package: Package, part: str) -> _Workbook:
     contents = _Workbook()
-    parser = expat.ParserCreate()
-    parser.buffer_text = True
-    texts = contents.attach(parser)
-    package.parse(part, parser, texts)
+    package.read(part, contents.start, contents.end, contents.pieces)
     return contents
 
 
@@ -147,16 +142,11 @@ class _Workbook:
         self.date1904 = False
         self.settings = Settings()
         self._name: tuple[str, int | None] | None = None
-        self._pieces: list[str] = []
+        self.pieces: list[str] = []
 
-    def attach(self, parser: expat.XMLParserType) -> list[str]:
-        parser.StartElementHandler = self._start
-        parser.EndElementHandler = self._end
-        parser.CharacterDataHandler = self._pieces.append
-        return self._pieces
-
-    def _start(self, tag: str, attributes: dict[str, Any]) -> None:
-        self._pieces.clear()
+    def start(self, tag: str, attributes: dict[str, Any]) -> None:
+        """An element begins."""
+        self.pieces.clear()
         match local_name(tag):
             case "sheet":
                 self.sheets.append((attributes.get("name", ""), attribute(attributes, "id") or ""))
@@ -171,9 +161,10 @@ class _Workbook:
                 local = attributes.get("localSheetId", "")
                 self._name = attributes.get("name", ""), int(local) if local.isdecimal() else None
 
-    def _end(self, tag: str) -> None:
+    def end(self, tag: str) -> None:
+        """An element has ended."""
         if local_name(tag) == "definedName" and self._name is not None:
-            self.names.append((*self._name, "".join(self._pieces)))
+            self.names.append((*self._name, "".join(self.pieces)))
             self._name = None
 
 
@@ -220,11 +211,87 @@ def _strings(package: Package, part: str) -> list[str]:
         elif name == "si":
             found.append(unescaped("".join(text)))
 
-    parser = expat.ParserCreate()
-    parser.buffer_text = True
-    parser.StartElementHandler = start
-    parser.EndElementHandler = end
-    parser.CharacterDataHandler = pieces.append
     if part in package:
-        package.parse(part, parser, pieces)
+        package.read(part, start, end, pieces)
     return found
+
+
+_DYNAMIC = "XLDAPR"
+"""The type of metadata that marks dynamic arrays (Microsoft, [MS-XLSX] 2.4.87)."""
+
+
+def _dynamic_marks(package: Package, links: Mapping[str, tuple[str, str]]) -> frozenset[str]:
+    """The values of `cm` that mean a dynamic array."""
+    part = next((target for kind, target in links.values() if kind == "sheetMetadata"), "")
+    if part not in package:
+        return frozenset()
+    types: list[str] = []
+    dynamic: list[bool] = []
+    cells: list[tuple[str, str]] = []
+    inside: list[str] = []
+    owner = ""
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        nonlocal owner
+        name = local_name(tag)
+        inside.append(name)
+        if name == "metadataType":
+            types.append(attributes.get("name", ""))
+        elif name == "futureMetadata":
+            owner = attributes.get("name", "")
+        elif name == "bk" and owner == _DYNAMIC and "futureMetadata" in inside:
+            dynamic.append(False)
+        elif name == "dynamicArrayProperties" and dynamic:
+            dynamic[-1] = (attribute(attributes, "fDynamic") or "1") in ("1", "true")
+        elif name == "bk" and "cellMetadata" in inside:
+            cells.append(("", ""))
+        elif name == "rc" and "cellMetadata" in inside and cells:
+            cells[-1] = attributes.get("t", ""), attributes.get("v", "")
+
+    def end(tag: str) -> None:
+        inside.pop()
+        del tag
+
+    package.read(part, start, end)
+
+    def is_dynamic(kind: str, place: str) -> bool:
+        if not (kind.isdecimal() and place.isdecimal() and 1 <= int(kind) <= len(types)):
+            return False
+        return types[int(kind) - 1] == _DYNAMIC and int(place) < len(dynamic) and dynamic[int(place)]
+
+    return frozenset(str(number) for number, found in enumerate(cells, 1) if is_dynamic(*found))
+
+
+def _tables_of(package: Package, part: str, title: str, filters: list[str]) -> list[Table]:
+    """The tables of the sheet `title`, whose part is `part`. One without a proper area is left out: it is then unknown.
+
+    filters  is given the areas in which a filter hides rows
+    """
+    targets = sorted(target for kind, target in relationships(package, part).values() if kind == "table")
+    found = [_table(package, target, title, filters) for target in targets if target in package]
+    return [table for table in found if table is not None]
+
+
+def _table(package: Package, part: str, title: str, filters: list[str]) -> Table | None:
+    about: dict[str, str] = {}
+    columns: list[str] = []
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        name = local_name(tag)
+        if name == "table":
+            about.update(attributes)
+        elif name == "tableColumn":
+            columns.append(unescaped(attributes.get("name", "")))
+        elif name == "filterColumn":
+            filters.append(about.get("ref", ""))
+
+    package.read(part, start)
+    area = parse_area(about.get("ref", ""))
+    if area is None or area[3] - area[1] + 1 != len(columns):
+        return None
+    name = about.get("displayName") or about.get("name", "")
+    rows = area[2] - area[0] + 1
+    headers, totals = (about.get(key, default) for key, default in (("headerRowCount", "1"), ("totalsRowCount", "0")))
+    if not (headers.isdecimal() and totals.isdecimal() and len(headers + totals) < 9 and rows > 0):
+        return None
+    return Table(name, title, *area[:2], rows, tuple(columns), int(headers), int(totals))

@@ -6,12 +6,21 @@ import re
 from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from livesheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, Scalar
+from livesheet.formula.nodes import MAX_COLUMNS, Scalar
 from livesheet.formula.references import column_index
 
-from ..reading.fill_runs import Run
-from ..reading.repeated_rows import Groups
-from ..reading.row_matching import LEAST, LONGEST, NUMBER, TEXT, RowExpression, give_numbers, give_values
+from ..reading.formulas import Run
+from ..reading.repeated_rows import (
+    LEAST,
+    LONGEST,
+    NUMBER,
+    TEXT,
+    Groups,
+    Pattern,
+    RowExpression,
+    give_numbers,
+    give_values,
+)
 
 if TYPE_CHECKING:
     from .scan import SheetScan
@@ -40,31 +49,18 @@ class Cell(NamedTuple):
     formula: bool
 
 
-class RowPattern:
+class RowPattern(Pattern):
     """The rows below a row of a sheet."""
 
     def __init__(self, scan: SheetScan, expression: RowExpression, cells: list[Cell], runs: dict[int, Run]) -> None:
-        self.expression = expression.finished()
+        super().__init__(expression, runs)
         self._scan = scan
         self._cells = cells
-        self._runs = runs
-        # How far a row number is from the row's own -> its group; the row's own comes first.
-        self._rows = list(expression.rows.items())
 
-    def ready(self) -> bool:
-        """Whether the row after the last one would be the next of all runs."""
-        row = self._scan.row + 1
-        return self._scan.row >= self._scan.lowest and all(
-            self._scan.runs.goes_on(col, run, row) for col, run in self._runs.items()
-        )
-
-    def accepts(self, groups: Groups, down: int) -> bool:
-        """Whether all row numbers are as far from the row's own as they were."""
-        row = self._scan.row + 2 + down
-        for offset, group in self._rows:
-            if groups[group] != b"%d" % (row + offset):
-                return False
-        return row <= MAX_ROWS
+    def next_row(self) -> int | None:
+        """The row after the last one, where that is the lowest and all runs go on in it."""
+        scan, row = self._scan, self._scan.row + 1
+        return row if scan.row >= scan.lowest and scan.runs.all_go_on(self.runs, row) else None
 
     def take(self, rows: list[Groups]) -> bytes:
         """Put the values of consecutive rows into the sheet; the runs go on."""
@@ -76,7 +72,7 @@ class RowPattern:
             else:
                 value = partial(self._value, kind, col)
                 give_values(scan.sheet, first, col, formula, columns[group], value)
-        for run in self._runs.values():
+        for run in self.runs.values():
             run.end += len(rows)
         scan.row = scan.lowest = first + len(rows) - 1
         scan.told += 1

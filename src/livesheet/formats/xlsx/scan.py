@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 from xml.parsers import expat
 
 from livesheet.diagnostics import Fault
 from livesheet.formula.book import BookSheet
 from livesheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
-from livesheet.formula.references import CELL, cell_name, column_index
+from livesheet.formula.references import CELL, cell_name, column_index, parse_area
 from livesheet.said import say
 
-from ..reading.array_areas import ArrayText, array_text, give_arrays
-from ..reading.cell_faults import Area, CellFaults
-from ..reading.fill_runs import FormulaRuns
-from ..reading.numbers import NULL_DATE, NULL_DATE_1904, day_number, finite
+from ..reading.formulas import Area, ArrayText, CellFaults, FormulaRuns, array_text, give_arrays
 from ..reading.package import Package, local_name, unescaped
 from ..reading.repeated_rows import RepeatedRows
+from ..xml_text import NULL_DATE, NULL_DATE_1904, day_number, finite
 from .row_pattern import row_pattern
-from .tables import give_filters
 
 
 class SheetScan:
@@ -60,7 +57,7 @@ class SheetScan:
         self.sheet.blocks.extend(self.runs.blocks())
         self.sheet.keep(self.runs.kept)
         give_arrays(self.sheet, self.arrays, self.faults)
-        give_filters(self.sheet, self.filters)
+        _give_filters(self.sheet, self.filters)
         return self.faults.found
 
     def at_row(self, row: int) -> None:
@@ -263,3 +260,23 @@ def _column(scan: SheetScan, place: str, row: int, columns: dict[str, int]) -> i
         raise scan.package.fault(say('"{place}" is no cell of row {row}', place=place[:40], row=row + 1), scan.part)
     columns[match[2]] = column_index(match[2])
     return columns[match[2]]
+
+
+def _give_filters(sheet: BookSheet, areas: Iterable[str]) -> None:
+    """Note the hidden rows below the first one of each area ("A1:C9") with a filter that filters.
+
+    SUBTOTAL leaves those out always, the others only if it is asked to.
+    """
+    below: list[tuple[int, int]] = []
+    for area in dict.fromkeys(areas):
+        corners = parse_area(area)
+        if corners is not None:
+            below.append((corners[0] + 1, corners[2] + 1))
+    sheet.hidden.sort()
+    found = {
+        (max(top, first), min(bottom, end))
+        for top, bottom in below
+        for first, end in sheet.hidden
+        if max(top, first) < min(bottom, end)
+    }
+    sheet.filtered = sorted(found)

@@ -12,9 +12,23 @@ from livesheet.formula.nodes import ErrorValue, Scalar
 from livesheet.formula.references import area_name, cell_name, column_index
 from livesheet.said import say
 
-from ..new_values import CellValues, NewValues, Place, Rewrite, check_output, new_values, write_package
+from ..new_values import (
+    CellValues,
+    Edit,
+    NewValues,
+    Place,
+    RawXml,
+    Rewrite,
+    Span,
+    attributes_named,
+    check_output,
+    end_tag,
+    new_values,
+    opened,
+    with_attributes,
+    write_package,
+)
 from ..reading.package import Package, local_name, open_package
-from ..reading.raw_xml import Edit, RawXml, Span, attributes_named, end_tag, opened, with_attributes
 from ..xml_text import number, ooxml_escaped
 from .read import sheet_parts
 

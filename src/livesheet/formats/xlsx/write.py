@@ -6,7 +6,7 @@ import copy
 from pathlib import Path
 
 from livesheet.formula.printer import print_formula, quote_sheet
-from livesheet.formula.references import column_letters
+from livesheet.formula.references import absolute_name
 from livesheet.workbook import Cell, Rich, Sheet, Workbook
 
 from ..archive import FIXED_TIME, new_archive
@@ -65,8 +65,7 @@ class _Book(PartsWorkbook):
         for page, sheet in zip(self.worksheets(), source.sheets, strict=True):
             self._fill(page, sheet)
         for name in source.names:
-            cell = f"${column_letters(name.col)}${name.row + 1}"
-            self.define_name(name.name, f"={quote_sheet(name.sheet)}!{cell}")
+            self.define_name(name.name, f"={quote_sheet(name.sheet)}!{absolute_name(name.row, name.col)}")
         for function in source.functions:
             self.define_name(function.name, f"={print_formula(function.formula)}")
 

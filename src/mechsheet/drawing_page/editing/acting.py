@@ -8,14 +8,11 @@ from typing import Any
 
 from livesheet.formula.names import folded
 from mechsheet.description.text.numbers import METRES
-from mechsheet.description.text.rewrite import with_table
-from mechsheet.drawing_page.cells import number_in_unit, own_units
-from mechsheet.drawing_page.editing.links import ground_pin
-from mechsheet.drawing_page.editing.naming import free_symbol
-from mechsheet.drawing_page.editing.remarks import line, quoted_key
-from mechsheet.drawing_page.editing.sheet import Sheet, in_frame, rounded
+from mechsheet.drawing_page.editing.links import new_pin
+from mechsheet.drawing_page.editing.sheet import Sheet, free_symbol, in_frame, line, quoted_key, rounded
 from mechsheet.drawing_page.positions import Point, Pose
-from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
+from mechsheet.drawing_page.questions import Impossible, Refusal, end, point_in, text_in
+from mechsheet.drawing_page.reading import number_in_unit, own_units
 from mechsheet.model import Link
 
 DIGITS = 6
@@ -25,22 +22,19 @@ ROUND, NEAR = math.radians(15.0), math.radians(3.0)
 """An arrow that is drawn so near to a multiple of a round angle has that."""
 
 
-def force(sheet: Sheet, end: Any, to: Point, size: str) -> Sheet:
+def force(sheet: Sheet, tail: Any, to: Point, size: str) -> Sheet:
     """A force of this size where an arrow begins, in its direction.
 
-    end  {"point": …}: at a point of a moving link; {"link": …, "at": …}: at a place of that link
+    tail  {"point": …}: at a point of a moving link; {"link": …, "at": …}: at a place of that link
     """
-    if not isinstance(end, dict):
-        raise Refusal("an end is a table")
-    if "link" in end:
-        loaded = sheet.parts.link(text_in(end, "link"))
-        if loaded is None or loaded is sheet.ground:
-            raise Impossible("load_moving")
-        start = point_in(end, "at")
+    begun = end(tail)
+    if "link" in begun:
+        loaded = sheet.moving(text_in(begun, "link"), "load_moving")
+        start = point_in(begun, "at")
         place = in_frame(start, sheet.drawn.poses.get(loaded.name, Pose()))
         where = f"[{', '.join(rounded(part, sheet.digits) for part in place)}]"
     else:
-        point = text_in(end, "point", "")
+        point = text_in(begun, "point", "")
         if point not in sheet.drawn.places:
             raise Impossible("load_moving")
         loaded, start, where = _loaded(sheet, point), sheet.drawn.places[point], quoted_key(point)
@@ -54,7 +48,7 @@ def force(sheet: Sheet, end: Any, to: Point, size: str) -> Sheet:
         line(sheet, "point", where),
         line(sheet, "force", f"[{parts}]", unit=unit),
     ]
-    return _with_load(sheet, lines)
+    return sheet.with_entry("loads", lines)
 
 
 def _direction(start: Point, to: Point) -> Point:
@@ -78,9 +72,7 @@ def _loaded(sheet: Sheet, point: str) -> Link:
 
 def torque(sheet: Sheet, name: str, size: str) -> Sheet:
     """A torque on a link, counter-clockwise where it is positive."""
-    loaded = sheet.parts.link(name)
-    if loaded is None or loaded is sheet.ground:
-        raise Impossible("load_moving")
+    sheet.moving(name, "load_moving")
     length = sheet.parts.length_unit
     unit = f"{own_units(sheet.source)[0]} {'m' if length in METRES else length}"
     value = number_in_unit(sheet.source, size, unit)
@@ -89,7 +81,7 @@ def torque(sheet: Sheet, name: str, size: str) -> Sheet:
         line(sheet, "link", quoted_key(name)),
         line(sheet, "torque", value, unit=unit),
     ]
-    return _with_load(sheet, lines)
+    return sheet.with_entry("loads", lines)
 
 
 def between(sheet: Sheet, key: str, ends: Any, size: str) -> Sheet:
@@ -100,15 +92,12 @@ def between(sheet: Sheet, key: str, ends: Any, size: str) -> Sheet:
     if not isinstance(ends, list) or len(ends) != 2:
         raise Refusal("it begins and ends")
     points = []
-    for end in ends:
-        if not isinstance(end, dict):
-            raise Refusal("an end is a table")
-        before = sheet.drawn.places
-        if "at" in end:
-            sheet = ground_pin(sheet, end)
-            points.append(next(point for point in sheet.drawn.places if point not in before))
+    for given in map(end, ends):
+        if "at" in given:
+            sheet, point = new_pin(sheet, given)
         else:
-            points.append(text_in(end, "point"))
+            point = text_in(given, "point")
+        points.append(point)
     first, second = points
     owners = [{link.name for link in sheet.parts.links_at(point)} for point in points]
     if first == second or not all(owners) or owners[0] & owners[1]:
@@ -124,7 +113,7 @@ def between(sheet: Sheet, key: str, ends: Any, size: str) -> Sheet:
     if key == "stiffness":
         length = math.dist(sheet.drawn.places[first], sheet.drawn.places[second])
         lines.append(line(sheet, "free_length", rounded(length, sheet.digits)))
-    return _with_load(sheet, lines)
+    return sheet.with_entry("loads", lines)
 
 
 def _free_name(sheet: Sheet, wanted: str) -> str:
@@ -133,9 +122,3 @@ def _free_name(sheet: Sheet, wanted: str) -> str:
     used = {folded(str(load.get("name", f"L{n}"))) for n, load in enumerate(listed, 1) if isinstance(load, dict)}
     names = (wanted if n == 1 else f"{wanted}{n}" for n in count(1))
     return next(name for name in names if folded(name) not in used and free_symbol(sheet.parts, name) == name)
-
-
-def _with_load(sheet: Sheet, lines: list[str]) -> Sheet:
-    loads = sheet.source.data.get("loads")
-    number = len(loads) if isinstance(loads, list) else 0
-    return sheet.again(with_table(sheet.source, ("loads", number), lines), {})

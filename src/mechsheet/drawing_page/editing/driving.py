@@ -1,4 +1,4 @@
-"""What is driven, and over which values: the table [driver]."""
+"""What is driven, over which values, and by which motion law: the table [driver]."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 
-from mechsheet.description.text.rewrite import number_text, with_table, with_value, without_key
+from mechsheet.description.text.rewrite import number_text, with_last_key, with_table, with_value, without_key
 from mechsheet.description.text.source import Source
 from mechsheet.drawing_page.editing.shaping import size_of, slid
-from mechsheet.drawing_page.editing.sheet import Sheet, rounded
+from mechsheet.drawing_page.editing.sheet import Sheet, noted, rounded
 from mechsheet.drawing_page.positions import Pose
 from mechsheet.drawing_page.questions import Impossible, Refusal
 from mechsheet.model import Link
@@ -34,9 +34,7 @@ def drive(sheet: Sheet, link_name: str, joint_name: str) -> Sheet:
         lines = {"joint": f'"{joint.name}"', "start": start, "stop": stop, "step": step}
         at = here
     else:
-        found = sheet.parts.link(link_name)
-        if found is None or found is sheet.ground:
-            raise Impossible("drive_moving")
+        found = sheet.moving(link_name, "drive_moving")
         base = _pivoted_on(sheet, found)
         start, stop, step = SWEEPS[unit.in_degrees]
         if not unit.in_degrees:
@@ -64,10 +62,9 @@ def _one_more(sheet: Sheet, link: str, joint: str) -> bool:
 
 def _with_further(sheet: Sheet, lines: Mapping[str, str], at: float) -> Sheet:
     """A further driver, which stays where it is drawn until its cell is turned by hand."""
-    number = len(sheet.source.data.get("drivers", []))
     kept = [f"{key} = {value}" for key, value in lines.items() if key not in ("start", "stop", "step")]
     written = [*kept, f"value = {number_text(round(at, sheet.digits) + 0.0)}"]
-    return sheet.again(with_table(sheet.source, ("drivers", number), written), {})
+    return sheet.with_entry("drivers", written)
 
 
 def _pivoted_on(sheet: Sheet, link: Link) -> Link:
@@ -93,3 +90,26 @@ def _with_driver(sheet: Sheet, lines: Mapping[str, str]) -> Source:
                 source = without_key(source, ("driver", "values"))
             source = with_value(source, ("driver", key), value)
     return source
+
+
+def with_motion(sheet: Sheet) -> Sheet:
+    """The driver with a motion law, ready and with a remark behind it; its numbers are there to be changed."""
+    if "values" in _driver_table(sheet, "motion"):
+        raise Impossible("listed")
+    source = sheet.source
+    for key in ("step", "speed", "acceleration"):  # the law says all of them
+        source = without_key(source, ("driver", key))
+    law = noted(sheet, '{ law = "cycloidal", duration = 2 }', "motion")
+    return sheet.again(with_last_key(source, ("driver",), "motion", law), {})
+
+
+def _driver_table(sheet: Sheet, *taken: str) -> Mapping[str, object]:
+    """What is written of the driver; none of the keys `taken` may be there."""
+    driver = sheet.source.data.get("driver")
+    spot = sheet.source.spots.get(("driver",))
+    if not isinstance(driver, dict) or spot is None or spot.how != "header":
+        raise Impossible("drive_first")
+    for key in taken:
+        if key in driver:
+            raise Impossible("there_already", name=f"[driver] {key}")
+    return driver

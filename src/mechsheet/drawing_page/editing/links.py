@@ -1,15 +1,27 @@
-"""Ground pins, links of two points, further points of a link: each brings dimensions of its own."""
+"""Ground pins, links of two points, further points of a link, each with dimensions of its own; and other names for them."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
+from livesheet.formula.names import folded
+from mechsheet.description.scope import symbol_fault
 from mechsheet.description.text.index import key_text
-from mechsheet.description.text.rewrite import with_last_key, with_table, without_key
+from mechsheet.description.text.rewrite import Renamed, renamed, with_last_key, with_table, without_key
 from mechsheet.description.text.source import Source
-from mechsheet.drawing_page.editing.naming import free_link, free_point, free_symbol
-from mechsheet.drawing_page.editing.sheet import Sheet, end_of, in_frame, rounded, sketched, with_length
+from mechsheet.drawing_page.editing.sheet import (
+    Sheet,
+    end_of,
+    free_link,
+    free_point,
+    free_symbol,
+    in_frame,
+    rounded,
+    sketched,
+    with_length,
+)
 from mechsheet.drawing_page.positions import Pose
 from mechsheet.drawing_page.questions import Impossible, Refusal
 from mechsheet.model import Link
@@ -39,11 +51,14 @@ def ground_pin(sheet: Sheet, end: Any) -> Sheet:
             text = f'"{symbol}"'
         written.append(text)
     source = _with_point(source, sheet.ground.name, name, f"[{', '.join(written)}]")
-    return sheet.again(_without_sketched(source, name), {name: place})
+    return sheet.again(without_key(source, ("assembly", name)), {name: place})
 
 
-def _without_sketched(source: Source, point: str) -> Source:
-    return without_key(source, ("assembly", point))
+def new_pin(sheet: Sheet, end: dict[str, Any]) -> tuple[Sheet, str]:
+    """The sheet with a new point of the ground, and its name."""
+    before = sheet.drawn.places
+    sheet = ground_pin(sheet, end)
+    return sheet, next(point for point in sheet.drawn.places if point not in before)
 
 
 def _with_point(source: Source, link: str, point: str, value: str) -> Source:
@@ -103,3 +118,26 @@ def plate(sheet: Sheet, name: str, end: Any) -> Sheet:
     source, written = _written_place(sheet, link, point, u, v)
     fresh = {point: place} if new else {}
     return sketched(sheet.again(_with_point(source, name, point, written), fresh), fresh)
+
+
+def rename(sheet: Sheet, kind: Renamed, old: str, new: str) -> Sheet:
+    """The sheet with another name for a point or a link, everywhere in its text. Raises Impossible for one that is taken."""
+    new = new.strip()
+    if kind == "point":
+        taken = {point for link in sheet.parts.links for point in link.points}
+        fault = symbol_fault(new)
+    else:
+        taken = {link.name for link in sheet.parts.links}
+        sound = new[:1].isalpha() and all(sign.isalnum() or sign in "_-" for sign in new)
+        fault = "" if sound else "-"
+    if old not in taken:
+        raise Refusal(f'there is no {kind} "{old}"')
+    if new == old:
+        return sheet
+    if fault:
+        raise Impossible(f"{kind}_name", name=new)
+    if any(folded(new) == folded(name) for name in taken if name != old):
+        raise Impossible("there_already", name=new)
+    source = renamed(sheet.source, kind, old, new)
+    places = {new if point == old and kind == "point" else point: at for point, at in sheet.drawn.places.items()}
+    return replace(sheet.again(source, {}), drawn=replace(sheet.drawn, places=places))

@@ -3,23 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
-from mechsheet.drawing_page.cells import typed_in_cell
 from mechsheet.drawing_page.editing.acting import between, force, torque
-from mechsheet.drawing_page.editing.driving import drive
-from mechsheet.drawing_page.editing.gearing import gear
-from mechsheet.drawing_page.editing.inserting import insert
-from mechsheet.drawing_page.editing.links import ground_pin, link, plate
+from mechsheet.drawing_page.editing.driving import drive, with_motion
+from mechsheet.drawing_page.editing.joints import gear, slide
+from mechsheet.drawing_page.editing.links import ground_pin, link, plate, rename
 from mechsheet.drawing_page.editing.removing import without
-from mechsheet.drawing_page.editing.renaming import rename
 from mechsheet.drawing_page.editing.shaping import Edited, drawn_now, moved, typed, with_sketched
 from mechsheet.drawing_page.editing.sheet import Sheet
-from mechsheet.drawing_page.editing.sliding import slide
-from mechsheet.drawing_page.editing.weighing import weigh
+from mechsheet.drawing_page.editing.weighing import weigh, weigh_all
 from mechsheet.drawing_page.positions import Point
 from mechsheet.drawing_page.questions import Impossible, Refusal, point_in, text_in
-from mechsheet.drawing_page.reading import Reading, read
+from mechsheet.drawing_page.reading import Reading, read, typed_in_cell
 from mechsheet.words.catalogue import Language
 from mechsheet.words.catalogue import text_in as said_in
 
@@ -35,40 +32,44 @@ def edited(
     do = text_in(order, "do")
     if do not in _ORDERS:
         raise Refusal(f'no order is called "{do}"')
-    return _ORDERS[do](reading, order, at, held, language)
+    return _ORDERS[do](_Shown(reading, at, held, language), order)
 
 
-Order = Callable[[Reading, dict[str, Any], float | None, Mapping[str, Point], Language], Edited]
+@dataclass(frozen=True, slots=True)
+class _Shown:
+    """What the page shows: the arguments of `edited` but for the order."""
+
+    reading: Reading
+    at: float | None
+    held: Mapping[str, Point]
+    language: Language
 
 
-def _move(
-    reading: Reading, order: dict[str, Any], at: float | None, held: Mapping[str, Point], _language: Language
-) -> Edited:
-    return moved(reading, text_in(order, "point"), point_in(order, "to"), at, held)
+Order = Callable[[_Shown, dict[str, Any]], Edited]
 
 
-def _dimension(
-    reading: Reading, order: dict[str, Any], at: float | None, _held: Mapping[str, Point], _language: Language
-) -> Edited:
-    return typed(reading, text_in(order, "name"), text_in(order, "value")), at
+def _move(shown: _Shown, order: dict[str, Any]) -> Edited:
+    return moved(shown.reading, text_in(order, "point"), point_in(order, "to"), shown.at, shown.held)
 
 
-def _cell(
-    reading: Reading, order: dict[str, Any], at: float | None, _held: Mapping[str, Point], _language: Language
-) -> Edited:
-    return typed_in_cell(reading, text_in(order, "name"), text_in(order, "value")), at
+def _typing(write: Callable[[Reading, str, str], str]) -> Order:
+    """An order that puts what was typed into the place of a number."""
+
+    def order(shown: _Shown, typed: dict[str, Any]) -> Edited:
+        return write(shown.reading, text_in(typed, "name"), text_in(typed, "value")), shown.at
+
+    return order
 
 
 def _drawn(draw: Callable[[Sheet, dict[str, Any]], Sheet]) -> Order:
     """An order that draws something new, or takes it away: on the sheet as it is shown."""
 
-    def order(
-        reading: Reading, what: dict[str, Any], at: float | None, held: Mapping[str, Point], language: Language
-    ) -> Edited:
+    def order(shown: _Shown, what: dict[str, Any]) -> Edited:
+        reading = shown.reading
         if reading.source is None or reading.parts is None:
             raise Impossible("unreadable")
-        drawn = drawn_now(reading, at, held)
-        sheet = draw(Sheet(reading.source, reading.parts, drawn, language, reading.mobility), what)
+        drawn = drawn_now(reading, shown.at, shown.held)
+        sheet = draw(Sheet(reading.source, reading.parts, drawn, shown.language, reading.mobility), what)
         return settled(reading, sheet), sheet.drawn.at
 
     return order
@@ -86,18 +87,29 @@ def _delete(sheet: Sheet, order: dict[str, Any]) -> Sheet:
     return sheet.again(without(sheet.source, kind, text_in(order, kind)), {})
 
 
+def _insert(sheet: Sheet, order: dict[str, Any]) -> Sheet:
+    """What is not drawn but written, a motion law, masses for all links: each ready, with the names of the drawing."""
+    what = text_in(order, "what")
+    if what not in INSERTED:
+        raise Refusal(f'nothing that can be inserted is called "{what}"')
+    return INSERTED[what](sheet)
+
+
+INSERTED: dict[str, Callable[[Sheet], Sheet]] = {"motion": with_motion, "masses": weigh_all}
+"""In the order of the page's menu."""
+
+
 def _fitting(draw: Callable[[Sheet, dict[str, Any]], Sheet]) -> Order:
     """An order after which a mechanism that moves still does: what does not fit it is refused, with why."""
 
-    def order(
-        reading: Reading, what: dict[str, Any], at: float | None, held: Mapping[str, Point], language: Language
-    ) -> Edited:
-        text, shown = _drawn(draw)(reading, what, at, held, language)
+    def order(shown: _Shown, what: dict[str, Any]) -> Edited:
+        text, at = _drawn(draw)(shown, what)
+        reading = shown.reading
         if reading.compiled is not None:
             found = read(text, reading.source.file if reading.source else "")
             if found.compiled is None:
-                raise Impossible("does_not_fit", reason=said_in(found.faults[0].message, language))
-        return text, shown
+                raise Impossible("does_not_fit", reason=said_in(found.faults[0].message, shown.language))
+        return text, at
 
     return order
 
@@ -121,7 +133,7 @@ def settled(reading: Reading, sheet: Sheet) -> str:
 
 _ORDERS: dict[str, Order] = {
     "move": _move,
-    "dimension": _dimension,
+    "dimension": _typing(typed),
     "ground": _drawn(lambda sheet, order: ground_pin(sheet, order.get("end"))),
     "link": _drawn(lambda sheet, order: link(sheet, order.get("ends"))),
     "plate": _drawn(lambda sheet, order: plate(sheet, text_in(order, "link"), order.get("end"))),
@@ -138,7 +150,7 @@ _ORDERS: dict[str, Order] = {
     "mass": _fitting(
         lambda sheet, order: weigh(sheet, text_in(order, "link"), text_in(order, "size"), text_in(order, "shape"))
     ),
-    "cell": _cell,
+    "cell": _typing(typed_in_cell),
     "gear": _fitting(lambda sheet, order: gear(sheet, text_in(order, "on"), order.get("end"), text_in(order, "size"))),
-    "insert": _fitting(lambda sheet, order: insert(sheet, text_in(order, "what"))),
+    "insert": _fitting(_insert),
 }

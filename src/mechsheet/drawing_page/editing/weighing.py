@@ -13,12 +13,10 @@ from mechsheet.description.scope import symbol_fault
 from mechsheet.description.text.numbers import METRES, labels_of
 from mechsheet.description.text.rewrite import with_last_key
 from mechsheet.description.text.source import Source
-from mechsheet.drawing_page.cells import number_in_unit, own_units
-from mechsheet.drawing_page.editing.naming import free_symbol
-from mechsheet.drawing_page.editing.remarks import noted, quoted_key, said
-from mechsheet.drawing_page.editing.sheet import Sheet, rounded, with_length
+from mechsheet.drawing_page.editing.sheet import Sheet, free_symbol, noted, quoted_key, rounded, said, with_length
 from mechsheet.drawing_page.positions import local_points
 from mechsheet.drawing_page.questions import Impossible, Refusal
+from mechsheet.drawing_page.reading import number_in_unit, own_units
 from mechsheet.model import Cartesian, Distances, Link, Polar
 
 Vector = tuple[Node, Node]
@@ -39,12 +37,12 @@ class Weighed:
 
 def weigh(sheet: Sheet, name: str, size: str, shape: str) -> Sheet:
     """The sheet with a mass for a link, spread over a shape of `SHAPES`; gravity comes with the first one."""
-    weighed = sheet.parts.link(name)
-    if weighed is None or weighed is sheet.ground or not weighed.points:
+    weighed = sheet.moving(name, "load_moving")
+    if not weighed.points:
         raise Impossible("load_moving")
     if shape not in SHAPES:
         raise Refusal(f'no shape is called "{shape}"')
-    if not without_mass(sheet, name):
+    if not _without_mass(sheet, name):
         raise Impossible("there_already", name=f"[links.{name}] mass")
     metric = sheet.parts.length_unit in METRES
     _, unit = own_units(sheet.source)
@@ -73,7 +71,18 @@ def weigh(sheet: Sheet, name: str, size: str, shape: str) -> Sheet:
     return sheet.again(source, {})
 
 
-def without_mass(sheet: Sheet, name: str) -> bool:
+def weigh_all(sheet: Sheet) -> Sheet:
+    """The sheet with a mass for every moving link that has none, each of them a bar."""
+    before = sheet.source
+    for moving in sheet.parts.links[1:]:
+        if _without_mass(sheet, moving.name):
+            sheet = weigh(sheet, moving.name, "1", "bar" if len(moving.points) > 1 else "point")
+    if sheet.source is before:
+        raise Impossible("there_already", name="mass")
+    return sheet
+
+
+def _without_mass(sheet: Sheet, name: str) -> bool:
     """Whether a link can be given one: it has none, and a heading under which it can be written."""
     links = sheet.source.data.get("links")
     own = links.get(name) if isinstance(links, dict) else None

@@ -156,16 +156,20 @@ def closes_in_some(plan: Plan, count: Node, rows: Node) -> Node:
 def closes_in(plan: Plan, count: Node, rows: Node) -> Node:
     """In how many of how many positions; of all what `closes_in_all` says, of the rows that there are."""
     text = plan.text
-    some, end = joined(text("verdict.line.closes"), " ", count, " / ", rows), text("verdict.line.positions")
+    begin, end = (
+        text("verdict.line.closes") + " ",
+        text("verdict.line.positions").rstrip(),
+    )  # no empty text is a translation
     before, after = text("verdict.line.all", rows="#").split("#")
-    everywhere = joined(before, rows)
+    common = begin if before.startswith(begin) and plan.rows > 1 else ""  # both begin so: it is said once
+    some, everywhere = joined(begin.removeprefix(common), count, " / ", rows), joined(before.removeprefix(common), rows)
     if plan.rows == 1:
         everywhere = formula("IF(rows=1,one,many)", rows=rows, one=closes_in_all(plan), many=joined(everywhere, after))
         after = ""
     if after != end:  # else it is said once
         everywhere, some, end = joined(everywhere, after), joined(some, end), ""
     return joined(
-        formula("IF(count=rows,everywhere,some)", count=count, rows=rows, everywhere=everywhere, some=some), end
+        common, formula("IF(count=rows,everywhere,some)", count=count, rows=rows, everywhere=everywhere, some=some), end
     )
 
 
