@@ -20,7 +20,7 @@ from livesheet.workbook import Anchor, Area, Axis, Chart, Column, Dash, Series, 
 from mechsheet.kinematics.equations import CAM, JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, Mechanism, rate_symbols
-from mechsheet.shapes.points import remarkable_points
+from mechsheet.shapes.described import remarkable_points
 from mechsheet.sheet import styles
 from mechsheet.sheet.columns.bands import HIGH, LOW, part_of
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker

@@ -44,7 +44,7 @@ from mechsheet.shapes.forms import (
 )
 from mechsheet.shapes.listing import shapes_of
 from mechsheet.shapes.names import POINTS
-from mechsheet.shapes.plates import rings_needed, ways_in
+from mechsheet.shapes.positions import rings_needed, ways_in
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.gaps import chunks_of
 from mechsheet.sheet.drawing.frames import (

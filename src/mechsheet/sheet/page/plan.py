@@ -15,7 +15,7 @@ from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import driver_values
 from mechsheet.kinematics.equations import FORCES, INNER, RATES, Equations, need_closed_form
 from mechsheet.model import Mechanism
-from mechsheet.shapes.points import remarkable_points
+from mechsheet.shapes.described import remarkable_points
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.classification import FourBar, classification
 from mechsheet.sheet.columns.averaged import with_averaged
