@@ -14,8 +14,7 @@ from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, children, symbols, transform, walk
-from livesheet.formula.printer import print_formula
-from livesheet.formula.spellings import extra_characters, longest_spelling
+from livesheet.formula.printer import extra_characters, longest_spelling, print_formula
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.model import Mechanism
 from mechsheet.sheet.columns.lowering import Assignments

@@ -12,8 +12,7 @@ from itertools import islice
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol, walk
-from livesheet.formula.printer import print_formula
-from livesheet.formula.spellings import longest_spelling
+from livesheet.formula.printer import longest_spelling, print_formula
 from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.model import Joint, Link
 from mechsheet.sheet.geometry import base_point, distance, measured_pairs, place
