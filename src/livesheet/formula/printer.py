@@ -1,4 +1,9 @@
-"""Tree to text, with the fewest parentheses that say what the tree says in the dialect's own way of binding."""
+"""Tree to text, with the fewest parentheses that say what the tree says in the dialect's own way of binding.
+
+How long a text is for those who read it in another language: SQRT is PIERWIASTEK in Polish, KAREKÖK in Turkish. A file holds
+English names. Excel counts the characters of a formula as its user reads it: one of 8,000 characters here may have 12,000
+there, and can then not be edited any more.
+"""
 
 from __future__ import annotations
 
