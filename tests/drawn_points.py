@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from mechsheet.shapes.points import moving_points, pins_of
+from mechsheet.shapes.described import moving_points, pins_of
 
 
 def fitted(found, true):

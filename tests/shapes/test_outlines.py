@@ -6,7 +6,7 @@ import pytest
 
 from livesheet.formula.nodes import Symbol
 from mechsheet.model import Cartesian, Distances, Link, Polar
-from mechsheet.shapes.outlines import corners, number_points
+from mechsheet.shapes.described import corners, number_points
 
 ENDS = {"A": Cartesian(1.0, 2.0), "B": Polar(Symbol("r"), 0.4)}
 

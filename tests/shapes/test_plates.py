@@ -9,8 +9,7 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import load
 from mechsheet.shapes.forms import BORDER, PLATE
 from mechsheet.shapes.names import POINTS
-from mechsheet.shapes.plates import rings, rings_needed
-from mechsheet.shapes.positions import Positions, Stroke, layers_of, there
+from mechsheet.shapes.positions import Positions, Stroke, layers_of, rings, rings_needed, there
 
 OUTLINES = {
     "triangle": [(0, 0), (100, 0), (30, 80)],

@@ -5,7 +5,7 @@ from planned import planned
 
 from livesheet.formula.scalar import evaluate
 from mechsheet.kinematics.dimensions import dimension_values
-from mechsheet.shapes.wheels import wheels_of
+from mechsheet.shapes.listing import wheels_of
 
 TRAIN = """
 format = 1

@@ -27,11 +27,10 @@ from mechsheet.kinematics.points_in_link import number
 from mechsheet.kinematics.search import edges
 from mechsheet.kinematics.sweep import sweep
 from mechsheet.model import Driver, Joint, Link, Mechanism
-from mechsheet.shapes.described import Described
+from mechsheet.shapes.described import Described, corners, direction_of, through_of
 from mechsheet.shapes.forms import Kind, Shape
 from mechsheet.shapes.listing import is_cylinder
 from mechsheet.shapes.loads import first_shown
-from mechsheet.shapes.outlines import corners, direction_of, through_of
 from mechsheet.shapes.positions import Positions
 from mechsheet.words.catalogue import Language, words
 from mechsheet.words.equations import given_words, link_words

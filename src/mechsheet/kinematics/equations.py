@@ -295,6 +295,12 @@ class Group:
         return self.kind == "RPR" and al.is_zero(self.sides[1])
 
     @property
+    def status(self) -> str:
+        """What is said of it where it does not close, as a key of words."""
+        why = "undetermined" if self.only_undetermined else "newton" if self.system is not None else "open"
+        return f"status.{why}"
+
+    @property
     def mode_words(self) -> Words:
         """What the assembly that was taken looks like."""
         return self.assemblies[self.assembly]

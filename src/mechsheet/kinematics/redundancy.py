@@ -210,7 +210,7 @@ def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
             values[f"{first}.x"] - values[f"{second}.x"], values[f"{first}.y"] - values[f"{second}.y"]
         )
         return np.asarray(np.abs(apart - length))
-    on = next(link for link in mechanism.links if link.name == part.on)
+    on = mechanism.link(part.on)
     base = number_points(on, dimensions)
     u, v = base[part.through] if isinstance(part.through, str) else (number(x, dimensions) for x in part.through)
     theta = _angle(mechanism, on, values)
@@ -226,7 +226,7 @@ def _gap(mechanism: Mechanism, part: Part, values: dict[str, Array]) -> Array:
     )
     if part.kind == "pin-slot":
         return np.asarray(across)
-    body = next(link for link in mechanism.links if link.name == part.link)
+    body = mechanism.link(part.link)
     turned = _angle(mechanism, body, values) - line - number(part.orientation, dimensions)
     return np.asarray(across + np.abs(portable.sin(turned / 2)) * extent(mechanism, values))
 

@@ -426,11 +426,20 @@ class Mechanism:
     before: Mechanism | None = field(default=None, compare=False)
     listing: str = field(default="", compare=False, repr=False)
 
+    def link(self, name: str) -> Link:
+        """The link of that name."""
+        return next(link for link in self.links if link.name == name)
+
     @property
     def whole_links(self) -> tuple[Link, ...]:
         """The links as described: redundant ones with both joints."""
         whole = {each.link.name: each.link for each in self.redundant}
         return tuple(whole.get(link.name, link) for link in self.links)
+
+    @property
+    def free_dimensions(self) -> tuple[Dimension, ...]:
+        """Those that follow from no others, and are no number that the description has elsewhere (a mass, a speed)."""
+        return tuple(dim for dim in self.dimensions if not dim.derived and not dim.path)
 
     @property
     def sliding(self) -> tuple[Joint, ...]:

@@ -23,8 +23,8 @@ from mechsheet.kinematics.doubts.sketched import tell
 from mechsheet.kinematics.driving import given_at, place_of, rates_at
 from mechsheet.kinematics.numeric import Array, runs_of
 from mechsheet.model import TIME, Driver, FurtherDriver, Mechanism
+from mechsheet.shapes.described import moving_points
 from mechsheet.shapes.loads import first_shown
-from mechsheet.shapes.points import moving_points
 from mechsheet.sheet.plan import STATUS
 from mechsheet.units import behind_number
 from mechsheet.words.catalogue import LANGUAGES

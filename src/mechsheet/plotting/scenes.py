@@ -19,7 +19,7 @@ from livesheet.workbook import Chart, Series, SeriesRef
 from mechsheet.plotting.sampling import Sample
 from mechsheet.shapes.loads import VECTORS
 from mechsheet.shapes.names import half_box
-from mechsheet.shapes.positions import Disc, Item, Label, Positions, Scene, Stroke, Window
+from mechsheet.shapes.positions import Item, Label, Positions, Scene, Stroke, Window, places_of
 from mechsheet.sheet.places import there
 
 Points = NDArray[np.float64]
@@ -113,7 +113,8 @@ def _words(values: Values, name: str | CellRef) -> str:
 
 def comes_round(first: Scene, last: Scene) -> bool:
     """True when the last position of a sweep looks like the first: an animation can go on from there."""
-    pairs = [(_places(a), _places(b)) for a, b in zip(first.items, last.items, strict=True)]
+    drawn = ((a, b) for a, b in zip(first.items, last.items, strict=True) if not isinstance(a, Label))
+    pairs = [(places_of(a), places_of(b)) for a, b in drawn]
     return all(np.allclose(a, b, rtol=0, atol=CLOSED * first.window.half, equal_nan=True) for a, b in pairs)
 
 
@@ -129,24 +130,12 @@ def extent(items: Sequence[Item], window: Window) -> tuple[Points, Points]:
     """The lower left and the upper right corner of what is drawn in the window."""
     found = []
     for item in items:
-        if isinstance(item, Stroke):
-            found.append(item.points)
-        else:
-            half = half_box(item.text, item.size) * window.half if isinstance(item, Label) else np.zeros(2)
-            found += [np.array([[item.x, item.y]]) - half, np.array([[item.x, item.y]]) + half]
+        half = half_box(item.text, item.size) * window.half if isinstance(item, Label) else np.zeros(2)
+        found += [places_of(item) - half, places_of(item) + half]
     places, middle = np.concatenate(found), np.array([window.x, window.y])
     low, high = np.nanmin(places, axis=0), np.nanmax(places, axis=0)
     around = AROUND * window.half
     return np.maximum(low, middle - window.half) - around, np.minimum(high, middle + window.half) + around
-
-
-def _places(item: object) -> Points:
-    match item:
-        case Stroke(points=points):
-            return points
-        case Disc(x=x, y=y):
-            return np.array([[x, y]])
-    return np.zeros((0, 2))
 
 
 def journey(stage: Stage, most: int) -> tuple[list[int], bool]:

@@ -106,7 +106,7 @@ def _of_face(
     turn: Plane,
 ) -> tuple[dict[str, Array], Plane, Plane]:
     sense = -1.0 if cam.clockwise else 1.0
-    link = next(link for link in solution.mechanism.links if link.name == cam.follower)
+    link = solution.mechanism.link(cam.follower)
     once, twice = known[link.angle_symbol]
     angle = solution.poses[cam.follower][:, 2] + number(cam.face, solution.dimensions)
     turning = once - sense

@@ -34,7 +34,7 @@ from mechsheet.model import (
     torque_unit,
 )
 from mechsheet.shapes.colors import ACCELERATION, FORCE, INK, SPRING, VELOCITY
-from mechsheet.shapes.described import Described
+from mechsheet.shapes.described import Described, direction_of, points_with_rates
 from mechsheet.shapes.forms import (
     ARROW_HEAD,
     BOW,
@@ -58,9 +58,6 @@ from mechsheet.shapes.forms import (
     telescope,
     unit,
 )
-from mechsheet.shapes.outlines import direction_of
-from mechsheet.shapes.points import points_with_rates
-from mechsheet.words.catalogue import words
 from mechsheet.words.symbols import plain
 
 LONGEST = 0.36
@@ -184,14 +181,14 @@ def _by_distances(known: Described, link: Link, given: Distances) -> Vector:
 def _spring(known: Described, found: Shapes, spring: Spring) -> Iterator[Shape]:
     """A coil that stretches from end to end, and in it the damper."""
     ends = place_of(spring.ends[0][1]), place_of(spring.ends[1][1])
-    language, name = known.mechanism.language, plain(spring.name)
+    name = plain(spring.name)
     way = minus(ends[1], ends[0])
     if not al.is_zero(spring.damping):
-        called = words(language, "picture.damper", name=name)
+        called = known.text("picture.damper", name=name)
         yield from telescope(found, "damper", called, ends, (SPRING, SPRING), DAMPER_BORE)
     if not al.is_zero(spring.stiffness):
         frame = Frame(ends[0], way, times(sized(COIL_ASIDE), turned(unit(way))))
-        yield Shape("spring", words(language, "picture.spring", name=name), SPRING, 1.25, frame, COIL)
+        yield Shape("spring", known.text("picture.spring", name=name), SPRING, 1.25, frame, COIL)
     middle, unit_ = plus(ends[0], times(al.number(0.5), way)), known.mechanism.length_unit
     found.names.append(Name(name, middle, size(way), unit_, beside=COIL_ASIDE))
 
@@ -203,7 +200,7 @@ def _centre(known: Described, found: Shapes, mass: Mass) -> Iterator[Shape]:
     """The mark of a mass centre; its name, where it is no point with a name of its own."""
     link = known.links[mass.link]
     at = _place(known, link, mass.center)
-    name = words(known.mechanism.language, "picture.mass_centre", link=known.called(link))
+    name = known.text("picture.mass_centre", link=known.called(link))
     frame = Frame(at, (sized(CENTRE), al.ZERO), (al.ZERO, sized(CENTRE)))
     yield Shape("mass", name, INK, 0.75, frame, ROUND, fill="FFFFFF")
     yield Shape("mass", name, INK, 0.0, frame, QUARTERS, fill=INK)
@@ -215,7 +212,7 @@ def _centre(known: Described, found: Shapes, mass: Mass) -> Iterator[Shape]:
 def _weight(known: Described, dynamics: Dynamics, mass: Mass) -> Force:
     """The weight of a link."""
     link = known.links[mass.link]
-    name = words(known.mechanism.language, "picture.weight", link=known.called(link))
+    name = known.text("picture.weight", link=known.called(link))
     weight = times(mass.mass or al.ZERO, dynamics.gravity)
     return Force("weight", name, "", _place(known, link, mass.center), weight, size(weight))
 
@@ -230,7 +227,7 @@ def _load(known: Described, load: Load) -> Force:
     if load.in_link:
         ahead = along(known.equations.poses[link.name].angle)
         parts = plus(times(parts[0], ahead), times(parts[1], turned(ahead)))
-    name = words(known.mechanism.language, "picture.load", name=plain(load.name))
+    name = known.text("picture.load", name=plain(load.name))
     return Force("load", name, plain(load.name), _place(known, link, load.point), parts, size(load.force or parts))
 
 
@@ -247,7 +244,7 @@ def _torques(known: Described, found: Shapes, dynamics: Dynamics) -> Iterator[Sh
         strength = al.call("ABS", part)
         radius = al.mul(HALF, al.add(al.number(NARROWEST), al.mul(al.number(WIDEST - NARROWEST), strength)))
         frame = Frame(middle, times(radius, away), times(al.mul(al.call("SIGN", part), radius), turned(away)))
-        name = words(known.mechanism.language, "picture.load", name=plain(load.name))
+        name = known.text("picture.load", name=plain(load.name))
         yield Shape("torque", name, FORCE, 1.75, frame, BOW, size=strength)
         yield Shape("torque", name, FORCE, 0.5, frame, BOW_HEAD, fill=FORCE, size=strength)
         at = plus(middle, times(radius, away))

@@ -44,7 +44,6 @@ from mechsheet.shapes.forms import (
 from mechsheet.shapes.listing import shapes_of
 from mechsheet.shapes.loads import VECTORS
 from mechsheet.shapes.names import POINTS, Boxes, Lines, Sheet, half_box
-from mechsheet.shapes.plates import rings
 from mechsheet.units import behind_number
 from mechsheet.words.catalogue import words
 from mechsheet.words.equations import body_words
@@ -122,11 +121,14 @@ def layers_of(item: Item) -> tuple[Item, ...]:
     return replace(item, fill=item.color, border=0.0), inside
 
 
+def places_of(item: Item) -> Array:
+    """The corners of a line (n, 2), or the one place of a circle or of a text."""
+    return item.points if isinstance(item, Stroke) else np.array([[item.x, item.y]])
+
+
 def there(item: Item) -> bool:
     """Whether anything of an item is to be drawn."""
-    if isinstance(item, Stroke):
-        return bool(np.isfinite(item.points).any())
-    return math.isfinite(item.x) and math.isfinite(item.y)
+    return bool(np.isfinite(places_of(item)).any())
 
 
 @dataclass(frozen=True, slots=True)
@@ -328,10 +330,9 @@ class Positions:
         text = f"{plain(driver.symbol)} = {shown:.10g}{behind_number(driver.unit.text)}"
         for group in self.compiled.equations.groups:
             if not math.isfinite(self.compiled.values[group.closes][row]):
-                key = "undetermined" if group.only_undetermined else "newton" if group.system is not None else "open"
                 mechanism = self.compiled.mechanism
                 links = ", ".join(body_words(mechanism, name).of(mechanism.language) for name in group.links)
-                text += f" – {self._text(f'status.{key}', links=links)}"
+                text += f" – {self._text(group.status, links=links)}"
                 break
         return self._label("caption", text, CAPTION_AT, CAPTION, middle=False)
 
@@ -442,3 +443,38 @@ def longest(room: float) -> float:
     """The largest of 1, 2 and 5 times a power of ten that a scale bar has room for."""
     power = 10.0 ** math.floor(math.log10(room))
     return max(part * power for part in (1.0, 2.0, 5.0) if part * power <= room * (1 + 1e-12))
+
+
+# --- the inside of plates, as lines: charts fill nothing, but a line that is wide enough does ------------------------
+
+MOST_RINGS = 16
+"""A plate as large as the window has fewer."""
+
+APART = 0.8
+"""How far a ring is from the next, in widths of the line: round corners leave gaps at sharp ones."""
+
+
+def ways_in(count: int) -> tuple[float, ...]:
+    """How far from the outline to the middle so many rings are; the last leaves half a line's width in the middle."""
+    return tuple(number / (count + 0.5) for number in range(1, count + 1))
+
+
+def rings(outline: Array, count: int) -> Array:
+    """One line (n, 2) around and around, from a closed outline inwards."""
+    middle = outline[:-1].mean(axis=0)
+    return np.concatenate([outline, *(outline + way * (middle - outline) for way in ways_in(count))])
+
+
+def rings_needed(outline: Array, width: float) -> int:
+    """How many rings fill a closed outline, by a line of a width: none where its corners lie on a line."""
+    middle = outline[:-1].mean(axis=0)
+    depth = max(_distances(middle, outline), default=0.0)
+    return min(MOST_RINGS, max(0, math.ceil(depth / (APART * width) - 0.5)))
+
+
+def _distances(place: Array, outline: Array) -> Sequence[float]:
+    """From a place to the lines through the sides of an outline."""
+    sides, ways = np.diff(outline, axis=0), place - outline[:-1]
+    lengths = np.hypot(*sides.T)
+    areas = np.abs(sides[:, 0] * ways[:, 1] - sides[:, 1] * ways[:, 0])
+    return [float(area / length) for area, length in zip(areas, lengths, strict=True) if length > 0]

@@ -5,14 +5,14 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, symbols
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, Symbol, Text, symbols
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.words.catalogue import Language
 from mechsheet.words.equations import link_words
 from mechsheet.words.symbols import plain
 
@@ -45,7 +45,7 @@ def bound_of(sides: Sides, shortest: Node, excess: Node) -> Node:
     first link this one turns fully, where no link does. Nothing where it would have to be next to nothing.
     """
     longest, total = Call("MAX", sides.all), Call("SUM", sides.all)
-    closes = joined(sides.of(longest, sides.names), AT_MOST, _at_most(al.sub(total, longest), sides.places))
+    closes = joined(sides.first("MAX", sides.names), AT_MOST, _at_most(al.sub(total, longest), sides.places))
     return formula(
         'IF(excess>open_from*shortest,closes,IF(AND(excess>0,turns>worth*first),said,""))', excess=excess,
         shortest=shortest, open_from=OPEN, closes=closes, turns=sides.turns, worth=WORTH, first=sides.lengths[1],
@@ -105,13 +105,17 @@ class Sides:
     places: int
     turns: Node
 
-    def of(self, length: Node, words: Sequence[str]) -> Node:
-        """The words of the first side that is so long."""
+    def first(self, function: Literal["MIN", "MAX"], words: Sequence[str]) -> Node:
+        """The words of the first side that is as short, or as long, as any."""
         if len(self.all) == 1:
-            return Call("CHOOSE", (Call("MATCH", (length, *self.all, Number(0.0))), *map(Text, words)))
+            place = Call("MATCH", (Call(function, self.all), *self.all, Number(0.0)))
+            return Call("CHOOSE", (place, *map(Text, words)))
         found: Node = Text(words[-1])
-        for side, said in reversed([*zip(self.lengths[:-1], words[:-1], strict=True)]):
-            found = formula("IF(length=side,said,found)", length=length, side=side, said=said, found=found)
+        for index, said in reversed([*enumerate(words[:-1], 1)]):  # each is compared with those behind it
+            side, *others = self.lengths[index - 1 :]
+            other = others[0] if len(others) == 1 else Call(function, tuple(others))
+            test = Binary("<=" if function == "MIN" else ">=", side, other)
+            found = formula("IF(test,said,found)", test=test, said=said, found=found)
         return found
 
 
@@ -177,7 +181,15 @@ def _decided_by(loop: FourBar, plan: Plan) -> list[set[str]]:
     return [behind(length_in_cells(link, one, other, plan.equations.poses)) for link, one, other in sides]
 
 
-def turning_types(loop: FourBar, language: Language, text: Callable[..., str]) -> list[str]:
-    """What the loop is called when ground, first link, coupler or last link is the shortest, and some link turns fully."""
-    crank, follower = (text("one", link=link_words(link).of(language)) for link in (loop.first, loop.last))
-    return [text("both"), crank, text("coupler"), follower]
+def turning_types(loop: FourBar, plan: Plan, text: Callable[..., str]) -> list[str]:
+    """What the loop is called when ground, first link, coupler or last link is the shortest, and some link turns fully.
+
+    A link that is called rocker is named by its pins: "crank-rocker, rocker can turn fully" sounds like a contradiction.
+    """
+
+    def turning(side: int) -> str:
+        link, *pins = loop.sides(plan.mechanism.ground)[side]
+        word = link_words(link).of(plan.language)
+        return text("one", link="".join(pins) if text("rocker") in word.split() else word)
+
+    return [text("both"), turning(1), text("coupler"), turning(3)]

@@ -27,8 +27,9 @@ comparison, and is passed over. gnumeric knows no ISNUMBER of many cells, LibreO
 
 
 def over_rows(function: str, column: Node, *besides: Node) -> Node:
-    """The least or the largest of the numbers of a column, of rows in which those `besides` have numbers too."""
-    return Call(function, (column, *(part for each in (column, *besides) for part in (each, Text(NUMBERS)))))
+    """The least or the largest of the numbers of a column, of rows in which those `besides` say nothing."""
+    tests = (column, Text(NUMBERS), *(part for each in besides for part in (each, Text(""))))
+    return Call(function, (column, *tests))
 
 
 Test = tuple[RangeRef, str]
@@ -61,9 +62,10 @@ def mean_of_motion(
 
 
 def stretches_of(column: RangeRef, besides: Sequence[RangeRef]) -> Node:
-    """How many stretches of rows a column has numbers in, where those `besides` have them: rows without one before them."""
-    every = tuple(part for each in (column, *besides) for part in (each, Text(NUMBERS)))
-    both = tuple(part for each in (column, *besides) for half in _halves(each, True) for part in (half, Text(NUMBERS)))
+    """How many stretches of rows a column has numbers in, where those `besides` say nothing: rows that begin one."""
+    tests = ((column, Text(NUMBERS)), *((each, Text("")) for each in besides))
+    every = tuple(part for test in tests for part in test)
+    both = tuple(part for each, text in tests for half in _halves(each, True) for part in (half, text))
     return formula("here-(with_before)", here=Call("COUNTIFS", every), with_before=Call("COUNTIFS", both))
 
 
@@ -166,11 +168,11 @@ def but_first(column: RangeRef) -> Node:
 
 
 def at_end(end: str, column: Node, *besides: Node) -> Node:
-    """The "first" or the "last" number of a column, of rows in which those `besides` have numbers too."""
+    """The "first" or the "last" number of a column, of rows in which those `besides` say nothing."""
     if not besides:
         return formula(ENDS[end], column=column)
     filled = formula('column<>""', column=column)
     for each in besides:
-        filled = formula('filled*(each<>"")', filled=filled, each=each)
+        filled = formula('filled*(each="")', filled=filled, each=each)
     pattern = {"first": "INDEX(column,SUMPRODUCT(MATCH(1,filled,0)))", "last": "LOOKUP(2,1/filled,column)"}[end]
     return formula(pattern, column=column, filled=filled)

@@ -8,9 +8,10 @@ address (`s14`) comes through a hole of another name.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cache
 
-from livesheet.formula.nodes import Call, CellRef, NameRef, Node, Number, Symbol, Text, transform, walk
+from livesheet.formula.nodes import Binary, Call, CellRef, NameRef, Node, Number, Symbol, Text, transform, walk
 from livesheet.formula.parser import parse_formula
 
 ALL, SHOWN = "ALL ", "SHOWN "
@@ -49,9 +50,10 @@ def _node(value: Node | float | str) -> Node:
 
 
 def joined(*parts: Node | str) -> Node:
-    """Texts one after another: `a & "b" & c`; empty ones are left out, constants side by side are one."""
+    """Texts one after another: `a & "b" & c`; empty ones are left out, constants side by side are one, and what is joined
+    already needs no brackets."""
     nodes: list[Node] = []
-    for part in (_node(part) for part in parts if part != ""):
+    for part in (each for given in parts if given != "" for each in _joints(_node(given))):
         if nodes and isinstance(part, Text) and isinstance(before := nodes[-1], Text):
             nodes[-1] = Text(before.value + part.value)
         else:
@@ -62,3 +64,13 @@ def joined(*parts: Node | str) -> Node:
     for node in nodes[1:]:
         result = formula("a & b", a=result, b=node)
     return result
+
+
+def _joints(node: Node) -> Iterator[Node]:
+    """The texts that a tree joins."""
+    match node:
+        case Binary("&", left, right):
+            yield from _joints(left)
+            yield from _joints(right)
+        case _:
+            yield node

@@ -217,7 +217,7 @@ class Designs:
         mechanism = self.mechanism
         if mechanism.driver.link == link and mechanism.driver.relative_to == mechanism.ground.name:
             return mechanism.driver.symbol
-        return next(each.angle_symbol for each in mechanism.links if each.name == link)
+        return mechanism.link(link).angle_symbol
 
     # --- the driver -------------------------------------------------------------------------------------------------------
 

@@ -107,5 +107,5 @@ def given_words(mechanism: Mechanism, language: Language, dim: Dimension) -> str
 
 
 def _link(mechanism: Mechanism, language: Language, name: str) -> dict[str, object]:
-    link = next(link for link in mechanism.links if link.name == name)
+    link = mechanism.link(name)
     return {"number": link.number, "link": link_words(link).of(language)}

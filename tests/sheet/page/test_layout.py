@@ -8,8 +8,11 @@ import pytest
 from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
-from mechsheet.sheet.page.layout import _axis, lay_out_page
+from mechsheet.sheet.cells import height_of
+from mechsheet.sheet.drawing.charts import driver_axis
+from mechsheet.sheet.page.layout import MOST_STEPS, lay_out_page
 from mechsheet.sheet.page.top import UNIT, VALUE
+from mechsheet.sheet.plan import VERDICT_ROW
 
 
 @pytest.fixture(scope="module")
@@ -18,15 +21,30 @@ def laid():
     return lay_out_page(mechanism, solve(mechanism))
 
 
-@pytest.mark.parametrize(("start", "stop", "step"), [
-    (0, 360, 45), (-180, 180, 45), (-30, -114, 15), (20, 36, 2), (30, 30, None),
+@pytest.mark.parametrize(("start", "stop", "step", "ends"), [
+    (0, 360, 45, (0, 360)), (-180, 180, 45, (-180, 180)), (-30, -114, 15, (-120, -30)), (20, 36, 2, (20, 36)),
+    (30, 30, None, (None, None)),
 ])  # fmt: skip
-def test_grid_lines_of_the_drivers_axis(laid, start, stop, step):
-    """At most eight of them, however the sweep lies."""
+def test_grid_lines_of_the_drivers_axis(laid, start, stop, step, ends):
+    """At most eight of them, however the sweep lies; the axis ends with it: Excel's own ended at 405 degrees."""
     plan = replace(laid[1], driver=[math.radians(start), math.radians(stop)])
-    axis = _axis(plan, "theta12")
-    assert (axis.title, axis.step) == ("θ₁₂ [°]", step)
-    assert _axis(plan, "theta14").step is None
+    axis = driver_axis(plan, "theta12", steps=MOST_STEPS)
+    assert (axis.title, axis.step, (axis.low, axis.high)) == ("θ₁₂ [°]", step, ends)
+    assert driver_axis(plan, "theta14", steps=MOST_STEPS).step is None
+
+
+@pytest.mark.parametrize("language", ["en", "tr"])
+@pytest.mark.parametrize(("name", "lines"), [("four-bar", 2), ("slider-crank", 2), ("fivelink", 3)])
+def test_the_line_under_the_title_has_room(name, lines, language):
+    """Of the text's pages two lines, which print on one sheet of paper; that of the five-link was cut in its third."""
+    mechanism = loads(template_text(name), "x.toml", Overrides(layout="page", language=language))
+    sheet = lay_out_page(mechanism, solve(mechanism))[0].sheets[0]
+    assert dict(sheet.row_heights)[VERDICT_ROW] == height_of(lines)
+
+
+def test_the_axis_of_a_page_ends_with_the_turn(laid):
+    axis = laid[0].sheets[0].charts[-1].x_axis
+    assert (axis.low, axis.high, axis.step) == (0, 360, 45)
 
 
 def test_bar_and_button_move_the_position_from_the_first_row_to_the_last(laid):

@@ -22,7 +22,7 @@ def cam_lines(told: Statement) -> Iterator[Rich]:
     driver = mechanism.driver
     clockwise = driver.link == mechanism.ground.name  # seen from the cam the ground is driven
     turned = driver.relative_to if clockwise else driver.link
-    center = next(point for link in mechanism.links if link.name == turned for point in link.points)
+    center = next(iter(mechanism.link(turned).points))
     sense = told.text("cam.clockwise" if clockwise else "cam.counter_clockwise")
     yield Rich(((told.text("cam.turns", symbol=driver.symbol, center=center, sense=sense), ""),))
     follows: dict[str, Node] = {}
@@ -57,7 +57,7 @@ def _touching(told: Statement) -> Iterator[Rich]:
         roller = [(f"{told.text('cam.roller', point=cam.point)} ", ""), *told.math(al.as_node(cam.radius))]
         yield Rich((*base, *roller))
         return
-    link = next(link for link in mechanism.links if link.name == cam.follower)
+    link = mechanism.link(cam.follower)
     face = told.text("cam.face", link=link_words(link).of(told.language), point=cam.point)
     angle = al.add(al.as_node(cam.face), al.as_node(0.0))
     aside = [] if al.is_zero(angle) else [(f" {told.text('cam.turned')} ", ""), *told.angle(cam.face)]

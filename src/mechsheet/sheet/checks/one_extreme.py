@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Text, with_symbols
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Text, with_symbols
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.model import WAYS, Way
 from mechsheet.sheet import styles
@@ -58,7 +58,8 @@ from mechsheet.sheet.transmission import acute
 """Working cells beside the first row of a search: the best value of the rows, its row, that from which the search begins;
 whether the ends of the rows are neighbours; values where the stretch begins and ends; the place from which the search begins
 and those beside it; the best of other rows; what is found, its place, the value of the driver there, how sure it is; where
-the quantity turns back, and how sure that is; whether it is without bound."""
+the quantity turns back, and how sure that is; whether it is without bound. Where the best row is at an end of the motion,
+three of them in the rows below say between which rows another is looked for, and what the two rows beside that end have."""
 
 MIDDLE, BEFORE, CENTRE, AFTER = range(BOUNDLESS + 1, BOUNDLESS + 5)
 """Behind them: three rows that follow one another, and the quantity in them."""
@@ -248,28 +249,25 @@ class Searches:
     def _begun_from(self, sought: Sought) -> Node:
         """The row from which the search begins: the best one, or, where that is the motion's first or last, another one
         (`rules.INNER`). Where not all rows close, a quantity may well have values in those that do not."""
-        plan, table, rows, way = self.plan, self.table, self.plan.rows, sought.way
+        table, row, symbol = self.table, sought.row, sought.symbol
         known = self._read(sought)
-        if not self.ends or rows < rules.LEAST_INNER:
+        if not self.ends or self.plan.rows < rules.LEAST_INNER:
             return known["best"]
-        spot = plan.at.spots[sought.symbol]
-        y = {
-            index: CellRef(plan.at.first + index - 1, spot.col, True, True, spot.sheet) for index in range(1, rows + 1)
-        }
-        later, earlier = RangeRef(y[3], y[rows]), RangeRef(y[1], y[rows - 2])
-        known["other"] = other = table.work(
-            sought.row, OTHER, f"IF(best=1,{way.upper()}(later),IF(best=rows,{way.upper()}(earlier),NA()))",
-            best=known["best"], rows=table.rows, later=later, earlier=earlier,
-        )  # fmt: skip
-        at_first, at_last = (
-            with_symbols(rules.INNER, known | {"end": end, "next": next_, "third": third})
-            for end, next_, third in ((y[1], y[2], y[3]), (y[rows], y[rows - 1], y[rows - 2]))
+        best, rows = known["best"], table.rows
+        begin = table.work(row + 1, HERE, "IF(best=1,3,1)", best=best)
+        end = table.work(row + 2, HERE, "IF(best=1,rows,rows-2)", best=best, rows=rows)
+        inner = Binary(":", *(table.in_row(symbol, row, place) for place in (begin, end)))
+        other = table.work(
+            row, OTHER, f"IF(OR(best=1,best=rows),{sought.way.upper()}(inner),NA())", best=best, rows=rows, inner=inner
         )
+        for name, work, first, last in (("next", OTHER, "2", "rows-1"), ("third", WRAPS, "3", "rows-2")):
+            place = formula(f"IF(best=1,{first},{last})", best=best, rows=rows)
+            known[name] = table.work(row + 1, work, "value", value=table.in_row(symbol, row, place))
+        is_inner = with_symbols(rules.INNER, known | {"end": known["of_rows"], "other": other})
         return formula(
-            "IFERROR(IF(AND(wraps=0,first=1,last=rows,IF(best=1,at_first,at_last)),"
-            "IF(best=1,ROWS(head)-1+MATCH(other,later,0),MATCH(other,earlier,0)),best),best)",
-            wraps=known["wraps"], first=known["first"], last=known["last"], rows=table.rows, best=known["best"],
-            at_first=at_first, at_last=at_last, other=other, later=later, earlier=earlier, head=RangeRef(y[1], y[3]),
+            "IFERROR(IF(AND(wraps=0,first=1,last=rows,is_inner),begin-1+MATCH(other,inner,0),best),best)",
+            wraps=known["wraps"], first=known["first"], last=known["last"], rows=rows, best=best, is_inner=is_inner,
+            begin=begin, other=other, inner=inner,
         )  # fmt: skip
 
     def _wraps(self, sought: Sought) -> None:

@@ -7,7 +7,7 @@ that is symmetrical, is its twin and has the same beside it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import reduce
 
@@ -25,7 +25,7 @@ first row, and beside that at the last, and whether rows were inserted where nob
 
 FROM, TO, PROMISE, TWIN = range(COUNT + 1, COUNT + 5)
 """Beside it: from which to which row of a part they are looked for; what a row must promise, and below it what is before
-the first and behind the last row; up to which value a row is no twin of the best one."""
+the first and behind the last row, and in these; up to which value a row is no twin of the best one."""
 
 
 AGAIN = formula("IF(AND(wraps=1,here=1),rows,IF(AND(wraps=1,here=rows),1,here))")
@@ -94,14 +94,14 @@ def write(table: SearchTable, row: int, at: int, symbol: str, known: Mapping[str
         begin = f"IF(last-first+1=rows,rows,{begin}){further}"
         start = table.work(row + index, at + FROM, begin, rows=table.rows, **ends)
         end = table.work(row + index, at + TO, until, **ends)
-        part = {
+        part = {  # three times each: by its own column, which is shorter
             name: formula(f"INDEX(column,start{away}):INDEX(column,end{away})", column=column, start=start, end=end)
             for name, away in (("own", ""), ("before", "-1"), ("after", "+1"))
         }
         rivals = with_symbols(OF_PART, limits | part)
         table.work(row + index, at + COUNT, "IF(start>end,0,SUMPRODUCT(rivals))", start=start, end=end, rivals=rivals)
     for work, count in ((PROMISE, COUNT), (TWIN, FROM)):
-        rival = _end(table, (row + 1, at + work), work, column, ends, limits)
+        rival = _end(table, (row + 1, at + work), work, lambda place: table.in_row(symbol, row, place), ends, limits)
         table.work(row + 3, at + count, "rival", rival=rival)
 
 
@@ -123,7 +123,7 @@ def _end(
     table: SearchTable,
     cell: tuple[int, int],
     way: int,
-    column: Node,
+    in_row: Callable[[Node], Node],
     ends: dict[str, Node],
     limits: Mapping[str, Node],
 ) -> Node:
@@ -136,7 +136,8 @@ def _end(
         "far": other,
         "near": f"{other}{back}1",
     }
-    y = {name: formula(f"INDEX(column,{place})", column=column, **ends) for name, place in places.items()}
+    y = {name: in_row(formula(place, **ends)) for name, place in places.items()}
+    y["own"] = table.work(cell[0] + 1, cell[1], "own", own=y["own"])
     known = {**ends, **limits, **y, "end": ends[end], "other_end": ends[other]}
     outside = table.work(*cell, "outside", outside=with_symbols(OUTSIDE, known))
     return with_symbols(RIVAL_AT_END, known | {"outside": outside})

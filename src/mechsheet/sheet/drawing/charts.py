@@ -20,14 +20,14 @@ from livesheet.workbook import Anchor, Area, Axis, Chart, Column, Dash, Series, 
 from mechsheet.kinematics.equations import CAM, JOINT_FORCES
 from mechsheet.kinematics.numeric import Array
 from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, Mechanism, rate_symbols
-from mechsheet.shapes.points import remarkable_points
+from mechsheet.shapes.described import remarkable_points
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import ROW_HEIGHT
 from mechsheet.sheet.columns.bands import HIGH, LOW, part_of
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.plan import CHARTS, VALUE, Plan
 from mechsheet.sheet.printing import CHARTS_DOWN, first_setup, headings_of
 from mechsheet.sheet.shown import shown_unit
-from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.symbols import plain
 
 GAP = 12
@@ -48,6 +48,9 @@ FIRST_ROW = 3
 
 STEPS = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360, 720, 3600)
 """Sensible distances of grid lines on an axis of degrees."""
+
+MOST_STEPS = 12
+"""So many of them at most: their numbers stand side by side."""
 
 MOST_CURVES = 6
 SAME_SCALE = 20.0
@@ -335,8 +338,9 @@ def _chart_title(plan: Plan, request: ChartRequest) -> str:
     return plan.text("chart.outputs", symbol=", ".join(plain(symbol) for symbol in request.y), driver=driver)
 
 
-def driver_axis(plan: Plan, symbol: str, ends: Ends = (None, None)) -> Axis:
-    """An axis from the first to the last driver value, in steps of a sensible part of a turn; or with the ends given."""
+def driver_axis(plan: Plan, symbol: str, ends: Ends = (None, None), steps: int = MOST_STEPS) -> Axis:
+    """An axis from the first to the last driver value, as described, in no more than so many steps of a sensible part of a
+    turn; or with the ends given. Left to itself Excel goes on beyond the last value, a turn to 405°."""
     unit = shown_unit(plan, symbol)
     title = f"{plain(symbol)} [{unit}]" if unit else plain(symbol)
     driver = plan.mechanism.driver
@@ -345,7 +349,7 @@ def driver_axis(plan: Plan, symbol: str, ends: Ends = (None, None)) -> Axis:
     low, high = math.degrees(min(plan.driver)), math.degrees(max(plan.driver))
     if high <= low:
         return Axis(title)
-    step = next((step for step in STEPS if (high - low) / step <= 12), STEPS[-1])
+    step = next((step for step in STEPS if (high - low) / step <= steps), STEPS[-1])
     return Axis(title, math.floor(low / step + 1e-9) * step, math.ceil(high / step - 1e-9) * step, step)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, Text
@@ -19,6 +19,9 @@ from mechsheet.sheet.plan import MEANING, SPARE, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import behind_number
+
+Folded = Callable[[Node, Node], tuple[Node, Node]]
+"""What follows from the smallest and from the largest value of a quantity."""
 
 ALIKE = 1e-6
 """Two angles that differ by no more are one but for rounding, which no two programs and layouts do alike."""
@@ -160,15 +163,10 @@ class Reading(ABC):
     def column_extreme(self, way: Way, symbol: str) -> Node:
         """The smallest or the largest value of a quantity, as its column has it."""
 
-    def occurs_at_least(self, symbol: str, smallest: Node, least: Node) -> Node:
-        """The driver's value where what follows from a quantity is `least`. That is the smaller of two: `smallest`, where
-        the quantity is smallest, which is taken where the other is as small, and where it is largest."""
-        there = formula("smallest<=least+alike", smallest=smallest, least=least, alike=ALIKE)
-        return self.place_of_extreme(symbol, there)
-
     @abstractmethod
-    def place_of_extreme(self, symbol: str, smallest: Node) -> Node:
-        """The driver's value at the smallest value of a quantity where `smallest` is true, else at the largest."""
+    def occurs_at_least(self, symbol: str, folded: Folded, least: Node) -> Node:
+        """The driver's value where what follows from a quantity is `least`: the smaller of two, of which the first, of the
+        quantity's smallest value, is taken where the other, of its largest, is as small."""
 
     def largest_size(self, finding: str, symbol: str) -> tuple[Node, Node]:
         """The largest size of a quantity of either sign, as people read it, which the finding's cell shows; and where it
@@ -241,9 +239,11 @@ class SheetReading(Reading):
     def column_extreme(self, way: Way, symbol: str) -> Node:
         return self.found.extremes[way, symbol].value.cell
 
-    def place_of_extreme(self, symbol: str, smallest: Node) -> Node:
-        low, high = (self.found.extremes[way, symbol].occurs.cell for way in ("min", "max"))
-        return formula("IF(smallest,low,high)", smallest=smallest, low=low, high=high)
+    def occurs_at_least(self, symbol: str, folded: Folded, least: Node) -> Node:
+        at_low, at_high = (self.found.extremes[way, symbol].occurs.cell for way in ("min", "max"))
+        smallest, _ = folded(*(self.column_extreme(way, symbol) for way in ("min", "max")))
+        return formula("IF(smallest<=least+alike,low,high)", smallest=smallest, least=least, alike=ALIKE, low=at_low,
+                       high=at_high)  # fmt: skip
 
     def where_known(self, value: Node) -> Node:
         return formula("IFERROR(value,NA())", value=value)

@@ -43,10 +43,16 @@ class Transmission(Finding):
         high, low = (on.column_extreme(way, group.transmission) for way in HIGH_LOW)
         unit, shown = plan.mechanism.angle_unit, plan.at.spots[group.transmission].degrees
         right, straight = (Number(90.0), Number(180.0)) if shown else (RIGHT, STRAIGHT)
-        folded = acute(low, high, group.kind != "RRR", right, straight)
+
+        def fold(low: Node, high: Node) -> tuple[Node, Node]:
+            return acute(low, high, group.kind != "RRR", right, straight)
+
+        folded = fold(low, high)
         poor = formula("value<limit", value=value, limit=poor_limit(plan.mechanism))
         converted = unit.in_degrees and not shown
-        place = on.occurs_at_least(group.transmission, folded[0], folded[1] if converted else value)
+        place = on.occurs_at_least(
+            group.transmission, fold, formula("RADIANS(value)", value=value) if converted else value
+        )
         said = worst_words(plan, value, on.beside(self.key, place), poor, on.of_rows_only)
         column = Symbol(ALL + group.transmission)
         in_rows = acute(over_rows(LEAST, column), over_rows(MOST, column), group.kind != "RRR")

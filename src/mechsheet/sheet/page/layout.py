@@ -10,7 +10,6 @@ from itertools import pairwise
 from livesheet.workbook import (
     Anchor,
     Area,
-    Axis,
     Chart,
     Column,
     Control,
@@ -20,10 +19,11 @@ from livesheet.workbook import (
     Workbook,
 )
 from mechsheet.kinematics.equations import Equations
-from mechsheet.model import ChartRequest, Ends, Mechanism
+from mechsheet.model import ChartRequest, Mechanism
+from mechsheet.sheet.as_typed import with_typed_constants
 from mechsheet.sheet.asked.requested import table_sheets
-from mechsheet.sheet.constants import with_typed_constants
-from mechsheet.sheet.drawing.charts import STEPS, chart_requests, curve_chart
+from mechsheet.sheet.cells import height_of, label_lines
+from mechsheet.sheet.drawing.charts import chart_requests, curve_chart, driver_axis
 from mechsheet.sheet.first.mechanism import position_controls
 from mechsheet.sheet.layout import description_sheet, properties_of
 from mechsheet.sheet.page.drawing import PageDrawing
@@ -33,11 +33,10 @@ from mechsheet.sheet.page.reading import MEANING
 from mechsheet.sheet.page.table import Table, note_last
 from mechsheet.sheet.page.top import LAST, UNIT, VALUE, Top
 from mechsheet.sheet.plan import VERDICT_ROW
-from mechsheet.sheet.shown import shown_unit
-from mechsheet.words.symbols import plain
 
-TOP_WIDTHS = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0)
-"""Least widths of the columns over which the top stands, in characters."""
+TOP_WIDTHS, WIDER = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0), 1.0
+"""Least widths of the columns over which the top stands, in characters; and by how much those are wider that say what a line
+is, where the line under the title would take more than two lines."""
 
 ABOVE_NOTE, NOTE_LINE, BELOW_NOTE, NOTE_CHARACTERS = 8.0, 15.0, 6.0, 1.1
 """Heights of the empty row above the note, of a line of it, and of what it leaves free [pixels]; characters of it in a
@@ -46,10 +45,16 @@ character's width."""
 CHARTS_ROW, CHARTS_BELOW = 2, 4
 """The row where the drawing and the first charts begin, and so many pixels below its upper end."""
 
+MOST_STEPS = 8
+"""So many steps at most of the driver's axis: a page's charts are narrow."""
+
 BELOW_DRAWING = 4
 """Pixels from the drawing, whose scale is in its lower corner, to the scroll bar."""
 
-VERDICT_HEIGHT, TITLE_HEIGHT, HEAD_HEIGHT = 34.0, 28.0, 24.0
+BOLD, FEW_LINES, LINE_HEIGHT = 1.08, 2, 20
+"""Of the line under the title: its letters are bold, so much wider than others; so many lines have room; pixels of one."""
+
+TITLE_HEIGHT, HEAD_HEIGHT = 28.0, 24.0
 
 
 def lay_out_page(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, PagePlan]:
@@ -61,14 +66,16 @@ def lay_out_page(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, 
 
 def _page(plan: PagePlan) -> Sheet:
     table = Table(plan)
-    widths = _widths(table)
-    top = Top(plan, sum(map(pixels, widths[MEANING : LAST + 1])))
+    widths, top = _with_top(plan, table, TOP_WIDTHS)
+    if _lines(top, widths) > FEW_LINES:
+        widths, top = _with_top(plan, table, [width + WIDER * (col >= MEANING) for col, width in enumerate(TOP_WIDTHS)])
     requests = [request for request in chart_requests(plan) if request.y and _has_columns(plan, request)]
     own = [request for request in chart_requests(plan) if (request.hodographs or request.profile) and plan.drawn]
     note_lines = math.ceil(len(_note(table)) / (NOTE_CHARACTERS * sum(widths[: note_last(plan) + 1])))
     heights = {row: float(ROW_HEIGHT) for row in range(2, plan.at.first)}
+    line = height_of(max(FEW_LINES, _lines(top, widths)), LINE_HEIGHT)
     heights |= top.heights | {
-        0: TITLE_HEIGHT, VERDICT_ROW: VERDICT_HEIGHT, plan.note_row - 1: ABOVE_NOTE,
+        0: TITLE_HEIGHT, VERDICT_ROW: line, plan.note_row - 1: ABOVE_NOTE,
         plan.note_row: NOTE_LINE * note_lines + BELOW_NOTE, plan.symbol_row: HEAD_HEIGHT,
         plan.symbol_row + 1: table.formula_height,
     }  # fmt: skip
@@ -113,14 +120,20 @@ def _page(plan: PagePlan) -> Sheet:
     )
 
 
+def _lines(top: Top, widths: list[float]) -> int:
+    """How many lines the line under the title takes."""
+    return label_lines(top.longest_line, sum(map(pixels, widths[: LAST + 1])) / BOLD)
+
+
 def _note(table: Table) -> str:
     return next(str(cell.content) for cell in table.cells if cell.row == table.plan.note_row)
 
 
-def _widths(table: Table) -> list[float]:
-    """Of the table's columns, wide enough for the top over the first of them."""
-    widths = list(table.widths) + list(TOP_WIDTHS[len(table.widths) :])
-    return [max(width, least) for width, least in zip(widths, TOP_WIDTHS, strict=False)] + widths[len(TOP_WIDTHS) :]
+def _with_top(plan: PagePlan, table: Table, least: Sequence[float]) -> tuple[list[float], Top]:
+    """Widths of the table's columns, of which the first are wide enough for the top over them; and the top."""
+    widths = list(table.widths) + list(least[len(table.widths) :])
+    widths = [max(pair) for pair in zip(widths, least, strict=False)] + widths[len(least) :]
+    return widths, Top(plan, sum(map(pixels, widths[MEANING : LAST + 1])))
 
 
 def _left(widths: list[float]) -> int:
@@ -186,18 +199,8 @@ def _curves(plan: PagePlan, request: ChartRequest, drawing: PageDrawing | None) 
         cell = drawing.shown[symbol] if drawing else None
         return SeriesRef(plan.main, Area(cell.row, cell.col, cell.row, cell.col)) if cell else None
 
-    axis = _axis(plan, request.x, request.x_ends)
+    axis = driver_axis(plan, request.x, request.x_ends, MOST_STEPS)
     return curve_chart(plan, request, at, (CHART_WIDTH, CHART_HEIGHT), axis, "bottom")
-
-
-def _axis(plan: PagePlan, symbol: str, ends: Ends = (None, None)) -> Axis:
-    """Degrees in sensible steps; its ends are left to the program, since start, step and rows are not fixed."""
-    unit = shown_unit(plan, symbol)
-    title = f"{plain(symbol)} [{unit}]" if unit else plain(symbol)
-    if symbol != plan.mechanism.driver.symbol or not plan.mechanism.driver.unit.in_degrees:
-        return Axis(title, *ends)
-    extent = math.degrees(max(plan.driver) - min(plan.driver))
-    return Axis(title, *ends, next((float(step) for step in STEPS if extent / step <= 8), None) if extent else None)
 
 
 def _controls(plan: PagePlan, heights: Mapping[int, float]) -> tuple[Control, ...]:

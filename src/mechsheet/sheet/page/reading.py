@@ -10,7 +10,7 @@ from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import NOTHING
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.findings.listing import findings_of
-from mechsheet.sheet.findings.reading import Reading
+from mechsheet.sheet.findings.reading import ALIKE, Folded, Reading
 from mechsheet.sheet.grashof import Sides, turns_up_to
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, over_rows
 from mechsheet.sheet.page.plan import PagePlan, sides_of
@@ -52,7 +52,7 @@ class PageReading(Reading):
         return over_rows(function, self.column(symbol), *self.closing(symbol))
 
     def closing(self, symbol: str) -> list[RangeRef]:
-        """Columns that have a number where groups close of which this column says nothing: what it reads does close."""
+        """The column that says nothing where all groups close, for a column that has numbers where some do not."""
         page = self.page.page
         by_symbol = {each.symbol: each for each in page.columns}
         read, waiting = {symbol}, [symbol]
@@ -62,8 +62,8 @@ class PageReading(Reading):
             reads = symbols(page.plain[name]) if name in page.plain else reads
             waiting += [each for each in reads if each not in read]
             read.update(reads)
-        others = dict.fromkeys(name for name in page.closes.values() if name and name not in read)
-        return [self.column(name) for name in others]
+        others = any(name and name not in read for name in page.closes.values())
+        return [self.page.filled(self.plan.places.status)] if others else []
 
     @property
     def drivers(self) -> RangeRef:
@@ -117,10 +117,14 @@ class PageReading(Reading):
     def driver_in_row(self, row: str, **holes: Node) -> Node:
         return formula(f'IFERROR(INDEX(drivers,{row}),"")', drivers=self.drivers, **holes)
 
-    def place_of_extreme(self, symbol: str, smallest: Node) -> Node:
-        low, high = (self.column_extreme(way, symbol) for way in ("min", "max"))
-        return formula("INDEX(drivers,MATCH(IF(smallest,low,high),column,0))", drivers=self.drivers, smallest=smallest,
-                       low=low, high=high, column=self.column(symbol))  # fmt: skip
+    def occurs_at_least(self, symbol: str, folded: Folded, least: Node) -> Node:
+        column = self.column(symbol)
+        one, other = (
+            formula('SUMPRODUCT(MATCH(1,(column<>"")*(ABS(angle-least)<=alike),0))', column=column, angle=angle,
+                    least=least, alike=ALIKE)
+            for angle in folded(column, column)
+        )  # fmt: skip
+        return formula("INDEX(drivers,IFERROR(one,other))", drivers=self.drivers, one=one, other=other)
 
     def largest_size(self, finding: str, symbol: str) -> tuple[Node, Node]:
         size, place = super().largest_size(finding, symbol)

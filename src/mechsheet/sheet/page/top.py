@@ -2,29 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
-from livesheet.formula.nodes import CellRef, Node, Number, Text, transform
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, transform
 from livesheet.workbook import Area, Comment, Content, Fill, Merge, Style
 from mechsheet.kinematics.whole_turns import LEAST_OF_TURN
 from mechsheet.model import WAYS, Summary
 from mechsheet.sheet import styles
-from mechsheet.sheet.cells import Cells
-from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.findings.finding import LEVELS
-from mechsheet.sheet.findings.listing import findings_of
-from mechsheet.sheet.findings.title import title_levels, title_words
-from mechsheet.sheet.first.blocks import value_style
-from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
+from mechsheet.sheet.as_typed import degrees_together, in_degrees
+from mechsheet.sheet.cells import Cells, height_of, label_lines, longest_said
+from mechsheet.sheet.findings.finding import LEVELS, Finding, Line
+from mechsheet.sheet.findings.listing import findings_of, title_levels, title_words
+from mechsheet.sheet.first.blocks import output_words, over_summaries, summary_words, value_style
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, stretches_of
 from mechsheet.sheet.page.plan import ROW_HEIGHT, PagePlan
 from mechsheet.sheet.page.reading import MEANING, PageReading
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.shown import input_validation, unit_of_column
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import input_validation, rich, unit_of_column
 from mechsheet.sheet.table.positions import decimals_of_unit
-from mechsheet.sheet.wrapping import height_of, label_lines, longest_said
 from mechsheet.units import LENGTH, Unit, turn
 from mechsheet.words.equations import given_words
 from mechsheet.words.symbols import plain
@@ -43,6 +40,7 @@ class Top(Cells):
 
     room     pixels of the columns that say what a line is
     heights  of rows in which that takes several lines
+    longest_line  the longest text of the line under the title where all is well
     """
 
     def __init__(self, plan: PagePlan, room: int) -> None:
@@ -203,10 +201,30 @@ class Top(Cells):
                 self.colour(Area(row, MEANING, row, LAST), level.test, LEVELS[level.kind])
             self.conditionals.extend(line.rules)
         self.formula(VERDICT_ROW, SYMBOL, title_words(on, findings), styles.LINE)
+        self.longest_line = self._longest_line(lines)
         area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
         self.merges.append(Merge(area))
         for level in title_levels(on, lines.values()):
             self.colour(area, level.test, LEVELS[level.kind])
+
+    def _longest_line(self, lines: Mapping[Finding, Line]) -> str:
+        """The longest text of the line under the title where all is well, and nothing is to be mended."""
+        words = {self.on.words(finding.key): line.words for finding, line in lines.items()}
+        counts = {self.on.of_rows, self.on.value("rows_closed")}
+        mended = {self.on.beside(finding.key, Text("")) for finding, line in lines.items() if line.beside is not None}
+
+        def change(part: Node) -> Node:
+            match part:
+                case Call("IF", (Binary("=", CellRef() as bound, Text("")), nothing, _)) if bound in mended:
+                    return nothing
+                case CellRef() if part in words:
+                    return transform(words[part], change)
+                case CellRef() if part in counts:
+                    return Text(str(self.plan.rows))
+            return part
+
+        said = [finding.in_title(self.on) for finding in lines]
+        return longest_said(transform(joined(*(each for title in said for each in (title.first, title.here))), change))
 
     def _summaries(self) -> None:
         plan = self.plan
@@ -256,5 +274,5 @@ class Top(Cells):
                 "AND(n=rows,n>=least,ABS(ROUND(step*rows/turn,0)*turn-step*rows)<1E-7)", n=plan.places.closed.cell,
                 least=LEAST_OF_TURN, rows=plan.places.rows.cell, step=step, turn=turn(plan.mechanism.driver.unit.in_degrees),
             )  # fmt: skip
-        tests = [(each, NUMBERS) for each in (self.on.column(symbol), *self.on.closing(symbol))]
+        tests = [(self.on.column(symbol), NUMBERS), *((each, "") for each in self.on.closing(symbol))]
         return mean_of_motion(plan.mechanism.driver, self.on.column(symbol), tests, turns)

@@ -69,8 +69,7 @@ def status_words(plan: Plan) -> list[str]:
         links = links_of(plan, group)
         if undetermined(plan, group) is not None:
             found.append(plan.text("status.undetermined", links=links))
-        key = "undetermined" if group.only_undetermined else "newton" if group.system is not None else "open"
-        found.append(plan.text(f"status.{key}", links=links))
+        found.append(plan.text(group.status, links=links))
     return found
 
 
