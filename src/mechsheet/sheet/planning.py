@@ -16,14 +16,11 @@ from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.classification import classification
-from mechsheet.sheet.columns.averaged import with_averaged
+from mechsheet.sheet.columns.added import MEAN, start_columns, with_averaged, with_energy
 from mechsheet.sheet.columns.bands import found_bands, tolerance_symbol, with_bands
-from mechsheet.sheet.columns.flywheel import MEAN, with_energy
 from mechsheet.sheet.columns.lowering import Assignment, in_pass, lowered
-from mechsheet.sheet.columns.start_columns import start_columns
 from mechsheet.sheet.findings.finding import Finding
 from mechsheet.sheet.findings.listing import findings_of
-from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.places import Places, Starts
 from mechsheet.sheet.plan import (
     BLOCKS,
@@ -49,6 +46,7 @@ from mechsheet.sheet.plan import (
     TableColumn,
     block_of,
 )
+from mechsheet.sheet.shown import kept_names, names_of_dimensions
 from mechsheet.sheet.table.rates import dead_words
 from mechsheet.sheet.table.status import words_looked_up
 from mechsheet.sheet.task_rows import Rows, plan_rows

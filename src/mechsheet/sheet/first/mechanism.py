@@ -17,16 +17,22 @@ from mechsheet.kinematics.equations import Group, System
 from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import ROW_HEIGHT
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.columns.bands import tolerance_symbol
 from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.deleted import sheets_of
-from mechsheet.sheet.first.bands import band_here, write_bands
-from mechsheet.sheet.first.below import while_sheets_are_there, write_below
-from mechsheet.sheet.first.blocks import MEANING_WIDTH, Writer, value_style
-from mechsheet.sheet.first.given import words_of
-from mechsheet.sheet.first.summaries import write_summaries
+from mechsheet.sheet.first.blocks import (
+    MEANING_WIDTH,
+    Writer,
+    band_here,
+    value_style,
+    while_sheets_are_there,
+    write_bands,
+    write_below,
+    write_summaries,
+)
 from mechsheet.sheet.first.verdicts import write_verdicts
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import (
@@ -44,12 +50,10 @@ from mechsheet.sheet.plan import (
     Plan,
 )
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.shown import input_validation, shown_unit
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import input_validation, rich, shown_unit, words_of
 from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 from mechsheet.sheet.table.status import while_inputs_can_be
 from mechsheet.sheet.table.tolerance import Tolerance
-from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.equations import given_words
 from mechsheet.words.symbols import plain
 

@@ -15,9 +15,8 @@ from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.deleted import missing_words
 from mechsheet.sheet.findings.finding import LEVELS, MARKS, Finding, Line
-from mechsheet.sheet.findings.listing import findings_of
+from mechsheet.sheet.findings.listing import findings_of, left_words, title_levels, title_words
 from mechsheet.sheet.findings.reading import Reading, SheetReading
-from mechsheet.sheet.findings.title import left_words, title_levels, title_words
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import LEGEND_ROW, MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW

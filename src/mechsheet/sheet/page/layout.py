@@ -20,8 +20,8 @@ from livesheet.workbook import (
 )
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import ChartRequest, Mechanism
+from mechsheet.sheet.as_typed import with_typed_constants
 from mechsheet.sheet.asked.requested import table_sheets
-from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing.charts import chart_requests, curve_chart, driver_axis
 from mechsheet.sheet.first.mechanism import position_controls
 from mechsheet.sheet.layout import description_sheet, properties_of

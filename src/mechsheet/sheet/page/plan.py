@@ -18,14 +18,14 @@ from mechsheet.model import Mechanism
 from mechsheet.shapes.described import remarkable_points
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.classification import FourBar, classification
-from mechsheet.sheet.columns.averaged import with_averaged
+from mechsheet.sheet.columns.added import with_averaged
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.geometry import length_in_cells
-from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.page.paper import CHART_HEIGHT
 from mechsheet.sheet.places import Places
 from mechsheet.sheet.plan import SHEETS, SPARE, UNIT, VERDICT_ROW, Blocks, Named, Plan, TableColumn
+from mechsheet.sheet.shown import kept_names, names_of_dimensions
 from mechsheet.words.catalogue import words
 
 FIRST_ROW = 3

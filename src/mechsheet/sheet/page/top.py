@@ -10,22 +10,18 @@ from livesheet.workbook import Area, Comment, Content, Fill, Merge, Style
 from mechsheet.kinematics.whole_turns import LEAST_OF_TURN
 from mechsheet.model import WAYS, Summary
 from mechsheet.sheet import styles
-from mechsheet.sheet.cells import Cells
-from mechsheet.sheet.degrees import degrees_together, in_degrees
+from mechsheet.sheet.as_typed import degrees_together, in_degrees
+from mechsheet.sheet.cells import Cells, height_of, label_lines, longest_said
 from mechsheet.sheet.findings.finding import LEVELS, Finding, Line
-from mechsheet.sheet.findings.listing import findings_of
-from mechsheet.sheet.findings.title import title_levels, title_words
-from mechsheet.sheet.first.blocks import value_style
-from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
+from mechsheet.sheet.findings.listing import findings_of, title_levels, title_words
+from mechsheet.sheet.first.blocks import output_words, over_summaries, summary_words, value_style
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, stretches_of
 from mechsheet.sheet.page.plan import ROW_HEIGHT, PagePlan
 from mechsheet.sheet.page.reading import MEANING, PageReading
 from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.shown import input_validation, unit_of_column
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import input_validation, rich, unit_of_column
 from mechsheet.sheet.table.positions import decimals_of_unit
-from mechsheet.sheet.wrapping import height_of, label_lines, longest_said
 from mechsheet.units import LENGTH, Unit, turn
 from mechsheet.words.equations import given_words
 from mechsheet.words.symbols import plain
