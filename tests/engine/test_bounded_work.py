@@ -9,7 +9,7 @@ import pytest
 
 from asking import ours
 from livesheet.engine import evaluate
-from livesheet.engine.interpreter import budget
+from livesheet.engine.interpreter import environment
 from livesheet.formats import read
 from livesheet.formula.book import BookBuilder
 from livesheet.formula.nodes import ErrorValue
@@ -58,8 +58,8 @@ def with_remarks(formula):
 @pytest.fixture
 def little_patience(monkeypatch):
     """The same limits, smaller: reaching the real ones takes half a minute a formula."""
-    monkeypatch.setattr(budget, "MOST_STEPS", 2000)
-    monkeypatch.setattr(budget, "MOST_ALL", 8000)
+    monkeypatch.setattr(environment, "MOST_STEPS", 2000)
+    monkeypatch.setattr(environment, "MOST_ALL", 8000)
 
 
 @pytest.mark.parametrize("formula", ENDLESS)
@@ -89,8 +89,8 @@ def test_what_ends_is_computed(little_patience):
 @pytest.mark.slow
 def test_many_endless_formulas_end_together(monkeypatch):
     """A column of them takes the steps of a few: the workbook's own limit."""
-    monkeypatch.setattr(budget, "MOST_STEPS", 2000)
-    monkeypatch.setattr(budget, "MOST_ALL", 8000)
+    monkeypatch.setattr(environment, "MOST_STEPS", 2000)
+    monkeypatch.setattr(environment, "MOST_ALL", 8000)
     start = time.process_time()
     found = ours([FIB.format(n=60)] * 500, [])
     assert set(found) == {ErrorValue("#VALUE!")}

@@ -17,7 +17,7 @@ from folders import ROOT
 from livesheet.diagnostics import WorkbookError
 from livesheet.engine import Live, Plan, compile_book
 from livesheet.engine import incremental as incremental_module
-from livesheet.engine.fast.cell_codes import CellCodes
+from livesheet.engine.fast.cell_code import CellCodes
 from livesheet.formula.book import BookBuilder
 from livesheet.formula.nodes import ErrorValue
 from livesheet.formula.parser import parse_formula

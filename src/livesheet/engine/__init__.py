@@ -1,7 +1,7 @@
 """Recalculates any workbook: knows formulas and cells, nothing of mechanisms."""
 
 from .incremental import Live
-from .kernels.arithmetic import FAST, PORTABLE, Arithmetic
+from .kernels.math import FAST, PORTABLE, Arithmetic
 from .plan import Plan, compile_book, evaluate, steady_plan
 from .results import Values
 

@@ -12,16 +12,15 @@ from ..diagnostics import Fault
 from ..formula.book import Block, Book, BookSheet, CellStore
 from ..formula.nodes import Missing, Node, Scalar
 from ..time_limit import check_time
-from .fast.marks import Marks, marks_of_constants
 from .graph import dependents, producers_read
 from .interpreter.environment import Environment
 from .interpreter.evaluator import Evaluator
-from .kernels.arithmetic import FAST, Arithmetic
+from .kernels.math import FAST, Arithmetic
 from .layout import Area, make_layout
 from .ordering.dynamic_order import Sizes, settled, sizes_of, with_sizes
 from .ordering.schedule import Special, Step, schedule
 from .resolve import Resolver
-from .results import Values
+from .results import Marks, Values, marks_of_constants
 from .values.cells import Texts, error_code
 
 _MOST_RESIZED = 16

@@ -50,10 +50,9 @@ from ..formula.references import area_name, parse_r1c1
 from ..formula.tables import cells_of_table
 from ..said import Said, say, say_count
 from .graph import ANYWHERE, reads_anywhere
-from .interpreter.deep import deeply
-from .interpreter.intersections import intersected
-from .interpreter.local_names import is_function, with_locals
+from .interpreter.environment import deeply
 from .interpreter.regions import gives_region
+from .interpreter.rewriting import intersected, is_function, with_locals
 from .kernels.table import lacks_scipy
 
 _MOST_SHEETS = 1024

@@ -1,15 +1,17 @@
-"""The values of a recalculated book."""
+"""What an evaluation finds: the values of a book, and which of its blocks hold something other than numbers."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
 from ..diagnostics import Fault, MissingSheetError
 from ..formula.nodes import Scalar
 from .layout import Area, Layout
-from .values.cells import BOOLEAN, NUMBER, Cells, Codes, Numbers, Texts
+from .values.cells import BOOLEAN, NUMBER, TEXT, Cells, Codes, Numbers, Texts
 
 
 class Values:
@@ -86,3 +88,43 @@ class Values:
         numbers = np.array(found.numbers[0])
         codes = np.zeros(len(numbers), np.uint8) if found.codes is None else np.array(found.codes[0])
         return numbers, codes
+
+
+@dataclass(slots=True)
+class Marks:
+    """By the numbers of producers (`Layout.producers`).
+
+    dirty  hold something other than numbers;  texts  those of them that hold texts and nothing else
+    """
+
+    dirty: set[int] = field(default_factory=set)
+    texts: set[int] = field(default_factory=set)
+
+    def copy(self) -> Marks:
+        """Marks that can be changed apart from these."""
+        return Marks(set(self.dirty), set(self.texts))
+
+    def note(self, producer: int, codes: Any) -> None:
+        """Take note of (some of) the codes of what a producer holds."""
+        if codes.any():
+            self.dirty.add(producer)
+        if producer in self.texts and not (codes == TEXT).all():
+            self.texts.discard(producer)
+
+    def note_one(self, producer: int, code: int) -> None:
+        """The same of the code of one cell."""
+        if code:
+            self.dirty.add(producer)
+        if code != TEXT:
+            self.texts.discard(producer)
+
+
+def marks_of_constants(layout: Layout) -> Marks:
+    """What the constants hold."""
+    marks = Marks()
+    for producer, run in enumerate(layout.constants, len(layout.blocks)):
+        if run.codes is not None:
+            marks.dirty.add(producer)
+            if (run.codes == TEXT).all():
+                marks.texts.add(producer)
+    return marks

@@ -119,9 +119,6 @@ class Reactions:
     def _at(self, pin: Pin) -> Vector:
         return self.poses.xy[pin.point]
 
-    def _over(self, parts: Vector, divisor: Node) -> Vector:
-        return over(parts[0], divisor), over(parts[1], divisor)
-
     # --- dyads ------------------------------------------------------------------------------------------------
 
     def _dyad(self, dyad: Dyad, det: Node) -> None:
@@ -175,7 +172,7 @@ class Reactions:
         r = self._at(inner)
         a, b = minus(r, self._at(p)), minus(r, self._at(q))
         m1, m2 = self._moment(dyad.first, self._at(p)), self._moment(dyad.second, self._at(q))
-        force = self._over(negative(plus(times(m1, b), times(m2, a))), al.mul(det, self.columns.metre))
+        force = _over(negative(plus(times(m1, b), times(m2, a))), al.mul(det, self.columns.metre))
         force = self._inner(dyad, inner, force)
         self._outer(dyad.first, p, minus(negative(self._sum(dyad.first)), force))
         self._outer(dyad.second, q, minus(force, self._sum(dyad.second)))
@@ -195,7 +192,7 @@ class Reactions:
             totals.append(together((total, *(force.vector for force in held))))
             arms.append(minus(r, p))
         both = plus(times(moments[0], arms[1]), times(moments[1], arms[0]))
-        force = self._inner(dyad, Pin(dyad.pins[2]), self._over(negative(both), al.mul(det, self.columns.metre)))
+        force = self._inner(dyad, Pin(dyad.pins[2]), _over(negative(both), al.mul(det, self.columns.metre)))
         for (body,), point, total, on_it in zip(dyad.assemblies, outer, totals, (force, negative(force)), strict=True):
             self._on_pair(point, body, self.motions.with_point(dyad.frame, point), minus(negative(total), on_it))
 
@@ -224,7 +221,7 @@ class Reactions:
             det = al.neg(det)  # a.d: the displacement counts against the line's direction
         s2 = self._sum(dyad.second)
         m1 = over(self._moment(dyad.first, p), self.columns.metre)
-        force = self._over(minus(times(dot(s2, d), minus(r, p)), times(m1, n)), det)
+        force = _over(minus(times(dot(s2, d), minus(r, p)), times(m1, n)), det)
         force = self._inner(dyad, inner, force)
         self._outer(dyad.first, pin, minus(negative(self._sum(dyad.first)), force))
         self._guide(dyad.second, slide, minus(force, s2), r)
@@ -250,7 +247,7 @@ class Reactions:
         f1, f2 = al.neg(self._along(dyad.first, s1, d1)), self._along(dyad.second, s2, d2)
         x = al.sub(al.mul(f1, d2[1]), al.mul(f2, d1[1]))
         y = al.sub(al.mul(f2, d1[0]), al.mul(f1, d2[0]))
-        force = self._inner(dyad, inner, self._over((x, y), det))
+        force = self._inner(dyad, inner, _over((x, y), det))
         self._guide(dyad.first, outer[0], minus(negative(s1), force), r)
         self._guide(dyad.second, outer[1], minus(force, s2), r)
 
@@ -375,3 +372,7 @@ class Reactions:
         if on_known:
             self.acting.hang(base, Force(total, self._place_of(drive)), moment)
         self.joints.guiding_slide(joint, drive.moving, negative(total), al.neg(moment))
+
+
+def _over(parts: Vector, divisor: Node) -> Vector:
+    return over(parts[0], divisor), over(parts[1], divisor)

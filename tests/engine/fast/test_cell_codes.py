@@ -11,7 +11,7 @@ from asking import ours
 from chosen import examples
 from engine_cases import COLUMN, FIRST_ROW
 from livesheet.engine import FAST, PORTABLE, compile_book
-from livesheet.engine.fast.cell_codes import CellCodes
+from livesheet.engine.fast.cell_code import CellCodes
 from livesheet.engine.fast.segments import Segment
 from livesheet.formula.book import BookBuilder
 from livesheet.formula.nodes import Binary, Call, CellRef, ErrorValue, Number, RangeRef, Text

@@ -15,10 +15,9 @@ from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_names
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.homework.classroom.exercise import exercise
-from mechsheet.homework.classroom.names import Names
-from mechsheet.homework.classroom.statement import Statement
+from mechsheet.homework.classroom.statement import Names, Statement
+from mechsheet.homework.expected_values import asked_of
 from mechsheet.homework.headings import aliases_of, called
-from mechsheet.homework.marking_rules import asked_of
 
 LETTERS = str.maketrans({"θ": "theta", "β": "beta"})
 

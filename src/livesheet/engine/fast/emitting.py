@@ -13,13 +13,11 @@ from typing import ClassVar
 
 import numpy as np
 
-from ..kernels.arithmetic import Arithmetic
+from ..kernels.math import Arithmetic
 from ..layout import Layout
 from ..values.cells import NEAR, TEXT
-from .helpers import HELPERS
+from .generated import HELPERS, Singles, roots
 from .lowering import Effect, Lowering, Value
-from .singles import Singles
-from .usage import roots
 
 CHUNK = 16_384
 """Cells of a column at a time: what fits the processor's second cache with a few buffers of it (docs/speed.md)."""

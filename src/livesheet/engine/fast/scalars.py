@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..kernels.arithmetic import FAST, Arithmetic
+from ..kernels.math import FAST, Arithmetic
 from ..values.cells import NEAR
 
 _TRIED = 4096

@@ -10,14 +10,13 @@ import numpy as np
 from ...formula.nodes import Node
 from ..interpreter.evaluator import Evaluator
 from ..layout import Layout
-from ..values.cells import Cells, Codes
-from ..values.frames import Frame
-from .cell_codes import CellCodes
+from ..results import Marks
+from ..values.cells import Cells, Codes, Frame
+from .cell_code import CellCodes
+from .cell_functions import Memory
 from .emitting import CHUNK, Code, emit
-from .helpers import TroubleError
+from .generated import TroubleError
 from .lowering import MOST_VALUES, Lowering, Reads, UnsuitableError
-from .marks import Marks
-from .memory import Memory
 
 Buffers: TypeAlias = dict[str, Any]
 

@@ -14,10 +14,9 @@ import numpy as np
 
 from ...formula.functions import FUNCTIONS
 from ...formula.nodes import Apply, Call, FunctionRef, Local, Missing, Node
-from ..values.cells import NAME, NUM, VALUE, Cells, error
+from ..values.cells import NAME, NUM, VALUE, Cells, Frame, error
 from ..values.coerce import truths_of
-from ..values.frames import Frame
-from .budget import CELLS_A_STEP, Budget
+from .environment import CELLS_A_STEP, Budget
 from .regions import Regions, regions
 
 if TYPE_CHECKING:

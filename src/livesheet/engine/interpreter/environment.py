@@ -1,18 +1,135 @@
-"""What an evaluation knows of the book beyond the values of its cells: functions, formulas, and what has been computed."""
+"""What an evaluation knows of the book beyond the values of its cells: functions, formulas, and what has been computed;
+and how far it may go.
+
+A LAMBDA that calls itself, or a loop over arrays, ends where Excel would never end it (`Budget`). Trees deeper than Python's
+stack are evaluated again with a stack that is large enough, in a thread of its own (`deeply`).
+"""
 
 from __future__ import annotations
 
+import contextvars
+import sys
+import threading
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
+from typing import TypeVar
 
 from ...diagnostics import Fault
 from ...formula.book import Book
 from ...formula.nodes import FunctionRef, Node, Scalar
 from ...formula.references import cell_address
 from ...said import say
-from ..kernels.arithmetic import FAST, Arithmetic
+from ...time_limit import check_time
+from ..kernels.math import FAST, Arithmetic
 from ..layout import Area
-from .budget import Budget
+from ..values.cells import UnsupportedError
+
+_SIZES = (512 << 20, 64 << 20)
+"""Address space for a stack, of which only what is used is taken from the memory; the second where there is less."""
+_BYTES_A_LEVEL = 2560
+_NAME = "livesheet-deep"
+
+_one_at_a_time = threading.Lock()
+
+Found = TypeVar("Found")
+
+
+def deeply(compute: Callable[[], Found]) -> Found:
+    """What `compute` returns or raises. RecursionError only beyond every reasonable depth."""
+    try:
+        return compute()
+    except RecursionError:
+        if threading.current_thread().name == _NAME:
+            raise
+    with _one_at_a_time:
+        for size in _SIZES:
+            try:
+                return _in_deep_thread(compute, size)
+            except _NoThreadError:
+                continue
+    raise RecursionError
+
+
+class _NoThreadError(Exception):
+    """There is no room for a stack of that size."""
+
+
+def _in_deep_thread(compute: Callable[[], Found], size: int) -> Found:
+    found: list[Found] = []
+    problems: list[BaseException] = []
+
+    def run() -> None:
+        try:
+            found.append(compute())
+        except BaseException as problem:  # raised again in the thread that waits
+            problems.append(problem)
+
+    limit, usual = sys.getrecursionlimit(), threading.stack_size(size)
+    try:
+        sys.setrecursionlimit(max(limit, size // _BYTES_A_LEVEL))
+        # A thread begins without what its maker was given, such as the time it may take.
+        thread = threading.Thread(target=contextvars.copy_context().run, args=(run,), name=_NAME)
+        try:
+            thread.start()
+        except RuntimeError as problem:
+            raise _NoThreadError from problem
+        thread.join()
+    finally:
+        threading.stack_size(usual)
+        sys.setrecursionlimit(limit)
+    if problems:
+        raise problems[0]
+    return found[0]
+
+
+MOST_STEPS = 1 << 21
+"""Steps of one formula: calls of functions, and names and cells of arrays that they read. MAP over a whole column of a sheet
+with a name or two is as many, some 20 seconds; what takes more is a mistake or malice (fib(60) takes 10^13)."""
+
+MOST_ALL = 1 << 23
+"""Steps in functions of one evaluation of a workbook, in which a few formulas may take as long."""
+
+CELLS_A_STEP = 1024
+"""Cells of an array that numpy gets through while Python takes a step."""
+
+LIFTED_STEPS = 8
+"""Steps that a function takes for one cell of an array where it wants a single value: it is called anew for each."""
+
+
+class StepsError(UnsupportedError):
+    """A formula that takes too long."""
+
+
+@dataclass(slots=True)
+class Budget:
+    """What has been spent.
+
+    depth    functions that are being called;  formula  steps of the formula that is being computed
+    called   steps in functions, of the whole evaluation
+    """
+
+    depth: int = 0
+    formula: int = 0
+    called: int = 0
+
+    def begin(self) -> None:
+        """Another formula. Raises TimeLimitError."""
+        self.formula = 0
+        check_time()
+
+    def spend(self, steps: int) -> None:
+        """Take steps. Raises StepsError when there were too many, TimeLimitError when they took too long."""
+        self.formula += steps
+        if self.formula > MOST_STEPS:
+            raise StepsError(say("not computed: it takes more than {most} steps", most=MOST_STEPS))
+        if self.depth:
+            self.called += steps
+            if self.called > MOST_ALL:
+                raise StepsError(
+                    say("not computed: functions took more than {most} steps in this workbook", most=MOST_ALL)
+                )
+        check_time()
+
 
 _MOST = 100
 """Cells of which the same is remarked."""

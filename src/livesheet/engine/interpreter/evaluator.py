@@ -6,11 +6,12 @@ that is being computed; every operand has the frame's shape or one that broadcas
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Mapping
+from typing import Any, TypeAlias
 
 import numpy as np
 
+from ...formula.functions import FUNCTIONS
 from ...formula.nodes import (
     UNKNOWN_FUNCTION,
     Apply,
@@ -36,14 +37,21 @@ from ...time_limit import TimeLimitError
 from ..kernels.math import OPERATORS, snapped
 from ..kernels.table import KERNELS
 from ..layout import Layout
+from ..values.calling import SINGLES
 from ..values.cells import (
     BLANK,
     CALC,
     VALUE,
+    ArrayArgumentError,
     Cells,
     Codes,
+    Frame,
+    NotReadyError,
     Numbers,
+    Span,
     Texts,
+    UnsupportedError,
+    VaryingSizeError,
     codes_of,
     error,
     error_code,
@@ -52,16 +60,12 @@ from ..values.cells import (
     fitted,
 )
 from ..values.coerce import compared, each, joined, numbers_of
-from ..values.frames import ArrayArgumentError, Frame, NotReadyError, Span, UnsupportedError, VaryingSizeError
-from .budget import CELLS_A_STEP, LIFTED_STEPS
 from .closures import Bound, Scopes
-from .deep import deeply
-from .environment import Environment
+from .environment import CELLS_A_STEP, LIFTED_STEPS, Environment, deeply
 from .reading import Reading, codes_of_all
 from .regions import gives_region, regions
-from .slots import at_slot, slots, with_slots
+from .rewriting import REFERENCES
 
-_REFERENCES = frozenset((",", " ", ":"))
 _OVER_REFERENCES = frozenset(
     ("SUBTOTAL", "SUMIF", "COUNTIF", "AVERAGEIF", "SUMIFS", "COUNTIFS", "AVERAGEIFS", "N", "T")
 )
@@ -138,7 +142,7 @@ class Evaluator(Reading):
 
     def _unsafely(self, formula: Node, frame: Frame, spread: bool) -> Cells:
         with np.errstate(all="ignore"):
-            if isinstance(formula, Binary) and formula.op not in _REFERENCES:
+            if isinstance(formula, Binary) and formula.op not in REFERENCES:
                 return self.chain(formula, frame, spread, snap=True)
             return self.value(formula, frame, spread)
 
@@ -150,7 +154,7 @@ class Evaluator(Reading):
             case CellRef():
                 return self.cell(node, frame)
             case Binary(op):
-                return self.region(node, frame, spread) if op in _REFERENCES else self.chain(node, frame, spread)
+                return self.region(node, frame, spread) if op in REFERENCES else self.chain(node, frame, spread)
             case Unary(op, operand):
                 return self.signed(op, self.value(operand, frame, spread))
             case Call():
@@ -189,7 +193,7 @@ class Evaluator(Reading):
         """A run of operators down the left side, in one loop: a sum may have thousands of terms."""
         run: list[Binary] = []
         left: Node = node
-        while isinstance(left, Binary) and left.op not in _REFERENCES:
+        while isinstance(left, Binary) and left.op not in REFERENCES:
             run.append(left)
             left = left.left
         total = self.value(left, frame, spread)
@@ -342,3 +346,39 @@ def part_of(cells: Cells, down: int, right: int) -> Cells:
     place = down if shape[0] > 1 else 0, right if shape[1] > 1 else 0, 0, 0
     code = np.broadcast_to(codes_of(cells), shape)[place]
     return Cells(np.broadcast_to(cells.numbers, shape)[place], code if code else None)
+
+
+Slot: TypeAlias = tuple[int, ...]
+_GIVING_REFERENCES = ("OFFSET", "INDIRECT")
+
+
+def slots(node: Call) -> list[Slot]:
+    """The slots of a call, its own and those of the references it is given."""
+    found: list[Slot] = []
+    for place, (arg, kind) in enumerate(zip(node.args, FUNCTIONS[node.name].kinds_of(len(node.args)), strict=True)):
+        if kind in SINGLES or kind == "q":
+            found.append((place,))
+        elif isinstance(arg, Call) and arg.name in _GIVING_REFERENCES:
+            found += [(place, *inner) for inner in slots(arg) if not isinstance(at_slot(arg, inner), Missing)]
+    return found
+
+
+def at_slot(node: Call, slot: Slot) -> Node:
+    """The argument in a slot."""
+    found: Node = node
+    for place in slot:
+        assert isinstance(found, Call)
+        found = found.args[place]
+    return found
+
+
+def with_slots(node: Call, new: Mapping[Slot, Node]) -> Call:
+    """The call with other arguments in some slots."""
+    args = list(node.args)
+    for place, arg in enumerate(args):
+        inner = {slot[1:]: value for slot, value in new.items() if slot[0] == place}
+        if () in inner:
+            args[place] = inner[()]
+        elif inner and isinstance(arg, Call):
+            args[place] = with_slots(arg, inner)
+    return Call(node.name, tuple(args))

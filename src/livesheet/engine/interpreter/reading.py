@@ -8,8 +8,20 @@ import numpy as np
 
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, RangeRef
 from ..layout import Area, Layout
-from ..values.cells import BLANK, REF, VALUE, Cells, Codes, Numbers, Texts, codes_of, error
-from ..values.frames import Frame, Span, VaryingSizeError
+from ..values.cells import (
+    BLANK,
+    REF,
+    VALUE,
+    Cells,
+    Codes,
+    Frame,
+    Numbers,
+    Span,
+    Texts,
+    VaryingSizeError,
+    codes_of,
+    error,
+)
 from .environment import Environment
 
 _NOTHING = Cells(np.float64(0), np.uint8(BLANK))

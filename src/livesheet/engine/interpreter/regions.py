@@ -24,9 +24,21 @@ from ...formula.nodes import (
     Node,
     RangeRef,
 )
-from ..values.cells import ERROR, NA, NULL, REF, VALUE, Cells, error, error_code
+from ..values.cells import (
+    ERROR,
+    NA,
+    NULL,
+    REF,
+    VALUE,
+    ArrayArgumentError,
+    Cells,
+    Frame,
+    Span,
+    VaryingSizeError,
+    error,
+    error_code,
+)
 from ..values.coerce import numbers_of, text_of, truths_of
-from ..values.frames import ArrayArgumentError, Frame, Span, VaryingSizeError
 
 if TYPE_CHECKING:
     from .evaluator import Evaluator

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, Missing, Node, RangeRef
-from ..texts.criteria import Test, criterion
+from ..texts.searching import Test, criterion
 from ..values.calling import table_of
-from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, VALUE, Cells, codes_of, error
+from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, VALUE, ArrayArgumentError, Cells, Frame, codes_of, error
 from ..values.coerce import once_each, shaped
-from ..values.frames import ArrayArgumentError, Frame
 from .fold import greatest, least, total
 
 if TYPE_CHECKING:

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import Missing, Node, Scalar
-from ..texts.criteria import criterion
+from ..texts.searching import criterion
 from ..values.calling import Problem, caught, table_of, to_number
-from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, Texts, error
+from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, Frame, Texts, VaryingSizeError, error
 from ..values.coerce import to_text
-from ..values.frames import Frame, VaryingSizeError
 from .fold import count, folded, greatest, least, mean, product, total
 from .statistics import SPREADS
 

@@ -22,7 +22,7 @@ from ..texts.calendar import (
     whole_day,
 )
 from ..values.calling import Problem, to_number
-from ..values.typed_numbers import Serial, day_and_time
+from ..values.coerce import Serial, day_and_time
 
 
 def date_(year: float, month: float, day: float) -> Serial:

@@ -16,7 +16,8 @@ from scipy.special import betainccinv, betaincinv, erf, ndtri
 
 from ..values.calling import Problem, need, raise_first
 from ..values.cells import NUMBER, Cells, Numbers
-from .densities import (
+from .math import paired
+from .special import (
     beta_below,
     binomial_density,
     deviance,
@@ -26,7 +27,6 @@ from .densities import (
     poisson_density,
     stirling_error,
 )
-from .math import paired
 
 _ROOT_2PI = math.sqrt(2 * math.pi)
 

@@ -21,6 +21,7 @@ from ..values.cells import (
     TEXT,
     VALUE,
     Cells,
+    Frame,
     broadcast,
     codes_of,
     error,
@@ -28,7 +29,6 @@ from ..values.cells import (
     first_error,
 )
 from ..values.coerce import numbers_of
-from ..values.frames import Frame
 from .logic import _first_of, _flat
 
 if TYPE_CHECKING:

@@ -11,9 +11,21 @@ from ...formula.nodes import CellRef, Local, Missing, Node, RangeRef
 from ..interpreter.closures import Bound, Closure
 from ..interpreter.regions import gives_region, regions
 from ..layout import Area
-from ..values.cells import CALC, MOST_LISTED, NA, VALUE, Cells, boolean, codes_of, error, too_large
+from ..values.cells import (
+    CALC,
+    MOST_LISTED,
+    NA,
+    VALUE,
+    Cells,
+    Frame,
+    Span,
+    VaryingSizeError,
+    boolean,
+    codes_of,
+    error,
+    too_large,
+)
 from ..values.coerce import numbers_of
-from ..values.frames import Frame, Span, VaryingSizeError
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator

@@ -20,6 +20,9 @@ from ..values.cells import (
     TEXT,
     VALUE,
     Cells,
+    Frame,
+    Span,
+    VaryingSizeError,
     boolean,
     choose,
     codes_of,
@@ -29,7 +32,6 @@ from ..values.cells import (
     fitted,
 )
 from ..values.coerce import compared, truths_of
-from ..values.frames import Frame, Span, VaryingSizeError
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator

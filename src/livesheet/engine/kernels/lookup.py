@@ -11,9 +11,22 @@ from ...formula.nodes import Call, CellRef, Local, Missing, Node, RangeRef
 from ..interpreter.regions import gives_region, regions
 from ..texts.searching import CRITERION, EXACT, EXPRESSION, LARGER, SMALLER, WILDCARD, Line
 from ..values.calling import spread_cells, table_of
-from ..values.cells import BLANK, NA, REF, TEXT, VALUE, Cells, choose, error, errors_of, first_error, fitted
+from ..values.cells import (
+    BLANK,
+    NA,
+    REF,
+    TEXT,
+    VALUE,
+    Cells,
+    Frame,
+    VaryingSizeError,
+    choose,
+    error,
+    errors_of,
+    first_error,
+    fitted,
+)
 from ..values.coerce import numbers_of, once_each, truths_of
-from ..values.frames import Frame, VaryingSizeError
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator

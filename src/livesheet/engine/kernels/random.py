@@ -8,9 +8,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import Missing, Node
-from ..values.cells import MOST_LISTED, NUM, VALUE, Cells, error, finished, first_error, too_large
+from ..values.cells import (
+    MOST_LISTED,
+    NUM,
+    VALUE,
+    Cells,
+    Frame,
+    VaryingSizeError,
+    error,
+    finished,
+    first_error,
+    too_large,
+)
 from ..values.coerce import numbers_of, truths_of
-from ..values.frames import Frame, VaryingSizeError
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator

@@ -14,9 +14,22 @@ from ...formula.references import column_letters
 from ...said import reason, say
 from ..interpreter.regions import gives_region, regions
 from ..layout import Area
-from ..values.cells import BLANK, NA, REF, TEXT, VALUE, Cells, boolean, codes_of, error
+from ..values.cells import (
+    BLANK,
+    NA,
+    REF,
+    TEXT,
+    VALUE,
+    Cells,
+    Frame,
+    Span,
+    UnsupportedError,
+    VaryingSizeError,
+    boolean,
+    codes_of,
+    error,
+)
 from ..values.coerce import text_of
-from ..values.frames import Frame, Span, UnsupportedError, VaryingSizeError
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator

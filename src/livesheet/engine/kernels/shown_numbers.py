@@ -10,10 +10,8 @@ from typing import TYPE_CHECKING, Any
 from ...formula.nodes import Node, Scalar
 from ..texts.number_formats import WIDE, formatted
 from ..values.calling import Problem, since_epoch
-from ..values.cells import Cells
-from ..values.coerce import to_text
-from ..values.frames import Frame
-from ..values.typed_numbers import Serial
+from ..values.cells import Cells, Frame
+from ..values.coerce import Serial, to_text
 from .text import VALUE, _each, number_or_none
 
 if TYPE_CHECKING:

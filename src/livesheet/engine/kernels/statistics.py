@@ -10,9 +10,8 @@ import numpy as np
 
 from ...formula.nodes import Node
 from ..values.calling import Problem, is_reference, need, raise_first
-from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, TEXT, Cells, Numbers, codes_of
+from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, TEXT, Cells, Frame, Numbers, codes_of
 from ..values.coerce import numbers_of
-from ..values.frames import Frame
 from .fold import count, fold, folded, mean, total, united
 from .logic import _first_of, _flat
 

@@ -11,9 +11,19 @@ import numpy as np
 from ...formula.nodes import Call, Node, walk
 from ..layout import Area
 from ..values.calling import caught, raise_first, table_of
-from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, error, finished
+from ..values.cells import (
+    BLANK,
+    ERROR,
+    NUMBER,
+    VALUE,
+    ArrayArgumentError,
+    Cells,
+    Frame,
+    VaryingSizeError,
+    error,
+    finished,
+)
 from ..values.coerce import numbers_of
-from ..values.frames import ArrayArgumentError, Frame, VaryingSizeError
 from .fold import folded, greatest, least, mean, median, product, ranked, total, united
 from .statistics import MODES, SPREADS, percentile, quartile
 

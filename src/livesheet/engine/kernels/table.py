@@ -18,9 +18,8 @@ import numpy as np
 from ...formula.functions import FUNCTIONS, Function
 from ...formula.nodes import Missing, Node
 from ..values.calling import called
-from ..values.cells import BOOLEAN, VALUE, Cells
+from ..values.cells import BOOLEAN, VALUE, Cells, Frame
 from ..values.coerce import truths_of
-from ..values.frames import Frame
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator

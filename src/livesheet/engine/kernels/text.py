@@ -15,13 +15,10 @@ from ...formula.functions import FUNCTIONS
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Missing, Node, Scalar
 from ...formula.printer import quote_sheet
 from ...formula.references import column_letters
-from ..texts.expressions import expression
-from ..texts.patterns import pattern_of
+from ..texts.patterns import expression, pattern_of
 from ..values.calling import Problem, called, since_epoch, to_number
-from ..values.cells import BLANK, Cells, codes_of
-from ..values.coerce import MOST_CHARACTERS, each, joined, text_to_number, to_text
-from ..values.frames import Frame
-from ..values.typed_numbers import Serial
+from ..values.cells import BLANK, Cells, Frame, codes_of
+from ..values.coerce import MOST_CHARACTERS, Serial, each, joined, text_to_number, to_text
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator

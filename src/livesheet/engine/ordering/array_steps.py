@@ -9,11 +9,10 @@ import numpy as np
 
 from ...formula.book import Block, CellStore
 from ...formula.nodes import Node
-from ..fast.marks import Marks
 from ..interpreter.evaluator import Evaluator
 from ..layout import Layout
-from ..values.cells import NA, REF, SPILL, Cells, Codes
-from ..values.frames import Frame
+from ..results import Marks
+from ..values.cells import NA, REF, SPILL, Cells, Codes, Frame
 
 
 class ArrayStep:

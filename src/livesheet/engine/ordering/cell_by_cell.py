@@ -9,14 +9,13 @@ import numpy as np
 from ...formula.nodes import CellRef, Node, RangeRef
 from ...formula.references import cell_address
 from ...said import say
-from ..fast.cell_codes import CellCodes
-from ..fast.marks import Marks
-from ..fast.memory import Memory
+from ..fast.cell_code import CellCodes
+from ..fast.cell_functions import Memory
 from ..graph import Functions, reads_anywhere, references
 from ..interpreter.evaluator import Evaluator
 from ..layout import Area, Layout
-from ..values.cells import REF
-from ..values.frames import NotReadyError
+from ..results import Marks
+from ..values.cells import REF, NotReadyError
 from .array_steps import fill_array
 
 Cell = tuple[int, int, int]

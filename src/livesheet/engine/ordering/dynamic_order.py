@@ -15,12 +15,10 @@ import numpy as np
 from ...formula.book import Block, BookSheet, CellStore
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, Scalar
 from ...said import say
-from ..fast.marks import Marks
 from ..interpreter.evaluator import Evaluator
 from ..layout import Area, Layout
-from ..results import Values
-from ..values.cells import BLANK
-from ..values.frames import NotReadyError
+from ..results import Marks, Values
+from ..values.cells import BLANK, NotReadyError
 
 if TYPE_CHECKING:
     from ..plan import Plan

@@ -10,11 +10,11 @@ from ...formula.book import CellStore
 from ...formula.nodes import Node
 from ..fast.lowered_functions import FUNCTIONS
 from ..fast.lowering import Lowering, UnsuitableError
-from ..fast.marks import Marks
 from ..fast.segments import Member, Segment, worth_at_once
 from ..graph import Functions, ordered
 from ..interpreter.evaluator import Evaluator
 from ..layout import Layout
+from ..results import Marks
 from .array_steps import ArrayStep, Kept
 from .cell_by_cell import Together
 from .row_by_row import row_by_row
@@ -75,7 +75,7 @@ def schedule(
             continue
         member = Member(layout, number, formulas[number])
         after = max((place[read] for read in reads[number] if read in place), default=0)
-        # Cells of one row are quicker one by one (`fast/any_kind`): no two of them need change together.
+        # Cells of one row are quicker one by one (`fast/cell_code`): no two of them need change together.
         if member.block.rows == 1 or (special.once and not worth_at_once(member.block.rows, member.block.cols)):
             place[number] = len(steps)
             steps.append(Segment(layout, member, None))

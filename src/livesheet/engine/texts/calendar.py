@@ -7,7 +7,7 @@ from datetime import date, timedelta
 from typing import NamedTuple
 
 from ..values.calling import Problem
-from ..values.typed_numbers import Serial
+from ..values.coerce import Serial
 
 LAST_DAY = 2958465
 """31 December 9999."""

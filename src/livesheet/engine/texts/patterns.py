@@ -1,4 +1,8 @@
-"""Texts that are searched for, as the workbook has it: with wildcards, as regular expressions, or as they stand."""
+"""Texts that are searched for, as the workbook has it: with wildcards, as regular expressions, or as they stand.
+
+Formulas are not trusted: wildcards are matched part by part from the left, in time that does not grow with the number of
+asterisks, and regular expressions that could take very long are refused.
+"""
 
 from __future__ import annotations
 
@@ -8,9 +12,103 @@ from typing import Protocol
 
 from ...formula.book import Settings
 from ...said import say
-from ..values.frames import UnsupportedError
-from .expressions import expression
-from .wildcards import Wildcards
+from ..values.calling import Problem
+from ..values.cells import UnsupportedError
+
+_LONGEST_PATTERN = 1000
+_MOST_STEPS = 1e8
+_QUANTIFIER = re.compile(r"[*+]|\{\d*(?:,\d*)?\}")
+
+
+@lru_cache(maxsize=256)
+def _compiled(pattern: str, ignore_case: bool) -> tuple[re.Pattern[str] | None, int]:
+    """(the expression, how many parts of it are repeated; -1 when repeated parts stand inside repeated parts)."""
+    try:
+        return re.compile(pattern, re.IGNORECASE if ignore_case else 0), _repetitions(pattern)
+    except (re.error, OverflowError, RecursionError):
+        return None, 0
+
+
+def _repetitions(pattern: str) -> int:
+    count, place = 0, 0
+    repeats = [False]
+    closed = False
+    while place < len(pattern):
+        character = pattern[place]
+        found = _QUANTIFIER.match(pattern, place)
+        if character == "\\":
+            place, closed = place + 2, False
+            continue
+        if character == "[":
+            end = pattern.find("]", place + 2)
+            place, closed = (len(pattern) if end < 0 else end + 1), False
+            continue
+        if found is not None:
+            if closed:
+                return -1
+            count, repeats[-1] = count + 1, True
+            place = found.end()
+            continue
+        closed = False
+        if character == "(":
+            repeats.append(False)
+        elif character == ")" and len(repeats) > 1:
+            closed = repeats.pop()
+            repeats[-1] = repeats[-1] or closed
+        place += 1
+    return count
+
+
+def expression(pattern: str, text: str, ignore_case: float = 0.0) -> re.Pattern[str]:
+    """The expression, fit for a text: #VALUE! for what is none. Raises UnsupportedError for one that could take too long."""
+    if len(pattern) > _LONGEST_PATTERN or ignore_case not in (0, 1):
+        raise Problem("#VALUE!")
+    found, repetitions = _compiled(pattern, bool(ignore_case))
+    if found is None:
+        raise Problem("#VALUE!")
+    if repetitions < 0 or (repetitions > 1 and float(max(len(text), 2)) ** repetitions > _MOST_STEPS):
+        raise UnsupportedError(say("a regular expression that could take very long"))
+    return found
+
+
+class Wildcards:
+    """A text with wildcards, compared without regard to case: `*` any characters, `?` one, `~` before them themselves. A
+    tilde before any other character is not seen."""
+
+    def __init__(self, text: str) -> None:
+        parts: list[str] = [""]
+        place = 0
+        while place < len(text):
+            character = text[place]
+            if character == "~":
+                place += 1
+                parts[-1] += re.escape(text[place : place + 1])
+            elif character == "*":
+                parts.append("")
+            else:
+                parts[-1] += "." if character == "?" else re.escape(character)
+            place += 1
+        self._parts = [re.compile(part, re.IGNORECASE | re.DOTALL) for part in parts]
+        self._end = re.compile(f"(?:{parts[-1]})\\Z", re.IGNORECASE | re.DOTALL)
+
+    def fullmatch(self, text: str) -> bool:
+        """Whether the whole text fits."""
+        first, *others = self._parts
+        if not others:
+            return first.fullmatch(text) is not None
+        found = first.match(text)
+        for part in others[:-1]:
+            found = part.search(text, found.end()) if found is not None else None
+        return found is not None and self._end.search(text, found.end()) is not None
+
+    def search(self, text: str, start: int) -> int:
+        """Where a part of the text fits first; -1 nowhere."""
+        found = self._parts[0].search(text, start)
+        place = found.start() if found is not None else -1
+        for part in self._parts[1:]:
+            found = part.search(text, found.end()) if found is not None else None
+        return place if found is not None else -1
+
 
 _IGNORING_CASE = 1.0
 _SPECIAL = re.compile(r"[?*+.\[\]^$\\<>()|]")

@@ -22,22 +22,22 @@ from .cells import (
     MOST_LISTED,
     NUMBER,
     Cells,
+    Frame,
     Numbers,
     Texts,
+    VaryingSizeError,
     codes_of,
     error,
     error_code,
     fitted,
     too_large,
 )
-from .coerce import numbers_of, once_each, shaped, text_to_number, to_text
-from .frames import Frame, VaryingSizeError
-from .typed_numbers import Serial
+from .coerce import Serial, numbers_of, once_each, shaped, text_to_number, to_text
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
 
-LIFTED = frozenset("npytbdae")
+SINGLES = frozenset("npytbdae")
 """Kinds of single values: an array there means one result for each of its cells."""
 
 LISTED_A_STEP = 16
@@ -215,13 +215,13 @@ def called(row: Function, function: Callable[..., Any]) -> Any:
     def kernel(ev: Evaluator, args: tuple[Node, ...], frame: Frame, spread: bool) -> Cells:
         kinds = row.kinds_of(len(args))
         fixed = [
-            None if kind in LIFTED else _fixed(ev, arg, kind, frame, row.needs(place))
+            None if kind in SINGLES else _fixed(ev, arg, kind, frame, row.needs(place))
             for place, (arg, kind) in enumerate(zip(args, kinds, strict=True))
         ]
         lifted = [
             (Cells(np.float64(0), np.uint8(BLANK)) if isinstance(arg, Missing) else ev.value(arg, frame, spread))
             for arg, kind in zip(args, kinds, strict=True)
-            if kind in LIFTED
+            if kind in SINGLES
         ]
         return _each_key(_Call(function, kinds, fixed, ev.texts, ev.layout.date1904), lifted, ev.around.budget.spend)
 
@@ -256,7 +256,7 @@ class _Call:
         return self._result(found)
 
     def _value(self, kind: str, fixed: Any, singles: Any) -> Any:
-        if kind not in LIFTED:
+        if kind not in SINGLES:
             return fixed
         value = self.texts.decode(*next(singles))
         if isinstance(value, ErrorValue) and kind != "e":

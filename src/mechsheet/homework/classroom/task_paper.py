@@ -14,9 +14,8 @@ from mechsheet import reference
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.homework.classroom.exercise import drawn, with_dimensions
 from mechsheet.homework.classroom.figure import Figure, figure_of
-from mechsheet.homework.classroom.names import Names
-from mechsheet.homework.classroom.statement import Statement
-from mechsheet.homework.marking_rules import asked_of
+from mechsheet.homework.classroom.statement import Names, Statement
+from mechsheet.homework.expected_values import asked_of
 from mechsheet.model import Mechanism
 from mechsheet.plotting.paper import LINE, Paper, bound
 from mechsheet.plotting.pictures import settings

@@ -24,9 +24,8 @@ from livesheet.workbook import (
 from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.homework.classroom.figure import Figure
-from mechsheet.homework.classroom.names import Names
-from mechsheet.homework.classroom.statement import Statement
-from mechsheet.homework.marking_rules import asked_of
+from mechsheet.homework.classroom.statement import Names, Statement
+from mechsheet.homework.expected_values import asked_of
 from mechsheet.units import Unit
 from mechsheet.words.catalogue import said
 

@@ -17,8 +17,7 @@ from livesheet.formula.nodes import CellRef, Node, shifted, transform
 from mechsheet.homework.formula_strips import Strip, Work, turned
 from mechsheet.homework.mends.faults import Mend
 from mechsheet.homework.series import Graph, Run
-from mechsheet.homework.two_way import columns_beside
-from mechsheet.homework.understanding import Understanding
+from mechsheet.homework.understanding import Understanding, columns_beside
 
 MOST_ROWS = 100
 """Rows of a table that is looked at whole."""

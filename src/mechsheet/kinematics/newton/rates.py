@@ -317,11 +317,10 @@ class ChainColumns:
         """The gap between the two ways to a place, in columns where what is written with it becomes long."""
         if max(map(self.columns.length, write(gap))) <= LONGEST:
             return gap
-        parts = []
-        for axis, node in zip("xy", gap, strict=True):
-            label = phrase("gap_part", number=str(place + 1), axis=axis, order=order_words(order))
-            parts.append(self.columns.hoist(f"g{place + 1}_{axis}", node, self.columns.unit(1, order), label))
-        return parts[0], parts[1]
+        number, words = str(place + 1), order_words(order)
+        return self.columns.hoist_vector(
+            f"g{number}", gap, order, lambda axis: phrase("gap_part", number=number, axis=axis, order=words)
+        )
 
     def _unit(self, closing: Closing, order: int) -> Unit:
         """Of an equation: a distance is asked as a square, an offset or a pin as a length, a gear as an angle."""
