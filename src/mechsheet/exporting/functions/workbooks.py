@@ -31,8 +31,8 @@ from mechsheet.exporting.functions.sheets import LESSON_TITLE, LIST_TITLE, funct
 from mechsheet.kinematics.equations import need_one_position
 from mechsheet.model import TableRequest
 from mechsheet.sheet import styles
+from mechsheet.sheet.as_typed import with_typed_constants
 from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
-from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.units import Unit
 from mechsheet.words.catalogue import words
 
