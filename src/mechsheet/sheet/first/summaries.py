@@ -12,7 +12,7 @@ from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
 from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.deleted import sheets_of
 from mechsheet.sheet.first.blocks import Writer, value_style
-from mechsheet.sheet.over_rows import END_ROWS, mean_of_rows
+from mechsheet.sheet.over_rows import END_ROWS, mean_of_rows, with_torn
 from mechsheet.sheet.plan import MEANING, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.shown import shown_unit, unit_of_column
@@ -51,6 +51,8 @@ def _write(writer: Writer, summary: Summary) -> None:
                 "IF(stretches>1,several,doubt)", stretches=plan.searched.count.cell, several=several, doubt=doubt
             )
         words = joined(words, doubt)
+    if "mean" in summary.take.parts and has_column(plan, summary.of):
+        words = joined(with_torn(plan, words, plan.at.column(summary.take.column(summary.of), plan.main)))
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     _said(writer, row, words)
     unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
