@@ -376,22 +376,25 @@ def dimensions_text(mechanism: Mechanism) -> str:
     """A table: name, exact value to six digits, the value that is used, unit, meaning."""
     values = values_of(mechanism)
     rounds = mechanism.synthesis is not None
-    head = ("name", "value", "used" if rounds else "", "unit", "")
+    language = mechanism.language
+    name, exact, unit = (words(language, f"head.{key}") for key in ("symbol", "value", "unit"))
+    head = (name, exact, words(language, "synthesis.used") if rounds else "", unit, "")
     task = mechanism.synthesis
     taken = set() if task is None else {*task.taken, *(task.results[name] for name in task.mode.values())}
+
+    def shown(number: float | None) -> str:
+        return none if number is None else f"{number:.{DIGITS}g}"
+
+    none = text_in(say("no value"), language)
     rows = [head] + [
-        (value.name, _text(value.exact), _text(value.used) if value.name in taken else "", value.unit, value.words)
+        (value.name, shown(value.exact), shown(value.used) if value.name in taken else "", value.unit, value.words)
         for value in values
     ]
     widths = [max(len(row[col]) for row in rows) for col in range(len(head))]
     lines = []
     for row in rows:
-        name, exact, used, unit, words = row
+        name, exact, used, unit, meaning = row
         cells = [name.ljust(widths[0]), exact.rjust(widths[1])]
         cells += [used.rjust(widths[2])] if rounds else []
-        lines.append("  ".join((*cells, unit.ljust(widths[3]), words)).rstrip())
+        lines.append("  ".join((*cells, unit.ljust(widths[3]), meaning)).rstrip())
     return "\n".join(lines)
-
-
-def _text(value: float | None) -> str:
-    return "no value" if value is None else f"{value:.{DIGITS}g}"
