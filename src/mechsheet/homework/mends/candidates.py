@@ -390,6 +390,9 @@ def _with_term(part: Node, around: Surroundings) -> Iterator[_Variant]:
         yield Binary("-", part, term), "term missing", 2.0
 
 
+# --- two changes -----------------------------------------------------------------------------------------------------
+
+
 MOST_PAIRS = 5000
 """Pairs for one formula."""
 LIGHT = 1.6
