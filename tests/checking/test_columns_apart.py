@@ -6,6 +6,9 @@ import pytest
 import mechsheet
 from chosen import part
 from judging import judged
+from livesheet.formula.book import Book
+from livesheet.formula.parser import parse_formula
+from mechsheet.checking.cells_apart import Rounding
 from mechsheet.checking.columns_apart import given_by_rounding
 from mechsheet.description import loads
 from mechsheet.reference import solve, variables
@@ -114,3 +117,28 @@ def test_three_points_in_line(near, far, between, side):
     comparison = judged(loads(text))
     assert comparison.agrees, comparison
     assert comparison.worst < 1e-12
+
+
+class Cells:
+    """Numbers of a sheet, as the engine has them."""
+
+    def __init__(self, *rows):
+        self.rows = rows
+
+    def get(self, sheet, row, col):
+        return self.rows[row][col]
+
+    def arrays(self, sheet, col, top, bottom):
+        return np.array([row[col] for row in self.rows[top : bottom + 1]]), None
+
+
+VERTEX = "A1-((A1-A2)^2*(B1-B3)-(A1-A3)^2*(B1-B2))/(2*((A1-A2)*(B1-B3)-(A1-A3)*(B1-B2)))"
+
+
+@pytest.mark.parametrize(("formula", "excused"), [(VERTEX, True), ("A1-(A1-A2)/(2*B2)", False)])
+def test_the_vertex_between_places_that_are_nearly_one_has_few_digits(formula, excused):
+    """Three values around a top differ in their last digits only: what rounding leaves of these decides where it is."""
+    places = (63.5, 63.5 - 1e-6, 63.5 + 1e-6)
+    cells = Cells(*((place, 2.0 - (place - 63.5 + 2e-7) ** 2) for place in places))
+    rounding = Rounding(Book(()), cells)
+    assert rounding.accounts_for(parse_formula(formula), "S", 63.5, 63.5 + 2e-8) == excused

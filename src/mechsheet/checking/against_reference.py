@@ -40,7 +40,7 @@ from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import ENERGY, Mechanism
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.columns.flywheel import MEAN_NEEDS
+from mechsheet.sheet.columns.added import MEAN_NEEDS
 from mechsheet.sheet.deleted import with_what_they_read
 from mechsheet.sheet.plan import MAY_GO, Plan
 

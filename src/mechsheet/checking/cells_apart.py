@@ -17,7 +17,19 @@ import numpy as np
 
 from livesheet.diagnostics import Fault, WorkbookError
 from livesheet.formula.book import Book
-from livesheet.formula.nodes import Binary, Call, CellRef, ErrorValue, NameRef, Node, Number, RangeRef, Scalar, walk
+from livesheet.formula.nodes import (
+    Binary,
+    Call,
+    CellRef,
+    ErrorValue,
+    NameRef,
+    Node,
+    Number,
+    RangeRef,
+    Scalar,
+    Unary,
+    walk,
+)
 from livesheet.said import say
 from mechsheet.arguments.values import Area, area_of
 from mechsheet.checking.report import TOLERANCE
@@ -163,12 +175,26 @@ class Rounding:
                         yield self._column(sheet, col, top, bottom)
 
     def _divided(self, quotient: Binary, title: str) -> Iterator[float]:
-        """What is lost in a dividend, as in that of a slope between two places, is divided with it."""
-        match quotient.right:
-            case Binary("-", CellRef() as one, CellRef() as other):
-                here, there = (self._values.get(cell.sheet or title, cell.row, cell.col) for cell in (one, other))
-                if type(here) is float and type(there) is float and here != there:
-                    yield from (size / abs(here - there) for size in self._sizes(quotient.left, title))
+        """What is lost in dividend and divisor, as in those of a slope between two places, is divided with them."""
+        found = self._with_loss(quotient, title)
+        if found is not None:
+            yield found[1]
+
+    def _with_loss(self, node: Node, title: str) -> tuple[float, float] | None:
+        """What arithmetic over cells gives, and what is lost in it if of each number a part of 1 is; None for all else."""
+        match node:
+            case Number(number):
+                return number, abs(number)
+            case CellRef(row, col, _, _, sheet):
+                found = self._values.get(sheet or title, row, col)
+                return (found, abs(found)) if type(found) is float else None
+            case Unary("-", operand):
+                inner = self._with_loss(operand, title)
+                return None if inner is None else (-inner[0], inner[1])
+            case Binary(op, left, right):
+                one, other = self._with_loss(left, title), self._with_loss(right, title)
+                return None if one is None or other is None else _lost(op, one, other)
+        return None
 
     def _column(self, sheet: str, col: int, top: int, bottom: int) -> float:
         """The largest number in rows top..bottom: long ranges piece by piece, as many formulas may read nearly the same."""
@@ -189,6 +215,23 @@ class Rounding:
             numbers = np.abs(numbers[np.isfinite(numbers)])
             self._largest[key] = float(numbers.max(initial=0.0))
         return self._largest[key]
+
+
+def _lost(op: str, one: tuple[float, float], other: tuple[float, float]) -> tuple[float, float] | None:
+    """The same of an operator between two operands."""
+    (x, in_x), (y, in_y) = one, other
+    match op:
+        case "+":
+            return x + y, in_x + in_y
+        case "-":
+            return x - y, in_x + in_y
+        case "*":
+            return x * y, abs(x) * in_y + abs(y) * in_x
+        case "/" if y:
+            return x / y, (in_x + abs(x / y) * in_y) / abs(y)
+        case "^" if y == 2:
+            return x * x, 2 * abs(x) * in_x
+    return None
 
 
 class EqualRows:

@@ -26,7 +26,7 @@ from mechsheet.checking.edited.expected import Expected, expected_for, inside
 from mechsheet.checking.inputs import description_or_fault, workbook_of
 from mechsheet.checking.report import TOLERANCE
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks.efforts import AGREES
+from mechsheet.sheet.checks.rows import AGREES
 
 TRIES = 60
 """Damages that change no value are drawn again so often for each one wanted."""

@@ -14,8 +14,8 @@ from mechsheet.homework.audit import fault_line, kind_words
 from mechsheet.homework.classroom.exercise import csv_text, no_formula, safe
 from mechsheet.homework.classroom.marks import Marked, Marks, lines_of, words_of
 from mechsheet.homework.drawn_by_numbers import pictures
+from mechsheet.sheet.cells import wrapped_lines
 from mechsheet.sheet.styles import BAD_FILL, DERIVED_FILL, HEAD, HEAD_LEFT, INPUT, SUBTITLE, SYMBOL, TITLE, WARN_FILL
-from mechsheet.sheet.wrapping import wrapped_lines
 from mechsheet.words.catalogue import marks_of, said
 
 CELL = replace(SYMBOL, name="", valign="top", wrap=True)

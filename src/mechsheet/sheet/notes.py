@@ -1,22 +1,27 @@
-"""The sheet of notes: how to use the workbook, what the colours mean, the assumptions, the links, and every equation."""
+"""The sheet of notes: how to use the workbook, what the colours mean, the assumptions, the links, and every equation.
+
+Beside each equation stands the formula of its cell, as text.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
+
 from livesheet.formula.nodes import Node
+from livesheet.formula.printer import print_formula
 from livesheet.formula.references import cell_name, column_letters
-from livesheet.workbook import Area, Cell, Column, Content, PrintSetup, Rich, Sheet, Style
+from livesheet.workbook import Area, Cell, Column, Content, PrintSetup, Rich, Sheet, Style, Workbook
 from mechsheet.kinematics.equations import BANDS, FORCES, RATES
 from mechsheet.model import Cartesian, Distances, GivenPoint, Joint, Polar, Quantity
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.cells import Cells
+from mechsheet.sheet.cells import Cells, wrapped_lines
 from mechsheet.sheet.columns.lowering import Assignment
-from mechsheet.sheet.first.given import words_of
-from mechsheet.sheet.mathematics import Part, symbol_parts, written
-from mechsheet.sheet.notes.loops import LoopRates
+from mechsheet.sheet.mathematics import LoopRates, Part, symbol_parts, written
 from mechsheet.sheet.plan import HIDDEN, STATUS, Plan
+from mechsheet.sheet.shown import words_of
 from mechsheet.sheet.table.positions import column_unit, group_title, mathematics
-from mechsheet.sheet.wrapping import wrapped_lines
 from mechsheet.units import DEG, NUMBER
 from mechsheet.words.equations import body_words, link_words
 from mechsheet.words.symbols import plain
@@ -395,3 +400,22 @@ class _Page(Cells):
 
     def _column(self, col: int) -> str:
         return f"{self.plan.table} {column_letters(col)}"
+
+
+STYLE = replace(styles.NOTE_CELL, name="", wrap=False)
+
+
+def with_formulas(workbook: Workbook, title: str, places: Mapping[int, Spot]) -> Workbook:
+    """The workbook with them, in a column that is not printed.
+
+    title   of the notes;  places: where the quantity of each of their rows stands
+    """
+    wanted = {(spot.sheet, spot.row, spot.col): row for row, spot in places.items()}
+    found = [
+        Cell(wanted[sheet.title, fill.row, fill.col], FORMULA, f"={print_formula(fill.formula)}", STYLE)
+        for sheet in workbook.sheets
+        for fill in sheet.fills
+        if (sheet.title, fill.row, fill.col) in wanted
+    ]
+    sheets = (replace(each, cells=(*each.cells, *found)) if each.title == title else each for each in workbook.sheets)
+    return replace(workbook, sheets=tuple(sheets))
