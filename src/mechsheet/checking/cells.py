@@ -115,6 +115,9 @@ Find = Callable[[str, int, int], Scalar]
 """The value of a cell by sheet, row and column."""
 
 
+# --- what is searched, and what goes astray --------------------------------------------------------------------------
+
+
 UNMOVED = Moves(())
 
 

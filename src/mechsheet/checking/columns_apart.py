@@ -161,6 +161,9 @@ def _near(solution: reference.Solution, found: Mapping[str, Array], symbol: str)
     return np.where(solution.exists, np.stack(values), np.nan)
 
 
+# --- velocities, accelerations, forces -------------------------------------------------------------------------------
+
+
 EDGE = 1e-6
 """By so much the sine may be rounded where it decides whether a row has velocities."""
 

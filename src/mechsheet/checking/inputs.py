@@ -269,6 +269,9 @@ def _given(
     return found
 
 
+# --- the mechanism with what has been typed --------------------------------------------------------------------------
+
+
 def missing_dimensions(mechanism: Mechanism, inputs: Mapping[str, float]) -> dict[str, str]:
     """Derived dimensions that have no value for these inputs (arccos 1.05), and those that read them: symbol -> why not.
 

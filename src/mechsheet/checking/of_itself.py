@@ -63,6 +63,9 @@ def _says_that_it_closes(line: str) -> bool:
     return any(re.match(re.escape(text).replace("\0", "[0-9]+"), line) for text in begins)
 
 
+# --- whether it is stale ---------------------------------------------------------------------------------------------
+
+
 _EXTRA = ("", "-basic", "-lambda")
 """What the names of a description's workbooks have behind its own."""
 

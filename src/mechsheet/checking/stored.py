@@ -372,6 +372,9 @@ def _operators(formula: Node) -> Iterator[str]:
     yield from dict.fromkeys(part.op for part in walk(formula) if isinstance(part, Binary | Unary))
 
 
+# --- which came first ------------------------------------------------------------------------------------------------
+
+
 BESIDE = "\u0001"
 """Added to a sheet's title: no program allows it there, so no other sheet is called so."""
 

@@ -290,6 +290,9 @@ def _unmended(found: Understanding, suspect: Suspect) -> FaultFound:
     return FaultFound(cells, found.work.shown(strip.formula, strip.sheet), "", (), "no single change mends it")
 
 
+# --- in words --------------------------------------------------------------------------------------------------------
+
+
 def audit_lines(audit: Audit) -> list[str]:
     """A line for each asked quantity, then faults, marks and remarks."""
     wide = max((len(symbol) for symbol in audit.asked), default=0)
@@ -319,6 +322,9 @@ def fault_line(fault: FaultFound, language: str) -> str:
 def kind_words(kind: str, language: str) -> str:
     """A kind of fault in a language."""
     return said(language, kind) if is_key(f"homework.{kind}") else kind
+
+
+# --- own dimensions of a student -------------------------------------------------------------------------------------
 
 
 OTHER = 1e-3
@@ -362,6 +368,9 @@ def changed_by(judged: Judged, others: Sequence[Input]) -> list[str]:
         if apart:
             changed.append(symbol)
     return changed
+
+
+# --- the rows asked for ----------------------------------------------------------------------------------------------
 
 
 COARSE = 2.0

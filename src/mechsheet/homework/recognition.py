@@ -367,7 +367,10 @@ def with_driver(known: Recognised, text: str) -> str:
     return source.text
 
 
-MOST = 40
+# --- in words, and as JSON data --------------------------------------------------------------------------------------
+
+
+MOST_LISTED = 40
 """Columns that are listed."""
 
 
@@ -396,7 +399,7 @@ def recognised_lines(tables: Sequence[Table], known: Recognised | None, workbook
         told.append(said(language, "not there", symbols=", ".join(known.missing)))
     open_columns = [series.where(work) for series in _unexplained(known)]
     if open_columns:
-        told.append(said(language, "unexplained", cells=", ".join(open_columns[:MOST])))
+        told.append(said(language, "unexplained", cells=", ".join(open_columns[:MOST_LISTED])))
     return told
 
 
@@ -417,7 +420,7 @@ def _there(tables: Sequence[Table], language: str) -> list[str]:
     work = table.graph.work
     rows = [(said(language, "driver"), table.run.where(work), "")]
     rows += [(" ".join(around(work, cell)[:1]), work.where(*cell), f"{work.number(cell):.10g}") for cell in table.cells]
-    rows += [("", series.where(work), "") for series in table.series[:MOST]]
+    rows += [("", series.where(work), "") for series in table.series[:MOST_LISTED]]
     return _aligned(rows)
 
 

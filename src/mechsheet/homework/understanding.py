@@ -305,6 +305,9 @@ def retyped(found: Understanding, changes: Mapping[str, float]) -> tuple[dict[st
     return values, cells
 
 
+# --- as the sheet counts ---------------------------------------------------------------------------------------------
+
+
 def as_counted(found: Understanding, truth: Truth, values: Values | None = None) -> Truth:
     """A truth with the conventions of the sheet's columns, as these are in some state of the workbook."""
     shifts = {}
@@ -338,6 +341,9 @@ def _shift(
     if 2 * (np.abs(known - offset) <= 2 * allowed).sum() <= len(known):
         return None
     return None if reading.sense == 1 and abs(offset) <= allowed else Shift(reading.sense, offset)
+
+
+# --- two-way tables --------------------------------------------------------------------------------------------------
 
 
 Settings = dict[Place, Series]

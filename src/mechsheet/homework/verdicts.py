@@ -468,6 +468,9 @@ def typed_dimensions(found: Understanding, finding: Finding) -> tuple[str, ...]:
     return tuple(result)
 
 
+# --- one convention through a table ----------------------------------------------------------------------------------
+
+
 def in_convention(sheet: Sheet) -> tuple[Sheet, dict[str, Finding]]:
     """A sheet and what is found in it, where what is not right is held against the conventions of the columns that it
     follows from."""

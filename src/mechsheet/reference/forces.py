@@ -276,6 +276,9 @@ def _pins(mechanism: Mechanism, built: System) -> list[tuple[str, int, int]]:
     return [(point, owner, other) for point, (owner, *others) in at.items() for other in others]
 
 
+# --- teeth of gears and racks ----------------------------------------------------------------------------------------
+
+
 @dataclass(frozen=True, slots=True)
 class Contact:
     """A force (2, m) on a body at a place (2, m) in the system's own lengths; the opposite one on `other`."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,9 +16,6 @@ from .newton import polish
 from .solution import Solution, poses_of, solution_of
 from .system import System, residual, system
 
-Progress = Callable[[int, int], None]
-"""Called with blocks solved and blocks in all."""
-
 _INSERTED_TURN = np.radians(1.0)
 _INSERTED_SLIDE = 0.01
 
@@ -28,7 +25,6 @@ def solve(
     dimensions: Mapping[str, float] | None = None,
     start: Mapping[str, Pose] | None = None,
     values: Array | None = None,
-    progress: Progress | None = None,
 ) -> Solution:
     """Positions over the whole sweep.
 
@@ -62,8 +58,6 @@ def solve(
             alive[rows] = found.exists
             state[np.ix_(rows[~found.exists], np.array(built.blocks[i].columns))] = np.nan
             _count_turns(built, sketched, i, state, path, rows[found.exists])
-        if progress is not None:
-            progress(i + 1, len(built.blocks))
     state, alive, undetermined, path = state[asked], alive[asked], undetermined[asked], path[asked]
     reached = state.copy()
     state[~alive] = np.nan

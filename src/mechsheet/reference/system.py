@@ -433,6 +433,9 @@ def linearised(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
     return residuals, jacobian
 
 
+# --- which unknowns are solved together, in order --------------------------------------------------------------------
+
+
 Pattern = Sequence[Sequence[int]]
 """For each equation the unknowns that stand in it."""
 

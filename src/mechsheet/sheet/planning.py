@@ -102,22 +102,16 @@ def _with_rows(plan: Plan, starts: Mapping[int, Starts]) -> Plan:
     if mechanism.synthesis is not None:
         task_rows, of_task, line, unsolved = _place_synthesis(plan, mechanism.synthesis, named)
         spots |= of_task
-    for equation in plan.equations.constants:
-        symbol, degrees = equation.symbol, mechanism.shown(equation.unit).in_degrees
-        spots[symbol] = named.cell(rows["derived"][symbol], symbol, degrees=degrees)
+    spots |= named.constants(rows["derived"])
     bands = {}
     if mechanism.bands:
         for dim in toleranced(mechanism):
             row = rows["dimensions"][dim.symbol]
             spots[tolerance_symbol(dim.symbol)] = named.cell(row, f"tol_{dim.symbol}", TOLERANCE)
         bands = {symbol: named.cell(row, f"band_{symbol}") for symbol, row in rows["bands"].items()}
-    for mode, row in rows.get("assembly", {}).items():
-        spots[mode] = named.cell(row, mode)
+    spots |= {mode: named.cell(row, mode) for mode, row in rows.get("assembly", {}).items()}
     start, step = named.sweep(rows)
-    summaries = {
-        each.symbol: named.cell(rows["summary"][each.symbol], each.symbol, own=each.cell)
-        for each in mechanism.motion_numbers
-    }
+    summaries = named.summaries(rows.get("summary", {}))
     for output in mechanism.outputs:
         if output.cell:
             named.names.append(Name(output.cell, plan.main, rows["variables"][output.symbol], VALUE))

@@ -18,8 +18,7 @@ from mechsheet.words.symbols import parts, plain
 
 def unit_of_column(plan: Plan, symbol: str) -> Unit:
     """The unit in which a column is shown."""
-    mechanism = plan.mechanism
-    return mechanism.shown(mechanism.given_unit(symbol) or plan.equations.of(symbol).unit)
+    return plan.mechanism.shown(plan.unit_of(symbol))
 
 
 def shown_unit(plan: Plan, symbol: str) -> str:
@@ -43,6 +42,11 @@ def input_validation(plan: Plan, area: Area, symbol: str) -> Validation:
         error_title=title,
         error_message=message,
     )
+
+
+def label_of(plan: Plan, dim: Dimension) -> str:
+    """The label that the description has for a dimension; "" where it has none."""
+    return dim.label.of(plan.language) if dim.label else ""
 
 
 def words_of(plan: Plan, symbol: str) -> str:

@@ -354,6 +354,9 @@ def _number(value: Scalar) -> str:
     return text_of(value) or say("empty")
 
 
+# --- a table that was made longer ------------------------------------------------------------------------------------
+
+
 WITH_ROWS = ("iterations", "rates", "forces", "tolerance", "checks")
 """Keys of the sheets that have a row for each position, beside the table."""
 

@@ -166,6 +166,9 @@ def _from_line(joint: Joint, link: Link) -> Node:
     return angle if joint.on == link.name else al.neg(orientation)
 
 
+# --- angles as they are said -----------------------------------------------------------------------------------------
+
+
 READABLE = 4
 """Decimals of a number of degrees: a person draws no finer, and marks allow a hundred times more."""
 

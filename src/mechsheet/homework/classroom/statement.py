@@ -9,6 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Number, Symbol, symbols
 from livesheet.workbook import Rich
@@ -89,6 +92,11 @@ class Statement:
         """The same of what is asked: a column, or a summary, which has the unit of its column."""
         of = next((one.of for one in self.mechanism.summaries if one.symbol == symbol), symbol)
         return self.head(symbol, self.mechanism.given_unit(of) or self.compiled.equations.of(of).unit)
+
+    def rows(self) -> NDArray[np.float64]:
+        """The driver's values, as people read them."""
+        values = reference.driver_values(self.mechanism, reference.dimension_values(self.mechanism))
+        return np.asarray(self.mechanism.driver.unit.to_shown(values), float)
 
     def given(self) -> Iterator[tuple[Dimension, float, str]]:
         """What is typed, in the unit shown: the dimensions, also those that a synthesis has found, and of speeds, masses and
@@ -390,6 +398,9 @@ def _needed(compiled: Compiled, asked: Sequence[str]) -> set[str]:
             found.add(symbol)
             waiting += symbols(read[symbol]) if symbol in read else ()
     return found
+
+
+# --- symbols as the figure has them ----------------------------------------------------------------------------------
 
 
 class Names:

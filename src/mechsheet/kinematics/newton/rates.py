@@ -34,7 +34,7 @@ from mechsheet.kinematics.newton.newton_equations import Cramer, Solution, crame
 from mechsheet.kinematics.rates.motions import Motions, PointRate, Rate
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, LONGEST, RateColumns, order_words
 from mechsheet.model import Rack, Relation
-from mechsheet.units import LENGTH, NUMBER, Unit
+from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase
 
 SIDES = ((al.ONE, al.ZERO), (al.ZERO, al.ONE))
@@ -253,7 +253,7 @@ class ChainColumns:
     def write(self) -> tuple[Symbol, list[str]]:
         """D, and the symbols of which there are coefficients now."""
         system, columns = self.system, self.columns
-        slides = [columns.ledger.of(name).unit == LENGTH for name in system.variables]
+        slides = [not turns for turns in columns.ledger.turning(system)]
         columns.angles.update(name for name, slide in zip(system.variables, slides, strict=True) if not slide)
         label = phrase("determinant")
         alive = dead(system, slides, columns.ledger.size(), lambda node: columns.define("r", node, NUMBER, label))

@@ -30,8 +30,7 @@ from livesheet.formula.nodes import (
     transform,
     walk,
 )
-from livesheet.formula.printer import print_formula
-from livesheet.formula.spellings import extra_characters, longest_spelling
+from livesheet.formula.printer import extra_characters, longest_spelling, print_formula
 from livesheet.workbook import Cell, Fill
 from mechsheet.kinematics.angle_branch import WINDOWED, branches_of, reading_taken, taken_near
 from mechsheet.kinematics.dimensions import dimension_order

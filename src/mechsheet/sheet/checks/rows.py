@@ -23,8 +23,7 @@ from typing import Literal, TypeAlias
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, CellRef, Node, Symbol, symbols, walk
-from livesheet.formula.printer import print_formula
-from livesheet.formula.spellings import longest_spelling
+from livesheet.formula.printer import longest_spelling, print_formula
 from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.newton.changed_dimensions import LEAP
 from mechsheet.kinematics.points_in_link import angle_of

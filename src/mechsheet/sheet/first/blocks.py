@@ -18,7 +18,7 @@ from mechsheet.sheet.checks.boundless import may_grow
 from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
 from mechsheet.sheet.columns.bands import ROOT, WORST, part_of
 from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there, cells_read, missing_words, sheets_of
-from mechsheet.sheet.over_rows import END_ROWS, mean_of_rows
+from mechsheet.sheet.over_rows import END_ROWS, mean_of_rows, with_torn
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import LEGEND_ROW, MARGIN, MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
@@ -73,11 +73,23 @@ class Writer(Cells):
             self.put(row, col, over_tolerance if col == TOLERANCE else None, styles.SECTION)
 
 
+def write_legend(cells: Cells) -> None:
+    """What the colours mean, in one row."""
+    text = cells.plan.text
+    cells.put(LEGEND_ROW, SYMBOL, text("legend.input"), styles.numbered(styles.INPUT, "@"))
+    cells.put(LEGEND_ROW, VALUE, text("legend.result"), styles.RESULT)
+
+
 def value_style(plan: Plan, unit: Unit) -> Style:
     """The style of a result in this unit: one decimal more than the tolerances justify for lengths."""
     return styles.decimals(
         styles.RESULT, decimals_of_kind(plan, unit.kind, unit.symbol) + (1 if unit.kind == "length" else 0)
     )
+
+
+def quantity_style(plan: Plan, unit: Unit) -> Style:
+    """The same of any quantity: of a rate as many decimals as its size wants."""
+    return styles.decimals(styles.RESULT, decimals_of_unit(plan, unit)) if unit.per else value_style(plan, unit)
 
 
 def write_summaries(writer: Writer) -> None:
@@ -109,10 +121,11 @@ def _write_summary(writer: Writer, summary: Summary) -> None:
                 "IF(stretches>1,several,doubt)", stretches=plan.searched.count.cell, several=several, doubt=doubt
             )
         words = joined(words, doubt)
+    if "mean" in summary.take.parts and has_column(plan, summary.of):
+        words = joined(with_torn(plan, words, plan.at.column(summary.take.column(summary.of), plan.main)))
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     _said(writer, row, words)
-    unit = plan.mechanism.given_unit(summary.of) or plan.equations.of(summary.of).unit
-    style = styles.decimals(styles.RESULT, decimals_of_unit(plan, unit)) if unit.per else value_style(plan, unit)
+    style = quantity_style(plan, plan.unit_of(summary.of))
     if plan.mechanism.bands and summary.symbol in plan.mechanism.bands.summaries and summary.of in plan.band_decimals:
         style = styles.decimals(styles.RESULT, plan.band_decimals[summary.of])
     value, where = _of(plan, summary)
@@ -122,9 +135,9 @@ def _write_summary(writer: Writer, summary: Summary) -> None:
         if gaps:
             value = formula("IF(stretches>1,NA(),value)", stretches=plan.searched.count.cell, value=value)
         writer.colour(Area(row, MEANING, row, MEANING), _has_none(plan, summary), styles.WARN)
-    writer.formula(row, VALUE, _where_it_closes(plan, value), style)
+    writer.formula(row, VALUE, where_it_closes(plan, value), style)
     if where is not None:
-        writer.formula(row, TOLERANCE, _where_it_closes(plan, where), value_style(plan, ANGLE))
+        writer.formula(row, TOLERANCE, where_it_closes(plan, where), value_style(plan, ANGLE))
 
 
 def _has_none(plan: Plan, summary: Summary) -> Node:
@@ -133,7 +146,7 @@ def _has_none(plan: Plan, summary: Summary) -> Node:
     return formula("AND(closed>0,ISNA(value))", closed=plan.places.closed.cell, value=CellRef(row, VALUE, True, True))
 
 
-def _where_it_closes(plan: Plan, value: Node) -> Node:
+def where_it_closes(plan: Plan, value: Node) -> Node:
     """Over nothing: no number, and no 0 that somebody who looks for the smallest would take."""
     return formula("IF(closed=0,NA(),IFERROR(value,NA()))", closed=plan.places.closed.cell, value=value)
 
@@ -160,7 +173,7 @@ def _write_output(writer: Writer, output: Output) -> None:
     row = plan.blocks["summary"].rows[output.symbol]
     writer.line(row, rich(output.symbol), plan.mechanism.shown(output.unit).text, None)
     _said(writer, row, _with_part(plan, output_words(plan, output)))
-    writer.formula(row, VALUE, _where_it_closes(plan, over_summaries(plan, output)), value_style(plan, output.unit))
+    writer.formula(row, VALUE, where_it_closes(plan, over_summaries(plan, output)), value_style(plan, output.unit))
 
 
 def summary_words(plan: Plan, summary: Summary) -> str:
