@@ -29,10 +29,10 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.report import located
 from mechsheet.diagnostics import MechanismError
-from mechsheet.kinematics.cams.inputs import refused_by_cam
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.inputs import refused_of
 from mechsheet.kinematics.points_in_link import number as place_number
 from mechsheet.library.building import build
 from mechsheet.library.changed import load
@@ -260,7 +260,7 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
                 message = say("{symbol} is the time of the motion and must be greater than 0", symbol=symbol)
             wrong(symbol, message)
     if not faults:
-        for asked, why in refused_by_cam(plan.mechanism, dimensions):
+        for asked, why in refused_of(plan.mechanism, dimensions):
             spot = plan.at.spots[asked.symbol]
             faults.append(Fault(why, shown, key=cell_address(spot.sheet, spot.row, spot.col)))
     modes: dict[str, int] = {}

@@ -18,7 +18,7 @@ from mechsheet.sheet.checks.boundless import may_grow
 from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
 from mechsheet.sheet.columns.bands import ROOT, WORST, part_of
 from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there, cells_read, missing_words, sheets_of
-from mechsheet.sheet.over_rows import END_ROWS, mean_of_rows
+from mechsheet.sheet.over_rows import END_ROWS, mean_of_rows, with_torn
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import LEGEND_ROW, MARGIN, MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
@@ -121,6 +121,8 @@ def _write_summary(writer: Writer, summary: Summary) -> None:
                 "IF(stretches>1,several,doubt)", stretches=plan.searched.count.cell, several=several, doubt=doubt
             )
         words = joined(words, doubt)
+    if "mean" in summary.take.parts and has_column(plan, summary.of):
+        words = joined(with_torn(plan, words, plan.at.column(summary.take.column(summary.of), plan.main)))
     writer.line(row, rich(summary.symbol), shown_unit(plan, summary.of), None)
     _said(writer, row, words)
     style = quantity_style(plan, plan.unit_of(summary.of))

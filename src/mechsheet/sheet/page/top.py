@@ -24,7 +24,16 @@ from mechsheet.sheet.first.blocks import (
     write_legend,
 )
 from mechsheet.sheet.first.verdicts import write_title_line, write_value
-from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, stretches_of
+from mechsheet.sheet.over_rows import (
+    LEAST,
+    MOST,
+    NUMBERS,
+    at_end,
+    may_leave_out,
+    mean_of_motion,
+    stretches_of,
+    with_torn,
+)
 from mechsheet.sheet.page.plan import ROW_HEIGHT, PagePlan
 from mechsheet.sheet.page.reading import MEANING, PageReading
 from mechsheet.sheet.plan import SYMBOL, UNIT, VALUE, VERDICT_ROW
@@ -225,14 +234,17 @@ class Top(Cells):
         for summary in plan.mechanism.summaries:
             unit = unit_of_column(plan, summary.of)
             one = plan.equations.equations.range_has_gaps(summary.of, summary.take)
-            words = plan.text("page.take.stretch" if one else "page.take.rows", label=summary_words(plan, summary))
+            key = "page.take.stretch" if one else "page.take.rows"
+            words: str | Node = plan.text(key, label=summary_words(plan, summary))
+            if "mean" in summary.take.parts and plan.at.spots[summary.of].column:
+                words = with_torn(plan, words, self.on.column(summary.take.column(summary.of)))
             self._summary(summary.symbol, unit, words, self._taken(summary))
         for output in plan.mechanism.motion_outputs:
             unit = plan.mechanism.shown(output.unit)
             words = plan.text("page.take.rows", label=output_words(plan, output))
             self._summary(output.symbol, unit, words, over_summaries(plan, output))
 
-    def _summary(self, symbol: str, unit: Unit, words: str, value: Node) -> None:
+    def _summary(self, symbol: str, unit: Unit, words: str | Node, value: Node) -> None:
         """A line with one number of all rows; none where no row closes."""
         plan = self.plan
         row = plan.blocks["summary"].rows[symbol]
