@@ -26,7 +26,7 @@ from mechsheet.checking.inputs import description_or_fault, plan_inside, workboo
 from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
 from mechsheet.diagnostics import MissingProgramError
-from mechsheet.kinematics.cams.inputs import asked_by_cam, refused_by_cam
+from mechsheet.kinematics.inputs import asked_of, refused_of
 from mechsheet.sheet.plan import Plan
 
 Place = tuple[str, int, int]
@@ -281,9 +281,9 @@ def _kept_of_cam(plan: Plan, typed: Mapping[str, float]) -> dict[str, float]:
     """The described numbers of a cam that could not be with what is drawn: cells that would be refused show nothing."""
     inputs = {dim.symbol: dim for dim in plan.mechanism.dimensions if isinstance(dim.value, float)}
     internal = {symbol: dim.unit.to_internal(typed[symbol]) for symbol, dim in inputs.items()}
-    if not any(refused_by_cam(plan.mechanism, internal)):
+    if not any(refused_of(plan.mechanism, internal)):
         return {}
-    read = {name for each in asked_by_cam(plan.mechanism) for name in (each.symbol, *symbols(each.margin))}
+    read = {name for each in asked_of(plan.mechanism) for name in (each.symbol, *symbols(each.margin))}
     kept = (dim for symbol, dim in inputs.items() if symbol in read)
     return {dim.symbol: dim.unit.to_shown(dim.value) for dim in kept if isinstance(dim.value, float)}
 

@@ -11,6 +11,10 @@ direction of a line, n = J d, D what the rates of the dyad are divided by. X is 
     cam  force along its normal n on the follower: N = -(S.P')/(n.P'), a prime by the follower's variable; where other links
          lie between, S.P' is the work of all that acts on any link, and N is known before all else
 
+A spring whose free length L0 is longer by u pulls less by k u. So it just holds a follower on its cam where
+
+    N = 0    for    L0 + N (n.P')/(k L'),    L' = w.(p2' - p1')/L,    w = p2 - p1 its way, n.P' the lever of N
+
 What hangs on a pin besides is counted to the body that the pin was solved with. Source: the equilibrium of each assembly;
 Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, chapters 13 and 15.
 """
@@ -19,7 +23,7 @@ from __future__ import annotations
 
 from livesheet.diagnostics import Fault
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Node
+from livesheet.formula.nodes import Call, Node
 from livesheet.formula.vectors import (
     NOWHERE,
     Vector,
@@ -38,15 +42,16 @@ from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.acting import ActingForces, Force, moment_of, sum_of
 from mechsheet.dynamics.chains import ChainReactions
 from mechsheet.dynamics.joints import Joints
-from mechsheet.dynamics.preload import write_preload
 from mechsheet.dynamics.teeth import Teeth
 from mechsheet.dynamics.whole_mechanism import own_works
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.cams.profile import Contact
+from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.gear_relations import Tied
 from mechsheet.kinematics.graph import Assembly, Slide
 from mechsheet.kinematics.newton.chains import Chain
-from mechsheet.model import FurtherDriver
+from mechsheet.model import FurtherDriver, Spring
+from mechsheet.units import LENGTH
 from mechsheet.words.equations import phrase
 
 
@@ -376,3 +381,29 @@ class Reactions:
 
 def _over(parts: Vector, divisor: Node) -> Vector:
     return over(parts[0], divisor), over(parts[1], divisor)
+
+
+def holding_spring(acting: ActingForces, contact: Contact) -> Spring | None:
+    """The only spring between the ground and the link on which a cam presses, else the only one that the cam does not hold;
+    None where there are several."""
+    ground = acting.poses.mechanism.ground.name
+    ends = [(spring, {name for name, _ in spring.ends}) for spring in acting.dynamics.springs]
+    near = [spring for spring, links in ends if links == {ground, contact.link}]
+    found = near or [spring for spring, links in ends if contact.cam not in links]
+    return found[0] if len(found) == 1 else None
+
+
+def write_preload(acting: ActingForces, contact: Contact, force: Node) -> None:
+    """Write the column down, where one spring holds the follower; `force`: N."""
+    spring = holding_spring(acting, contact)
+    if spring is None:
+        return
+    places = [acting.poses.xy[point] for _, point in spring.ends]
+    start, end = (contact.moved(link, at) for (link, _), at in zip(spring.ends, places, strict=True))
+    opens = al.div(dot(minus(places[1], places[0]), minus(end, start)), acting.length(spring))
+    if al.is_zero(opens):
+        return
+    longer = al.div(al.mul(force, contact.lever), al.mul(spring.stiffness, opens))
+    label = phrase("spring_hold", name=spring.name)
+    stretched = () if contact.direct else (Condition(Call("ABS", (opens,)), contact.least),)
+    acting.columns.written(spring.hold, al.add(spring.free_length, longer), LENGTH, label, "hold", exists=stretched)

@@ -510,6 +510,11 @@ class Mechanism:
         return None if self.follower is None else self.follower.segments
 
     @property
+    def seams(self) -> tuple[Node, ...]:
+        """Values of the driver at which pieces of its motion meet, or are fastest; none where it is one piece."""
+        return () if self.segments is None else self.segments.seams
+
+    @property
     def driven_symbols(self) -> tuple[str, ...]:
         """Symbols of what is driven, the driver's first."""
         return tuple(driver.symbol for driver in self.all_drivers)

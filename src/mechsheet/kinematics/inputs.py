@@ -1,4 +1,4 @@
-"""What a cam asks of its numbers, whatever is typed into their cells: segments within one turn, radii that can be."""
+"""What is asked of inputs beyond their kind, whatever is typed into their cells: segments in one turn, radii that can be."""
 
 from __future__ import annotations
 
@@ -11,11 +11,10 @@ import numpy as np
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, symbols, walk
 from livesheet.said import Said, say
-from mechsheet.kinematics.cams.segments import MEETING
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.points_in_link import number
-from mechsheet.model import Mechanism, Segments
+from mechsheet.model import MEETING, Mechanism, Segments
 
 TURN = Number(math.tau + MEETING)
 """Where a turn ends, but for rounding."""
@@ -51,8 +50,8 @@ class Asked:
         return None if self.begins == al.ZERO else Binary(">", self.begins, TURN)
 
 
-def asked_by_cam(mechanism: Mechanism) -> tuple[Asked, ...]:
-    """What the cam of a mechanism asks, nothing where there is none; the description that was read holds it all."""
+def asked_of(mechanism: Mechanism) -> tuple[Asked, ...]:
+    """All of it; the description that was read holds it all."""
     reads = _Inputs(mechanism)
     found: list[Asked] = []
     if mechanism.cam is not None:
@@ -71,9 +70,9 @@ def asked_by_cam(mechanism: Mechanism) -> tuple[Asked, ...]:
     return tuple(replace(each, reads=reads.divided(each.margin)) if each.begins == al.ZERO else each for each in found)
 
 
-def refused_by_cam(mechanism: Mechanism, typed: Mapping[str, float]) -> Iterator[tuple[Asked, Said]]:
+def refused_of(mechanism: Mechanism, typed: Mapping[str, float]) -> Iterator[tuple[Asked, Said]]:
     """Of each input the first thing that does not hold, and how that is said."""
-    asked = asked_by_cam(mechanism)
+    asked = asked_of(mechanism)
     if not asked:
         return
     given = {dim.symbol: dim.value for dim in mechanism.dimensions}
