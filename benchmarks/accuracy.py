@@ -27,7 +27,7 @@ from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
 from mechsheet.description import loads
 from mechsheet.kinematics.solve import solve
-from mechsheet.sheet.constants import typed
+from mechsheet.sheet.as_typed import typed
 from mechsheet.sheet.layout import lay_out
 
 DISTANCES = [10.0**-n for n in range(10)]

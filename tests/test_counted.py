@@ -2,7 +2,7 @@
 
 import pytest
 
-from mechsheet.checking.remark_lines import stored_lines
+from mechsheet.checking.report_lines import stored_lines
 from mechsheet.checking.stored import Stored
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text

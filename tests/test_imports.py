@@ -122,9 +122,9 @@ ALLOWED["homework"] = {
     "livesheet.workbook",
     "livesheet.evaluation",
     "sheet.styles",
-    "sheet.wrapping",
+    "sheet.cells",
     # a task is told in the words of the workbook's notes, with the workbook's drawing
-    "sheet.first.given",
+    "sheet.shown",
     "sheet.mathematics",
     "plotting",
     "arguments",
@@ -294,7 +294,7 @@ def test_what_solves_a_mechanism_has_no_hidden_circles(part):
 
 SHEET = (
     # what cells, formulas and places are made of
-    {"styles", "symbols", "wrapping", "printing", "quoted", "addresses", "places", "degrees", "mathematics", "naming"},
+    {"styles", "printing", "quoted", "addresses", "places", "as_typed"},
     # which columns there are: the equations as cells compute them, before anything has a place
     {"columns"},
     # the plan, which gives everything its place, and what is said in formulas over these places alone
@@ -307,6 +307,7 @@ SHEET = (
         "deleted",
         "shown",
         "cells",
+        "mathematics",
         "transmission",
         "geometry",
         "grashof",
@@ -324,7 +325,7 @@ SHEET = (
     # everything gets its place
     {"planning"},
     # a workbook, and all of it on one page
-    {"constants", "layout"},
+    {"layout"},
     {"page"},
 )
 """Modules and folders of sheet/ from the bottom to the top: each imports from its own line and those above it here."""

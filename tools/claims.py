@@ -35,8 +35,8 @@ from claims import Claims, judge, judge_typed  # noqa: E402
 
 from chosen import LISTED, but  # noqa: E402
 from livesheet.diagnostics import WorkbookError  # noqa: E402
+from mechsheet.checking.against_search import against_search  # noqa: E402
 from mechsheet.checking.programs import answers_to_all  # noqa: E402
-from mechsheet.checking.searched.against_search import against_search  # noqa: E402
 
 DOCUMENT = ROOT / "docs" / "proof.md"
 Inputs = dict[str, float]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Literal, TypeAlias
 
 from livesheet.formula.nodes import CellRef, Node, Scalar
@@ -104,6 +105,14 @@ class Area:
     first_col: int
     last_row: int
     last_col: int
+
+    def holds(self, row: int, col: int) -> bool:
+        """Whether a cell is in it."""
+        return self.first_row <= row <= self.last_row and self.first_col <= col <= self.last_col
+
+    def places(self) -> Iterator[tuple[int, int]]:
+        """Row and column of each of its cells, row by row."""
+        return product(range(self.first_row, self.last_row + 1), range(self.first_col, self.last_col + 1))
 
 
 @dataclass(frozen=True, slots=True)

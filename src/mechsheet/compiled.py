@@ -142,6 +142,8 @@ def compiled_of(mechanism: Mechanism) -> Compiled:
     return Compiled(mechanism) if kept is None else kept
 
 
+# --- the sweep as people read it --------------------------------------------------------------------------------------
+
 SHOWN_ROLES = ("variable", "point", "rate", "force", "output")
 
 

@@ -3,7 +3,7 @@
 import json
 import sys
 import tomllib
-from importlib.metadata import PackageNotFoundError
+from importlib import metadata
 from pathlib import Path
 
 import pytest
@@ -24,11 +24,11 @@ def test_names_what_is_there_with_its_version():
 
 
 def nothing(package):
-    raise PackageNotFoundError(package)
+    raise metadata.PackageNotFoundError(package)
 
 
 def test_says_how_to_get_what_is_missing(monkeypatch):
-    monkeypatch.setattr(doctor.metadata, "version", nothing)
+    monkeypatch.setattr(metadata, "version", nothing)
     monkeypatch.setattr(doctor.shutil, "which", lambda name: None)
     monkeypatch.setattr(programs, "LIBREOFFICE_PLACES", ())
     monkeypatch.setattr(sys, "platform", "win32")

@@ -13,7 +13,7 @@ import mechsheet
 from command_line import run
 from livesheet.diagnostics import WorkbookError
 from mechsheet.checking import Rules, check
-from mechsheet.checking.report import difference
+from mechsheet.checking.cells_apart import difference
 from mechsheet.diagnostics import MissingProgramError
 
 URN = "urn:oasis:names:tc:opendocument:xmlns"

@@ -18,8 +18,8 @@ from livesheet.evaluation import book_of
 from livesheet.formats import write
 from mechsheet.checking import Comparison
 from mechsheet.checking.against_reference import against_plan
+from mechsheet.checking.cells import compare_program
 from mechsheet.checking.programs import Answers
-from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.diagnostics import MechanismError
 from mechsheet.sheet.plan import MEANING
 from random_mechanisms import Grower

@@ -19,10 +19,10 @@ from livesheet.engine import evaluate
 from livesheet.formats import read, write
 from livesheet.formula.nodes import Number, shifted, transform
 from mechsheet.checking import check
+from mechsheet.checking.books_compared import compare_twins
+from mechsheet.checking.cells import compare_program
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
-from mechsheet.checking.searched.probed_cells import compare_program
-from mechsheet.checking.xlsx_against_ods import compare_twins
 from mechsheet.description import loads
 from mechsheet.library.building import FORMATS, compile_workbook
 from odf import document_parts, schema_file

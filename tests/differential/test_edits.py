@@ -11,7 +11,7 @@ from folders import ROOT
 from livesheet.formats import read
 from livesheet.formula.references import column_letters
 from mechsheet.checking import check
-from mechsheet.checking.edited.grown import WITH_ROWS
+from mechsheet.checking.edited.edits import WITH_ROWS
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, load
 from mechsheet.library.building import build

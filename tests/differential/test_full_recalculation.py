@@ -12,8 +12,8 @@ import mechsheet
 from chosen import part
 from livesheet.engine import evaluate
 from livesheet.formats import read
+from mechsheet.checking.cells import compare_program
 from mechsheet.checking.inputs import description_in, plan_inside
-from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.description.templates import template_text
 from office_macros import Job, with_macros
 

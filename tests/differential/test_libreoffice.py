@@ -11,8 +11,8 @@ from livesheet.engine import evaluate
 from livesheet.evaluation import computed
 from livesheet.formats import read, write
 from mechsheet.checking import check
+from mechsheet.checking.cells import compare_program
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
-from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.description import loads
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.layout import lay_out

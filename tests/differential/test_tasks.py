@@ -15,9 +15,9 @@ import pytest
 from chosen import ALL, first
 from livesheet.engine import evaluate
 from livesheet.formats import read, update_values, write
+from mechsheet.checking.cells import compare_program
 from mechsheet.checking.inputs import description_in, plan_inside
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
-from mechsheet.checking.searched.probed_cells import compare_program
 from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import MechanismError

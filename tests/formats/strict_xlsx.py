@@ -12,7 +12,7 @@ from lxml import etree
 from livesheet.formula.names import name_fault
 from livesheet.formula.nodes import Call, walk
 from livesheet.formula.parser import parse_formula
-from livesheet.formula.spellings import longest_spelling
+from livesheet.formula.printer import longest_spelling
 
 MAIN = "{http://schemas.openxmlformats.org/spreadsheetml/2006/main}"
 CHART = "{http://schemas.openxmlformats.org/drawingml/2006/chart}"

@@ -13,9 +13,9 @@ from livesheet.evaluation import computed
 from livesheet.formats import read, write
 from livesheet.formula.nodes import Binary, Call, CellRef, NameRef, Number, RangeRef, Text
 from livesheet.workbook import Cell, Fill, Name, Properties, Sheet, Workbook
+from mechsheet.checking.books_compared import compare_twins
 from mechsheet.checking.cells import compare_cells
 from mechsheet.checking.programs import convert_with_libreoffice, stored_values
-from mechsheet.checking.xlsx_against_ods import compare_twins
 
 TITLES = ("Ömer'in çizelgesi", "Αρχική θέση", "Лист 1", "表 (二)", "A1", "1. satır", "it''s & <so>", "R1C1", "TRUE")
 NAMES = ("ÇıkışUzvu", "Açı1", "Δθ", "x₂", "ШАГ", "ölçü.A_1", "_başlangıç", "Ğğ")

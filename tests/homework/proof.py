@@ -24,8 +24,8 @@ from mechsheet.description.templates import template_names
 from mechsheet.diagnostics import DescriptionError, MechanismError, MechsheetError
 from mechsheet.homework.audit import Audit, audited
 from mechsheet.homework.classroom.exercise import with_dimensions
+from mechsheet.homework.expected_values import asked_of
 from mechsheet.homework.formula_strips import upright
-from mechsheet.homework.marking_rules import asked_of
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Mechanism
 

@@ -16,10 +16,9 @@ from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
 from homework.plain_export import plain_book
 from homework.shaper import SHAPER, shaped
 from mechsheet import description
-from mechsheet.homework.audit import FaultFound, audit, audited
+from mechsheet.homework.audit import FaultFound, audit, audited, fault_line
+from mechsheet.homework.expected_values import asked_of
 from mechsheet.homework.formula_strips import upright
-from mechsheet.homework.marking_rules import asked_of
-from mechsheet.homework.words_of import fault_line
 
 ASKED = ("theta13", "theta14", "mu")
 

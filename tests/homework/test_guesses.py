@@ -11,8 +11,8 @@ import pytest
 import mechsheet
 from chosen import first
 from homework.handmade import FOUR_BAR, STEPS, Table, four_bar
+from mechsheet.homework.audit import answered
 from mechsheet.homework.headings import aliases_of, called
-from mechsheet.homework.rows_asked import answered
 
 ONE = "\n[exercise]\nasked = { theta14 = 1 }\n"
 

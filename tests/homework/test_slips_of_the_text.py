@@ -12,8 +12,8 @@ from livesheet.formula.parser import parse_formula
 from livesheet.formula.references import area_name
 from mechsheet import description
 from mechsheet.homework.audit import audited
+from mechsheet.homework.expected_values import asked_of
 from mechsheet.homework.formula_strips import upright
-from mechsheet.homework.marking_rules import asked_of
 
 pytestmark = pytest.mark.slow
 

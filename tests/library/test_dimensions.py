@@ -94,3 +94,8 @@ def test_a_choice_is_true(name, value, told):
 def test_the_table_says_what_is_used_of_the_assembly_too():
     lines = dimensions_text(loads(template_text("function-generator"))).splitlines()
     assert next(line for line in lines if line.startswith("mode")).split()[1:3] == ["1", "1"]
+
+
+def test_the_heading_is_in_the_language_of_the_description():
+    text = template_text("function-generator") + '[workbook]\nlanguage = "tr"\n'
+    assert dimensions_text(loads(text)).splitlines()[0].split() == ["Simge", "Değer", "kullanılan", "Birim"]

@@ -198,12 +198,6 @@ def test_driver_value_that_is_no_number_is_no_row():
     assert not solve(turned).exists[1]
 
 
-def test_progress_is_told():
-    told = []
-    solve(read("fivelink"), progress=lambda done, of: told.append((done, of)))
-    assert told == [(i + 1, len(told)) for i in range(len(told))]
-
-
 def test_wrong_mobility():
     m = read("fivelink")
     with pytest.raises(MechanismError, match="mobility is not the number of drivers"):

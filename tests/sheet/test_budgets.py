@@ -77,6 +77,12 @@ def test_formulas_of_tables_can_be_read(name, layout):
     assert longest <= TABLES
 
 
+@pytest.mark.parametrize("name", PAGES)
+def test_formulas_on_top_of_a_page_are_short(name):
+    """The text's pages; the place of the worst angle of transmission alone had 305 characters of 465."""
+    assert size_of(compiled(name, "page")).elsewhere <= ELSEWHERE["page"]
+
+
 FORMS = [(name, "names") for name in TEMPLATE_NAMES] + [(name, "anchors") for name in some(TEMPLATE_NAMES, 2)]
 """Pages: see page/test_page.py."""
 

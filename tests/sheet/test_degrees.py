@@ -9,7 +9,7 @@ from livesheet.formula.book import BookBuilder
 from livesheet.formula.nodes import transform
 from livesheet.formula.parser import parse_formula
 from livesheet.formula.printer import print_formula
-from mechsheet.sheet.degrees import degrees_together, in_degrees
+from mechsheet.sheet.as_typed import degrees_together, in_degrees
 
 READS = [
     ("RADIANS(A1)", "A1"),

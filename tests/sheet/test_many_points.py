@@ -3,7 +3,7 @@
 import pytest
 
 from livesheet.formula.nodes import Call, walk
-from livesheet.formula.spellings import longest_spelling
+from livesheet.formula.printer import longest_spelling
 from mechsheet.compiled import Compiled
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError

@@ -7,10 +7,10 @@ import pytest
 from mechsheet.library.building import Target, told, write_all
 from mechsheet.library.changed import loads
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import ROW_HEIGHT, height_of, label_lines
 from mechsheet.sheet.first.blocks import MEANING_WIDTH
 from mechsheet.sheet.page.plan import ROW_HEIGHT as PAGE_ROW
 from mechsheet.sheet.plan import MEANING
-from mechsheet.sheet.wrapping import ROW_HEIGHT, height_of, label_lines
 
 ROOM = MEANING_WIDTH * 7 + 5
 """Pixels of the column in Excel."""

@@ -69,10 +69,9 @@ def _cells_by_row(sheet: Sheet, places: Iterable[Place]) -> dict[int, tuple[Cell
         area = merge.area
         corner = taken.get((area.first_row, area.first_col))
         style = corner.style if corner else styles.get((area.first_row, area.first_col), PLAIN)
-        for row in range(area.first_row, area.last_row + 1):
-            for col in range(area.first_col, area.last_col + 1):
-                if (row, col) not in styles:
-                    taken.setdefault((row, col), Cell(row, col, None, style))
+        for row, col in area.places():
+            if (row, col) not in styles:
+                taken.setdefault((row, col), Cell(row, col, None, style))
     for row, col in places:
         if not any(0 <= row - f.row < f.rows and 0 <= col - f.col < f.cols for f in sheet.fills):
             taken.setdefault((row, col), Cell(row, col, None))

@@ -62,6 +62,8 @@ def _hint(value: object) -> str:
         return ""
 
 
+# --- what is put into a cell ------------------------------------------------------------------------------------------
+
 _COMMA = re.compile(r"[+-]?[0-9]+,[0-9]+(?:[eE][+-]?[0-9]+)?")
 _SHOWN = 40
 
@@ -130,6 +132,9 @@ def _hint_of_cell(value: Scalar, held: float) -> str:
 def _shown(value: object) -> str:
     text = f'"{value}"' if isinstance(value, str) else repr(value)
     return text if len(text) <= _SHOWN else text[:_SHOWN] + "…"
+
+
+# --- ranges of a workbook ---------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,13 +8,13 @@ from livesheet.on_demand import names_of
 
 if TYPE_CHECKING:
     from mechsheet.checking.baseline import Baseline, read_baseline
+    from mechsheet.checking.books_compared import with_twins
+    from mechsheet.checking.cells_apart import Rules, difference
     from mechsheet.checking.judging import check, judge
     from mechsheet.checking.mutation import Mutation, mutate
     from mechsheet.checking.perturbation import Perturbation, perturb
-    from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally, difference
-    from mechsheet.checking.rules import Rules
+    from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally
     from mechsheet.checking.stored import Stored
-    from mechsheet.checking.xlsx_against_ods import with_twins
 
 _HOMES = {
     "Baseline": "baseline",
@@ -30,10 +30,10 @@ _HOMES = {
     "Edit": "report",
     "Report": "report",
     "Tally": "report",
-    "difference": "report",
-    "Rules": "rules",
+    "difference": "cells_apart",
+    "Rules": "cells_apart",
     "Stored": "stored",
-    "with_twins": "xlsx_against_ods",
+    "with_twins": "books_compared",
 }
 """Name -> module: imported when first used, so that `recalc --check` loads nothing of mechanisms."""
 

@@ -17,13 +17,21 @@ from livesheet.formula.references import cell_address
 from livesheet.said import say
 from mechsheet import reference
 from mechsheet.checking.bands import compare_bands
+from mechsheet.checking.columns_apart import DEAD_CENTRE, EDGE, Rows, Steepness, apart_from, apart_of, closed_rows
 from mechsheet.checking.driver_tables import compare_tables
-from mechsheet.checking.excuses.columns import DEAD_CENTRE, Rows, apart_from, apart_of, closed_rows
-from mechsheet.checking.excuses.rates import EDGE, Steepness
-from mechsheet.checking.inputs import Inputs, OfTheLast, inputs_in, numbers_in
+from mechsheet.checking.inputs import (
+    Inputs,
+    OfTheLast,
+    changed,
+    equations_as_typed,
+    inputs_in,
+    missing_dimensions,
+    numbers_in,
+    readers,
+    typed,
+    with_listed_rates,
+)
 from mechsheet.checking.report import Array, Comparison, Tally
-from mechsheet.checking.typed import changed, equations_as_typed, typed, with_listed_rates
-from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.newton.changed_dimensions import LEAP
@@ -32,7 +40,7 @@ from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import ENERGY, Mechanism
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.columns.flywheel import MEAN_NEEDS
+from mechsheet.sheet.columns.added import MEAN_NEEDS
 from mechsheet.sheet.deleted import with_what_they_read
 from mechsheet.sheet.plan import MAY_GO, Plan
 

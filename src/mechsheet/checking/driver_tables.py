@@ -17,12 +17,19 @@ import numpy as np
 from livesheet.formula.book import Book
 from livesheet.formula.references import cell_address
 from mechsheet import reference
-from mechsheet.checking.edited.expected import functions_in
-from mechsheet.checking.excuses.columns import Mask, Rows, apart_from, apart_of, closed_rows, scale_of
-from mechsheet.checking.inputs import Inputs, OfTheLast, numbers_in
+from mechsheet.checking.columns_apart import Mask, Rows, apart_from, apart_of, closed_rows, scale_of
+from mechsheet.checking.inputs import (
+    Inputs,
+    OfTheLast,
+    changed,
+    equations_as_typed,
+    functions_in,
+    missing_dimensions,
+    numbers_in,
+    readers,
+    typed,
+)
 from mechsheet.checking.report import Array, Tally
-from mechsheet.checking.typed import changed, equations_as_typed, typed
-from mechsheet.checking.undefined_dimensions import missing_dimensions, readers
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import runs_of, without_jumps
 from mechsheet.kinematics.sweep import DISTINCT, distinct, poses_in, sweep

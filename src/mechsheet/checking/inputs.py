@@ -1,29 +1,46 @@
-"""What a mechanism's workbook carries in itself: its description, and what a person has typed into its input cells."""
+"""What a mechanism's workbook carries in itself: its description, the workbook that this would build, and what a person has
+typed into the input cells.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+import tempfile
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from pathlib import Path
 from typing import Any, Generic, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from livesheet.diagnostics import Fault, MissingSheetError, WorkbookError
+from livesheet.diagnostics import Fault, MissingSheetError, WorkbookError, readable_name
+from livesheet.evaluation import book_of
 from livesheet.formula.book import Book
+from livesheet.formula.nodes import Call
 from livesheet.formula.references import cell_address
-from livesheet.said import say
+from livesheet.formula.scalar import evaluate
+from livesheet.said import reason, say
+from livesheet.workbook import Workbook
 from mechsheet.checking.report import Array, text_of
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
-from mechsheet.kinematics.cams.inputs import refused_by_cam
-from mechsheet.kinematics.dimensions import dimension_values
+from mechsheet.description.report import located
+from mechsheet.diagnostics import MechanismError
+from mechsheet.kinematics.dimensions import dimension_order, dimension_values
 from mechsheet.kinematics.driving import given_values
+from mechsheet.kinematics.equations import Equations
+from mechsheet.kinematics.inputs import refused_of
 from mechsheet.kinematics.points_in_link import number as place_number
-from mechsheet.sheet.layout import DESCRIPTION_MARK
+from mechsheet.library.building import build
+from mechsheet.library.changed import load
+from mechsheet.model import Mechanism
+from mechsheet.sheet.columns.lowering import Assignments
+from mechsheet.sheet.layout import DESCRIPTION_MARK, DESCRIPTION_SHEET
 from mechsheet.sheet.places import there
-from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.plan import TOLERANCE, Plan
 
 
 def description_in(book: Book) -> str | None:
@@ -39,10 +56,109 @@ def description_in(book: Book) -> str | None:
     return None
 
 
+def description_or_fault(book: Book, shown: str) -> str:
+    """The description that a book carries. Raises WorkbookError when there is none."""
+    text = description_in(book)
+    if text is None:
+        raise WorkbookError(
+            Fault(say("carries no description: it was not built by mechsheet, or its sheet is gone"), shown)
+        )
+    return text
+
+
+@contextmanager
+def workbook_of(path: Path) -> Iterator[Path]:
+    """The workbook itself, or the one that a description builds, aside; what is wrong with that is told at its lines."""
+    if path.suffix.lower() != ".toml":
+        yield path
+        return
+    mechanism = load(path)
+    try:
+        with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
+            (built,) = build(mechanism, folder)
+            yield built
+    except MechanismError as error:
+        raise located(error, mechanism.listing, readable_name(path)) from error
+
+
 def plan_inside(text: str, shown: str) -> Plan:
     """Where everything stands in the workbook that carries the description `text` (`shown`: the file, for messages)."""
-    mechanism = loads(text, file=f"{shown} (description inside)")
-    return Compiled(mechanism).plan
+    return Compiled(loads(text, file=inside(shown))).plan
+
+
+InputCells = dict[tuple[str, int, int], str]
+"""(sheet, row, column) of each input cell -> what it holds."""
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """The workbook as data, the same as a book of constants and formulas, and where everything stands in it."""
+
+    workbook: Workbook
+    book: Book
+    compiled: Compiled
+
+    @property
+    def plan(self) -> Plan:
+        """Where everything is in it."""
+        return self.compiled.plan
+
+    @property
+    def description_sheet(self) -> str:
+        """Title of the hidden sheet that carries the description."""
+        return self.plan.at.titles[DESCRIPTION_SHEET]
+
+    def inputs(self) -> InputCells:
+        """The cells that are there to be changed, and what each holds: dimensions, modes, the driver, tolerances …"""
+        named = {"start": self.plan.places.start, "step": self.plan.places.step, **self.plan.at.spots}
+        by_cell = {(spot.sheet, spot.row, spot.col): symbol for symbol, spot in named.items() if spot is not None}
+        found = {}
+        for sheet in self.workbook.sheets:
+            for cell in sheet.cells:
+                if not cell.style.locked and not isinstance(cell.content, str):
+                    place = (sheet.title, cell.row, cell.col)
+                    found[place] = by_cell.get(place, "")
+        tolerated = self.plan.blocks["dimensions"].rows if self.plan.mechanism.layout == "sheets" else {}
+        for symbol, row in tolerated.items():
+            found[self.plan.main, row, TOLERANCE] = f"the tolerance of {symbol}"
+        return found
+
+
+def expected_for(text: str, file: str, functions: str = "") -> Expected:
+    """What the description `text` builds; `file` is what messages call it. Raises MechsheetError.
+
+    functions  "lambda" for the workbook whose tables call functions (`functions_in` tells)
+    """
+    loads(text, file=file)  # its faults name the file
+    try:
+        return _built(text, functions)
+    except MechanismError as error:
+        raise located(error, text, file) from error
+
+
+@lru_cache(maxsize=1)
+def _built(text: str, functions: str) -> Expected:
+    """The last is kept: the .xlsx and the .ods of one description are judged one after the other."""
+    compiled = Compiled(loads(text))
+    if functions:
+        from mechsheet.exporting.functions.workbooks import functions_workbook, in_sheets
+
+        compiled = in_sheets(compiled)
+        workbook = functions_workbook(compiled, functions)
+    else:
+        workbook = compiled.layout
+    return Expected(workbook, book_of(workbook), compiled)
+
+
+def functions_in(book: Book) -> str:
+    """The form of a workbook whose names stand for functions: "lambda"; else nothing."""
+    has = any(isinstance(name.formula, Call) and name.formula.name == "LAMBDA" for name in book.names)
+    return "lambda" if has else ""
+
+
+def inside(shown: str) -> str:
+    """What messages call the description in a workbook's file."""
+    return f"{shown} (description inside)"
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,7 +260,7 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
                 message = say("{symbol} is the time of the motion and must be greater than 0", symbol=symbol)
             wrong(symbol, message)
     if not faults:
-        for asked, why in refused_by_cam(plan.mechanism, dimensions):
+        for asked, why in refused_of(plan.mechanism, dimensions):
             spot = plan.at.spots[asked.symbol]
             faults.append(Fault(why, shown, key=cell_address(spot.sheet, spot.row, spot.col)))
     modes: dict[str, int] = {}
@@ -185,11 +301,8 @@ def _of_sweep(plan: Plan, values: Any, key: Literal["start", "step"], dimensions
     quantity = getattr(plan.mechanism.driver, key)
     if isinstance(found, float) or isinstance(quantity, float):
         return found
-    known = tuple(
-        dim if dim.derived else replace(dim, value=dimensions[dim.symbol]) for dim in plan.mechanism.dimensions
-    )
     try:
-        computed = place_number(quantity, dimension_values(replace(plan.mechanism, dimensions=known)))
+        computed = place_number(quantity, dimension_values(with_numbers(plan.mechanism, dimensions)))
     except (ArithmeticError, ValueError):
         return math.nan
     return plan.mechanism.driver.unit.to_shown(computed)
@@ -207,10 +320,7 @@ def _given(
     """What is given row by row: from start and step as cells have them, from the listed cells, or by the motion law."""
     mechanism, driver = plan.mechanism, plan.mechanism.driver
     if driver.law is not None:
-        known = tuple(
-            dim if dim.derived else replace(dim, value=dimensions[dim.symbol]) for dim in mechanism.dimensions
-        )
-        return given_values(mechanism, dimension_values(replace(mechanism, dimensions=known)))
+        return given_values(mechanism, dimension_values(with_numbers(mechanism, dimensions)))
     if driver.values:
         found = {}
         for symbol in (driver.symbol, *mechanism.given_by_row):
@@ -237,3 +347,78 @@ def _given(
         if each.symbol in found:
             found[each.symbol] = each.unit.to_internal(found[each.symbol])
     return found
+
+
+# --- the mechanism with what has been typed --------------------------------------------------------------------------
+
+
+def missing_dimensions(mechanism: Mechanism, inputs: Mapping[str, float]) -> dict[str, str]:
+    """Derived dimensions that have no value for these inputs (arccos 1.05), and those that read them: symbol -> why not.
+
+    Nothing may be shown from them.
+    """
+    by_symbol = {dim.symbol: dim for dim in mechanism.dimensions}
+    values = dict(inputs)
+    missing: dict[str, str] = {}
+    for symbol in dimension_order(mechanism):
+        value = by_symbol[symbol].value
+        if isinstance(value, float):
+            continue
+        try:
+            values[symbol] = evaluate(value, values)
+        except KeyError as error:
+            missing[symbol] = say("{name} has no value", name=error.args[0])
+        except (ArithmeticError, ValueError) as error:
+            missing[symbol] = reason(error)
+    return missing
+
+
+def readers(equations: Assignments, symbols: Collection[str]) -> set[str]:
+    """Symbols of all equations that read one of `symbols`, straight or through others."""
+    found = set(symbols)
+    for equation in equations.all:  # each is solved before it is read
+        if found & {*equation.reads, *equation.reads_previous}:
+            found.add(equation.symbol)
+    return found - set(symbols)
+
+
+def with_numbers(mechanism: Mechanism, numbers: Mapping[str, float]) -> Mechanism:
+    """The mechanism with other values of the dimensions that do not follow from others."""
+    dimensions = tuple(dim if dim.derived else replace(dim, value=numbers[dim.symbol]) for dim in mechanism.dimensions)
+    return replace(mechanism, dimensions=dimensions)
+
+
+def typed(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
+    """With the values of further drivers as they are typed, row by row."""
+    drivers = tuple(
+        replace(driver, values=tuple(float(value) for value in inputs.given[driver.symbol]))
+        if driver.values
+        else driver
+        for driver in mechanism.drivers
+    )
+    return replace(mechanism, drivers=drivers) if drivers else mechanism
+
+
+def changed(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
+    """The mechanism with what has been typed into the cells."""
+    values = tuple(inputs.given[mechanism.driver.symbol].tolist())
+    listed = replace(mechanism, driver=replace(mechanism.driver, values=values))
+    driver = mechanism.driver if mechanism.driver.law is not None else with_listed_rates(listed, inputs).driver
+    return replace(with_numbers(typed(mechanism, inputs), inputs.dimensions), driver=driver)
+
+
+def equations_as_typed(plan: Plan, inputs: Inputs) -> Equations:
+    """The plan's own equations with the assemblies of the cells: their start values are those of the workbook."""
+    equations = plan.equations.equations
+    groups = (
+        replace(group, assembly=group.assembly_of(inputs.modes[group.mode])) if group.mode in inputs.modes else group
+        for group in equations.groups
+    )
+    return replace(equations, groups=tuple(groups))
+
+
+def with_listed_rates(mechanism: Mechanism, inputs: Inputs) -> Mechanism:
+    """The mechanism with the speeds and accelerations that stand in the cells."""
+    speeds, accelerations = (tuple(inputs.given[name].tolist()) if name in inputs.given else ()
+                             for name in mechanism.driver_rates)  # fmt: skip
+    return replace(mechanism, driver=replace(mechanism.driver, speeds=speeds, accelerations=accelerations))

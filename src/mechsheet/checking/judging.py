@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,26 +11,19 @@ from livesheet.formats import read
 from livesheet.formula.book import Book
 from livesheet.said import say
 from mechsheet.checking.against_reference import against_plan
+from mechsheet.checking.against_search import against_search
 from mechsheet.checking.baseline import Baseline
-from mechsheet.checking.cells import compare_cells
-from mechsheet.checking.edited.expected import expected_for, functions_in, inside
-from mechsheet.checking.edited.grown import compared
+from mechsheet.checking.cells import compare_cells, compare_program
+from mechsheet.checking.cells_apart import Rules
+from mechsheet.checking.edited.edits import compared
 from mechsheet.checking.edited.inserted_rows import MovedValues
-from mechsheet.checking.inputs import description_in
-from mechsheet.checking.line_under_title import first_sheet, red_line
+from mechsheet.checking.inputs import description_in, expected_for, functions_in, inside, workbook_of
+from mechsheet.checking.of_itself import description_of, first_sheet, red_line, stale
 from mechsheet.checking.programs import answers, cannot_judge, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison, Edit, Report
-from mechsheet.checking.rules import Rules
-from mechsheet.checking.searched.against_search import against_search
-from mechsheet.checking.searched.probed_cells import compare_program
-from mechsheet.checking.stale import description_of, stale
 from mechsheet.checking.stored import judge_stored
-from mechsheet.description.report import located
-from mechsheet.diagnostics import MechanismError, MissingProgramError
-from mechsheet.library.building import build
-from mechsheet.library.changed import load
+from mechsheet.diagnostics import MissingProgramError
 from mechsheet.library.routines import with_routines
-from mechsheet.model import Mechanism
 
 
 def check(
@@ -74,7 +66,9 @@ def judge(
     path = Path(path)
     work = _Work(asked, progress or (lambda _: None), rules or Rules(), baseline, modules)
     if path.suffix.lower() == ".toml":
-        return _check_description(path, work)
+        work.say("building")
+        with workbook_of(path) as built:
+            return _check_book(read(built), built, readable_name(path), work)
     work.say("reading")
     return _check_book(read(path), path, readable_name(path), work, description_of(path, descriptions))
 
@@ -88,23 +82,6 @@ class _Work:
     rules: Rules
     baseline: Baseline | None
     modules: Sequence[Path] = ()
-
-
-def _check_description(path: Path, work: _Work) -> Report:
-    """Build the workbook aside and judge that file."""
-
-    mechanism = load(path)
-    try:
-        return _check_built(mechanism, readable_name(path), work)
-    except MechanismError as error:
-        raise located(error, mechanism.listing, readable_name(path)) from error
-
-
-def _check_built(mechanism: Mechanism, shown: str, work: _Work) -> Report:
-    with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
-        work.say("building")
-        (built,) = build(mechanism, folder)
-        return _check_book(read(built), built, shown, work)
 
 
 def _check_book(book: Book, path: Path, shown: str, work: _Work, file: Path | None = None) -> Report:

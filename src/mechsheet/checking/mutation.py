@@ -16,17 +16,16 @@ from livesheet.engine import compile_book
 from livesheet.formats import read
 from livesheet.formula.book import Block, Book, BookSheet
 from livesheet.formula.nodes import shifted
-from livesheet.formula.printer import print_formula
 from livesheet.formula.references import area_name
 from livesheet.formula.slips import Damage, damages
 from mechsheet.checking.against_reference import against_plan
+from mechsheet.checking.books_compared import printed
 from mechsheet.checking.cells import Angles, angles_in
 from mechsheet.checking.edited.edits import edits_of
-from mechsheet.checking.edited.expected import Expected, expected_for, inside
-from mechsheet.checking.perturbation import description_or_fault, workbook_of
+from mechsheet.checking.inputs import Expected, description_or_fault, expected_for, inside, workbook_of
 from mechsheet.checking.report import TOLERANCE
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks.efforts import AGREES
+from mechsheet.sheet.checks.rows import AGREES
 
 TRIES = 60
 """Damages that change no value are drawn again so often for each one wanted."""
@@ -235,8 +234,8 @@ class _Run:
         return Damaged(
             kind,
             f"{sheet.title}!{area_name(damaged.row, damaged.col, damaged.rows, damaged.cols)}",
-            "=" + print_formula(shifted(old.formula, damaged.row - old.row, damaged.col - old.col)),
-            "=" + print_formula(damaged.formula),
+            printed(shifted(old.formula, damaged.row - old.row, damaged.col - old.col)),
+            printed(damaged.formula),
             not self._is_clear(values),
             reference,
             reference or bool(edits_of(book, self.expected).edits),

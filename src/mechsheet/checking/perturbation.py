@@ -11,27 +11,22 @@ import math
 import random
 import tempfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from livesheet.diagnostics import Fault, WorkbookError, readable_name
+from livesheet.diagnostics import WorkbookError, readable_name
 from livesheet.engine import compile_book
 from livesheet.formats import read, update_values
 from livesheet.formula.book import Book
 from livesheet.formula.nodes import Scalar, symbols
-from livesheet.said import say
 from mechsheet.checking.against_reference import against_plan
-from mechsheet.checking.inputs import description_in, plan_inside
+from mechsheet.checking.cells import compare_program
+from mechsheet.checking.inputs import description_or_fault, plan_inside, workbook_of
 from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison
-from mechsheet.checking.searched.probed_cells import compare_program
-from mechsheet.description.report import located
-from mechsheet.diagnostics import MechanismError, MissingProgramError
-from mechsheet.kinematics.cams.inputs import asked_by_cam, refused_by_cam
-from mechsheet.library.building import build
-from mechsheet.library.changed import load
+from mechsheet.diagnostics import MissingProgramError
+from mechsheet.kinematics.inputs import asked_of, refused_of
 from mechsheet.sheet.plan import Plan
 
 Place = tuple[str, int, int]
@@ -141,31 +136,6 @@ def perturb(
     refuse_unknown(programs)
     with workbook_of(path) as built:
         return _Run(built, readable_name(path), seed, say).over(count, programs)
-
-
-@contextmanager
-def workbook_of(path: Path) -> Iterator[Path]:
-    """The workbook itself, or the one that a description builds, aside."""
-    if path.suffix.lower() != ".toml":
-        yield path
-        return
-    mechanism = load(path)
-    with tempfile.TemporaryDirectory(prefix="mechsheet-") as folder:
-        try:
-            (built,) = build(mechanism, folder)
-        except MechanismError as error:
-            raise located(error, mechanism.listing, readable_name(path)) from error
-        yield built
-
-
-def description_or_fault(book: Book, shown: str) -> str:
-    """The description that a book carries. Raises WorkbookError when there is none."""
-    text = description_in(book)
-    if text is None:
-        raise WorkbookError(
-            Fault(say("carries no description: it was not built by mechsheet, or its sheet is gone"), shown)
-        )
-    return text
 
 
 class _Run:
@@ -311,9 +281,9 @@ def _kept_of_cam(plan: Plan, typed: Mapping[str, float]) -> dict[str, float]:
     """The described numbers of a cam that could not be with what is drawn: cells that would be refused show nothing."""
     inputs = {dim.symbol: dim for dim in plan.mechanism.dimensions if isinstance(dim.value, float)}
     internal = {symbol: dim.unit.to_internal(typed[symbol]) for symbol, dim in inputs.items()}
-    if not any(refused_by_cam(plan.mechanism, internal)):
+    if not any(refused_of(plan.mechanism, internal)):
         return {}
-    read = {name for each in asked_by_cam(plan.mechanism) for name in (each.symbol, *symbols(each.margin))}
+    read = {name for each in asked_of(plan.mechanism) for name in (each.symbol, *symbols(each.margin))}
     kept = (dim for symbol, dim in inputs.items() if symbol in read)
     return {dim.symbol: dim.unit.to_shown(dim.value) for dim in kept if isinstance(dim.value, float)}
 

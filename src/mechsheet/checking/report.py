@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -11,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from livesheet.formula.nodes import ErrorValue, Scalar
+from livesheet.formula.nodes import Scalar
 from livesheet.said import say, say_count
 
 if TYPE_CHECKING:
@@ -196,39 +195,3 @@ def text_of(value: Scalar) -> str:
     if isinstance(value, str):
         return value
     return repr(value) if isinstance(value, float) else str(value)
-
-
-def difference(ours: Scalar, theirs: Scalar, scale: float = 1.0, period: float | None = None) -> float:
-    """How far two cell values are apart: numbers as a part of `scale` (or of themselves, if larger); else 0 or infinity.
-
-    Numbers with a period are compared modulo it, as a part of it. Any error equals any error: programs name the same
-    fault differently (#NUM! and #VALUE!). Texts as in `texts_apart`.
-    """
-    if isinstance(ours, ErrorValue) or isinstance(theirs, ErrorValue):
-        return 0.0 if isinstance(ours, ErrorValue) and isinstance(theirs, ErrorValue) else math.inf
-    if isinstance(ours, bool) or isinstance(theirs, bool):
-        return 0.0 if ours == theirs else math.inf
-    if isinstance(ours, float | int) and isinstance(theirs, float | int):
-        if period is not None:
-            return abs(math.remainder(ours - theirs, period)) / period
-        return abs(ours - theirs) / max(scale, abs(ours), abs(theirs))
-    if (ours or "") == (theirs or ""):
-        return 0.0
-    return texts_apart(ours, theirs) if isinstance(ours, str) and isinstance(theirs, str) else math.inf
-
-
-_NUMBER = re.compile(r"([0-9]+\.[0-9]+(?:[eE][-+]?[0-9]+)?|[0-9]+)")
-_COMMA = re.compile(r"(?<=[0-9]),(?=[0-9])")
-
-
-def texts_apart(ours: str, theirs: str) -> float:
-    """The largest relative difference of the numbers in two texts, infinity when anything else differs.
-
-    Programs write numbers into texts with 15 or 17 digits, and with the decimal sign of their user's language: a comma
-    between two digits counts as a point.
-    """
-    parts = [_NUMBER.split(_COMMA.sub(".", text)) for text in (ours, theirs)]
-    if parts[0][::2] != parts[1][::2]:
-        return math.inf
-    numbers = zip(map(float, parts[0][1::2]), map(float, parts[1][1::2]), strict=True)
-    return max((abs(one - other) / max(one, other) for one, other in numbers if one != other), default=0.0)

@@ -82,14 +82,14 @@ def audit(
     if describe is not None:
         raise MechsheetError(Fault(say("with --against there is a description already"), key="--describe"))
     from mechsheet.homework.audit import audit as judge
-    from mechsheet.homework.words_of import lines
+    from mechsheet.homework.audit import audit_lines
 
     mechanism = _asked(description, language)
     named = readable_name(workbook)
     with at_lines_of(mechanism, description), progress(workbook.name) as tell, limited(seconds, named):
         tell("auditing")
         found = judge(workbook, mechanism, assembly or "", modules)
-    click.echo(json.dumps(found.as_dict(), indent=2, ensure_ascii=False) if as_json else "\n".join(lines(found)))
+    click.echo(json.dumps(found.as_dict(), indent=2, ensure_ascii=False) if as_json else "\n".join(audit_lines(found)))
     if not found.right:
         sys.exit(1)
 
@@ -110,8 +110,7 @@ def _recognised(
     """What a workbook seems to be; a description of that."""
     from livesheet.formats import read
     from mechsheet.homework.formula_strips import upright
-    from mechsheet.homework.recognised_words import as_dict, lines
-    from mechsheet.homework.recognition import recognise, tables
+    from mechsheet.homework.recognition import as_dict, recognise, recognised_lines, tables
 
     with progress(workbook.name) as tell:
         found = tables(upright(read(workbook), modules=modules))
@@ -119,7 +118,7 @@ def _recognised(
     click.echo(
         json.dumps(as_dict(known), indent=2, ensure_ascii=False)
         if as_json
-        else "\n".join(lines(found, known, workbook, language or spoken()))
+        else "\n".join(recognised_lines(found, known, workbook, language or spoken()))
     )
     if known is None:
         sys.exit(1)

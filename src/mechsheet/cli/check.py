@@ -173,7 +173,7 @@ SURVIVORS = 20
 
 def _print_line(report: Any) -> None:
     """A check of many: all in one line."""
-    from mechsheet.checking.remark_lines import grouped
+    from mechsheet.checking.report_lines import grouped
 
     worst = max((item.worst for item in report.comparisons), default=0.0)
     count = len(report.remarks) + (len(grouped(report.stored.remarks)) if report.stored is not None else 0)

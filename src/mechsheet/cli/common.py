@@ -334,6 +334,8 @@ def refuse_existing(path: Path, hint: str = say("choose another name with -o")) 
         raise OutputError(Fault(say("there is a file already: it is left as it is"), readable_name(path), hint=hint))
 
 
+# --- how help reads ---------------------------------------------------------------------------------------------------
+
 EXAMPLES = "\b\nmechsheet "
 """How a docstring's paragraph of examples begins."""
 

@@ -9,7 +9,6 @@ import sys
 import tempfile
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -113,6 +112,8 @@ def installed() -> list[Part]:
 
 def _versions(packages: Sequence[str]) -> str:
     """Names and versions of packages, "" when one is missing."""
+    from importlib import metadata
+
     try:
         return ", ".join(f"{package} {metadata.version(package)}" for package in packages)
     except metadata.PackageNotFoundError:

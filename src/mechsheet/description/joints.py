@@ -172,6 +172,9 @@ def _symbol(entry: dict[str, Any], link: str, path: Path, ends: Ends, scope: Sco
     return str(symbol)
 
 
+# --- redundant links --------------------------------------------------------------------------------------------------
+
+
 def read_redundant(
     data: dict[str, Any], links: tuple[Link, ...], joints: tuple[Joint, ...], ends: Ends, scope: Scope
 ) -> tuple[tuple[Link, ...], tuple[Joint, ...], tuple[Redundant, ...]]:

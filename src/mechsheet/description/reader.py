@@ -37,19 +37,6 @@ from mechsheet.model import (
     Solution,
 )
 
-_DEVICE = re.compile(r"(con|prn|aux|nul|(com|lpt)[0-9¹²³])(\..*)?", re.IGNORECASE)
-_NEVER = re.compile(r'[<>:"/\\|?*\x00-\x1f]')
-
-
-def is_device(name: str) -> bool:
-    """Whether Windows takes a name for a device, whatever its ending: what is written there is lost."""
-    return _DEVICE.fullmatch(name) is not None
-
-
-def is_file_name(name: str) -> bool:
-    """Whether a name is that of a file in a folder, on Linux, macOS and Windows alike: no path, no device, not hidden."""
-    return not (_NEVER.search(name) or name.startswith(".") or name != name.rstrip(". ") or is_device(name))
-
 
 def load(path: str | FilePath, overrides: Overrides = AS_IT_IS) -> Mechanism:
     """The mechanism that a file describes, format 1, with changes.
@@ -321,6 +308,22 @@ class _Reading:
             listing=self.report.source.text,
             **self.parts,
         )
+
+
+# --- names of files ---------------------------------------------------------------------------------------------------
+
+_DEVICE = re.compile(r"(con|prn|aux|nul|(com|lpt)[0-9¹²³])(\..*)?", re.IGNORECASE)
+_NEVER = re.compile(r'[<>:"/\\|?*\x00-\x1f]')
+
+
+def is_device(name: str) -> bool:
+    """Whether Windows takes a name for a device, whatever its ending: what is written there is lost."""
+    return _DEVICE.fullmatch(name) is not None
+
+
+def is_file_name(name: str) -> bool:
+    """Whether a name is that of a file in a folder, on Linux, macOS and Windows alike: no path, no device, not hidden."""
+    return not (_NEVER.search(name) or name.startswith(".") or name != name.rstrip(". ") or is_device(name))
 
 
 def _name(head: dict[str, Any], report: Report) -> str:

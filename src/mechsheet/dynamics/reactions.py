@@ -11,6 +11,10 @@ direction of a line, n = J d, D what the rates of the dyad are divided by. X is 
     cam  force along its normal n on the follower: N = -(S.P')/(n.P'), a prime by the follower's variable; where other links
          lie between, S.P' is the work of all that acts on any link, and N is known before all else
 
+A spring whose free length L0 is longer by u pulls less by k u. So it just holds a follower on its cam where
+
+    N = 0    for    L0 + N (n.P')/(k L'),    L' = w.(p2' - p1')/L,    w = p2 - p1 its way, n.P' the lever of N
+
 What hangs on a pin besides is counted to the body that the pin was solved with. Source: the equilibrium of each assembly;
 Uicker, Pennock and Shigley, Theory of Machines and Mechanisms, chapters 13 and 15.
 """
@@ -19,7 +23,7 @@ from __future__ import annotations
 
 from livesheet.diagnostics import Fault
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Node
+from livesheet.formula.nodes import Call, Node
 from livesheet.formula.vectors import (
     NOWHERE,
     Vector,
@@ -38,15 +42,16 @@ from mechsheet.diagnostics import MechanismError
 from mechsheet.dynamics.acting import ActingForces, Force, moment_of, sum_of
 from mechsheet.dynamics.chains import ChainReactions
 from mechsheet.dynamics.joints import Joints
-from mechsheet.dynamics.preload import write_preload
 from mechsheet.dynamics.teeth import Teeth
 from mechsheet.dynamics.whole_mechanism import own_works
 from mechsheet.kinematics.assur import Drive, Dyad, Pin
 from mechsheet.kinematics.cams.profile import Contact
+from mechsheet.kinematics.equations import Condition
 from mechsheet.kinematics.gear_relations import Tied
 from mechsheet.kinematics.graph import Assembly, Slide
 from mechsheet.kinematics.newton.chains import Chain
-from mechsheet.model import FurtherDriver
+from mechsheet.model import FurtherDriver, Spring
+from mechsheet.units import LENGTH
 from mechsheet.words.equations import phrase
 
 
@@ -119,9 +124,6 @@ class Reactions:
     def _at(self, pin: Pin) -> Vector:
         return self.poses.xy[pin.point]
 
-    def _over(self, parts: Vector, divisor: Node) -> Vector:
-        return over(parts[0], divisor), over(parts[1], divisor)
-
     # --- dyads ------------------------------------------------------------------------------------------------
 
     def _dyad(self, dyad: Dyad, det: Node) -> None:
@@ -175,7 +177,7 @@ class Reactions:
         r = self._at(inner)
         a, b = minus(r, self._at(p)), minus(r, self._at(q))
         m1, m2 = self._moment(dyad.first, self._at(p)), self._moment(dyad.second, self._at(q))
-        force = self._over(negative(plus(times(m1, b), times(m2, a))), al.mul(det, self.columns.metre))
+        force = _over(negative(plus(times(m1, b), times(m2, a))), al.mul(det, self.columns.metre))
         force = self._inner(dyad, inner, force)
         self._outer(dyad.first, p, minus(negative(self._sum(dyad.first)), force))
         self._outer(dyad.second, q, minus(force, self._sum(dyad.second)))
@@ -195,7 +197,7 @@ class Reactions:
             totals.append(together((total, *(force.vector for force in held))))
             arms.append(minus(r, p))
         both = plus(times(moments[0], arms[1]), times(moments[1], arms[0]))
-        force = self._inner(dyad, Pin(dyad.pins[2]), self._over(negative(both), al.mul(det, self.columns.metre)))
+        force = self._inner(dyad, Pin(dyad.pins[2]), _over(negative(both), al.mul(det, self.columns.metre)))
         for (body,), point, total, on_it in zip(dyad.assemblies, outer, totals, (force, negative(force)), strict=True):
             self._on_pair(point, body, self.motions.with_point(dyad.frame, point), minus(negative(total), on_it))
 
@@ -224,7 +226,7 @@ class Reactions:
             det = al.neg(det)  # a.d: the displacement counts against the line's direction
         s2 = self._sum(dyad.second)
         m1 = over(self._moment(dyad.first, p), self.columns.metre)
-        force = self._over(minus(times(dot(s2, d), minus(r, p)), times(m1, n)), det)
+        force = _over(minus(times(dot(s2, d), minus(r, p)), times(m1, n)), det)
         force = self._inner(dyad, inner, force)
         self._outer(dyad.first, pin, minus(negative(self._sum(dyad.first)), force))
         self._guide(dyad.second, slide, minus(force, s2), r)
@@ -250,7 +252,7 @@ class Reactions:
         f1, f2 = al.neg(self._along(dyad.first, s1, d1)), self._along(dyad.second, s2, d2)
         x = al.sub(al.mul(f1, d2[1]), al.mul(f2, d1[1]))
         y = al.sub(al.mul(f2, d1[0]), al.mul(f1, d2[0]))
-        force = self._inner(dyad, inner, self._over((x, y), det))
+        force = self._inner(dyad, inner, _over((x, y), det))
         self._guide(dyad.first, outer[0], minus(negative(s1), force), r)
         self._guide(dyad.second, outer[1], minus(force, s2), r)
 
@@ -375,3 +377,33 @@ class Reactions:
         if on_known:
             self.acting.hang(base, Force(total, self._place_of(drive)), moment)
         self.joints.guiding_slide(joint, drive.moving, negative(total), al.neg(moment))
+
+
+def _over(parts: Vector, divisor: Node) -> Vector:
+    return over(parts[0], divisor), over(parts[1], divisor)
+
+
+def holding_spring(acting: ActingForces, contact: Contact) -> Spring | None:
+    """The only spring between the ground and the link on which a cam presses, else the only one that the cam does not hold;
+    None where there are several."""
+    ground = acting.poses.mechanism.ground.name
+    ends = [(spring, {name for name, _ in spring.ends}) for spring in acting.dynamics.springs]
+    near = [spring for spring, links in ends if links == {ground, contact.link}]
+    found = near or [spring for spring, links in ends if contact.cam not in links]
+    return found[0] if len(found) == 1 else None
+
+
+def write_preload(acting: ActingForces, contact: Contact, force: Node) -> None:
+    """Write the column down, where one spring holds the follower; `force`: N."""
+    spring = holding_spring(acting, contact)
+    if spring is None:
+        return
+    places = [acting.poses.xy[point] for _, point in spring.ends]
+    start, end = (contact.moved(link, at) for (link, _), at in zip(spring.ends, places, strict=True))
+    opens = al.div(dot(minus(places[1], places[0]), minus(end, start)), acting.length(spring))
+    if al.is_zero(opens):
+        return
+    longer = al.div(al.mul(force, contact.lever), al.mul(spring.stiffness, opens))
+    label = phrase("spring_hold", name=spring.name)
+    stretched = () if contact.direct else (Condition(Call("ABS", (opens,)), contact.least),)
+    acting.columns.written(spring.hold, al.add(spring.free_length, longer), LENGTH, label, "hold", exists=stretched)

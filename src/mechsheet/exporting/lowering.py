@@ -151,12 +151,10 @@ def constants_of(mechanism: Mechanism, equations: Equations) -> tuple[Step, ...]
     found = []
     for equation in equations.constants:
         step = constant(equation)
-        if (
-            equation.symbol == equations.tolerance
-        ):  # no row has a position while an input is none that a mechanism can have
-            step = replace(
-                step, expression=missing_where(equations.impossible(mechanism.driver.symbol), step.expression)
-            )
+        if equation.symbol == equations.tolerance:
+            # no row has a position while an input is none that a mechanism can have
+            impossible = equations.impossible(mechanism.driver.symbol)
+            step = replace(step, expression=missing_where(impossible, step.expression))
         found.append(step)
     return tuple(found)
 

@@ -1,4 +1,4 @@
-"""Expressions in LaTeX, with symbols and with the numbers of one position; for LaTeX files and for Markdown alike."""
+"""Expressions in LaTeX, with symbols and with the numbers of one position, step by step; for LaTeX and Markdown alike."""
 
 from __future__ import annotations
 
@@ -13,11 +13,10 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Previous, Symbol, transform
 from livesheet.formula.printer import number_text, print_formula
 from mechsheet.exporting.lowering import Lowering, Step
-from mechsheet.kinematics.equations import Equations, Vector
+from mechsheet.kinematics.equations import Vector
 from mechsheet.kinematics.numeric import value
 from mechsheet.model import Mechanism
 from mechsheet.plotting.sampling import Sample, sample
-from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.table.positions import decimals_of, decimals_of_kind
 from mechsheet.units import NUMBER, Unit
 from mechsheet.words.catalogue import Language, words
@@ -25,9 +24,10 @@ from mechsheet.words.symbols import GREEK, parts
 
 
 class Position:
-    """A row of a sample: the steps of its equations, and the value of every symbol in internal units.
+    """A row of a sample.
 
-    steps  by the equation that they belong to
+    steps   of the equations, by the equation that they belong to
+    values  of dimensions, constants, modes, drivers and columns in internal units, by symbol; NaN where there is no number
     """
 
     def __init__(self, mechanism: Mechanism, at: float | None) -> None:
@@ -46,20 +46,6 @@ class Position:
                 self.values[step.symbol] = float(np.round((self.values[symbol] - within) / math.tau))
             else:
                 self.values[step.symbol] = float(value(step.expression, self.values, rooted=True))
-
-    @property
-    def plan(self) -> Plan:
-        """Where everything is in the workbook."""
-        return self.sample.plan
-
-    @property
-    def equations(self) -> Equations:
-        """The equations, in order of solution."""
-        return self.sample.equations
-
-    def value(self, symbol: str) -> float:
-        """A quantity in internal units: dimension, constant, mode, driver or column. NaN where it has no number."""
-        return self.values[symbol]
 
 
 RAW = "#"
@@ -161,8 +147,8 @@ class Pen:
 
     def __init__(self, position: Position) -> None:
         self.position = position
-        self.language: Language = position.plan.language
-        self.angle_unit = position.plan.mechanism.angle_unit
+        self.language: Language = position.sample.plan.language
+        self.angle_unit = position.sample.plan.mechanism.angle_unit
         self.units = _units(position)
         self.decimals = {kind: _decimals(position, kind) for kind in ("length", "angle")} | {RATIO: RATIO_DECIMALS}
 
@@ -219,7 +205,7 @@ class Pen:
     def _number(self, part: Symbol | Previous) -> str:
         if part.name.startswith(RAW):
             return part.name.removeprefix(RAW)
-        return self.shown(self.position.value(part.name), self.units.get(part.name, NUMBER))
+        return self.shown(self.position.values[part.name], self.units.get(part.name, NUMBER))
 
     def shown(self, value: float, unit: Unit) -> str:
         """A value in internal units as people read it, rounded; angles with their sign of degree."""
@@ -242,11 +228,11 @@ class Pen:
     def result(self, symbol: str) -> str:
         """The value of a symbol with its unit."""
         unit = self.units.get(symbol, NUMBER)
-        return self.shown(self.position.value(symbol), unit) + self.unit_math(unit)
+        return self.shown(self.position.values[symbol], unit) + self.unit_math(unit)
 
     def unit_math(self, unit: Unit) -> str:
         """The unit after a number; degrees stand at the number itself."""
-        word = (self.angle_unit if _is_angle(unit) else self.position.plan.mechanism.shown(unit)).text
+        word = (self.angle_unit if _is_angle(unit) else self.position.sample.plan.mechanism.shown(unit)).text
         word = word.replace("²", "^2")
         return rf"\ \mathrm{{{_plain(word)}}}" if word not in ("", "°") else ""
 
@@ -258,7 +244,7 @@ def _is_angle(unit: Unit) -> bool:
 
 def _units(position: Position) -> dict[str, Unit]:
     """Symbol -> unit of its value; a mode is a number without one."""
-    mechanism = position.plan.mechanism
+    mechanism = position.sample.plan.mechanism
     units = {dim.symbol: dim.unit for dim in mechanism.dimensions}
     units |= {step.symbol: step.unit for steps in position.steps.values() for step in steps}
     given = (mechanism.driver.symbol, *mechanism.given_by_row)
@@ -267,12 +253,12 @@ def _units(position: Position) -> dict[str, Unit]:
 
 def _decimals(position: Position, kind: str) -> int:
     """Decimals that the tolerances justify: of angles by the tolerances of angles, where there are any."""
-    mechanism = position.plan.mechanism
+    mechanism = position.sample.plan.mechanism
     own = mechanism.angle_unit
     tolerances = [dim.tolerance for dim in mechanism.dimensions if dim.tolerance and dim.unit == own]
     if kind == "angle" and tolerances:
         return decimals_of(min(tolerances))
-    return decimals_of_kind(position.plan, kind)
+    return decimals_of_kind(position.sample.plan, kind)
 
 
 def _half_turns(node: Node, is_angle: bool) -> Node:

@@ -296,11 +296,6 @@ ROOM, ROOMY = 0.65, 0.8
 """Half the side of the window, as a part of what is in it; where there are arrows."""
 
 
-def _place(program: Program, point: str, axis: str) -> str:
-    name = program.names[f"{point}.{axis}"]
-    return name if f"{point}.{axis}" not in program.shown else f"result.{name}"
-
-
 def _tracks(program: Program, name: str, places: Sequence[Vector]) -> list[str]:
     """Columns for places; of none one that is empty, since there is something to move."""
     if not places:
@@ -346,31 +341,26 @@ def _shape(program: Program, shape: Shape) -> list[str]:
 
 def _curves(program: Program, request: ChartRequest, number: int, name: str) -> str:
     """A chart of the workbook: curves against the driver, paths of points, hodographs, or the profile of a cam."""
-    mechanism = program.mechanism
-    unit = one_line(mechanism.length_unit)
-    if request.paths:
-        x, y = (", ".join(["rows", *(_place(program, point, axis) for point in request.paths)]) for axis in "xy")
-        legend = ", ".join(_string(point) for point in request.paths)
-        return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"
+    unit = one_line(program.mechanism.length_unit)
+    drawn, place, title = request.paths, "{point}.{axis}", f"y [{unit}]"
     if request.profile:
-        named = [name for name in ("cam", "pitch") if f"{name}.x" in program.shown]  # a face has no pitch curve
-        x, y = (", ".join(["rows", *(_shown(program, f"{name}.{axis}") for name in named)]) for axis in "xy")
-        legend = ", ".join(_string(each) for each in named)
-        return f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y [{unit}]')}, '{name}');"
-    if request.hodographs:
-        x, y = (
-            ", ".join(["rows", *(_shown(program, f"{point}.v{axis}") for point in request.hodographs)]) for axis in "xy"
-        )
-        legend = ", ".join(_string(point) for point in request.hodographs)
-        return (
-            f"curves({number}, track({x}), track({y}), {{{legend}}}, 'x', {_string(f'y of v [{unit}/s]')}, '{name}');"
-        )
-    x = _shown(program, request.x)
-    y = ", ".join(["rows", *(_shown(program, symbol) for symbol in request.y)])
-    legend = ", ".join(_string(program.names[symbol]) for symbol in request.y)
-    x_title = f"{program.names[request.x]} [{_unit(program, request.x)}]"
-    y_title = f"[{_unit(program, request.y[0])}]"
-    return f"curves({number}, {x}, track({y}), {{{legend}}}, {_string(x_title)}, {_string(y_title)}, '{name}');"
+        drawn = tuple(curve for curve in ("cam", "pitch") if f"{curve}.x" in program.shown)  # a face has no pitch curve
+    elif request.hodographs:
+        drawn, place, title = request.hodographs, "{point}.v{axis}", f"y of v [{unit}/s]"
+    if drawn:
+        x, y = (_read(program, [place.format(point=point, axis=axis) for point in drawn]) for axis in "xy")
+        names, titles = drawn, ("x", title)
+    else:
+        x, y = _shown(program, request.x), _read(program, request.y)
+        names = tuple(program.names[symbol] for symbol in request.y)
+        titles = f"{program.names[request.x]} [{_unit(program, request.x)}]", f"[{_unit(program, request.y[0])}]"
+    legend = ", ".join(map(_string, names))
+    return f"curves({number}, {x}, {y}, {{{legend}}}, {', '.join(map(_string, titles))}, '{name}');"
+
+
+def _read(program: Program, symbols: Sequence[str]) -> str:
+    """A column for each variable, as people read it."""
+    return f"track({', '.join(['rows', *(_shown(program, symbol) for symbol in symbols)])})"
 
 
 def _shown(program: Program, symbol: str) -> str:

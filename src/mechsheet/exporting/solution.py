@@ -93,8 +93,8 @@ class _Writer:
     def __init__(self, position: Position) -> None:
         self.position = position
         self.pen = Pen(position)
-        self.mechanism = position.plan.mechanism
-        self.equations = position.equations
+        self.mechanism = position.sample.plan.mechanism
+        self.equations = position.sample.equations
         self.blocks: list[Block] = []
 
     def say(self, text: Words) -> str:
@@ -247,7 +247,7 @@ class _Writer:
 
     def number(self, node: Node) -> float:
         """The value of an expression at the position, in internal units."""
-        return evaluate(node, {name: self.position.value(name) for name in symbols(node)})
+        return evaluate(node, {name: self.position.values[name] for name in symbols(node)})
 
     # --- steps ------------------------------------------------------------------------------------------------
 
@@ -255,7 +255,7 @@ class _Writer:
         """Each equation with what it means, with symbols, with numbers."""
         for step in (step for equation in equations for step in self.position.steps[equation.symbol]):
             if step.counts_turns:
-                value = Math(self.pen.rounded(self.position.value(step.symbol), "number"))
+                value = Math(self.pen.rounded(self.position.values[step.symbol], "number"))
                 self.paragraph(Math(symbol_math(step.symbol)), f": {self.text('turns')} ", value)
                 continue
             label = one_line(self.say(step.label))

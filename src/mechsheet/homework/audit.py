@@ -1,4 +1,8 @@
-"""`audit`: one workbook against a mechanism."""
+"""`audit`: one workbook against a mechanism: what it has marks for, its faults, and both in words.
+
+Of an exercise it is also asked how many of the rows wanted the workbook's own rows answer, and which of a student's own
+dimensions are others in the sheet.
+"""
 
 from __future__ import annotations
 
@@ -15,23 +19,19 @@ from livesheet.diagnostics import readable_name
 from livesheet.formats import read
 from livesheet.formula.nodes import Number
 from mechsheet import reference
+from mechsheet.homework.agreement import Reading, gaps
 from mechsheet.homework.drawn_by_numbers import Picture, picture_of
-from mechsheet.homework.expected_values import Truth
+from mechsheet.homework.expected_values import Array, AskedFor, Truth, asked_of, driver_asked, truth_of
 from mechsheet.homework.formula_strips import Work, upright
 from mechsheet.homework.inputs import Input
 from mechsheet.homework.judging import Judged, judged_tables
-from mechsheet.homework.marking_rules import AskedFor, asked_of
 from mechsheet.homework.mends.faults import Mend, Suspect
-from mechsheet.homework.own_dimensions import changed_by, other_dimensions
 from mechsheet.homework.remarks import remarks_of
-from mechsheet.homework.rows_asked import over_asked_rows, rows_answered
-from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
-from mechsheet.homework.two_way import where
-from mechsheet.homework.understanding import Understanding
+from mechsheet.homework.understanding import Understanding, where
 from mechsheet.homework.verdicts import Finding, Verdict
 from mechsheet.model import Mechanism
-from mechsheet.words.catalogue import said
+from mechsheet.words.catalogue import is_key, marks_of, said
 
 MARKED = ("right", "follows", "not live")
 """Verdicts that have marks."""
@@ -219,16 +219,10 @@ def _result(found: Understanding, first: Finding, last: Finding, mends: Sequence
     verdict = first.verdict
     if verdict in ("wrong", "missing") and last.verdict == "right":
         verdict = "follows"
-    if series is not None and any(_holds(series, mend) for mend in mends):
+    if series is not None and any(series.cells.meets(mend.strip) for mend in mends):
         verdict = "wrong"
     plain: Verdict = verdict if verdict != "follows" else "wrong"
     return AskedResult(cells, verdict, plain)
-
-
-def _holds(series: Series, mend: Mend) -> bool:
-    strip = mend.strip
-    inside = series.origin < strip.end and strip.start < series.origin + series.rows
-    return (series.sheet, series.line) == (strip.sheet, strip.line) and inside
 
 
 def _of_rows(part: Judged, results: Mapping[str, AskedResult], rows: NDArray[np.bool_]) -> dict[str, AskedResult]:
@@ -250,7 +244,7 @@ def _holds_over(part: Judged, symbol: str, whole: Truth) -> bool:
     finding = part.last[symbol] if part.first[symbol].verdict in ("wrong", "missing") else part.first[symbol]
     if symbol in whole.columns or finding.series is None:
         return False
-    number = part.found.work.number(finding.series.places()[0])
+    number = part.found.work.number(finding.series.cells.places()[0])
     return reading_of_number(number, span_of(whole, symbol), whole.size, part.found.tolerance) is not None
 
 
@@ -271,7 +265,7 @@ def _fault(found: Understanding, mend: Mend) -> FaultFound:
     work = found.work
     strip = mend.strip
     return FaultFound(
-        work.where(strip.sheet, strip.start, strip.line, strip.length, mend.lines),
+        strip.where(work, mend.lines),
         work.shown(strip.formula, strip.sheet),
         work.shown(mend.formula, strip.sheet),
         mend.rights,
@@ -289,8 +283,149 @@ def _other(found: Understanding, one: Input) -> FaultFound:
 
 def _unmended(found: Understanding, suspect: Suspect) -> FaultFound:
     strip = suspect.strip
-    cells = found.work.where(strip.sheet, strip.start, strip.line, strip.length)
+    cells = strip.where(found.work)
     if isinstance(strip.formula, Number):
         there = f"{suspect.found:.10g}" if math.isfinite(suspect.found) else ""
         return FaultFound(cells, there, f"{suspect.wanted:.6g}", (), "wrong number" if there else "no number")
     return FaultFound(cells, found.work.shown(strip.formula, strip.sheet), "", (), "no single change mends it")
+
+
+# --- in words --------------------------------------------------------------------------------------------------------
+
+
+def audit_lines(audit: Audit) -> list[str]:
+    """A line for each asked quantity, then faults, marks and remarks."""
+    wide = max((len(symbol) for symbol in audit.asked), default=0)
+    cells = max((len(one.cells) for one in audit.asked.values()), default=0)
+    found = [
+        f"{symbol:<{wide}}  {one.cells:<{cells}}  {said(audit.language, one.verdict)}".rstrip()
+        for symbol, one in audit.asked.items()
+    ]
+    found += [fault_line(fault, audit.language) for fault in audit.faults]
+    marks = marks_of(audit.language, audit.follow_through, audit.of)
+    if audit.plain != audit.follow_through:
+        marks += f" ({said(audit.language, 'marks.plain', plain=f'{audit.plain:g}')})"
+    found.append(marks)
+    found += [said(audit.language, "remark", text=text) for text in audit.remarks]
+    return found
+
+
+def fault_line(fault: FaultFound, language: str) -> str:
+    """`Sayfa1!B13:B31  RADIANS(A13)-Alfa1: a term too many; RADIANS(A13) makes theta13, theta15 right`."""
+    text = said(language, "fault", cells=fault.cells, formula=fault.formula, kind=kind_words(fault.kind, language))
+    if fault.mend:
+        key = "mend" if fault.rights else "mend.wanted"
+        text += "; " + said(language, key, mend=fault.mend, rights=", ".join(fault.rights))
+    return text
+
+
+def kind_words(kind: str, language: str) -> str:
+    """A kind of fault in a language."""
+    return said(language, kind) if is_key(f"homework.{kind}") else kind
+
+
+# --- own dimensions of a student -------------------------------------------------------------------------------------
+
+
+OTHER = 1e-3
+"""A number that differs by more than this part of a dimension is another one, not the same one rounded."""
+
+
+def is_other(value: float, own: float) -> bool:
+    """Whether a number is another one than a student's own."""
+    return abs(value - own) > OTHER * max(abs(own), 1e-12)
+
+
+def other_dimensions(found: Understanding) -> list[Input]:
+    """The cells whose values are not the mechanism's own."""
+    own = reference.dimension_values(found.mechanism)
+    derived = {dim.symbol for dim in found.mechanism.dimensions if dim.derived}
+    return [
+        one
+        for one in found.inputs
+        if one.symbol not in derived and is_other(found.truth.dimensions[one.symbol], own[one.symbol])
+    ]
+
+
+def changed_by(judged: Judged, others: Sequence[Input]) -> list[str]:
+    """The asked quantities that have other values with the mechanism's own dimensions; all where that has no position."""
+    if not others:
+        return []
+    found, truth = judged.found, judged.truth
+    own = truth_of(found.mechanism, {}, truth.driver, truth.poses)
+    if own is None:
+        return list(judged.asked)
+    changed = []
+    for symbol in judged.asked:
+        if symbol in truth.columns:
+            quantity = own.quantity(symbol)
+            apart = gaps(truth.columns[symbol], quantity, Reading()).max(initial=0.0) > found.allowed(quantity)
+        else:
+            one, other = span_of(truth, symbol), span_of(own, symbol)
+            apart = abs(one.high - other.high) + abs(one.low - other.low) > found.tolerance * max(
+                abs(other.high), 1e-12
+            )
+        if apart:
+            changed.append(symbol)
+    return changed
+
+
+# --- the rows asked for ----------------------------------------------------------------------------------------------
+
+
+COARSE = 2.0
+"""Between two rows of a sheet what is asked is answered when they are no farther apart than so many of the steps asked for:
+a step of 20 degrees in place of 15 is the sheet's own business, one of 90 is not."""
+EXACT = 1e-6
+"""Steps that agree to this part of them are equal."""
+
+
+def rows_answered(found: Understanding) -> NDArray[np.bool_]:
+    """Which of the rows that the description asks for, with the sheet's dimensions, a table answers; with dimensions that
+    give no rows its own count."""
+    asked = driver_asked(found.truth.mechanism, found.truth.dimensions)
+    if asked is None:
+        return np.ones(1, bool)
+    return answered(asked, found.truth.driver, not found.mechanism.driver.joint)
+
+
+def over_asked_rows(found: Understanding) -> Truth | None:
+    """The mechanism of the sheet in the rows that the description asks for."""
+    asked = driver_asked(found.truth.mechanism, found.truth.dimensions)
+    truth = found.truth
+    return None if asked is None else truth_of(truth.mechanism, truth.dimensions, asked, truth.poses)
+
+
+def answered(asked: Array, given: Array, turns: bool) -> NDArray[np.bool_]:
+    """Which of the values asked for the `given` rows answer: those that are within half a step of one, or between two that
+    are at most COARSE steps apart. `turns`: an angle may be given a whole turn away, and 0 is 360 of a whole turn."""
+    step = _steps(asked) * (1 + EXACT)
+    ordered = np.unique(given)
+    if not turns:
+        return _near(asked, ordered, step)
+    if np.ptp(ordered) >= math.tau - COARSE * float(step.min()):
+        once = np.remainder(ordered, math.tau)
+        around = np.unique(np.concatenate([once - math.tau, once, once + math.tau]))
+        return _near(np.remainder(asked, math.tau), around, step)
+    away = math.tau * round(float(np.mean(asked) - np.mean(ordered)) / math.tau)
+    return max((_near(asked, ordered + turn, step) for turn in (0.0, away)), key=np.count_nonzero)
+
+
+def _near(asked: Array, ordered: Array, step: Array) -> NDArray[np.bool_]:
+    after = np.searchsorted(ordered, asked)
+    below = ordered[np.maximum(after - 1, 0)]
+    above = ordered[np.minimum(after, len(ordered) - 1)]
+    nearest = np.minimum(np.abs(asked - below), np.abs(above - asked))
+    between = (below <= asked) & (asked <= above) & (above - below <= COARSE * step)
+    return np.asarray(between | (nearest <= step / 2))
+
+
+def _steps(asked: Array) -> Array:
+    """The step at each of the values asked for: the larger of those to the values beside it; one value has every other."""
+    ordered = np.unique(asked)
+    if len(ordered) < 2:
+        return np.full(len(asked), math.inf)
+    gaps = np.diff(ordered)
+    at = np.searchsorted(ordered, asked)
+    steps: Array = np.maximum(gaps[np.maximum(at - 1, 0)], gaps[np.minimum(at, len(gaps) - 1)])
+    return steps

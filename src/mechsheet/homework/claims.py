@@ -55,7 +55,7 @@ def _begins(found: Understanding, claims: Sequence[Series], symbol: str, read_as
 def _reads(found: Understanding, series: Series, other: Series) -> bool:
     """Whether a computed series depends on another one."""
     graph = found.graph
-    direct = graph.readers_of(other.sheet, other.line, other.origin, other.origin + other.rows)
+    direct = graph.readers_of(other.cells)
     return bool(graph.below(direct) & set(series.strips(found.work)))
 
 
@@ -101,7 +101,7 @@ def rivals(found: Understanding, answer: Series, spare: Sequence[Series], column
 def read_on(found: Understanding, series: Series) -> bool:
     """Whether another column is computed from a series."""
     graph = found.graph
-    readers = graph.readers_of(series.sheet, series.line, series.origin, series.origin + series.rows)
+    readers = graph.readers_of(series.cells)
     return any(
         (graph.work.strips[number].sheet, graph.work.strips[number].line) != (series.sheet, series.line)
         and graph.work.strips[number].length > 1

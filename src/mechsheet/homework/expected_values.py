@@ -1,4 +1,6 @@
-"""What a mechanism does at given driver values: the asked quantities and everything else that a sheet may hold."""
+"""What is expected of a workbook: what is asked of it, and what the mechanism does at given driver values: the asked
+quantities and everything else that a sheet may hold.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +13,7 @@ from typing import TYPE_CHECKING, Literal, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from livesheet.formula.nodes import symbols
 from mechsheet import reference
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.solve import solve
@@ -19,6 +22,34 @@ from mechsheet.model import Mechanism, Summary
 
 if TYPE_CHECKING:
     from mechsheet.homework.summaries import Span
+
+TOLERANCE = 1e-4
+NOT_LIVE = 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class AskedFor:
+    """Marks by what is asked; the rest as `Exercise` has it."""
+
+    marks: Mapping[str, float]
+    tolerance: float = TOLERANCE
+    follow_through: bool = True
+    not_live: float = NOT_LIVE
+
+
+def asked_of(mechanism: Mechanism) -> AskedFor:
+    """What a description asks for: by default every link angle, displacement and output, a mark each; not what drives and
+    has its values in a column, nor the angle of a link that cannot turn, which `audit` would leave out too."""
+    exercise = mechanism.exercise
+    if exercise is not None:
+        rules = exercise.tolerance, exercise.follow_through, exercise.not_live
+        return AskedFor(exercise.asked or asked_of(replace(mechanism, exercise=None)).marks, *rules)
+    names = [link.angle_symbol for link in mechanism.links[1:]]
+    names += [joint.symbol for joint in mechanism.joints] + [output.symbol for output in mechanism.outputs]
+    still = {equation.symbol for equation in solve(mechanism).all if not symbols(equation.expression)}
+    given = {mechanism.driver.symbol, *mechanism.listed_symbols}
+    return AskedFor({name: 1.0 for name in names if name not in given | still})
+
 
 Array: TypeAlias = NDArray[np.float64]
 Kind: TypeAlias = Literal["angle", "length", "number"]
@@ -76,7 +107,7 @@ class Truth:
     driver       the driver's values;  exists  in which rows it can be assembled
     columns      the quantities by symbol;  kinds  what each of them is
     poses        of the links in the first row that exists: what picks this assembly again
-    shifts       how the sheet counts columns of which it does not say the quantity itself (`conventions`)
+    shifts       how the sheet counts columns of which it does not say the quantity itself (`in_convention`)
     spans        what its summaries may be, once they are known (`summaries.span_of`)
     """
 
@@ -169,6 +200,14 @@ def _kinds(mechanism: Mechanism, columns: Mapping[str, Array]) -> dict[str, Kind
         return "angle" if symbol in angles else "length" if symbol in lengths else "number"
 
     return {symbol: kind(symbol) for symbol in columns}
+
+
+def driver_asked(mechanism: Mechanism, dimensions: Mapping[str, float]) -> Array | None:
+    """The driver's values as the description asks for them; None where these dimensions give no rows."""
+    try:
+        return reference.driver_values(mechanism, dimensions)
+    except (MechanismError, KeyError, ArithmeticError):
+        return None
 
 
 def other_assemblies(truth: Truth) -> list[Truth]:

@@ -53,27 +53,50 @@ _COMMA = re.compile(r"\s*[+-]?\d+,\d+\s*")
 
 
 @dataclass(frozen=True, slots=True)
-class Strip:
-    """Cells of one line, one after the other, with equal formulas; `formula` as seen from the first of them."""
+class Stretch:
+    """Cells of one line, one after the other."""
 
     sheet: str
     line: int
     start: int
     length: int
-    formula: Node
 
     @property
     def end(self) -> int:
         """The position after the last one."""
         return self.start + self.length
 
+    def places(self) -> list[Place]:
+        """The cells one by one."""
+        return [(self.sheet, pos, self.line) for pos in range(self.start, self.end)]
+
+    def column(self, work: Work, values: Values | None = None) -> Array:
+        """Its numbers, NaN where it has none."""
+        return work.column(self.sheet, self.start, self.line, self.length, values)
+
+    def where(self, work: Work, lines: int = 1) -> str:
+        """Its cells by name; those of several lines beside each other."""
+        return work.where(self.sheet, self.start, self.line, self.length, lines)
+
+    def meets(self, other: Stretch) -> bool:
+        """Whether the two have cells in common."""
+        same_line = (self.sheet, self.line) == (other.sheet, other.line)
+        return same_line and self.start < other.end and other.start < self.end
+
+    def begins(self, other: Stretch) -> bool:
+        """Whether the other one begins in it."""
+        return (self.sheet, self.line) == (other.sheet, other.line) and self.start <= other.start < self.end
+
+
+@dataclass(frozen=True, slots=True)
+class Strip(Stretch):
+    """A stretch with equal formulas; `formula` as seen from the first of its cells."""
+
+    formula: Node
+
     def at(self, pos: int) -> Node:
         """The formula as seen from another position."""
         return shifted(self.formula, pos - self.start)
-
-    def places(self) -> Iterator[Place]:
-        """Its cells."""
-        return ((self.sheet, pos, self.line) for pos in range(self.start, self.end))
 
 
 def turned(node: Node) -> Node:
@@ -121,10 +144,9 @@ class Work:
             found.setdefault((strip.sheet, strip.line), []).append(number)
         return found
 
-    def strips_in(self, sheet: str, line: int, start: int, end: int) -> list[int]:
-        """The numbers of the strips with cells in positions start to end (without it) of a line."""
-        strips = self.strips
-        return [n for n in self.lines.get((sheet, line), ()) if strips[n].start < end and start < strips[n].end]
+    def strips_in(self, cells: Stretch) -> list[int]:
+        """The numbers of the strips with cells among these."""
+        return [n for n in self.lines.get((cells.sheet, cells.line), ()) if self.strips[n].meets(cells)]
 
     @cached_property
     def ends(self) -> Mapping[str, int]:
@@ -139,7 +161,8 @@ class Work:
 
     def strip_at(self, place: Place) -> int | None:
         """The number of the strip that fills a cell."""
-        found = self.strips_in(place[0], place[2], place[1], place[1] + 1)
+        sheet, pos, line = place
+        found = self.strips_in(Stretch(sheet, line, pos, 1))
         return found[0] if found else None
 
     def value(self, place: Place, values: Values | None = None) -> Scalar:

@@ -66,7 +66,7 @@ def unread_inputs(
     may have been typed into the formulas instead."""
     taken = {one.place for one in known} | set(driver.places())
     found = {one.symbol for one in known}
-    dims = [dim for dim in mechanism.dimensions if not (dim.path or dim.derived or dim.symbol in found)]
+    dims = [dim for dim in mechanism.free_dimensions if dim.symbol not in found]
     power = next((one.factor for one in known if is_length(mechanism, one.symbol)), 1.0)
     typed = [place for place in typed_numbers(graph) if place not in taken][:MOST_UNREAD] if dims else []
     texts = [_texts(graph, place) for place in typed]

@@ -10,18 +10,15 @@ from livesheet.diagnostics import WorkbookError
 from livesheet.formula.nodes import shifted
 from mechsheet import reference
 from mechsheet.homework.agreement import agrees, plain_reading
-from mechsheet.homework.conventions import in_convention
-from mechsheet.homework.expected_values import Truth, other_assemblies, without_limits
+from mechsheet.homework.expected_values import AskedFor, Truth, other_assemblies, without_limits
 from mechsheet.homework.formula_strips import Strip, Work, upright
-from mechsheet.homework.marking_rules import AskedFor
 from mechsheet.homework.mends.faults import Mend, Suspect, first_wrong, many, mended_sheet
 from mechsheet.homework.mends.thinned import thinned
 from mechsheet.homework.mends.trial import Effort
 from mechsheet.homework.mends.typed_over import typed_over
 from mechsheet.homework.series import Run
-from mechsheet.homework.two_way import others_of
-from mechsheet.homework.understanding import MOVING, Understanding, other_runs, understand
-from mechsheet.homework.verdicts import Finding, Sheet, findings, with_doubt, with_liveness
+from mechsheet.homework.understanding import Understanding, other_runs, others_of, understand
+from mechsheet.homework.verdicts import Finding, Sheet, findings, in_convention, with_doubt, with_liveness
 from mechsheet.model import Mechanism
 from mechsheet.words.catalogue import is_key, said
 
@@ -332,7 +329,7 @@ def _shown(sheet: Sheet, truth: Truth) -> set[tuple[str, int, int]]:
     for symbol, kind in truth.kinds.items():
         quantity = truth.quantity(symbol)
         allowed = sheet.found.allowed(quantity)
-        if kind == "length" and quantity.spread > MOVING * allowed:
+        if kind == "length" and not sheet.found.is_still(quantity):
             found |= {
                 series.key
                 for series in sheet.found.series

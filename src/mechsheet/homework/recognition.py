@@ -1,4 +1,4 @@
-"""What a workbook seems to be: the packaged linkage that its numbers are, or none.
+"""What a workbook seems to be: the packaged linkage that its numbers are, or none; in words and as JSON data.
 
 A linkage is claimed only where the sheet's own formulas prove it: some computed columns are what its links do in every row,
 they stay so when each dimension that decides the motion is retyped, and one of them follows at least two dimensions. A
@@ -11,9 +11,12 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
+from livesheet.diagnostics import readable_name
 from livesheet.formula.nodes import symbols
 from mechsheet import reference
 from mechsheet.description import loads
@@ -23,16 +26,17 @@ from mechsheet.description.text.source import parse
 from mechsheet.diagnostics import MechanismError
 from mechsheet.homework.agreement import DEGREE, Reading, gaps, likely, reading_of
 from mechsheet.homework.assignments import likely_assignments, modes_of
-from mechsheet.homework.expected_values import Array, Quantity, Truth, all_assemblies, vocabulary
+from mechsheet.homework.expected_values import TOLERANCE, Array, Quantity, Truth, all_assemblies, vocabulary
 from mechsheet.homework.formula_strips import Place, Work
+from mechsheet.homework.headings import around
 from mechsheet.homework.inputs import Input, inputs_of, single_cells
-from mechsheet.homework.marking_rules import TOLERANCE
 from mechsheet.homework.series import Graph, Run, Series, aligned, columns_of, likely_runs
 from mechsheet.homework.understanding import Understanding, ways
 from mechsheet.homework.verdicts import retype
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.solve import solve
 from mechsheet.model import Cartesian, Dimension, Distances, Mechanism, Polar
+from mechsheet.words.catalogue import said
 
 GENERAL = ("four-bar", "slider-crank", "inverted-slider-crank", "slotted-lever", "whitworth", "fivelink")
 """Templates that stand for all of their kind, before special cases of them."""
@@ -131,7 +135,7 @@ def _make(mechanism: Mechanism) -> object:
 def _in_table(
     name: str, mechanism: Mechanism, equations: Equations, table: Table, decisive: Sequence[str]
 ) -> Recognised | None:
-    geometric = [dim for dim in mechanism.dimensions if not dim.derived and not dim.path]
+    geometric = mechanism.free_dimensions
     called = _called(mechanism, table)
     for factor, offset in ways(table.graph.work, table.run, mechanism, False):
         for inputs in _inputs(mechanism, equations, table, geometric, decisive, called, factor):
@@ -173,7 +177,7 @@ def deciding(mechanism: Mechanism) -> tuple[str, ...]:
         read.add(symbol)
         if not isinstance(dim.value, float):
             waiting += symbols(dim.value)
-    return tuple(symbol for symbol, dim in by_symbol.items() if symbol in read and not dim.derived and not dim.path)
+    return tuple(dim.symbol for dim in mechanism.free_dimensions if dim.symbol in read)
 
 
 def _read(part: object) -> list[str]:
@@ -243,7 +247,7 @@ def _proven(
         proven = _lasting(found, agreeing, [symbol for symbol in decisive if symbol in values])
         if proven:
             known = set(values) | set(zero)
-            missing = [d.symbol for d in mechanism.dimensions if not (d.derived or d.path or d.symbol in known)]
+            missing = [dim.symbol for dim in mechanism.free_dimensions if dim.symbol not in known]
             return Recognised(name, found, tuple(proven), tuple(missing))
     return None
 
@@ -345,8 +349,7 @@ def settings_of(known: Recognised) -> dict[str, str]:
     truth = known.found.truth
     found = {
         dim.symbol: f"{round(float(dim.unit.to_shown(truth.dimensions[dim.symbol])), 10):.15g}"
-        for dim in truth.mechanism.dimensions
-        if not dim.derived and not dim.path
+        for dim in truth.mechanism.free_dimensions
     }
     return found | {mode: f"{sign:.0f}" for mode, sign in modes_of(truth, solve(truth.mechanism)).items()}
 
@@ -362,3 +365,83 @@ def with_driver(known: Recognised, text: str) -> str:
     for key, value in (("start", values[0]), ("stop", values[-1]), ("step", steps[0])):
         source = with_number(source, ("driver", key), round(float(value), 10))
     return source.text
+
+
+# --- in words, and as JSON data --------------------------------------------------------------------------------------
+
+
+MOST_LISTED = 40
+"""Columns that are listed."""
+
+
+def recognised_lines(tables: Sequence[Table], known: Recognised | None, workbook: Path, language: str) -> list[str]:
+    """Which linkage it is, its driver, its dimensions, its columns; what is there, where it is none that is known."""
+    name = readable_name(workbook)
+    if known is None:
+        return [said(language, "unrecognised", file=name), *_there(tables, language)]
+    found = known.found
+    work, mechanism = found.work, found.mechanism
+    first = said(language, "recognised", file=name, title=mechanism.title.of(language), template=known.template)
+    rows = [(mechanism.driver.symbol, _cells(known), said(language, "driver"))]
+    for one in found.inputs:
+        rows.append((one.symbol, work.where(*one.place), f"{work.number(one.place):.10g}"))
+    for series, quantity, reading in known.quantities:
+        rows.append((quantity, series.where(work), "" if reading.plain else said(language, "otherwise")))
+    zero = [
+        symbol
+        for symbol, value in found.truth.dimensions.items()
+        if value == 0.0 and symbol not in known.missing and symbol not in {one.symbol for one in found.inputs}
+    ]
+    told = [first, *_aligned(rows)]
+    if zero:
+        told.append(said(language, "taken as zero", symbols=", ".join(zero)))
+    if known.missing:
+        told.append(said(language, "not there", symbols=", ".join(known.missing)))
+    open_columns = [series.where(work) for series in _unexplained(known)]
+    if open_columns:
+        told.append(said(language, "unexplained", cells=", ".join(open_columns[:MOST_LISTED])))
+    return told
+
+
+def _cells(known: Recognised) -> str:
+    return known.found.driver.where(known.found.work)
+
+
+def _unexplained(known: Recognised) -> list[Series]:
+    keys = {series.key for series, _, _ in known.quantities}
+    return [series for series in known.found.series if series.key not in keys]
+
+
+def _there(tables: Sequence[Table], language: str) -> list[str]:
+    """The driver, the numbers and the columns of the likeliest table."""
+    if not tables:
+        return [said(language, "no table")]
+    table = tables[0]
+    work = table.graph.work
+    rows = [(said(language, "driver"), table.run.where(work), "")]
+    rows += [(" ".join(around(work, cell)[:1]), work.where(*cell), f"{work.number(cell):.10g}") for cell in table.cells]
+    rows += [("", series.where(work), "") for series in table.series[:MOST_LISTED]]
+    return _aligned(rows)
+
+
+def _aligned(rows: Sequence[tuple[str, str, str]]) -> list[str]:
+    wide = [max((len(row[column]) for row in rows), default=0) for column in (0, 1)]
+    return [f"{one:<{wide[0]}}  {two:<{wide[1]}}  {three}".rstrip() for one, two, three in rows]
+
+
+def as_dict(known: Recognised | None) -> dict[str, Any]:
+    """As JSON data."""
+    if known is None:
+        return {"template": None}
+    found = known.found
+    return {
+        "template": known.template,
+        "driver": _cells(known),
+        "dimensions": {
+            one.symbol: {"cell": found.work.where(*one.place), "value": found.work.number(one.place)}
+            for one in found.inputs
+        },
+        "quantities": {quantity: series.where(found.work) for series, quantity, _ in known.quantities},
+        "missing": list(known.missing),
+        "unexplained": [series.where(found.work) for series in _unexplained(known)],
+    }

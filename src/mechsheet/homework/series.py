@@ -13,7 +13,7 @@ import numpy as np
 from livesheet.engine import Values
 from livesheet.formula.nodes import Call, CellRef, Node, walk
 from mechsheet.homework.expected_values import Array
-from mechsheet.homework.formula_strips import Place, Strip, Work, references
+from mechsheet.homework.formula_strips import Stretch, Strip, Work, references
 
 SHORTEST = 3
 """Cells that make a run: with fewer rows no column is told from another."""
@@ -22,26 +22,8 @@ MOST_RUNS = 3
 
 
 @dataclass(frozen=True, slots=True)
-class Run:
-    """Cells of one line that hold numbers, typed or computed from the cell above alone."""
-
-    sheet: str
-    line: int
-    start: int
-    length: int
-
-    @property
-    def end(self) -> int:
-        """The position after the last one."""
-        return self.start + self.length
-
-    def places(self) -> list[Place]:
-        """Its cells."""
-        return [(self.sheet, pos, self.line) for pos in range(self.start, self.end)]
-
-    def column(self, work: Work, values: Values | None = None) -> Array:
-        """Its numbers."""
-        return work.column(self.sheet, self.start, self.line, self.length, values)
+class Run(Stretch):
+    """A stretch that holds numbers, typed or computed from the cell above alone."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,21 +42,27 @@ class Series:
     first: int
     last: int
 
-    def places(self) -> list[Place]:
-        """Its cells, one for each of the driver's rows."""
-        return [(self.sheet, self.origin + row, self.line) for row in range(self.rows)]
+    @property
+    def cells(self) -> Stretch:
+        """One for each of the driver's rows."""
+        return Stretch(self.sheet, self.line, self.origin, self.rows)
+
+    @property
+    def filled(self) -> Stretch:
+        """From the first cell that it has to the last one."""
+        return Stretch(self.sheet, self.line, self.origin + self.first, self.last - self.first + 1)
 
     def column(self, work: Work, values: Values | None = None) -> Array:
         """Its numbers, NaN where it has none."""
-        return work.column(self.sheet, self.origin, self.line, self.rows, values)
+        return self.cells.column(work, values)
 
     def strips(self, work: Work) -> list[int]:
         """The numbers of the strips that fill its cells."""
-        return work.strips_in(self.sheet, self.line, self.origin, self.origin + self.rows)
+        return work.strips_in(self.cells)
 
     def where(self, work: Work) -> str:
         """Its cells by name."""
-        return work.where(self.sheet, self.origin + self.first, self.line, self.last - self.first + 1)
+        return self.filled.where(work)
 
     @property
     def key(self) -> tuple[str, int, int]:
@@ -142,12 +130,12 @@ class Graph:
         """The strips themselves and all that they depend on, but for what they read through those left out."""
         return _closure(numbers, self.reads, without)
 
-    def readers_of(self, sheet: str, line: int, start: int, end: int) -> set[int]:
+    def readers_of(self, cells: Stretch) -> set[int]:
         """Strips that read some of these cells directly."""
         return {
             number
-            for low, high, left, right, number in self._areas_of.get(sheet, ())
-            if left <= line <= right and low < end and start <= high
+            for low, high, left, right, number in self._areas_of.get(cells.sheet, ())
+            if left <= cells.line <= right and low < cells.end and cells.start <= high
         }
 
     @cached_property
@@ -215,7 +203,7 @@ def drivers(graph: Graph, share: float = 0.5) -> list[Run]:
     for run in candidates:
         direct = {
             number
-            for number in graph.readers_of(run.sheet, run.line, run.start, run.end)
+            for number in graph.readers_of(run)
             if work.strips[number].length >= 3 and _reads_along(graph, number, run)
         }
         cells = sum(
@@ -277,7 +265,7 @@ def _reads_rows(graph: Graph, number: int) -> bool:
 
 def _linear(work: Work, strip: Strip) -> float | None:
     """The step of a strip whose numbers go on by equal steps, None where they do not."""
-    column = work.column(strip.sheet, strip.start, strip.line, strip.length)
+    column = strip.column(work)
     steps = np.diff(column)
     if len(steps) < SHORTEST - 2 or not np.isfinite(column).all() or not steps[0]:
         return None
@@ -291,7 +279,7 @@ def counted(graph: Graph, run: Run) -> list[Run]:
     if column[0] not in (0.0, 1.0) or (np.diff(column) != 1).any():
         return []
     found = []
-    for number in sorted(graph.readers_of(run.sheet, run.line, run.start, run.end)):
+    for number in sorted(graph.readers_of(run)):
         strip = work.strips[number]
         step = _linear(work, strip) if strip.length >= SHORTEST and _reads_along(graph, number, run) else None
         rows = {(start.sheet, start.col) for start, _ in graph.corners(number) if not start.row_abs}
@@ -306,10 +294,10 @@ def by_law(graph: Graph, runs: Sequence[Run], slides: bool = False) -> list[Run]
     work = graph.work
     found = []
     for run in runs:
-        below = graph.below(graph.readers_of(run.sheet, run.line, run.start, run.end))
+        below = graph.below(graph.readers_of(run))
         for number in sorted(below, key=lambda each: (graph.order[each], each)):
             strip = work.strips[number]
-            steps = np.diff(work.column(strip.sheet, strip.start, strip.line, strip.length))
+            steps = np.diff(strip.column(work))
             one_way = bool(len(steps) >= SHORTEST - 1 and ((steps > 0).all() or (steps < 0).all()))
             if one_way and _linear(work, strip) is None and (slides or _turned_by(graph, number)):
                 found.append(Run(strip.sheet, strip.line, strip.start, strip.length))
@@ -383,7 +371,7 @@ def aligned(graph: Graph, driver: Run) -> list[Series]:
 def of_table(graph: Graph, driver: Run) -> set[int]:
     """The strips beside a driver, and all that depend on it."""
     origins = _origins(graph, driver)
-    return graph.below(graph.readers_of(driver.sheet, driver.line, driver.start, driver.end) | origins.keys())
+    return graph.below(graph.readers_of(driver) | origins.keys())
 
 
 def _main(strips: Sequence[Strip]) -> Strip | None:

@@ -1,4 +1,11 @@
-"""A workbook understood: its driver, its dimensions, its series, and the mechanism with the sheet's own numbers."""
+"""A workbook understood: its driver, its dimensions, its series, and the mechanism with the sheet's own numbers.
+
+A two-way table is one formula filled down beside the driver's values and to the right below those of a dimension: each
+column has a dimension of its own in the cell above it. One of them, the one whose dimension is an input of the sheet, is
+understood as any other column; the others are held against the mechanism with theirs.
+
+A sheet may count an angle from another zero, in another turn, or sense: then outputs and summaries follow (`as_counted`).
+"""
 
 from __future__ import annotations
 
@@ -10,16 +17,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from livesheet.diagnostics import Fault, WorkbookError
+from livesheet.engine import Values
 from mechsheet import reference
-from mechsheet.diagnostics import MechanismError
 from mechsheet.homework.agreement import DEGREE, POWERS, Reading, allowance, gaps, likely, nearest_unit, reading_of
-from mechsheet.homework.expected_values import Array, Quantity, Truth, truth_of, vocabulary
+from mechsheet.homework.expected_values import Array, Quantity, Shift, Truth, driver_asked, truth_of, vocabulary
 from mechsheet.homework.formula_strips import Place, Work
 from mechsheet.homework.headings import Called, aliases_of, called, contains, heading, labels, names_over, tokens
 from mechsheet.homework.inputs import Input, inputs_of, is_length, unread_inputs
 from mechsheet.homework.series import Graph, Run, Series, aligned, by_law, columns_of, drivers, likely_runs, typed_runs
-from mechsheet.homework.two_way import Settings, settings_of, with_setting, without_others
-from mechsheet.model import Mechanism
+from mechsheet.model import Dimension, Mechanism
+from mechsheet.reference.expressions import column as computed
 
 ENOUGH = 2
 """So many of the asked quantities found with a way to read the driver settle that it is the right way."""
@@ -41,7 +48,7 @@ class Understanding:
     factor, offset  driver = factor * cell + offset in internal units
     counted         the columns that outputs and summaries are computed from, and how they say their quantities
     settings        the columns of a two-way table by the cells above them
-    by_convention   outputs that follow from these as the sheet counts them, not from the description's (see `conventions`)
+    by_convention   outputs that follow from these as the sheet counts them, not from the description's (see `in_convention`)
     """
 
     graph: Graph
@@ -82,6 +89,10 @@ class Understanding:
         """How far a column may be from a quantity."""
         return allowance(quantity, self.truth.size, self.tolerance)
 
+    def is_still(self, quantity: Quantity) -> bool:
+        """Whether a quantity changes too little to be told from anything that stands still."""
+        return quantity.spread <= MOVING * self.allowed(quantity)
+
     def meant_unit(self, column: Array, quantity: Quantity) -> float:
         """The unit in which a column that is wrong is meant: of lengths that of the dimensions."""
         return self.length_unit if quantity.kind == "length" else nearest_unit(column, quantity)
@@ -94,7 +105,7 @@ class Understanding:
         """The same, text by text."""
         if series.key not in self.headings:
             cells = heading(self.work, series.sheet, series.origin + series.first, series.line)
-            self.headings[series.key] = (*cells, *names_over(self.work, series.places()))
+            self.headings[series.key] = (*cells, *names_over(self.work, series.cells.places()))
         return self.headings[series.key]
 
     def called(self, series: Series) -> Called:
@@ -180,25 +191,16 @@ def _matters(found: Understanding, one: Input, wanted: Sequence[Quantity]) -> bo
 
 def _asked_values(mechanism: Mechanism, given: Mapping[str, float]) -> list[Array]:
     """The driver's values as the description asks for them, in its units and in degrees."""
-    try:
-        values = reference.driver_values(mechanism, given)
-    except (MechanismError, KeyError, ArithmeticError):
+    values = driver_asked(mechanism, given)
+    if values is None:
         return []
     return [values, np.asarray(mechanism.driver.unit.to_shown(values), float), values / DEGREE]
 
 
 def other_runs(graph: Graph, used: Sequence[Understanding]) -> list[Run]:
     """What may be the driver's values in tables of the workbook besides those understood."""
-    lines = [(one.sheet, one.line, one.start, one.end) for found in used for one in [found.driver]]
-    lines += [(one.sheet, one.line, one.origin, one.origin + one.rows) for found in used for one in found.series]
-
-    def beside(run: Run) -> bool:
-        return not any(
-            (run.sheet, run.line) == (sheet, line) and run.start < end and start < run.end
-            for sheet, line, start, end in lines
-        )
-
-    return list(filter(beside, drivers(graph, 0.0)))
+    taken = [cells for found in used for cells in (found.driver, *(one.cells for one in found.series))]
+    return [run for run in drivers(graph, 0.0) if not any(run.meets(cells) for cells in taken)]
 
 
 def _possible_inputs(
@@ -269,7 +271,7 @@ def _score(found: Understanding, asked: Sequence[str]) -> tuple[int, int]:
         if symbol in found.truth.columns:
             quantity = found.truth.quantity(symbol)
             allowed = found.allowed(quantity)
-            if quantity.spread <= MOVING * allowed:
+            if found.is_still(quantity):
                 continue  # anything that stands still would be it
             some = columns[likely(columns, quantity, allowed)]
             right += any(reading_of(column, quantity, allowed, found.zeros) for column in some)
@@ -301,3 +303,119 @@ def retyped(found: Understanding, changes: Mapping[str, float]) -> tuple[dict[st
         if one.symbol in changes
     }
     return values, cells
+
+
+# --- as the sheet counts ---------------------------------------------------------------------------------------------
+
+
+def as_counted(found: Understanding, truth: Truth, values: Values | None = None) -> Truth:
+    """A truth with the conventions of the sheet's columns, as these are in some state of the workbook."""
+    shifts = {}
+    for symbol, (series, reading) in found.counted.items():
+        shift = _shift(found, truth, symbol, series, reading, values)
+        if shift is not None:
+            shifts[symbol] = shift
+    if not shifts:
+        return truth
+    known = {name: np.array(value) for name, value in truth.dimensions.items()} | dict(truth.columns)
+    known |= {symbol: shift.counted(truth.columns[symbol]) for symbol, shift in shifts.items()}
+    columns = dict(truth.columns)
+    for output in found.mechanism.outputs:
+        if output.symbol in found.by_convention:
+            values_ = computed(output.formula, known, len(truth.driver))
+            columns[output.symbol] = known[output.symbol] = np.where(truth.exists, values_, np.nan)
+    return replace(truth, columns=columns, shifts=shifts, spans={})
+
+
+def _shift(
+    found: Understanding, truth: Truth, symbol: str, series: Series, reading: Reading, values: Values | None
+) -> Shift | None:
+    """How a column counts: by the same in most rows, else it has no convention; None where it is the quantity itself."""
+    own = reading.unit * series.column(found.work, values)
+    apart = reading.sense * own - truth.columns[symbol]
+    known = apart[np.isfinite(apart)]
+    if not len(known):
+        return None
+    offset = float(np.median(known))
+    allowed = found.allowed(truth.quantity(symbol))
+    if 2 * (np.abs(known - offset) <= 2 * allowed).sum() <= len(known):
+        return None
+    return None if reading.sense == 1 and abs(offset) <= allowed else Shift(reading.sense, offset)
+
+
+# --- two-way tables --------------------------------------------------------------------------------------------------
+
+
+Settings = dict[Place, Series]
+"""The columns of a two-way table by the cells above them that they read."""
+
+
+def settings_of(graph: Graph, several: Sequence[Series]) -> Settings:
+    """The columns of a table that read a number typed above themselves, where at least two read one of the same row."""
+    rows: dict[tuple[str, int], Settings] = {}
+    for series in several:
+        for place in _above(graph, series):
+            rows.setdefault(place[:2], {})[place] = series
+    return max(rows.values(), key=len, default={}) if any(len(found) > 1 for found in rows.values()) else {}
+
+
+def _above(graph: Graph, series: Series) -> Iterator[Place]:
+    main, work = series.main, graph.work
+    for start, end in graph.corners(work.strips.index(main)) if main is not None else ():
+        place = series.sheet, start.row, start.col
+        above = start is end and start.row_abs and start.col == series.line and start.row < series.origin
+        here = above and (start.sheet or series.sheet) == series.sheet
+        if here and work.strip_at(place) is None and math.isfinite(work.number(place)):
+            yield place
+
+
+def with_setting(
+    inputs: Sequence[Input], settings: Settings, dims: Sequence[Dimension], power: float
+) -> Iterator[tuple[Input, ...]]:
+    """The inputs, with one of the cells above the columns for a dimension that has none."""
+    if not settings or any(one.place in settings for one in inputs):
+        return
+    known = {one.symbol for one in inputs}
+    for dim in dims:
+        if dim.symbol not in known and not (dim.path or dim.derived):
+            yield (*inputs, Input(dim.symbol, next(iter(settings)), power if dim.unit.kind == "length" else 1.0, False))
+
+
+def others_of(found: Understanding) -> Iterator[tuple[Series, Understanding]]:
+    """The other columns of a two-way table, each understood with its own dimension."""
+    own = next((one for one in found.inputs if one.place in found.settings), None)
+    if own is None:
+        return
+    main = found.settings[own.place]
+    for place, series in found.settings.items():
+        if series.key == main.key:
+            continue
+        inputs = tuple(replace(one, place=place) if one is own else one for one in found.inputs)
+        values = {one.symbol: one.factor * found.work.number(one.place) for one in inputs}
+        truth = truth_of(found.mechanism, values, found.truth.driver, found.truth.poses)
+        if truth is not None:
+            columns = [series if one.key == main.key else one for one in found.series]
+            yield series, replace(found, inputs=inputs, truth=truth, series=columns, settings={})
+
+
+def columns_beside(graph: Graph, driver: Run, inputs: Sequence[Input]) -> tuple[list[Series], Settings]:
+    """The columns of a table, of a two-way one the column that is understood; and the columns of the latter."""
+    several = aligned(graph, driver)
+    settings = settings_of(graph, several)
+    return without_others(several, inputs, settings), settings
+
+
+def without_others(several: Sequence[Series], inputs: Sequence[Input], settings: Settings) -> list[Series]:
+    """The columns of a table, of a two-way one the column that is understood."""
+    own = next((settings[one.place] for one in inputs if one.place in settings), None)
+    left_out = {series.key for series in settings.values() if own is not None and series.key != own.key}
+    return [series for series in several if series.key not in left_out]
+
+
+def where(found: Understanding, series: Series) -> str:
+    """The cells of a column by name; of a two-way table's those of all its columns, where these stand beside each other."""
+    lines = sorted(one.line for one in found.settings.values())
+    if any(one.key == series.key for one in found.settings.values()) and lines[-1] - lines[0] == len(lines) - 1:
+        first = series.origin + series.first
+        return found.work.where(series.sheet, first, lines[0], series.last - series.first + 1, len(lines))
+    return series.where(found.work)

@@ -1,28 +1,32 @@
-"""What the sheet has of each quantity that is asked: right, wrong, missing, of the other assembly, not live."""
+"""What the sheet has of each quantity that is asked: right, wrong, missing, of the other assembly, not live.
+
+A column that says its quantity in another sense, from another zero or in another turn is right; then what the description
+computes from it by a formula, or takes from it over the rows, is right as it follows from the column as the sheet has it
+(`in_convention`): whoever counts an angle from another zero computes outputs and summaries from that angle.
+"""
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
 import numpy as np
 
 from livesheet.engine import Values
-from livesheet.formula.nodes import Call, Number, walk
-from mechsheet.homework.agreement import FEWEST, Reading, gaps, most_like, reading_of
+from livesheet.formula.nodes import Call, Number, symbols, walk
+from mechsheet.homework.agreement import FEWEST, Reading, gaps, most_like, reading_of, wrapped
 from mechsheet.homework.claims import answers, claimed, exchanged, read_on, rivals
-from mechsheet.homework.counting import as_counted
-from mechsheet.homework.expected_values import Array, Quantity, Truth, truth_of, vocabulary
-from mechsheet.homework.formula_strips import Place, Strip
+from mechsheet.homework.expected_values import Array, Truth, truth_of, vocabulary
+from mechsheet.homework.formula_strips import Place, Stretch, Strip
 from mechsheet.homework.headings import around, contains, labels, labels_of, names_over, says
 from mechsheet.homework.inputs import MOST_UNREAD, is_length, single_cells, typed_numbers
 from mechsheet.homework.series import Series
 from mechsheet.homework.summaries import reading_of_number, span_of
-from mechsheet.homework.understanding import MOVING, SMALL, Understanding, anything, retyped
-from mechsheet.model import Summary
+from mechsheet.homework.understanding import SMALL, Understanding, anything, as_counted, retyped
+from mechsheet.model import Mechanism, Summary
 
 Verdict: TypeAlias = Literal["right", "in part", "follows", "wrong", "other assembly", "not live", "unclear", "missing"]
 
@@ -108,8 +112,7 @@ def agreeing(sheet: Sheet, truth: Truth, symbol: str) -> tuple[Series, Reading] 
     that a dimension leads to before one that happens to be the same. Which series are asked at all: see `claims`."""
     found = sheet.found
     quantity = truth.quantity(symbol)
-    allowed = found.allowed(quantity)
-    still = quantity.spread <= MOVING * allowed
+    still = found.is_still(quantity)
     best: tuple[tuple[bool, bool, bool, bool, float, bool], Series, Reading] | None = None
     read_as = _reader(sheet, truth)
     for series in answers(found, symbol, read_as)[0]:
@@ -213,7 +216,7 @@ def _single(sheet: Sheet, truth: Truth, summary: Summary) -> Finding | None:
         return Finding(summary.symbol, "wrong" if reading is None else "right", series, reading)
 
     singles = [strip for strip in work.strips if strip.length <= 2]
-    singles = [strip for strip in singles if not any(_stands_in(series, strip) for series in found.series)]
+    singles = [strip for strip in singles if not any(series.cells.begins(strip) for series in found.series)]
     cells: list[tuple[Place, Strip | None]] = [(place, strip) for strip in singles for place in strip.places()]
     typed = list(itertools.islice(typed_numbers(found.graph), MOST_UNREAD))
     for some in (cells, [(place, None) for place in typed]):
@@ -250,12 +253,6 @@ def _of_the_table(found: Understanding, strip: Strip | None) -> bool:
         for number in above
         for sheet, low, high, left, right in graph.areas(number)
         for line in range(left, min(right, left + 500) + 1)
-    )
-
-
-def _stands_in(series: Series, strip: Strip) -> bool:
-    return (series.sheet, series.line) == (strip.sheet, strip.line) and (
-        series.origin <= strip.start < series.origin + series.rows
     )
 
 
@@ -323,7 +320,8 @@ def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
     now = replace(now, values=np.where(np.isfinite(before.values), now.values, np.nan))
     reading = finding.reading
     column = finding.series.column(found.work, after.values)
-    change = np.abs(_turns(now.values - before.values, now))
+    change = now.values - before.values
+    change = np.abs(wrapped(change) if now.kind == "angle" else change)
     allowed = 10 * found.allowed(now) + SHARE * float(np.nanmax(change, initial=0.0))
     apart = gaps(column, now, reading)
     if reading.offset:  # counted from an angle that may have been retyped, too: then all rows are off by the same
@@ -337,13 +335,9 @@ def follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
 def _summary_follows(found: Understanding, finding: Finding, after: Retyped) -> bool:
     assert finding.series is not None and finding.reading is not None
     before, now = span_of(found.truth, finding.symbol), span_of(after.truth, finding.symbol)
-    number = found.work.number(finding.series.places()[0], after.values)
+    number = found.work.number(finding.series.cells.places()[0], after.values)
     allowed = SHARE * abs(now.low - before.low) + 10 * found.tolerance * abs(now.high)
     return bool(now.holds(np.array(number), finding.reading, allowed))
-
-
-def _turns(values: Array, quantity: Quantity) -> Array:
-    return np.remainder(values + math.pi, math.tau) - math.pi if quantity.kind == "angle" else values
 
 
 def with_liveness(found: Understanding, results: Mapping[str, Finding]) -> dict[str, Finding]:
@@ -399,13 +393,13 @@ def _led(found: Understanding, series: Series) -> bool:
     above = graph.above({graph.work.strips.index(series.main)})
     task = found.mechanism.synthesis is not None
     cells = single_cells(graph, found.driver) if task else [one.place for one in found.inputs]
-    return any(above & graph.readers_of(sheet, line, pos, pos + 1) for sheet, pos, line in cells)
+    return any(above & graph.readers_of(Stretch(sheet, line, pos, 1)) for sheet, pos, line in cells)
 
 
 def _depends(found: Understanding, symbol: str) -> bool:
     """Whether a quantity has other values with other dimensions."""
     base = found.truth
-    inputs = [dim.symbol for dim in found.mechanism.dimensions if not (dim.derived or dim.path)]
+    inputs = [dim.symbol for dim in found.mechanism.free_dimensions]
     for part in STEPS if inputs else ():  # the dimensions of a task are found all at once
         changed = {
             symbol: base.dimensions[symbol] * (1 + part * RETYPED[number % 2]) for number, symbol in enumerate(inputs)
@@ -472,3 +466,63 @@ def typed_dimensions(found: Understanding, finding: Finding) -> tuple[str, ...]:
         if not dim.path and dim.symbol not in given and there:
             result.append(dim.symbol)
     return tuple(result)
+
+
+# --- one convention through a table ----------------------------------------------------------------------------------
+
+
+def in_convention(sheet: Sheet) -> tuple[Sheet, dict[str, Finding]]:
+    """A sheet and what is found in it, where what is not right is held against the conventions of the columns that it
+    follows from."""
+    found, first = sheet.found, findings(sheet)
+    mechanism, truth = found.mechanism, found.truth
+    names = {output.symbol for output in mechanism.outputs}
+    open_ = {symbol for symbol, one in first.items() if one.verdict in ("wrong", "missing")}
+    of = {summary.symbol: summary.of for summary in mechanism.summaries}
+    followed = open_ & names | {of[symbol] for symbol in open_ & of.keys()}
+    ways = {
+        symbol: _counted(sheet, first, symbol) for symbol in sorted(_behind(mechanism, followed) & truth.columns.keys())
+    }
+    counted = {symbol: way for symbol, way in ways.items() if way is not None}
+    if not counted:
+        return sheet, first
+    following = found.by_convention | set(_in_one_sense(mechanism, open_ & names, counted))
+    found = replace(found, counted={**found.counted, **counted}, by_convention=following)
+    found = replace(found, truth=as_counted(found, truth))
+    if not found.truth.shifts:
+        return sheet, first
+    sheet = Sheet(found, sheet.asked)
+    return sheet, first | {symbol: one for symbol, one in findings(sheet).items() if symbol in open_}
+
+
+def _counted(sheet: Sheet, first: Mapping[str, Finding], symbol: str) -> tuple[Series, Reading] | None:
+    """The column of a quantity and how it says it, most of its rows where some are wrong."""
+    one = first.get(symbol)
+    if one is None or one.series is None:
+        return agreeing(sheet, sheet.found.truth, symbol)
+    reading = one.reading or mostly(sheet, sheet.found.truth, symbol, one.series)
+    return None if reading is None or not of_output(sheet.found, symbol, reading) else (one.series, reading)
+
+
+def _in_one_sense(
+    mechanism: Mechanism, outputs: Collection[str], counted: Mapping[str, tuple[Series, Reading]]
+) -> Iterator[str]:
+    """The outputs that may follow the columns' conventions: angles counted one way and the other give no sum."""
+    angles = {link.angle_symbol for link in mechanism.links}
+    for output in mechanism.outputs:
+        named = angles.intersection(_behind(mechanism, {output.symbol}))
+        senses = {counted[symbol][1].sense if symbol in counted else 1 for symbol in named}
+        if output.symbol in outputs and output.symbol not in counted and len(senses) <= 1:
+            yield output.symbol
+
+
+def _behind(mechanism: Mechanism, names: set[str]) -> set[str]:
+    """These quantities and all that their formulas name."""
+    formulas = {output.symbol: output.formula for output in mechanism.outputs}
+
+    def all_of(symbol: str) -> Iterator[str]:
+        yield symbol
+        for name in symbols(formulas[symbol]) if symbol in formulas else ():
+            yield from all_of(name)
+
+    return {name for symbol in names for name in all_of(symbol)}

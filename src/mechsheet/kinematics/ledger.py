@@ -138,6 +138,15 @@ class Ledger:
         probe = Equation("", node, "constant", NUMBER, NOTHING)
         return float(evaluate_equation(probe, self.values, self.rows)[0])
 
+    @property
+    def largest_length(self) -> float:
+        """In what positions are measured."""
+        return self.number(self.tolerance) / CLOSING
+
+    def turning(self, system: System) -> tuple[bool, ...]:
+        """Which unknowns of a system are angles."""
+        return tuple(self.of(name).unit.kind == "angle" for name in system.variables)
+
     def is_positive(self, node: Node) -> bool:
         """True for a length that is positive because of what it is made of.
 

@@ -19,9 +19,9 @@ from livesheet.diagnostics import Fault
 from livesheet.formula.nodes import Root
 from livesheet.said import Words, say
 from mechsheet.kinematics.equations import Equation, System
-from mechsheet.kinematics.ledger import CLOSING, Ledger
+from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.modes import BETWEEN, SEPARATE, BetweenModesError, difference, entries_among, shown_entries
-from mechsheet.kinematics.newton.picking import MOST_FOUND, listed, turns
+from mechsheet.kinematics.newton.picking import MOST_FOUND, listed
 from mechsheet.kinematics.newton.system import followed
 from mechsheet.kinematics.numeric import Array, evaluate_equation
 from mechsheet.model import Mechanism
@@ -94,12 +94,11 @@ class Nearest:
         self._mechanism = mechanism
         self._ledger = ledger
         self._choices = choices
-        self._size = ledger.number(ledger.tolerance) / CLOSING
         self._equations: dict[int, list[Equation]] = {}
         for equation in (*ledger.constants, *ledger.columns):
             self._equations.setdefault(equation.group, []).append(equation)
         columns = [equation for equation in ledger.columns if equation.group > 0]
-        self._entries = entries_among(mechanism, columns, dimensions, self._size)
+        self._entries = entries_among(mechanism, columns, dimensions, ledger.largest_length)
         numbers = {link.name: link.angle_symbol for link in mechanism.links}
         self._read_by_gears = {numbers[name] for relation in mechanism.relations for name in relation.turning}
 
@@ -224,9 +223,7 @@ class Nearest:
         if choice.system is None:
             modes = (1, -1) if choice.mode else (1,)
             return [(mode, None) for mode in modes if choice.given in (None, mode)]
-        turning = tuple(turns(self._ledger, name) for name in choice.system.variables)
-        following = min(rows, self._ledger.following)
-        found = listed(choice.system, known, following, turning, self._size, self._mechanism.angle_unit)
+        found = listed(choice.system, self._ledger, known, rows, self._mechanism.angle_unit)
         if found is None or len(found[1]) > MOST_FOUND:
             return []
         numbers = range(1, len(found[1]) + 1)

@@ -179,22 +179,23 @@ class PointsInLink:
         """The distance of two points where the description gives it as such."""
         return self._lengths.get(frozenset((first, second)))
 
+    def _arm(self, start: str, end: str) -> tuple[Node, Angle]:
+        """Length (> 0) and direction of the arm from one point to another."""
+        label = phrase("length_in_link", start=start, end=end, link=self.words)
+        return arm_of(self.ledger, self.way(start, end), self.known_length(start, end), f"{start}{end}", label)
+
     def _from_distances(self, point: str, given: Distances) -> PointInLink:
         """By the law of cosines: from the first point, turned from the line to the second by the angle between them."""
         ledger, n = self.ledger, self.link.number
         b, c = al.as_node(given.first_distance), al.as_node(given.second_distance)
         self._lengths[frozenset((point, given.first))] = b
         self._lengths[frozenset((point, given.second))] = c
-        a, line = arm(self, given.first, given.second)
+        a, line = self._arm(given.first, given.second)
         ledger.is_positive(b)
         ledger.is_positive(c)
-        gamma = ledger.hoist(
-            f"gamma{n}",
-            TriangleAngle(c, a, b),
-            ANGLE,
-            phrase("angle_in_link", name=f"{given.second}{given.first}{point}", link=self.words),
-            exists=[triangle_closes(ledger, a, b, c)],
-        )
+        words = phrase("angle_in_link", name=f"{given.second}{given.first}{point}", link=self.words)
+        closes = triangle_closes(ledger, a, b, c)
+        gamma = ledger.hoist(f"gamma{n}", TriangleAngle(c, a, b), ANGLE, words, exists=[closes])
         turned = Angle(gamma) if given.side == "left" else Angle(al.neg(gamma))
         offset = polar(b, line + turned)
         self._offsets[point] = offset
@@ -206,18 +207,6 @@ class PointsInLink:
         u = ledger.hoist(f"u_{point}", al.add(start.u, offset.u), LENGTH, label)
         v = ledger.hoist(f"v_{point}", al.add(start.v, offset.v), LENGTH, label)
         return cartesian(u, v)
-
-
-def arm(places: PointsInLink, start: str, end: str) -> tuple[Node, Angle]:
-    """Length (> 0) and direction, in the link's frame, of the arm from one point of a link to another."""
-    name = f"{start}{end}"
-    return arm_of(
-        places.ledger,
-        places.way(start, end),
-        places.known_length(start, end),
-        name,
-        phrase("length_in_link", start=start, end=end, link=places.words),
-    )
 
 
 def arm_of(ledger: Ledger, way: PointInLink, known: Node | None, name: str, label: Words) -> tuple[Node, Angle]:
@@ -239,11 +228,8 @@ def arm_of(ledger: Ledger, way: PointInLink, known: Node | None, name: str, labe
     return length, Angle(ledger.direction(f"beta_{name}", u, v, label))
 
 
-def triangle_margin(a: Node, b: Node, c: Node) -> Node:
-    """By how much the sides of a triangle reach each other, or (negative) miss: the smaller of a + b - c and c - |a - b|."""
-    return Call("MIN", (al.sub(al.add(a, b), c), al.sub(c, Call("ABS", (al.sub(a, b),)))))
-
-
 def triangle_closes(ledger: Ledger, a: Node, b: Node, c: Node) -> Condition:
-    """Three sides form a triangle, rounding aside."""
-    return Condition(triangle_margin(a, b, c), al.neg(ledger.tolerance), reach=True)
+    """Three sides form a triangle, rounding aside: the smaller of a + b - c and c - |a - b| is by how much they reach each
+    other, or (negative) miss."""
+    margin = Call("MIN", (al.sub(al.add(a, b), c), al.sub(c, Call("ABS", (al.sub(a, b),)))))
+    return Condition(margin, al.neg(ledger.tolerance), reach=True)

@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from livesheet.formula.nodes import Call, Direction, Node
-from mechsheet.kinematics.cams.segments import seams
 from mechsheet.kinematics.dimensions import dimension_values, largest_length
 from mechsheet.kinematics.driving import at_values, given_between, step_of
 from mechsheet.kinematics.equations import Condition, Equations
@@ -362,10 +361,9 @@ class Search:
     @cached_property
     def _seams(self) -> Array:
         """Places where pieces of the driver's motion meet: what follows from it need not turn back there to be extreme."""
-        motion = self.mechanism.segments
-        if motion is None or not self.stepped:
+        if not self.stepped or not self.mechanism.seams:
             return np.zeros(0)
-        angles = np.array([float(value(each, self.dimensions)) for each in seams(motion)])
+        angles = np.array([float(value(each, self.dimensions)) for each in self.mechanism.seams])
         ahead = (angles - float(self.driver(1))) * math.copysign(1.0, self.step) % TURN
         places = 1 + ahead / abs(self.step)
         return np.asarray(places[places <= self.last])

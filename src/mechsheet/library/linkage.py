@@ -215,6 +215,8 @@ def _texts(values: Values | None) -> dict[str, str]:
     return texts
 
 
+# --- its motion -------------------------------------------------------------------------------------------------------
+
 MOST_ROWS = 60
 """Rows that a notebook shows: the first half of them, and the last."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -72,84 +72,87 @@ def _wrong(mechanism: Mechanism, wanted: Mapping[str, int]) -> list[Group]:
     return [group for group in sketched if group.mode_value != wanted.get(group.mode, group.mode_value)]
 
 
-def _sketched(source: Source, mechanism: Mechanism, wanted: Mapping[str, int], group: Group) -> Source:
-    """With what the sketch says of one group: entries that are there, or the one that tells its assemblies apart best."""
-    dimensions = dimension_values(mechanism)
-    at = mechanism.sketch.at
-    if group.system is not None and at is not None:  # its assemblies are those of the first position
-        source = without_key(source, ("assembly", "at"))
-        mechanism, at = replace(mechanism, sketch=replace(mechanism.sketch, at=None)), None
+@dataclass(frozen=True, slots=True)
+class _Swept:
+    """A mechanism in the modes that are wanted, where its sketch shows it, or over its sweep.
+
+    size  of the mechanism, for what is measured in parts of it
+    """
+
+    mechanism: Mechanism
+    equations: Equations
+    driver: Array
+    values: Mapping[str, Array]
+    size: float
+
+    def entry(self, source: Source, name: str, row: int, gap: float) -> Source:
+        """With a point, an angle or a displacement sketched where it is in a row, rounded to a hundredth of the gap between
+        two assemblies."""
+        if f"{name}.x" in self.values:
+            pair = [_rough(float(self.values[f"{name}.{axis}"][row]), gap * self.size) for axis in "xy"]
+            return _with_point(source, name, pair)
+        value = float(self.values[name][row])
+        if self.equations.of(name).unit.kind != "angle":
+            lengths = map(abs, dimension_values(self.mechanism).values())
+            value = _rough(value, gap * max([abs(value), *lengths]))
+        elif self.mechanism.angle_unit.in_degrees:
+            value = _rough(math.degrees(value), math.degrees(gap))
+        else:
+            value = _rough(value, gap)
+        return with_number(source, ("assembly", name), value)
+
+
+def _swept(mechanism: Mechanism, wanted: Mapping[str, int]) -> _Swept:
+    dimensions, at = dimension_values(mechanism), mechanism.sketch.at
     driver = driver_values(mechanism, dimensions) if at is None else np.array([number(at, dimensions)])
     equations = solve(mechanism, wanted)  # every mode is given: the sketch as it is does not matter
-    right = sweep(mechanism, equations, driver)
     size = largest_length(mechanism, dimensions) or 1.0
+    return _Swept(mechanism, equations, driver, sweep(mechanism, equations, driver), size)
+
+
+def _sketched(source: Source, mechanism: Mechanism, wanted: Mapping[str, int], group: Group) -> Source:
+    """With what the sketch says of one group: entries that are there, or the one that tells its assemblies apart best."""
+    sketch = mechanism.sketch
+    if sketch.at is not None and group.system is not None:  # its assemblies are those of the first position
+        return _sketched(*_of_first_position(source, mechanism), wanted, group)
+    swept = _swept(mechanism, wanted)
     others = [
-        _gaps(equations, group, right, sweep(mechanism, other, driver), size)
-        for other in _others(equations, group.mode)
+        _gaps(swept, group, sweep(mechanism, other, swept.driver)) for other in _others(swept.equations, group.mode)
     ]
     gaps = {name: np.min([other[name] for other in others], axis=0) for name in (others[0] if others else ())}
-    rows = np.flatnonzero(np.isfinite(right[group.closes]))
+    rows = np.flatnonzero(np.isfinite(swept.values[group.closes]))
     rows = rows if group.system is None else rows[rows == group.system.row]
     row = next((int(row) for row in rows if any(gap[row] > APART for gap in gaps.values())), None)
-    if row is None and at is not None:  # there the sketch can tell nothing: it shall show the first position instead
-        source = without_key(source, ("assembly", "at"))
-        return _sketched(source, replace(mechanism, sketch=replace(mechanism.sketch, at=None)), wanted, group)
+    if row is None and sketch.at is not None:  # there the sketch can tell nothing, the first position may
+        return _sketched(*_of_first_position(source, mechanism), wanted, group)
     if row is None:
         message = say("the assemblies of {group} are one: no sketch tells them apart", group=group.label)
         raise MechanismError(Fault(message, source.file, key="assembly"))
-    sketch = mechanism.sketch
     best = max(gaps, key=lambda name: float(gaps[name][row]))
     present = [name for name in gaps if name in sketch.points or name in sketch.symbols]
     if not any(gaps[name][row] > ENOUGH * gaps[best][row] for name in present):
         present.append(best)
     for name in present:
-        gap = float(gaps[name][row]) or 1.0
-        if f"{name}.x" in right:
-            pair = [_rough(float(right[f"{name}.{axis}"][row]), gap * size) for axis in "xy"]
-            source = _with_point(source, name, pair)
-        else:
-            source = with_number(source, ("assembly", name), _symbol_value(mechanism, equations, name, right, row, gap))
+        source = swept.entry(source, name, row, float(gaps[name][row]) or 1.0)
     return source
+
+
+def _of_first_position(source: Source, mechanism: Mechanism) -> tuple[Source, Mechanism]:
+    """Both with a sketch that shows the first position."""
+    return without_key(source, ("assembly", "at")), replace(mechanism, sketch=replace(mechanism.sketch, at=None))
 
 
 def _all_sketched(source: Source, wanted: Mapping[str, int]) -> Source:
     """With everything that is sketched where it is in these modes, in the first row in which it is anywhere."""
     mechanism = loads(source.text, source.file)
-    dimensions = dimension_values(mechanism)
-    at = mechanism.sketch.at
-    driver = driver_values(mechanism, dimensions) if at is None else np.array([number(at, dimensions)])
-    equations = solve(mechanism, wanted)
-    values = sweep(mechanism, equations, driver)
-    size = largest_length(mechanism, dimensions) or 1.0
-    solved = {equation.symbol for equation in equations.columns if equation.group > 0}
+    swept = _swept(mechanism, wanted)
+    solved = {equation.symbol for equation in swept.equations.columns if equation.group > 0}
     for name in (*mechanism.sketch.points, *mechanism.sketch.symbols):
         symbols = [name] if name in mechanism.sketch.symbols else [f"{name}.x", f"{name}.y"]
-        rows = np.flatnonzero(np.isfinite(values.get(symbols[0], np.array([]))))
-        if not solved.issuperset(symbols) or not len(rows):
-            continue
-        row = int(rows[0])
-        if len(symbols) == 2:
-            source = _with_point(source, name, [_rough(float(values[each][row]), ENOUGH * size) for each in symbols])
-        else:
-            shown = _symbol_value(mechanism, equations, name, values, row, ENOUGH)
-            source = with_number(source, ("assembly", name), shown)
+        rows = np.flatnonzero(np.isfinite(swept.values.get(symbols[0], np.array([]))))
+        if solved.issuperset(symbols) and len(rows):
+            source = swept.entry(source, name, int(rows[0]), ENOUGH)
     return source
-
-
-def _symbol_value(
-    mechanism: Mechanism, equations: Equations, name: str, values: Mapping[str, Array], row: int, gap: float
-) -> float:
-    """An angle or a displacement as a description writes it, rounded."""
-    value = float(values[name][row])
-    if equations.of(name).unit.kind != "angle":
-        return _rough(value, gap * max([abs(value), *_lengths(mechanism)]))
-    if mechanism.angle_unit.in_degrees:
-        return _rough(math.degrees(value), math.degrees(gap))
-    return _rough(value, gap)
-
-
-def _lengths(mechanism: Mechanism) -> list[float]:
-    return [abs(value) for value in dimension_values(mechanism).values()]
 
 
 def _with_point(source: Source, name: str, pair: list[float]) -> Source:
@@ -209,15 +212,14 @@ def _away(start: Sequence[float], meant: Sequence[float], equations: Equations, 
     return math.sqrt(sum(gap * gap for gap in gaps))
 
 
-def _gaps(
-    equations: Equations, group: Group, right: Mapping[str, Array], left: Mapping[str, Array], size: float
-) -> dict[str, Array]:
+def _gaps(swept: _Swept, group: Group, left: Mapping[str, Array]) -> dict[str, Array]:
     """What a sketch may say of a group -> how far its assemblies are apart there, row by row: as a part of the size,
     angles as the chord of an arc of radius 1."""
     found: dict[str, Array] = {}
-    own = [equation for equation in equations.columns if equation.group == group.number]
+    right, size, columns = swept.values, swept.size, swept.equations.columns
+    own = [equation for equation in columns if equation.group == group.number]
     if not any(equation.role in ("point", "variable") for equation in own):  # its links are placed by later groups
-        own = [equation for equation in equations.columns if equation.group > group.number]
+        own = [equation for equation in columns if equation.group > group.number]
     for equation in own:
         apart = np.abs(right[equation.symbol] - left[equation.symbol])
         if equation.role == "point":

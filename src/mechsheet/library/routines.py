@@ -145,6 +145,8 @@ def routine_names(book: Book) -> list[DefinedName]:
     return [one for one in book.names if isinstance(one.formula, Call) and one.formula.name == "LAMBDA"]
 
 
+# --- modules of Basic -------------------------------------------------------------------------------------------------
+
 MOST_BYTES = 2_000_000
 """A module is text that somebody wrote."""
 

@@ -8,6 +8,7 @@ import json
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Symbol
@@ -25,11 +26,11 @@ from mechsheet.library.building import told
 from mechsheet.library.verdicts import DOUBTS, verdict
 from mechsheet.model import TIME, Dimension, Mechanism, Output, Rack, Relation, Summary, energy_unit, inertia_unit
 from mechsheet.sheet.columns.lowering import Assignment, Assignments, lowered
-from mechsheet.sheet.plan import MEANING
+from mechsheet.sheet.plan import MEANING, Plan
 from mechsheet.sheet.shown import unit_of_column
 from mechsheet.synthesis.writing import says
 from mechsheet.units import NUMBER, behind_number, unit_of
-from mechsheet.words.catalogue import LANGUAGES, text_in, words
+from mechsheet.words.catalogue import ENGLISH, LANGUAGES, text_in, words
 
 
 def overview_text(mechanism: Mechanism) -> str:
@@ -116,12 +117,15 @@ def _single(compiled: Compiled, single: Summary | Output) -> str:
     spot = plan.places.summaries[single.symbol]
     value, said = compiled.value(spot), str(compiled.value(replace(spot, col=MEANING)))
     if not isinstance(value, float):
-        none = text_in(say("none"), plan.mechanism.language)
-        why = next((plan.text(key).strip(" ()") for key in WITHOUT if said.endswith(plan.text(key))), none)
+        why = _ending(plan, said, WITHOUT).strip(" ()") or text_in(say("none"), plan.mechanism.language)
         return f"{single.symbol}: {why}"
     unit = plan.mechanism.shown(single.unit) if isinstance(single, Output) else unit_of_column(plan, single.of)
-    doubt = next((plan.text(key) for key in DOUBTS if said.endswith(plan.text(key))), "")
-    return f"{single.symbol} = {value:.6g}{behind_number(unit.text)}{doubt}"
+    return f"{single.symbol} = {value:.6g}{behind_number(unit.text)}{_ending(plan, said, DOUBTS)}"
+
+
+def _ending(plan: Plan, said: str, keys: Sequence[str]) -> str:
+    """The words by which a text ends, of those of these keys; "" for none."""
+    return next((plan.text(key) for key in keys if said.endswith(plan.text(key))), "")
 
 
 def _tie(mechanism: Mechanism, relation: Relation) -> str:
@@ -159,25 +163,20 @@ def _stands(mechanism: Mechanism) -> bool:
 def equations_text(mechanism: Mechanism) -> str:
     """All equations, one a line, by group; constants first."""
     equations, language = lowered(mechanism, told(mechanism).equations), mechanism.language
-    lines = _synthesis_lines(mechanism)
-    lines.append(text_in(say("constants"), language))
-    lines += [_line(equation) for equation in equations.constants]
-    part: tuple[int, str] | None = None
-    if given := given_by_law(mechanism):
-        lines += ["", text_in(_group_heading(equations, 0), language)]
-        lines += [f"  {symbol} = {print_formula(node, 'text')}" for symbol, node in given.items()]
-        part = (0, "")
-    for equation in equations.columns:
-        what = say(", velocities and accelerations") if equation.role in RATES else ""
-        what = say(", forces") if equation.role in FORCES else what
-        if (equation.group, what) != part:
-            part = (equation.group, what)
-            lines += ["", text_in(_group_heading(equations, equation.group), language) + text_in(what, language)]
-        lines.append(_line(equation))
-        if equation.first is not None:
-            first = say("first row: {expression}", expression=print_formula(equation.first, "text"))
-            lines[-1] += f"    ({text_in(first, language)})"
+    lines = [*_synthesis_lines(mechanism), text_in(say("constants"), language), *map(_line, equations.constants)]
+    given = [(0, "", f"  {symbol} = {print_formula(node, 'text')}") for symbol, node in given_by_law(mechanism).items()]
+    columns = [(equation.group, _what(equation), _line(equation, language)) for equation in equations.columns]
+    for (group, what), parts in groupby([*given, *columns], key=lambda part: part[:2]):
+        lines += ["", text_in(_group_heading(equations, group), language) + text_in(what, language)]
+        lines += [line for _, _, line in parts]
     return "\n".join(lines)
+
+
+def _what(equation: Assignment) -> str:
+    """What a group's heading says of such columns."""
+    if equation.role in FORCES:
+        return say(", forces")
+    return say(", velocities and accelerations") if equation.role in RATES else ""
 
 
 def _synthesis_lines(mechanism: Mechanism) -> list[str]:
@@ -213,8 +212,12 @@ def _group_heading(equations: Assignments, number: int) -> str:
     return say("group {number} {kind}: {links}", number=number, kind=group.kind, links=group.label)
 
 
-def _line(equation: Assignment) -> str:
-    return f"  {equation.symbol} = {print_formula(equation.expression, 'text')}"
+def _line(equation: Assignment, language: str = ENGLISH) -> str:
+    line = f"  {equation.symbol} = {print_formula(equation.expression, 'text')}"
+    if equation.first is None:
+        return line
+    first = say("first row: {expression}", expression=print_formula(equation.first, "text"))
+    return f"{line}    ({text_in(first, language)})"
 
 
 def equations_json(mechanism: Mechanism) -> str:
@@ -316,6 +319,8 @@ def variables_csv(mechanism: Mechanism) -> str:
     return text.getvalue()
 
 
+# --- dimensions -------------------------------------------------------------------------------------------------------
+
 DIGITS = 6
 """Of the rounded values in the table."""
 
@@ -371,22 +376,25 @@ def dimensions_text(mechanism: Mechanism) -> str:
     """A table: name, exact value to six digits, the value that is used, unit, meaning."""
     values = values_of(mechanism)
     rounds = mechanism.synthesis is not None
-    head = ("name", "value", "used" if rounds else "", "unit", "")
+    language = mechanism.language
+    name, exact, unit = (words(language, f"head.{key}") for key in ("symbol", "value", "unit"))
+    head = (name, exact, words(language, "synthesis.used") if rounds else "", unit, "")
     task = mechanism.synthesis
     taken = set() if task is None else {*task.taken, *(task.results[name] for name in task.mode.values())}
+
+    def shown(number: float | None) -> str:
+        return none if number is None else f"{number:.{DIGITS}g}"
+
+    none = text_in(say("no value"), language)
     rows = [head] + [
-        (value.name, _text(value.exact), _text(value.used) if value.name in taken else "", value.unit, value.words)
+        (value.name, shown(value.exact), shown(value.used) if value.name in taken else "", value.unit, value.words)
         for value in values
     ]
     widths = [max(len(row[col]) for row in rows) for col in range(len(head))]
     lines = []
     for row in rows:
-        name, exact, used, unit, words = row
+        name, exact, used, unit, meaning = row
         cells = [name.ljust(widths[0]), exact.rjust(widths[1])]
         cells += [used.rjust(widths[2])] if rounds else []
-        lines.append("  ".join((*cells, unit.ljust(widths[3]), words)).rstrip())
+        lines.append("  ".join((*cells, unit.ljust(widths[3]), meaning)).rstrip())
     return "\n".join(lines)
-
-
-def _text(value: float | None) -> str:
-    return "no value" if value is None else f"{value:.{DIGITS}g}"

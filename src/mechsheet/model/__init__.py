@@ -6,7 +6,22 @@ is in internal units. The reader has parsed it and checked that it names only di
 """
 
 from .asked import EXTREME, Condition, Exercise, Need, Objective, Range, Study, Synthesis, TaskPlace, Tolerances, Vary
-from .cams import BASE, CONTACT, HALF, LAWS_THAT_LEAP, PIECE, SEGMENT_LAWS, TAU, WAVE, Cam, Segment, Segments
+from .cams import (
+    BASE,
+    CONTACT,
+    EIGHTH,
+    HALF,
+    LAWS_THAT_LEAP,
+    MEETING,
+    MOST_RISING,
+    PIECE,
+    SEGMENT_LAWS,
+    TAU,
+    WAVE,
+    Cam,
+    Segment,
+    Segments,
+)
 from .loads import Dynamics, Load, Mass, Spring, energy_unit, inertia_label, inertia_unit, torque_unit
 from .mechanism import (
     LAWS,
@@ -52,12 +67,15 @@ from .takes import TAKES, WAYS, Take, Way
 __all__ = [
     "BASE",
     "CONTACT",
+    "EIGHTH",
     "ENERGY",
     "EXTREME",
     "GROUND",
     "HALF",
     "LAWS",
     "LAWS_THAT_LEAP",
+    "MEETING",
+    "MOST_RISING",
     "PIECE",
     "POINT_RATES",
     "PRESSURE",

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
-from livesheet.formula.nodes import Node
+from livesheet.formula import algebra as al
+from livesheet.formula.nodes import Node, Number
 
 from .symbols import Quantity
 
@@ -25,6 +27,28 @@ BASE = "base"
 TAU, WAVE, HALF, PIECE = "tau", "w", "half", "piece"
 """Stand in a law for the part of the segment that has been passed; and in one that is made of pieces for 4 pi times that
 part, counted from the nearer end, 1 in the second half, and the number of the piece."""
+
+
+MEETING = 1e-9
+"""So far [rad] behind the angle where two segments meet the earlier one still counts: rounding decides nothing."""
+
+EIGHTH, MOST_RISING = 0.125, 0.375
+"""Parts of a segment at which the pieces of a modified law meet."""
+
+INNER_SEAMS = {
+    "parabolic": (0.5,),
+    "harmonic": (0.5,),
+    "cycloidal": (0.25, 0.5, 0.75),
+    "3-4-5": ((3 - math.sqrt(3)) / 6, 0.5, (3 + math.sqrt(3)) / 6),
+    "4-5-6-7": ((5 - math.sqrt(5)) / 10, 0.5, (5 + math.sqrt(5)) / 10),
+    "modified trapezoid": (EIGHTH, MOST_RISING, 0.5, 1 - MOST_RISING, 1 - EIGHTH),
+    "modified sine": (EIGHTH, 0.5, 1 - EIGHTH),
+}
+"""Parts of a segment at which the pieces of its law meet, or its velocity or acceleration are extreme: of a segment narrower
+than a row the rows show neither."""
+
+BEHIND = 1e-7
+"""So far [rad] behind a seam the later piece is asked: beyond `MEETING`, which laws count in parts of a segment, too."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +81,28 @@ class Segments:
     start: Node
     parts: tuple[Segment, ...]
     closed: bool = True
+
+    @property
+    def seams(self) -> tuple[Node, ...]:
+        """Angles at which pieces of the motion meet, where what follows from it may be extreme without turning back; and
+        those at which laws have their largest velocities and accelerations.
+
+        Of two segments, and where the acceleration leaps within one, the last of the earlier piece and the first of the
+        later.
+        """
+        found: list[Node] = [al.ZERO]
+        for place, part in enumerate(self.parts):
+            found += _both_sides(part.begins) if place else []
+            for share in INNER_SEAMS.get(part.law, ()):
+                angle = al.add(part.begins, al.mul(Number(share), part.over))
+                found += _both_sides(angle) if part.law == "parabolic" else [angle]
+        last = self.parts[-1]
+        end = al.add(last.begins, last.over)
+        return tuple(dict.fromkeys([*found, al.sub(Number(math.tau), Number(BEHIND)) if self.closed else end]))
+
+
+def _both_sides(angle: Node) -> list[Node]:
+    return [angle, al.add(angle, Number(BEHIND))]
 
 
 @dataclass(frozen=True, slots=True)

@@ -437,6 +437,11 @@ class Mechanism:
         return tuple(whole.get(link.name, link) for link in self.links)
 
     @property
+    def free_dimensions(self) -> tuple[Dimension, ...]:
+        """Those that follow from no others, and are no number that the description has elsewhere (a mass, a speed)."""
+        return tuple(dim for dim in self.dimensions if not dim.derived and not dim.path)
+
+    @property
     def sliding(self) -> tuple[Joint, ...]:
         """The sliding joints of the description: without the slots that stand for joints of redundant links."""
         slots = {each.symbol for each in self.redundant}
@@ -503,6 +508,11 @@ class Mechanism:
     def segments(self) -> Segments | None:
         """The motion over a cam's angle, where there is one."""
         return None if self.follower is None else self.follower.segments
+
+    @property
+    def seams(self) -> tuple[Node, ...]:
+        """Values of the driver at which pieces of its motion meet, or are fastest; none where it is one piece."""
+        return () if self.segments is None else self.segments.seams
 
     @property
     def driven_symbols(self) -> tuple[str, ...]:

@@ -6,13 +6,11 @@ It knows nothing of equations, formulas, cells or the groups that the workbook i
 from .cams import profile
 from .forces import forces
 from .geometry import dimension_values, driver_values
-from .nearby import nearby
-from .outputs import POLE, outputs, variables
-from .poses import assemblies, solve
+from .outputs import POLE, further, outputs, variables
+from .poses import assemblies, nearby, solve
 from .rates import by_time, rates
 from .residual import residuals, worst
 from .solution import Solution, reached
-from .whole_mechanism import further
 
 __all__ = [
     "POLE",

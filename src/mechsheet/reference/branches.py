@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import newton
-from .geometry import Array
+from .geometry import Array, whole_turns
 from .newton import CLOSED
 from .system import Block, linearised
 
@@ -69,7 +69,7 @@ def _distinct(block: Block, tried: _Tried, value: Array) -> Array:
         if settled.undetermined[0]:
             return state[:0]
         state = settled.state.copy()
-        state[:, columns] -= 2 * np.pi * np.round(state[:, columns] / (2 * np.pi))
+        state[:, columns] -= whole_turns(state[:, columns])
         if settled.exists[0] and not any(newton.same_position(block, state, other)[0] for other in found):
             found.append(state)
     return np.concatenate(found) if found else tried.state[:0]
@@ -208,7 +208,7 @@ class _Sweep:
         part = np.clip((rows - left) / np.maximum(right - left, 1), 0.0, 1.0)[:, None]
         change = self.state[np.ix_(right, self.columns)] - self.state[np.ix_(left, self.columns)]
         turning = list(self.block.angles)
-        change[:, turning] -= 2 * np.pi * np.round(change[:, turning] / (2 * np.pi))
+        change[:, turning] -= whole_turns(change[:, turning])
         guesses = self.state[rows]
         guesses[:, self.columns] = self.state[np.ix_(left, self.columns)] + part * change
         guesses = newton.placed(self.block, guesses, self.value[rows])
@@ -287,7 +287,7 @@ def follow(block: Block, state: Array, value: Array, first: Array) -> Rows:
                 continue
             found = candidates[np.argmin(newton.difference(block, candidates, trial))][None, :]
             turning = block.free_angles
-            found[:, turning] -= 2 * np.pi * np.round((found[:, turning] - trial[:, turning]) / (2 * np.pi))
+            found[:, turning] -= whole_turns(found[:, turning] - trial[:, turning])
         trend = found[0, columns] - last if rows.exists[i - 1] else np.zeros(len(columns))
         last = found[0, columns]
         rows.state[row], rows.exists[row] = found, True

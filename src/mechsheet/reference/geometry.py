@@ -30,6 +30,11 @@ ROUNDING = 1e-12
 """Lengths that miss each other by less than this part of their sum meet."""
 
 
+def whole_turns(angle: Array) -> Array:
+    """The whole turns nearest to angles, in radians: what is left without them is within half a turn."""
+    return np.asarray(2 * np.pi * np.round(angle / (2 * np.pi)))
+
+
 def dimension_values(mechanism: Mechanism, dimensions: Mapping[str, float] | None = None) -> dict[str, float]:
     """Every dimension's value in internal units, in the order of the file.
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .geometry import Array
+from .geometry import Array, whole_turns
 from .system import Block, linearised
 
 CLOSED = 1e-12
@@ -221,5 +221,5 @@ def difference(block: Block, one: Array, other: Array) -> Array:
     columns = list(block.columns)
     apart = one[..., columns] - other[..., columns]
     turning = list(block.angles)
-    apart[..., turning] -= 2 * np.pi * np.round(apart[..., turning] / (2 * np.pi))
+    apart[..., turning] -= whole_turns(apart[..., turning])
     return np.asarray(np.max(np.abs(apart), axis=-1))

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..model import Mechanism
-from . import assembly, branches, further, geometry
+from . import assembly, branches, further_drivers, geometry
+from .assembly import Pose, Sketched
 from .branches import Mask, Rows
-from .geometry import Array
-from .sketch import Pose, Sketched
+from .geometry import Array, whole_turns
+from .newton import polish
 from .solution import Solution, poses_of, solution_of
 from .system import System, residual, system
-
-Progress = Callable[[int, int], None]
-"""Called with blocks solved and blocks in all."""
 
 _INSERTED_TURN = np.radians(1.0)
 _INSERTED_SLIDE = 0.01
@@ -27,7 +25,6 @@ def solve(
     dimensions: Mapping[str, float] | None = None,
     start: Mapping[str, Pose] | None = None,
     values: Array | None = None,
-    progress: Progress | None = None,
 ) -> Solution:
     """Positions over the whole sweep.
 
@@ -61,8 +58,6 @@ def solve(
             alive[rows] = found.exists
             state[np.ix_(rows[~found.exists], np.array(built.blocks[i].columns))] = np.nan
             _count_turns(built, sketched, i, state, path, rows[found.exists])
-        if progress is not None:
-            progress(i + 1, len(built.blocks))
     state, alive, undetermined, path = state[asked], alive[asked], undetermined[asked], path[asked]
     reached = state.copy()
     state[~alive] = np.nan
@@ -77,7 +72,7 @@ def unsolved(built: System, value: Array, rows: Array | None = None) -> Array:
     state[:, :3] = 0.0
     state[:, 3 * len(built.bodies) + 2 : built.columns - built.given : 3] = 0.0
     scale = built.scale if built.mechanism.driver.joint else 1.0
-    state[:, list(built.prescribed)] = further.columns(built, value * scale, rows)
+    state[:, list(built.prescribed)] = further_drivers.columns(built, value * scale, rows)
     return state
 
 
@@ -98,7 +93,7 @@ def _count_turns(
     for turning in columns:
         angle = np.unwrap(state[own, turning])
         target = (sketched.turn(turning) or 0.0) if sketched.started else 0.0
-        state[own, turning] = angle - 2 * np.pi * np.round((angle[place] - target) / (2 * np.pi))
+        state[own, turning] = angle - whole_turns(angle[place] - target)
 
 
 def _with_steps_between(built: System, driver: Array) -> tuple[Array, NDArray[np.int_]]:
@@ -166,7 +161,6 @@ def _continuous(built: System, sketched: Sketched, state: Array, value: Array, a
     rows = np.flatnonzero(alive)
     if not len(rows):
         return
-    turn = 2 * np.pi
     for block in built.blocks:
         if block.linear:
             if block.angles:
@@ -178,10 +172,45 @@ def _continuous(built: System, sketched: Sketched, state: Array, value: Array, a
                 continue
             angle = np.unwrap(state[rows, column_index])
             target = sketched.turn(column_index) or 0.0
-            state[rows, column_index] = angle - turn * np.round((angle[0] - target) / turn)
+            state[rows, column_index] = angle - whole_turns(angle[0] - target)
         for equation in block.equations:
             if equation.kind == "angle":
                 theta = 3 * equation.body + 2 if 3 * equation.body + 2 in block.columns else 3 * equation.on + 2
                 side = 1.0 if theta == 3 * equation.body + 2 else -1.0
                 miss, _ = residual(equation, state[rows], value[rows])
-                state[rows, theta] -= side * turn * np.round(miss / turn)
+                state[rows, theta] -= side * whole_turns(miss)
+
+
+CLOSED = 1e-11
+"""Largest miss of a position that exists, in the system's own lengths."""
+
+
+def nearby(solution: Solution, dimensions: Mapping[str, float]) -> Solution:
+    """The positions of a solution at the same values of the driver, with some dimensions a little different.
+
+    dimensions  values by symbol, in internal units; the others are those of `solution`
+
+    A row that cannot be closed near where it was does not exist. Beside a dead centre another assembly may be nearer.
+    """
+    old = solution.system
+    built = system(solution.mechanism, geometry.dimension_values(solution.mechanism, {**_own(solution), **dimensions}))
+    value = solution.driver / built.scale if solution.mechanism.driver.joint else solution.driver
+    state = solution.state.copy()
+    places = slice(3, built.columns - built.given)
+    for axis in (0, 1):
+        own = state[:, places][:, axis::3]
+        own[:] = (own * old.scale + old.origin[axis] - built.origin[axis]) / built.scale
+    given = list(built.prescribed)
+    state[:, given] = unsolved(built, value, np.arange(float(len(value))))[:, given]
+    alive = solution.exists & built.finite
+    for block in built.blocks:
+        rows = np.flatnonzero(alive)
+        if len(rows):
+            state[rows], miss = polish(block, state[rows], value[rows])
+            alive[rows] = miss < CLOSED
+    return solution_of(built, solution.driver, value, state, state, alive, np.zeros_like(alive))
+
+
+def _own(solution: Solution) -> dict[str, float]:
+    """The values of the dimensions that are given."""
+    return {dim.symbol: solution.dimensions[dim.symbol] for dim in solution.mechanism.dimensions if not dim.derived}

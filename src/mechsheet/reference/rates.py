@@ -18,12 +18,12 @@ import numpy as np
 from livesheet.formula.nodes import symbols
 
 from ..model import Mechanism, rate_symbols
-from . import further, geometry
+from . import further_drivers, geometry
 from .driving import driver_rates
 from .expressions import number
 from .geometry import Array
 from .segments import motion
-from .solution import Solution
+from .solution import Solution, over_all_rows
 from .system import Equation, System, residual
 
 _STEP = 1e-30
@@ -40,25 +40,21 @@ def rates(solution: Solution) -> dict[str, tuple[Array, Array]]:
     state = solution.state[rows]
     first, second = of_poses(built, state, solution.driver[rows])
     driver_unit = built.scale if mechanism.driver.joint else 1.0
+
+    def shown(once: Array, twice: Array, unit: float) -> tuple[Array, Array]:
+        return (
+            over_all_rows(solution, rows, once * unit / driver_unit),
+            over_all_rows(solution, rows, twice * unit / driver_unit**2),
+        )
+
     found: dict[str, tuple[Array, Array]] = {}
     for symbol, quantity in _quantities(built, mechanism).items():
-        gradient, turning = gradients([quantity], state, first)
-        by_rows = (
-            np.einsum("mkc,mc->m", gradient, first),
-            np.einsum("mkc,mc->m", gradient, second) + np.einsum("mkc,mc->m", turning, first),
-        )
-        unit = 1.0 if quantity.kind == "angle" else built.scale
-        columns = np.full((2, len(solution.driver)), np.nan)
-        for order, column in enumerate(by_rows, 1):
-            columns[order - 1, rows] = column * unit / driver_unit**order
-        found[symbol] = (columns[0], columns[1])
+        _, once, twice = changes(quantity, state, first, second)
+        found[symbol] = shown(once, twice, 1.0 if quantity.kind == "angle" else built.scale)
     found[mechanism.driver.symbol] = (np.ones(len(solution.driver)), np.zeros(len(solution.driver)))
     for column, other in zip(built.prescribed, mechanism.drivers, strict=True):
-        unit = built.scale if other.joint else 1.0
-        both = np.full((2, len(solution.driver)), np.nan)
-        for order, found_column in enumerate((first[:, column], second[:, column]), 1):
-            both[order - 1, rows] = found_column * unit / driver_unit**order
-        found.setdefault(other.symbol, (both[0], both[1]))
+        of_driver = shown(first[:, column], second[:, column], built.scale if other.joint else 1.0)
+        found.setdefault(other.symbol, of_driver)
     return found
 
 
@@ -107,12 +103,11 @@ def of_poses(built: System, state: Array, driver: Array) -> tuple[Array, Array]:
 
     A further driver whose values are listed says nothing of its motion: it counts as one that stands.
     """
-    equations = [equation for block in built.blocks for equation in block.equations]
-    unknown = [column for block in built.blocks for column in block.columns]
+    equations, unknown = built.equations, built.unknown
     driven = np.array([[float(equation.driven)] for equation in equations])
     first, second = np.zeros_like(state), np.zeros_like(state)
     given = list(built.prescribed)
-    first[:, given], second[:, given] = further.derivatives(built, driver)
+    first[:, given], second[:, given] = further_drivers.derivatives(built, driver)
     whole, _ = gradients(equations, state, first)
     jacobian, besides = whole[:, :, unknown], whole[:, :, given]
     right = np.broadcast_to(driven, (*jacobian.shape[:2], 1))
@@ -124,8 +119,7 @@ def of_poses(built: System, state: Array, driver: Array) -> tuple[Array, Array]:
 
 def by_prescribed(built: System, state: Array, column: int) -> Array:
     """First derivatives (m, columns) of the state by one of its prescribed columns, while all else that is driven stands."""
-    equations = [equation for block in built.blocks for equation in block.equations]
-    unknown = [column for block in built.blocks for column in block.columns]
+    equations, unknown = built.equations, built.unknown
     first = np.zeros_like(state)
     first[:, column] = 1.0
     whole, _ = gradients(equations, state, first)
@@ -158,6 +152,14 @@ def gradients(equations: Sequence[Equation], state: Array, along: Array) -> tupl
             column = 3 * (equation.body if slot < 3 else equation.on) + slot % 3
             found[:, i, column if slot < 6 else equation.terms[slot - 6][0]] += entry
     return found.real, found.imag / _STEP
+
+
+def changes(quantity: Equation, state: Array, first: Array, second: Array) -> tuple[Array, Array, Array]:
+    """The gradient (m, columns) of a quantity, its first and its second derivative (m,), where the state has these."""
+    gradient, turning = gradients([quantity], state, first)
+    once = np.einsum("mkc,mc->m", gradient, first)
+    twice = np.einsum("mkc,mc->m", gradient, second) + np.einsum("mkc,mc->m", turning, first)
+    return gradient[:, 0], once, twice
 
 
 def _quantities(built: System, mechanism: Mechanism) -> dict[str, Equation]:

@@ -165,4 +165,4 @@ def _turned(vector: Array, angle: Array) -> Array:
 
 
 def _within_half_turn(angle: Array) -> Array:
-    return np.asarray(angle - 2 * np.pi * np.round(angle / (2 * np.pi)))
+    return angle - geometry.whole_turns(angle)

@@ -6,12 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..model import Mechanism
+from ..model import Joint, Mechanism
 from . import geometry
 from .branches import Mask
+from .expressions import number
 from .geometry import Array
-from .sketch import displacement, point_positions
 from .system import System, residual
 
 
@@ -70,14 +71,20 @@ def motion_of(
     return found
 
 
+def over_all_rows(solution: Solution, rows: NDArray[np.intp], values: Array) -> Array:
+    """A column (n,) with values in some rows, NaN in the others."""
+    column = np.full(len(solution.driver), np.nan)
+    column[rows] = values
+    return column
+
+
 def solution_of(
     built: System, driver: Array, value: Array, state: Array, reached: Array, alive: Mask, undetermined: Mask
 ) -> Solution:
     """What states of a system say; NaN in rows that are not alive."""
     worst = np.zeros(len(driver))
-    for block in built.blocks:
-        for equation in block.equations:
-            worst = np.maximum(worst, np.abs(residual(equation, state, value)[0]))
+    for equation in built.equations:
+        worst = np.maximum(worst, np.abs(residual(equation, state, value)[0]))
     worst[~alive] = np.nan
     poses, slides, points = _places(built, state)
     for each in (*poses.values(), *points.values()):
@@ -121,3 +128,28 @@ def _places(built: System, state: Array) -> tuple[dict[str, Array], dict[str, Ar
     }
     slides = {joint.symbol: displacement(built, joint, state) * built.scale for joint in mechanism.joints}
     return poses_of(built, state), slides, points
+
+
+def point_positions(system: System, link: str, point: str, states: Array) -> Array:
+    """Places (m, 2) of a link's point, in the system's own lengths from its own origin."""
+    first = system.column(link)
+    x, y = system.points[link][point] / system.scale
+    return _moved(system, first, states, x, y)
+
+
+def _moved(system: System, first: int, states: Array, x: float, y: float) -> Array:
+    """Places (m, 2) of (x, y) in the frame of the body whose columns begin at `first`."""
+    c, s = np.cos(states[:, first + 2]), np.sin(states[:, first + 2])
+    moved = states[:, first : first + 2] + np.stack([c * x - s * y, s * x + c * y], axis=1)
+    return np.asarray(moved - system.origin / system.scale if first == 0 else moved)
+
+
+def displacement(system: System, joint: Joint, states: Array, link: str = "") -> Array:
+    """Displacement (m,) of a sliding joint, in the system's own lengths; `link` is another link that has its point."""
+    first = system.column(joint.on)
+    x, y = geometry.through(joint, system.points, system.dimensions) / system.scale
+    theta = states[:, first + 2]
+    line = _moved(system, first, states, x, y)
+    direction = theta + number(joint.angle, system.dimensions)
+    away = point_positions(system, link or joint.link, joint.point, states) - line
+    return np.asarray(np.cos(direction) * away[:, 0] + np.sin(direction) * away[:, 1])

@@ -2,8 +2,10 @@
 
 The state of m positions is an array (m, columns): x, y, theta of every body, then the values of further drivers, which are
 given. Bodies are the links in the order of the model, the ground (fixed at zero) first, then one massless point for each
-multiple joint. Lengths are divided by `scale`
-and counted from `origin`, so that everything is of the order of one.
+multiple joint. Lengths are divided by `scale` and counted from `origin`, so that everything is of the order of one.
+
+Which unknowns are solved together, and in which order, is the block triangular form of the equations' sparsity pattern
+(Dulmage and Mendelsohn). Only the pattern counts, never a number: the blocks are the same in every position of a mechanism.
 """
 
 from __future__ import annotations
@@ -22,7 +24,6 @@ from ..model import FurtherDriver, Gear, Joint, Mechanism, Rack
 from . import geometry
 from .expressions import number
 from .geometry import Array
-from .structure import blocks
 
 Kind: TypeAlias = Literal["meet x", "meet y", "line", "displacement", "angle"]
 
@@ -116,6 +117,16 @@ class System:
     origin: Array
     finite: bool
     given: int = 0
+
+    @property
+    def equations(self) -> list[Equation]:
+        """All of them, in the order of solution."""
+        return [equation for block in self.blocks for equation in block.equations]
+
+    @property
+    def unknown(self) -> list[int]:
+        """Columns of what they are solved for, in the same order."""
+        return [column for block in self.blocks for column in block.columns]
 
     @property
     def prescribed(self) -> range:
@@ -420,3 +431,79 @@ def linearised(block: Block, state: Array, value: Array) -> tuple[Array, Array]:
         for slot, position in slots:
             jacobian[:, i, position] += gradient[slot]
     return residuals, jacobian
+
+
+# --- which unknowns are solved together, in order --------------------------------------------------------------------
+
+
+Pattern = Sequence[Sequence[int]]
+"""For each equation the unknowns that stand in it."""
+
+
+def matching(pattern: Pattern) -> list[int] | None:
+    """For each equation an unknown of its own, or None when there is none (augmenting paths, in the order given)."""
+    owner: dict[int, int] = {}
+
+    def claim(equation: int, tried: set[int]) -> bool:
+        for unknown in pattern[equation]:
+            if unknown not in tried:
+                tried.add(unknown)
+                if unknown not in owner or claim(owner[unknown], tried):
+                    owner[unknown] = equation
+                    return True
+        return False
+
+    if not all(claim(equation, set()) for equation in range(len(pattern))):
+        return None
+    chosen = [0] * len(pattern)
+    for unknown, equation in owner.items():
+        chosen[equation] = unknown
+    return chosen
+
+
+def blocks(pattern: Pattern) -> list[tuple[list[int], list[int]]] | None:
+    """Irreducible diagonal blocks (equations, unknowns), each after those it needs; None when none exists.
+
+    Equations and unknowns inside a block ascend, so that the sign of the block's determinant is well defined.
+    """
+    chosen = matching(pattern)
+    if chosen is None:
+        return None
+    equation_of = {unknown: equation for equation, unknown in enumerate(chosen)}
+    needs = [[equation_of[unknown] for unknown in unknowns] for unknowns in pattern]
+    return [(sorted(part), sorted(chosen[equation] for equation in part)) for part in _components(needs)]
+
+
+def _components(needs: Sequence[Sequence[int]]) -> list[list[int]]:
+    """Strongly connected components, each after those it needs (Tarjan 1972, without recursion)."""
+    index: dict[int, int] = {}
+    low: dict[int, int] = {}
+    stack: list[int] = []
+    on_stack: set[int] = set()
+    found: list[list[int]] = []
+    for root in range(len(needs)):
+        if root in index:
+            continue
+        work = [(root, 0)]
+        while work:
+            node, position = work.pop()
+            if position == 0:
+                index[node] = low[node] = len(index)
+                stack.append(node)
+                on_stack.add(node)
+            else:
+                low[node] = min(low[node], low[needs[node][position - 1]])
+            for place in range(position, len(needs[node])):
+                other = needs[node][place]
+                if other not in index:
+                    work += [(node, place + 1), (other, 0)]
+                    break
+                if other in on_stack:
+                    low[node] = min(low[node], index[other])
+            else:
+                if low[node] == index[node]:
+                    cut = stack.index(node)
+                    found.append(stack[cut:])
+                    on_stack.difference_update(stack[cut:])
+                    del stack[cut:]
+    return found

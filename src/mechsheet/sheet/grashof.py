@@ -13,7 +13,6 @@ from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.words.catalogue import Language
 from mechsheet.words.equations import link_words
 from mechsheet.words.symbols import plain
 
@@ -182,7 +181,15 @@ def _decided_by(loop: FourBar, plan: Plan) -> list[set[str]]:
     return [behind(length_in_cells(link, one, other, plan.equations.poses)) for link, one, other in sides]
 
 
-def turning_types(loop: FourBar, language: Language, text: Callable[..., str]) -> list[str]:
-    """What the loop is called when ground, first link, coupler or last link is the shortest, and some link turns fully."""
-    crank, follower = (text("one", link=link_words(link).of(language)) for link in (loop.first, loop.last))
-    return [text("both"), crank, text("coupler"), follower]
+def turning_types(loop: FourBar, plan: Plan, text: Callable[..., str]) -> list[str]:
+    """What the loop is called when ground, first link, coupler or last link is the shortest, and some link turns fully.
+
+    A link that is called rocker is named by its pins: "crank-rocker, rocker can turn fully" sounds like a contradiction.
+    """
+
+    def turning(side: int) -> str:
+        link, *pins = loop.sides(plan.mechanism.ground)[side]
+        word = link_words(link).of(plan.language)
+        return text("one", link="".join(pins) if text("rocker") in word.split() else word)
+
+    return [text("both"), turning(1), text("coupler"), turning(3)]

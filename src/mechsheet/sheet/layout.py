@@ -8,23 +8,21 @@ from functools import partial
 from livesheet.workbook import Cell, Column, Properties, Sheet, Workbook
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import Mechanism
+from mechsheet.sheet.as_typed import with_typed_constants
 from mechsheet.sheet.asked.requested import table_sheets
 from mechsheet.sheet.checks.checks import Checks, checks_sheet
 from mechsheet.sheet.checks.extremes import Extremes
-from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.sheet.drawing.charts import chart_requests, charts_of, with_charts
 from mechsheet.sheet.drawing.drawing import drawing_of
 from mechsheet.sheet.first.mechanism import controls, mechanism_sheet
-from mechsheet.sheet.notes.formulas import with_formulas
-from mechsheet.sheet.notes.notes import notes_sheet
+from mechsheet.sheet.notes import notes_sheet, with_formulas
 from mechsheet.sheet.plan import HIDDEN, Plan
 from mechsheet.sheet.planning import plan_of
 from mechsheet.sheet.synthesis.alt import alt_sheet
 from mechsheet.sheet.synthesis.sheet import synthesis_sheet
-from mechsheet.sheet.table.forces import forces_sheet
 from mechsheet.sheet.table.iterations import iterations_sheet
 from mechsheet.sheet.table.positions import positions_sheet
-from mechsheet.sheet.table.rates import rates_sheet
+from mechsheet.sheet.table.rates import forces_sheet, rates_sheet
 from mechsheet.sheet.table.tolerance import Tolerance
 
 DESCRIPTION_MARK = "mechsheet description, format 1"

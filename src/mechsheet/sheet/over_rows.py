@@ -9,7 +9,7 @@ from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbo
 from mechsheet.kinematics.whole_turns import SAME_AGAIN, Change
 from mechsheet.model import Driver
 from mechsheet.sheet.plan import Plan
-from mechsheet.sheet.quoted import formula
+from mechsheet.sheet.quoted import formula, joined
 from mechsheet.units import Unit, turn
 
 LEAST, MOST = "MINIFS", "MAXIFS"
@@ -58,6 +58,23 @@ def mean_of_motion(
     # rows that are inserted above the first or beside the last one are in one half only
     return formula(
         "IFERROR(mean,IF(ROWS(upper)=ROWS(lower),alike,NA()))", mean=mean, alike=alike, upper=upper, lower=lower
+    )
+
+
+def torn(driver: Driver, column: RangeRef) -> Node | None:
+    """Whether rows were inserted beside the first or the last of a table: then the two halves by which a mean is taken are
+    not alike, and there is none. None where it is not taken so."""
+    if driver.values or column.start.row == column.end.row:
+        return None
+    upper, lower = _halves(column, headed=True)
+    return formula("ROWS(upper)<>ROWS(lower)", upper=upper, lower=lower)
+
+
+def with_torn(plan: Plan, words: Node | str, column: RangeRef) -> Node | str:
+    """Words of a mean, which say why there is none where rows were inserted at an end of the table."""
+    test = torn(plan.mechanism.driver, column)
+    return (
+        words if test is None else joined(words, formula('IF(torn,said,"")', torn=test, said=plan.text("summary.torn")))
     )
 
 

@@ -33,6 +33,7 @@ from mechsheet.sheet.columns.bands import Banded, sizes
 from mechsheet.sheet.columns.lowering import Assignment, Assignments
 from mechsheet.sheet.places import Checked, Places, Searched, there
 from mechsheet.sheet.task_rows import Rows
+from mechsheet.units import Unit
 from mechsheet.words.catalogue import Language, words
 
 SYMBOL, VALUE, UNIT, TOLERANCE, MEANING, MARGIN, CHARTS = range(7)
@@ -272,6 +273,10 @@ class Plan:
         """Quantities that have no cell of their own, by symbol."""
         return {}
 
+    def unit_of(self, symbol: str) -> Unit:
+        """The unit of what a column holds: as it is given row by row, or of its equation."""
+        return self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit
+
     @property
     def status_column(self) -> int:
         """The column of the table that says what does not close."""
@@ -341,6 +346,17 @@ class Named:
         self.taken.add(folded(name))
         self.names.append(Name(name, title, row, col))
         return Spot(title, row, col, 0, degrees, name, self.plan.mechanism.references == "names")
+
+    def constants(self, rows: Mapping[str, int]) -> dict[str, Spot]:
+        """What the equations have once, by symbol."""
+        found = self.plan.equations.constants
+        units = {each.symbol: self.plan.mechanism.shown(each.unit) for each in found}
+        return {symbol: self.cell(rows[symbol], symbol, degrees=unit.in_degrees) for symbol, unit in units.items()}
+
+    def summaries(self, rows: Mapping[str, int]) -> dict[str, Spot]:
+        """The numbers of the whole motion, by symbol."""
+        numbers = self.plan.mechanism.motion_numbers
+        return {each.symbol: self.cell(rows[each.symbol], each.symbol, own=each.cell) for each in numbers}
 
     def sweep(self, rows: Mapping[str, Mapping[str, int]]) -> tuple[Spot | None, Spot | None]:
         """The driver's start and step, where its values are not listed."""

@@ -16,14 +16,11 @@ from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.classification import classification
-from mechsheet.sheet.columns.averaged import with_averaged
+from mechsheet.sheet.columns.added import MEAN, start_columns, with_averaged, with_energy
 from mechsheet.sheet.columns.bands import found_bands, tolerance_symbol, with_bands
-from mechsheet.sheet.columns.flywheel import MEAN, with_energy
 from mechsheet.sheet.columns.lowering import Assignment, in_pass, lowered
-from mechsheet.sheet.columns.start_columns import start_columns
 from mechsheet.sheet.findings.finding import Finding
 from mechsheet.sheet.findings.listing import findings_of
-from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.places import Places, Starts
 from mechsheet.sheet.plan import (
     BLOCKS,
@@ -49,6 +46,7 @@ from mechsheet.sheet.plan import (
     TableColumn,
     block_of,
 )
+from mechsheet.sheet.shown import kept_names, names_of_dimensions
 from mechsheet.sheet.table.rates import dead_words
 from mechsheet.sheet.table.status import words_looked_up
 from mechsheet.sheet.task_rows import Rows, plan_rows
@@ -104,22 +102,16 @@ def _with_rows(plan: Plan, starts: Mapping[int, Starts]) -> Plan:
     if mechanism.synthesis is not None:
         task_rows, of_task, line, unsolved = _place_synthesis(plan, mechanism.synthesis, named)
         spots |= of_task
-    for equation in plan.equations.constants:
-        symbol, degrees = equation.symbol, mechanism.shown(equation.unit).in_degrees
-        spots[symbol] = named.cell(rows["derived"][symbol], symbol, degrees=degrees)
+    spots |= named.constants(rows["derived"])
     bands = {}
     if mechanism.bands:
         for dim in toleranced(mechanism):
             row = rows["dimensions"][dim.symbol]
             spots[tolerance_symbol(dim.symbol)] = named.cell(row, f"tol_{dim.symbol}", TOLERANCE)
         bands = {symbol: named.cell(row, f"band_{symbol}") for symbol, row in rows["bands"].items()}
-    for mode, row in rows.get("assembly", {}).items():
-        spots[mode] = named.cell(row, mode)
+    spots |= {mode: named.cell(row, mode) for mode, row in rows.get("assembly", {}).items()}
     start, step = named.sweep(rows)
-    summaries = {
-        each.symbol: named.cell(rows["summary"][each.symbol], each.symbol, own=each.cell)
-        for each in mechanism.motion_numbers
-    }
+    summaries = named.summaries(rows.get("summary", {}))
     for output in mechanism.outputs:
         if output.cell:
             named.names.append(Name(output.cell, plan.main, rows["variables"][output.symbol], VALUE))

@@ -19,11 +19,10 @@ from livesheet.formula.nodes import Node, symbols, with_symbols
 from livesheet.said import say
 from mechsheet.compiled import Compiled
 from mechsheet.diagnostics import MechanismError
-from mechsheet.kinematics.cams.inputs import asked_by_cam
-from mechsheet.kinematics.cams.segments import seams
 from mechsheet.kinematics.dimensions import dimension_order, dimension_values, largest_length
 from mechsheet.kinematics.driving import given_between, given_values, step_of
 from mechsheet.kinematics.equations import FORCES, RATES
+from mechsheet.kinematics.inputs import asked_of
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.whole_turns import LEAST_OF_TURN, Periods
 from mechsheet.model import Condition, Mechanism, Study, Way
@@ -146,7 +145,7 @@ class Designs:
         fixed = {symbol: number for symbol, number in self.dimensions.items() if symbol not in self.dependent}
         fixed |= {mode: float(number) for mode, number in self.modes.items()}
         given = dict.fromkeys((driver, *self.given))
-        lowering = Lowering(self.equations, fixed, self.varied, derived, given, asked_by_cam(mechanism))
+        lowering = Lowering(self.equations, fixed, self.varied, derived, given, asked_of(mechanism))
         wanted = dict.fromkeys(quantity.of for quantity in questions.quantities)
         self.cranks = {each.name: self._angle_of(each.name) for each in questions.others if each.kind == "crank"}
         turning = [symbol for symbol in self.cranks.values() if symbol != driver]
@@ -253,14 +252,13 @@ class Designs:
 
     def corners(self, inside: Mapping[str, Array], whole: Array) -> list[Array]:
         """Places of each design where pieces of its motion meet (`sheet/checks/corners.py`)."""
-        motion = self.mechanism.segments
-        if motion is None or self.rows_only:
+        if self.rows_only or not self.mechanism.seams:
             return []
         known = {**self.dimensions, **self.unchanged(inside, len(whole))}
         known |= {symbol: column[:, 0] for symbol, column in inside.items()}
         known |= {"start": float(self.given[self.mechanism.driver.symbol][0]), "step": self.step, "turn": math.tau}
         known |= {"rows": self.rows, "whole": whole}
-        angles = (value(angle, known) for angle in dict.fromkeys(seams(motion)))
+        angles = (value(angle, known) for angle in self.mechanism.seams)
         return [value(CORNER_PLACE, known | {"angle": angle}) * np.ones(len(whole)) for angle in angles]
 
     def is_angle(self, symbol: str) -> bool:

@@ -15,8 +15,8 @@ import numpy as np
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Direction, Node, Symbol, TriangleAngle, Unary, children, symbols
-from mechsheet.kinematics.cams.inputs import Asked
 from mechsheet.kinematics.equations import Condition, Equation, Equations
+from mechsheet.kinematics.inputs import Asked
 from mechsheet.studies.program import DESIGN, ONE, PLACE, WHOLE, Program, Running, Value, Width, kept, near, unwrapped
 
 ANCHOR = "{symbol} of a row"

@@ -15,7 +15,7 @@ from livesheet.formula.nodes import Unary
 from livesheet.formula.parser import parse_formula
 from livesheet.workbook import Cell
 from mechsheet.checking import check
-from mechsheet.checking.edited.formula_diff import alike
+from mechsheet.checking.books_compared import alike
 from mechsheet.checking.programs import convert_with_libreoffice
 from mechsheet.description import load
 from mechsheet.description.schema import TAKES

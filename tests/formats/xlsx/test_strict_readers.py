@@ -21,7 +21,7 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import load, loads
 from mechsheet.dynamics.solve import solve
 from mechsheet.exporting.functions.workbooks import functions_workbook
-from mechsheet.sheet.constants import typed, with_typed_constants
+from mechsheet.sheet.as_typed import typed, with_typed_constants
 from mechsheet.sheet.layout import lay_out
 from random_mechanisms import Grower
 

@@ -10,7 +10,7 @@ from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.homework.classroom.exercise import exercise
 from mechsheet.homework.classroom.statement import Statement
-from mechsheet.homework.marking_rules import asked_of
+from mechsheet.homework.expected_values import asked_of
 
 EXERCISE = """
 [exercise]

@@ -15,10 +15,9 @@ from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_names
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.homework.classroom.exercise import exercise
-from mechsheet.homework.classroom.names import Names
-from mechsheet.homework.classroom.statement import Statement
+from mechsheet.homework.classroom.statement import Names, Statement
+from mechsheet.homework.expected_values import asked_of
 from mechsheet.homework.headings import aliases_of, called
-from mechsheet.homework.marking_rules import asked_of
 
 LETTERS = str.maketrans({"θ": "theta", "β": "beta"})
 
@@ -251,6 +250,7 @@ def test_the_sheet_has_the_figure_and_no_answer(tmp_path, language):
     exercise(mechanism, tmp_path / "class.csv", tmp_path / "out")
     book = openpyxl.load_workbook(tmp_path / "out" / "student" / "7.xlsx")
     task, figure = book.worksheets
+    assert figure.sheet_state == "hidden"  # who prints the whole workbook wants no sheets of numbers
     (chart,) = task._charts
     names = {series.tx.strRef is None and series.tx.v for series in chart.series}
     assert {"L0", "L", "R", "R0"} <= {name.translate(str.maketrans("₀", "0")) for name in names if name}

@@ -15,10 +15,9 @@ from livesheet.formula.parser import parse_formula
 from livesheet.formula.printer import print_formula
 from mechsheet import description
 from mechsheet.homework.audit import audit, audited
+from mechsheet.homework.expected_values import asked_of
 from mechsheet.homework.formula_strips import upright
-from mechsheet.homework.marking_rules import asked_of
-from mechsheet.homework.mends.candidates import Surroundings, candidates
-from mechsheet.homework.mends.pairs import pairs
+from mechsheet.homework.mends.candidates import Surroundings, candidates, pairs
 
 pytestmark = pytest.mark.slow
 

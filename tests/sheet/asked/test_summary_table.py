@@ -8,7 +8,7 @@ from placed import places_of
 from livesheet.engine import compile_book
 from livesheet.evaluation import book_of
 from livesheet.formula.nodes import ErrorValue
-from mechsheet.checking.searched.against_search import against_search
+from mechsheet.checking.against_search import against_search
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.sheet import styles

@@ -19,7 +19,7 @@ from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.library.building import compile_workbook
 from mechsheet.reference import solve as refer
 from mechsheet.reference import variables
-from mechsheet.sheet.asked.expansion import LIMITS, depth
+from mechsheet.sheet.asked.cell_formula import LIMITS, depth
 from mechsheet.sheet.asked.two_way import FIRST, HEAD_ROW
 
 pytestmark = pytest.mark.slow

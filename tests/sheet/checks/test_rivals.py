@@ -11,7 +11,7 @@ from swept import four_bar, swept
 from chosen import some
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
-from mechsheet.checking.searched.against_search import against_search
+from mechsheet.checking.against_search import against_search
 from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides
 from mechsheet.description.templates import template_names, template_text

@@ -4,7 +4,7 @@ import pytest
 from planned import planned
 
 from mechsheet.description.templates import template_text
-from mechsheet.sheet.checks.same_angle import same_angle
+from mechsheet.sheet.transmission import same_angle
 
 OUTPUTS = """
 [outputs]

@@ -11,7 +11,7 @@ from mechsheet import loads, reference
 from mechsheet.diagnostics import DescriptionError
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.library.show import overview_text
-from mechsheet.reference.whole_mechanism import further
+from mechsheet.reference.outputs import further
 
 WHEEL = '[[loads]]\nlink = "crank"\ntorque = "-(3 + 2*sin(theta12))"\n[flywheel]\nfluctuation = 0.05\n'
 TEXT = IN_LINE.replace("step = 15", "step = 15\nspeed = 10") + WHEEL

@@ -11,10 +11,10 @@ from livesheet.formula.scalar import evaluate
 from livesheet.workbook import Area
 from mechsheet.description import load
 from mechsheet.library.building import compile_workbook
+from mechsheet.sheet.cells import ROW_HEIGHT, label_lines
 from mechsheet.sheet.first.blocks import COLUMN, MEANING_WIDTH
 from mechsheet.sheet.plan import LEGEND_ROW, MEANING
 from mechsheet.sheet.shown import input_validation
-from mechsheet.sheet.wrapping import ROW_HEIGHT, label_lines
 
 TEMPLATES = Path(__file__).parents[3] / "templates"
 

@@ -5,7 +5,7 @@ from laid import Laid
 
 from livesheet.engine import evaluate
 from livesheet.evaluation import book_of
-from mechsheet.checking.searched.against_search import against_search
+from mechsheet.checking.against_search import against_search
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError

@@ -1,12 +1,15 @@
 """Summaries over a sweep of which a part, or nothing, exists: no number that could be taken for a result."""
 
 import math
+from dataclasses import replace
 
 import pytest
 from laid import Laid
 
 import mechsheet
-from livesheet.formula.nodes import ErrorValue
+from livesheet.engine import evaluate
+from livesheet.evaluation import book_of
+from livesheet.formula.nodes import CellRef, ErrorValue, RangeRef, transform
 from mechsheet.compiled import compiled_of
 from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
@@ -211,3 +214,34 @@ def test_check_agrees_with_it(tmp_path):
     mechanism = mechsheet.loads(DEAD_CENTRE, "mine")
     (book,) = mechanism.build(tmp_path / "mine.xlsx")
     assert mechsheet.check(book).agrees
+
+
+@pytest.mark.parametrize(("layout", "words"), [("page", 3), ("sheets", 4)])
+def test_a_mean_says_why_it_is_not_there(layout, words):
+    """A row that is inserted above the first of a table moves the ranges that begin there, not those of the rows before."""
+    compiled = compiled_of(loads(FOUR_BAR, overrides=Overrides(layout=layout)))
+    plan, workbook = compiled.plan, compiled.layout
+    first = plan.at.first
+
+    def moved(part):
+        match part:
+            case RangeRef(CellRef(row=row, sheet=sheet) as start, end) if row == first and sheet in (None, plan.table):
+                return RangeRef(replace(start, row=row + 1), end)
+        return part
+
+    def says(sheets):
+        values = evaluate(book_of(replace(workbook, sheets=sheets)))
+        row = plan.blocks["summary"].rows["middle"]
+        return [values.get(plan.main, row, col) for col in (1, words)]
+
+    main, *others = workbook.sheets
+    fills = tuple(replace(fill, formula=transform(fill.formula, moved)) for fill in main.fills)
+    torn, why = (
+        "; no mean: rows were inserted beside the first or the last",
+        says((replace(main, fills=fills), *others)),
+    )
+    assert why[0] == NA
+    assert why[1].endswith(torn)
+    number, said = says(workbook.sheets)
+    assert isinstance(number, float)
+    assert torn not in said

@@ -5,7 +5,7 @@ from laid import Laid
 
 from livesheet.formula.printer import print_formula
 from mechsheet.description.templates import template_text
-from mechsheet.sheet.notes.notes import FORMULA, PLACE
+from mechsheet.sheet.notes import FORMULA, PLACE
 
 
 @pytest.mark.cases(1)

@@ -3,7 +3,7 @@
 import pytest
 from planned import moving, planned
 
-from mechsheet.sheet.notes.loops import LoopRates
+from mechsheet.sheet.mathematics import LoopRates
 
 EQUATIONS = [
     (

@@ -14,7 +14,7 @@ from livesheet.formula.parser import parse_description
 from livesheet.workbook import Rich
 from mechsheet.description.templates import template_text
 from mechsheet.sheet.mathematics import written
-from mechsheet.sheet.notes.notes import EQUATION, FORMULA, MEANING, PLACE, SYMBOL, WIDTHS
+from mechsheet.sheet.notes import EQUATION, FORMULA, MEANING, PLACE, SYMBOL, WIDTHS
 
 OTHERS = ("homework.", "study.", "draw.", "equation.", "step.", "solution.", "picture.")
 """How the keys begin of what is not the workbook's."""

@@ -8,11 +8,10 @@ import pytest
 from mechsheet.description import Overrides, loads
 from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
+from mechsheet.sheet.cells import height_of
 from mechsheet.sheet.drawing.charts import driver_axis
 from mechsheet.sheet.page.layout import MOST_STEPS, lay_out_page
-from mechsheet.sheet.page.top import UNIT, VALUE
-from mechsheet.sheet.plan import VERDICT_ROW
-from mechsheet.sheet.wrapping import height_of
+from mechsheet.sheet.plan import UNIT, VALUE, VERDICT_ROW
 
 
 @pytest.fixture(scope="module")

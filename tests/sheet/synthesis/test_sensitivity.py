@@ -5,7 +5,7 @@ import pytest
 from livesheet.formula.nodes import symbols
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
-from mechsheet.sheet.synthesis.sensitivity import changes, mark
+from mechsheet.sheet.synthesis.tables import changes, mark
 
 
 @pytest.mark.parametrize("name", ["crank-rocker-swing", "function-generator", "quick-return-slider"])

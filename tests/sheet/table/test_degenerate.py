@@ -17,7 +17,7 @@ from degenerate_cases import cases
 from judging import judged
 from livesheet.evaluation import book_of
 from livesheet.formula.nodes import MAX_ROWS
-from mechsheet.checking.searched.against_search import against_search
+from mechsheet.checking.against_search import against_search
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.grammar import MOST_ROWS

@@ -148,7 +148,7 @@ class TableRows:
         self.heights = dict(sheet.row_heights)
         self.fill_down = ColumnTexts("openformula", attribute)
         self.spans = {(merge.area.first_row, merge.area.first_col): merge.area for merge in sheet.merges}
-        self.covered = {place for area in self.spans.values() for place in _places(area)} - self.spans.keys()
+        self.covered = {place for area in self.spans.values() for place in area.places()} - self.spans.keys()
         heading = sheet.print_setup.repeat_rows
         self.heading = None if heading is None else Area(heading[0], 0, heading[1], 0)
         self.begins = frozenset(sheet.print_setup.row_at)
@@ -228,9 +228,9 @@ class TableRows:
 
     def _look(self, style: Style, row: int, col: int) -> str:
         """The attributes of a cell that come from its style, the conditions there, and what may be typed."""
-        maps = tuple(element for area, element in self.rules.maps if _holds(area, row, col))
+        maps = tuple(element for area, element in self.rules.maps if area.holds(row, col))
         name = self.styles.cell(style, maps)
-        valid = next((name for area, name in self.rules.validations if _holds(area, row, col)), "")
+        valid = next((name for area, name in self.rules.validations if area.holds(row, col)), "")
         text = f' table:style-name="{name}"' if name else ""
         return f'{text} table:content-validation-name="{valid}"' if valid else text
 
@@ -288,18 +288,6 @@ def _shown(value: float | str | bool | ErrorValue) -> str:
 
 def _repeated(what: str, count: int) -> str:
     return f' table:number-{what}-repeated="{count}"' if count > 1 else ""
-
-
-def _holds(area: Area, row: int, col: int) -> bool:
-    return area.first_row <= row <= area.last_row and area.first_col <= col <= area.last_col
-
-
-def _places(area: Area) -> Iterator[Place]:
-    return (
-        (row, col)
-        for row in range(area.first_row, area.last_row + 1)
-        for col in range(area.first_col, area.last_col + 1)
-    )
 
 
 _ALL_COLUMNS = 1024

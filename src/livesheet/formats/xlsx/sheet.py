@@ -7,7 +7,7 @@ from typing import Any
 from livesheet.formula.nodes import CellRef, Node
 from livesheet.formula.printer import print_formula, quote_sheet
 from livesheet.formula.references import absolute_name
-from livesheet.workbook import Axis, Chart, Control, PrintSetup, Properties, Series, SeriesRef, Sheet, Validation
+from livesheet.workbook import Axis, Chart, PrintSetup, Properties, Series, SeriesRef, Sheet, Validation
 
 from ..house_style import (
     AXIS_COLOR,
@@ -26,7 +26,6 @@ from ..house_style import (
     note_height,
 )
 from ..xml_text import legal
-from .controls import PlacedControl
 from .library import DataWorksheet, FullScatter
 from .styles import conditional_properties
 
@@ -242,8 +241,3 @@ def _short(text: str, length: int) -> str:
 
 def _note_look(text: str, author: str) -> dict[str, Any]:
     return {"author": author, "width": NOTE_PIXELS, "height": note_height(text), "font_size": TEXT_SIZE}
-
-
-def place_control(page: DataWorksheet, control: Control, value: int, number: int) -> PlacedControl:
-    """The control where its anchor says, by the sheet's column widths and row heights."""
-    return PlacedControl(control, value, number, page.vertices(control.anchor))

@@ -15,8 +15,9 @@ from ..house_style import COLUMN_PIXELS, FONT, FONT_SIZE, ROW_PIXELS
 from ..limits import check_workbook
 from ..xml_text import legal, ooxml_escaped
 from .cells import SheetData, calls_one_of, formula_texts
+from .controls import PlacedControl
 from .library import DataWorksheet, PartsWorkbook
-from .sheet import fill_sheet, place_control
+from .sheet import fill_sheet
 from .styles import StyleTable, rich_text
 
 _DEFAULTS = {
@@ -84,7 +85,7 @@ class _Book(PartsWorkbook):
         fill_sheet(page, sheet, self, self.source.properties)
         placed = sum(len(other.buttons_list) for other in self.worksheets())
         page.controls = [
-            place_control(page, control, linked_value(sheet, control), placed + i)
+            PlacedControl(control, linked_value(sheet, control), placed + i, page.vertices(control.anchor))
             for i, control in enumerate(sheet.controls, 1)
         ]
         page.buttons_list = page.controls

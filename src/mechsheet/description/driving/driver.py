@@ -168,6 +168,9 @@ def _as_written(value: Any) -> str:
     return quoted(value) if isinstance(value, str) else found(value)
 
 
+# --- what is driven besides -------------------------------------------------------------------------------------------
+
+
 def read_further(
     data: list[Any], first: Driver | None, links: tuple[Link, ...], joints: tuple[Joint, ...], ends: Ends, scope: Scope
 ) -> tuple[tuple[FurtherDriver, ...], tuple[Dimension, ...]]:

@@ -50,6 +50,12 @@ def key_text(name: str) -> str:
     return name if BARE_KEY.fullmatch(name) else '"' + name.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
+def line_end(text: str, at: int) -> int:
+    """Where the line ends in which an offset stands."""
+    end = text.find("\n", at)
+    return len(text) if end < 0 else end
+
+
 def index(text: str) -> Mapping[Path, Spot]:
     """The place of every key, table and list element of `text`, which must be valid TOML with `\\n` line ends."""
     return _Walk(text).run()
@@ -111,8 +117,7 @@ class _Walk:
     def note(self, path: Path, begin: int, how: Literal["header", "implied"]) -> None:
         """A table's own header wins over the mention that a deeper header made of it."""
         if path not in self.spots or (how == "header" and self.spots[path].how == "implied"):
-            end = self.text.find("\n", self.at)
-            self.spots[path] = Spot(self.line(begin), begin, len(self.text) if end < 0 else end, how)
+            self.spots[path] = Spot(self.line(begin), begin, line_end(self.text, self.at), how)
 
     def pair(self, table: Path) -> None:
         begin = self.at

@@ -252,6 +252,8 @@ def home(found: Measured, length_unit: str) -> tuple[float, str] | None:
     return None
 
 
+# --- as people type them ----------------------------------------------------------------------------------------------
+
 MINUS = "−–‒—﹣－"
 """Signs that word processors and web pages write for a minus."""
 

@@ -21,7 +21,7 @@ from typing import Any, Literal, TypeAlias
 from livesheet.said import say
 from mechsheet.description.grammar import Either, Items, Kinds, Named, Quantity, Shape, Table, Text, Words
 from mechsheet.description.schema import DESCRIPTION
-from mechsheet.description.text.index import Path, Spot, key_text, written_keys
+from mechsheet.description.text.index import Path, Spot, key_text, line_end, written_keys
 from mechsheet.description.text.numbers import home, measured
 from mechsheet.description.text.source import Source, parse
 from mechsheet.diagnostics import DescriptionError
@@ -119,8 +119,7 @@ def _beside(source: Source, around: Path, line: str) -> Source:
     before = source.text[start : first.start]
     key = _KEY_BEFORE.search(before)
     prefix = before[: key.start()] if key else ""
-    end = source.text.find("\n", first.end)
-    end = len(source.text) if end < 0 else end
+    end = line_end(source.text, first.end)
     return _replaced(source, end, end, f"\n{prefix}{line}")
 
 
@@ -136,8 +135,7 @@ def without_key(source: Source, path: Path) -> Source:
     end = spot.end
     if table.how != "inline":  # a line of its own, with the comment behind it
         start = text.rfind("\n", 0, start) + 1
-        line_end = text.find("\n", end)
-        return _replaced(source, start, len(text) if line_end < 0 else line_end + 1, "")
+        return _replaced(source, start, min(line_end(text, end) + 1, len(text)), "")
     before = len(text[:start].rstrip())
     if text[before - 1] == ",":
         return _replaced(source, before - 1, end, "")
@@ -148,6 +146,9 @@ def without_key(source: Source, path: Path) -> Source:
 def _replaced(source: Source, start: int, end: int, new: str) -> Source:
     """Read again at once: every place behind the change has moved."""
     return parse(source.text[:start] + new + source.text[end:], source.file)
+
+
+# --- whole tables -----------------------------------------------------------------------------------------------------
 
 
 def with_table(source: Source, path: Path, lines: list[str]) -> Source:
@@ -202,7 +203,7 @@ def with_last_key(source: Source, table: Path, key: str, value: str) -> Source:
     if (*table, key) in source.spots or spot is None or spot.how != "header":
         return with_value(source, (*table, key), value)
     end = _end_of(source, spot.start)
-    return parse(f"{source.text[:end]}\n{key_text(key)} = {value}{source.text[end:]}", source.file)
+    return _replaced(source, end, end, f"\n{key_text(key)} = {value}")
 
 
 def _headers(source: Source) -> list[tuple[Path, Spot]]:
@@ -215,9 +216,7 @@ def _end_of(source: Source, start: int) -> int:
     """Where the table ends whose heading begins at `start`: behind its last line that is no comment and not empty."""
     following = min((spot.start for _, spot in _headers(source) if spot.start > start), default=len(source.text))
     inside = [spot.end for spot in source.spots.values() if start <= spot.start < following]
-    last = max(inside, default=start)
-    end = source.text.find("\n", last)
-    return len(source.text) if end < 0 else end
+    return line_end(source.text, max(inside, default=start))
 
 
 def _apart(source: Source, spots: list[Spot]) -> bool:
@@ -225,6 +224,8 @@ def _apart(source: Source, spots: list[Spot]) -> bool:
     starts = [source.text.rfind("\n", 0, spot.start) for spot in spots]
     return all(start < 1 or source.text[start - 1] == "\n" for start in starts) if len(spots) > 1 else False
 
+
+# --- names of points and links ----------------------------------------------------------------------------------------
 
 ALSO_WORDS = ("A", "I", "O")
 
@@ -327,6 +328,8 @@ def _shapes(shape: Shape, path: Path) -> Iterator[Shape]:
         case Items(item):
             yield from _shapes(item, tuple(rest))
 
+
+# --- what it said before ----------------------------------------------------------------------------------------------
 
 _OF_BUILD = ("layout", "language", "references")
 """Keys of [workbook] that do not change a number, and that `build` has options for."""

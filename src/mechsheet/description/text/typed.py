@@ -11,7 +11,7 @@ import tomllib
 from dataclasses import dataclass, field
 
 from livesheet.said import say
-from mechsheet.description.text.index import BARE_KEY, Path, key_text
+from mechsheet.description.text.index import BARE_KEY, Path, key_text, line_end
 from mechsheet.description.text.numbers import BLANKS, MINUS, Typed, typed_number
 from mechsheet.diagnostics import quoted
 
@@ -120,8 +120,9 @@ class _Walk:
     def keep(self, word: str) -> None:
         self.parts.append(word)
 
-    def mend(self, begin: int, new: str, message: str, hint: str) -> None:
-        self.mistakes.append(Mistake(begin, self.path(), message, hint))
+    def mend(self, begin: int, new: str, message: str, hint: str = "") -> None:
+        """Write `new` in its place, and say so; without a `hint` it is what to write."""
+        self.mistakes.append(Mistake(begin, self.path(), message, hint or say("write {new}", new=new)))
         self.parts.append(new)
 
     # ---- one kind of token each
@@ -209,12 +210,7 @@ class _Walk:
             self.keys, behind = (*self.keys, content), "equals"
         signs = " ".join(dict.fromkeys(sign for sign in (word[0], word[-1]) if sign not in "\"'"))
         message = say("quotation marks of a word processor ({signs}) around {content}", signs=signs, content=content)
-        self.mend(
-            begin,
-            new,
-            message,
-            say('write {new}, with the " of the keyboard', new=new) if new[0] == '"' else say("write {new}", new=new),
-        )
+        self.mend(begin, new, message, say('write {new}, with the " of the keyboard', new=new) if new[0] == '"' else "")
         self.expects = behind
 
     def on_other(self, word: str, begin: int) -> None:
@@ -224,7 +220,7 @@ class _Walk:
             return
         new = f'"{found.group().rstrip()}"'
         self.at = begin + 1 + len(found.group().rstrip())
-        self.mend(begin, new, say("the text that begins here is not closed"), say("write {new}", new=new))
+        self.mend(begin, new, say("the text that begins here is not closed"))
         self.expects = "rest"
 
     def on_run(self, word: str, begin: int) -> None:
@@ -239,8 +235,7 @@ class _Walk:
 
     def header(self, begin: int) -> None:
         """`[links.sarkaç]`: the line's table, with the parts that need quotes in quotes."""
-        end = self.text.find("\n", begin)
-        line = self.text[begin : end if end >= 0 else len(self.text)]
+        line = self.text[begin : line_end(self.text, begin)]
         found = _HEAD.match(line)
         if found is None or not _parts(found[2]):
             self.keep(line)
@@ -250,19 +245,10 @@ class _Walk:
         self.table = self.keys = self.counted(names, array)
         new = found[1] + _with_quotes(names) + "]" * len(found[1])
         if not all(_fits(part) for part in _split(found[2])):
-            self.mend(
-                begin,
-                new,
-                say("in {heading} a name needs quotes: {why}", heading=found.group().strip(), why=_beyond(names)),
-                say("write {new}", new=new),
-            )
+            message = say("in {heading} a name needs quotes: {why}", heading=found.group().strip(), why=_beyond(names))
+            self.mend(begin, new, message)
         elif not closed:
-            self.mend(
-                begin,
-                new,
-                say("the heading {heading} is not closed", heading=found.group().strip()),
-                say("write {new}", new=new),
-            )
+            self.mend(begin, new, say("the heading {heading} is not closed", heading=found.group().strip()))
         else:
             self.keep(found.group())
         self.at = begin + found.end()
@@ -288,12 +274,8 @@ class _Walk:
             self.keep(word)
         elif _EQUALS.match(self.text, self.at):
             new = _with_quotes(names)
-            self.mend(
-                begin,
-                new,
-                say("this key needs quotes: {why}", why=_beyond(names)),
-                say("write {new} = …", new=new),
-            )
+            message = say("this key needs quotes: {why}", why=_beyond(names))
+            self.mend(begin, new, message, say("write {new} = …", new=new))
         else:
             self.keep(word)
         self.expects = "equals"
@@ -325,8 +307,7 @@ class _Walk:
         if (slashes := _COMMENT.search(self.text, begin, self.at)) and slashes.start() > begin:
             self.at = slashes.start()
             self.value(self.text[begin : self.at], begin)
-            end = self.text.find("\n", begin)
-            self.at = end if end >= 0 else len(self.text)
+            self.at = line_end(self.text, begin)
             self.mend(slashes.start(), "", say("a comment begins with #, not with //"), say('write "#" in its place'))
             return
         if _is_value(word):
@@ -342,15 +323,11 @@ class _Walk:
             self.mend(begin, _as_taken(number), message, number.hint)
             return
         if word[0] == "(" and "," in word and word[-1] == ")":
-            new = f"[{word[1:-1]}]"
-            self.mend(
-                begin, new, say("a list stands in square brackets, not in round ones"), say("write {new}", new=new)
-            )
+            self.mend(begin, f"[{word[1:-1]}]", say("a list stands in square brackets, not in round ones"))
             return
         new = '"' + word.strip().replace("\\", "\\\\") + '"'
-        hint = say("write {new}", new=new)
-        if self.keys[:1] == ("dimensions",) and len(self.keys) == 2:
-            hint = say("write {{ formula = {new} }}", new=new)
+        of_dimension = self.keys[:1] == ("dimensions",) and len(self.keys) == 2
+        hint = say("write {{ formula = {new} }}", new=new) if of_dimension else ""
         self.mend(begin, new, say("texts and expressions stand in quotes, found {text}", text=quoted(word)), hint)
 
 

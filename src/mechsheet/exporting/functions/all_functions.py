@@ -102,10 +102,13 @@ def functions_of(source: Source, language: str, taken: Collection[str] = ()) -> 
 
 def main_table(mechanism: Mechanism) -> TableRequest | None:
     """The two-way table whose function has the mechanism's name, if there is one that a function can compute."""
+    return next((request for request in mechanism.tables if is_of_a_function(mechanism, request)), None)
+
+
+def is_of_a_function(mechanism: Mechanism, request: TableRequest) -> bool:
+    """Whether a function can compute a two-way table: of what it takes, and of one position."""
     derived = {dim.symbol for dim in mechanism.dimensions if dim.derived}
-    return next(
-        (request for request in mechanism.tables if request.column not in derived and not request.of_summary), None
-    )
+    return request.column not in derived and not request.of_summary
 
 
 def table_routine(source: Source, request: TableRequest) -> Routine:

@@ -33,8 +33,7 @@ from mechsheet.sheet.drawing.charts import driver_axis
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.shown import shown_unit
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import rich, shown_unit
 from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import Unit
 from mechsheet.words.catalogue import Phrase, words

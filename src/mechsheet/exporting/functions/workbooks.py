@@ -20,6 +20,7 @@ from mechsheet.exporting.functions.all_functions import (
     Function,
     functions_of,
     in_degrees,
+    is_of_a_function,
     main_table,
     variable_key,
 )
@@ -31,8 +32,8 @@ from mechsheet.exporting.functions.sheets import LESSON_TITLE, LIST_TITLE, funct
 from mechsheet.kinematics.equations import need_one_position
 from mechsheet.model import TableRequest
 from mechsheet.sheet import styles
+from mechsheet.sheet.as_typed import with_typed_constants
 from mechsheet.sheet.asked.two_way import CHART_COLUMNS, FIRST, HEAD_ROW
-from mechsheet.sheet.constants import with_typed_constants
 from mechsheet.units import Unit
 from mechsheet.words.catalogue import words
 
@@ -166,13 +167,10 @@ class _Work:
 
     def tables(self, workbook: Workbook) -> list[tuple[Sheet, TableRequest]]:
         """The sheets of two-way tables that functions can compute."""
-        derived = {dim.symbol for dim in self.plan.mechanism.dimensions if dim.derived}
-        requests = self.plan.mechanism.tables
-        sheets = workbook.sheets[self.tables_from : self.tables_from + len(requests)]
-        return [
-            pair for pair in zip(sheets, requests, strict=True)
-            if pair[1].column not in derived and not pair[1].of_summary
-        ]  # fmt: skip
+        mechanism = self.plan.mechanism
+        sheets = workbook.sheets[self.tables_from : self.tables_from + len(mechanism.tables)]
+        pairs = zip(sheets, mechanism.tables, strict=True)
+        return [(sheet, request) for sheet, request in pairs if is_of_a_function(mechanism, request)]
 
     def first_sheet(self, sheet: Sheet) -> Sheet:
         """The first sheet, with a line that says what the file needs, and tries a function where that can be tried."""

@@ -3,6 +3,9 @@
 The angle of a link is that of its frame's x axis. Where two of its points lie along the axis, it is the direction from one
 to the other; else the direction between two points less a quarter of a turn, or less what the description says; of a link
 with one point that of the line along which it slides. Of a wheel with one point the relation to the others says it.
+
+An angle is said as a person says it, `plus β + 90°`, not `less (−β − π/2)` (`spoken`): a sum, what is added before what is
+taken off; its numbers are one, in degrees where the description's angles are.
 """
 
 from __future__ import annotations
@@ -10,16 +13,18 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, Node
+from livesheet.formula.nodes import Binary, Call, Node, Number, Unary, symbols
+from livesheet.formula.scalar import evaluate
 from mechsheet import reference
 from mechsheet.homework.agreement import DEGREE
 from mechsheet.homework.expected_values import Truth, truth_of
 from mechsheet.model import Cartesian, Distances, Joint, Link, Mechanism, Polar, Quantity
+from mechsheet.units import DEG
 
 QUARTER = 90
 OTHERWISE = 1.013
@@ -129,7 +134,7 @@ def _states(mechanism: Mechanism) -> Iterator[Truth]:
     if own is None:
         return
     yield own
-    inputs = [dim.symbol for dim in mechanism.dimensions if not dim.derived and not dim.path]
+    inputs = [dim.symbol for dim in mechanism.free_dimensions]
     for factor in (OTHERWISE, 1 / OTHERWISE):
         changed = {symbol: given[symbol] * factor ** (1 + number / 7) for number, symbol in enumerate(inputs)}
         other = truth_of(mechanism, changed, values, own.poses)
@@ -159,3 +164,72 @@ def _from_line(joint: Joint, link: Link) -> Node:
     """The angle of a sliding joint's line less that of a link on either side of it."""
     angle, orientation = al.as_node(joint.angle), al.as_node(joint.orientation)
     return angle if joint.on == link.name else al.neg(orientation)
+
+
+# --- angles as they are said -----------------------------------------------------------------------------------------
+
+
+READABLE = 4
+"""Decimals of a number of degrees: a person draws no finer, and marks allow a hundred times more."""
+
+
+@dataclass(frozen=True, slots=True)
+class SpokenAngle:
+    """A sum of angles: `plus` and `minus` are its terms without their signs, those with symbols first."""
+
+    plus: tuple[Node, ...] = ()
+    minus: tuple[Node, ...] = ()
+
+    @property
+    def negative(self) -> bool:
+        """Whether nothing is added."""
+        return not self.plus
+
+    @property
+    def terms(self) -> int:
+        """How many there are; none for an angle of 0."""
+        return len(self.plus) + len(self.minus)
+
+    def negated(self) -> SpokenAngle:
+        """The same angle the other way round."""
+        return replace(self, plus=self.minus, minus=self.plus)
+
+    @property
+    def node(self) -> Node:
+        """As a formula."""
+        total: Node = al.ZERO
+        for term in self.plus:
+            total = al.add(total, term)
+        for term in self.minus:
+            total = al.sub(total, term)
+        return total
+
+
+def spoken(angle: Node, in_degrees: bool) -> SpokenAngle:
+    """An angle in radians as a sum; `in_degrees`: its numbers are said in degrees."""
+    ways: dict[int, list[Node]] = {1: [], -1: []}
+    constant = 0.0
+    for sign, term in _terms(angle, 1):
+        if in_degrees and not symbols(term):
+            constant += sign * evaluate(term, {})
+        else:
+            ways[sign].append(term)
+    degrees = round(DEG.to_shown(constant), READABLE)
+    if degrees:
+        ways[1 if degrees > 0 else -1].append(al.call("RADIANS", Number(abs(degrees))))
+    return SpokenAngle(tuple(ways[1]), tuple(ways[-1]))
+
+
+def _terms(node: Node, sign: int) -> list[tuple[int, Node]]:
+    """The terms of a sum with their signs; the sign of a product is that of its first factor."""
+    match node:
+        case Number(value) if value < 0:
+            return [(-sign, Number(-value))]
+        case Unary("-", operand):
+            return _terms(operand, -sign)
+        case Binary("+" | "-" as op, left, right):
+            return [*_terms(left, sign), *_terms(right, sign if op == "+" else -sign)]
+        case Binary("*" | "/" as op, left, right):
+            inside = _terms(left, sign)
+            return [(inside[0][0], Binary(op, inside[0][1], right))] if len(inside) == 1 else [(sign, node)]
+    return [(sign, node)]

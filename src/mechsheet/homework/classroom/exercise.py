@@ -9,7 +9,7 @@ import json
 import math
 import random
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -115,13 +115,20 @@ def numbers_of(mechanism: Mechanism, students: Sequence[Student], seed: int) -> 
     units = {dim.symbol: mechanism.shown(dim.unit).symbol for dim in mechanism.dimensions}
     rules = mechanism.exercise
     symbols = [one.symbol for one in (rules.vary if rules is not None else ())]
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
     heads = [f"{symbol} [{units[symbol]}]" if units[symbol] else symbol for symbol in symbols]
-    writer.writerow([*(said(mechanism.language, f"marks.{key}") for key in ("id", "name")), *heads, "seed"])
+    rows: list[Sequence[object]] = [
+        [*(said(mechanism.language, f"marks.{key}") for key in ("id", "name")), *heads, "seed"]
+    ]
     for one in students:
         numbers = [f"{one.dimensions[symbol]:.10g}" for symbol in symbols]
-        writer.writerow([no_formula(one.id), no_formula(one.name), *numbers, seed])
+        rows.append([no_formula(one.id), no_formula(one.name), *numbers, seed])
+    return csv_text(rows)
+
+
+def csv_text(rows: Iterable[Sequence[object]]) -> str:
+    """Rows as CSV."""
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
     return text.getvalue()
 
 

@@ -73,7 +73,8 @@ class Figure:
             inner=DRAWING_INNER,
             alt_text=title,
         )
-        return chart, Sheet(title, tuple(cells))
+        # hidden: who prints the whole workbook wants no sheets of numbers
+        return chart, Sheet(title, tuple(cells), hidden=True)
 
     def below(self, other: bool) -> str:
         """What stands below it: which position it shows, and that a student's own dimensions may be `other` ones."""

@@ -15,12 +15,10 @@ from livesheet.time_limit import limited
 from mechsheet.arguments.outputs import is_there
 from mechsheet.description import load, loads
 from mechsheet.diagnostics import OWN_FAILURES, MechsheetError, own_fault
-from mechsheet.homework.audit import Audit, audited
+from mechsheet.homework.audit import Audit, audited, fault_line, is_other
 from mechsheet.homework.classroom.exercise import Student, safe, with_dimensions
+from mechsheet.homework.expected_values import AskedFor, asked_of
 from mechsheet.homework.formula_strips import Work, upright
-from mechsheet.homework.marking_rules import AskedFor, asked_of
-from mechsheet.homework.own_dimensions import is_other
-from mechsheet.homework.words_of import fault_line
 from mechsheet.model import Mechanism
 from mechsheet.words.catalogue import said
 

@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-import csv
 import html
-import io
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import PurePath
 
 from livesheet.evaluation import computed
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, RangeRef
 from livesheet.workbook import Cell, Column, Fill, PrintSetup, Properties, Sheet, Style, Workbook
-from mechsheet.homework.classroom.exercise import no_formula, safe
-from mechsheet.homework.classroom.feedback import pictures
+from mechsheet.homework.audit import fault_line, kind_words
+from mechsheet.homework.classroom.exercise import csv_text, no_formula, safe
 from mechsheet.homework.classroom.marks import Marked, Marks, lines_of, words_of
-from mechsheet.homework.words_of import fault_line, kind_words
+from mechsheet.homework.drawn_by_numbers import pictures
+from mechsheet.sheet.cells import wrapped_lines
 from mechsheet.sheet.styles import BAD_FILL, DERIVED_FILL, HEAD, HEAD_LEFT, INPUT, SUBTITLE, SYMBOL, TITLE, WARN_FILL
-from mechsheet.sheet.wrapping import wrapped_lines
 from mechsheet.words.catalogue import marks_of, said
 
 CELL = replace(SYMBOL, name="", valign="top", wrap=True)
@@ -155,20 +153,14 @@ def marks_csv(marks: Marks) -> str:
     """id, mark, words: what spreadsheet programs and most learning platforms import."""
     heads = [said("en", key) for key in ("marks.id", "marks.mark", "marks.words")]
     rows = [[no_formula(one.id), f"{one.mark:g}", no_formula(words_of(one))] for one in marks.students]
-    return _table([heads, *rows])
+    return csv_text([heads, *rows])
 
 
 def moodle_csv(marks: Marks) -> str:
     """What Moodle's grade import reads: the ID number, a grade item called as the mechanism, its feedback. Whose workbook is
     missing or cannot be judged has no grade yet, which Moodle writes as a dash."""
     rows = [[one.id, f"{one.mark:g}" if one.audit else "-", words_of(one)] for one in marks.students]
-    return _table([["ID number", marks.title, f"Feedback: {marks.title}"], *rows])
-
-
-def _table(rows: Iterable[Sequence[str]]) -> str:
-    text = io.StringIO()
-    csv.writer(text, lineterminator="\n").writerows(rows)
-    return text.getvalue()
+    return csv_text([["ID number", marks.title, f"Feedback: {marks.title}"], *rows])
 
 
 def pages(marks: Marks) -> dict[str, str]:

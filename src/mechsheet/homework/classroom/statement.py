@@ -1,11 +1,16 @@
 """A task in words: the derived dimensions, the links and where their points lie, the joints, the driver, what is asked.
 
 Everything that the asked quantities follow from is said, in the description's symbols; no word of a frame of a link's own.
+Symbols and names of points are set as the figure has them (`Names`): θ with 13 lowered, A with 0 lowered.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node, Number, Symbol, symbols
@@ -14,9 +19,9 @@ from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.homework.agreement import DEGREE
 from mechsheet.homework.classroom.cam import cam_lines, sign_of
-from mechsheet.homework.classroom.directions import Direction, Directions
-from mechsheet.homework.classroom.spoken_angles import SpokenAngle, spoken
-from mechsheet.homework.marking_rules import asked_of
+from mechsheet.homework.classroom.directions import Direction, Directions, SpokenAngle, spoken
+from mechsheet.homework.expected_values import asked_of
+from mechsheet.homework.headings import aliases_of, called
 from mechsheet.kinematics.equations import FORCES
 from mechsheet.model import (
     Cartesian,
@@ -31,10 +36,12 @@ from mechsheet.model import (
     Rack,
     Summary,
 )
-from mechsheet.sheet.mathematics import Part, written
+from mechsheet.sheet.mathematics import Part, merged, written
 from mechsheet.units import DEG, Unit
 from mechsheet.words.catalogue import said, words
 from mechsheet.words.equations import body_words, given_words, link_words
+from mechsheet.words.symbols import parts as letters
+from mechsheet.words.symbols import plain
 
 Line = list[Part]
 _QUANTITY = "\0"
@@ -85,6 +92,11 @@ class Statement:
         """The same of what is asked: a column, or a summary, which has the unit of its column."""
         of = next((one.of for one in self.mechanism.summaries if one.symbol == symbol), symbol)
         return self.head(symbol, self.mechanism.given_unit(of) or self.compiled.equations.of(of).unit)
+
+    def rows(self) -> NDArray[np.float64]:
+        """The driver's values, as people read them."""
+        values = reference.driver_values(self.mechanism, reference.dimension_values(self.mechanism))
+        return np.asarray(self.mechanism.driver.unit.to_shown(values), float)
 
     def given(self) -> Iterator[tuple[Dimension, float, str]]:
         """What is typed, in the unit shown: the dimensions, also those that a synthesis has found, and of speeds, masses and
@@ -386,3 +398,54 @@ def _needed(compiled: Compiled, asked: Sequence[str]) -> set[str]:
             found.add(symbol)
             waiting += symbols(read[symbol]) if symbol in read else ()
     return found
+
+
+# --- symbols as the figure has them ----------------------------------------------------------------------------------
+
+
+class Names:
+    """The symbols of a mechanism, and the names of its points."""
+
+    def __init__(self, compiled: Compiled) -> None:
+        mechanism = compiled.mechanism
+        points = {point for link in mechanism.links for point in link.points}
+        self.symbols = {each.symbol for each in (*compiled.equations.constants, *compiled.equations.columns)}
+        self.symbols |= {each.symbol for each in (*mechanism.dimensions, *mechanism.all_drivers)}
+        self.symbols |= {output.symbol for output in (*mechanism.outputs, *mechanism.motion_outputs)}
+        self.symbols |= {summary.symbol for summary in mechanism.summaries}
+        symbol, point = (
+            "|".join(re.escape(name) for name in sorted(names, key=len, reverse=True)) or "(?!)"
+            for names in (self.symbols, points)
+        )
+        self.name = re.compile(rf"(?<![\w.])(?:(?:{symbol})(?![\w.])|(?:{point})+(?!\w))")
+        self.point = re.compile(point)
+
+    def _parts(self, name: str) -> list[str]:
+        """The symbol, or the points of a name such as A0A."""
+        return [name] if name in self.symbols else self.point.findall(name)
+
+    def set(self, parts: Iterable[Part]) -> list[Part]:
+        """The pieces of a line with every name in it set."""
+        found: list[Part] = []
+        for text, style in parts:
+            at = 0
+            for name in self.name.finditer(text) if not style else ():
+                found.append((text[at : name.start()], ""))
+                for letter, lowered in map(letters, self._parts(name[0])):
+                    found += [(letter, ""), (lowered, "sub")]
+                at = name.end()
+            found.append((text[at:], style))
+        return merged([(piece, style) for piece, style in found if piece])
+
+    def rich(self, content: Rich | str) -> Rich:
+        """The same for a cell."""
+        return Rich(tuple(self.set(content.parts if isinstance(content, Rich) else [(content, "")])))
+
+    def head(self, text: str, symbol: str) -> Rich | str:
+        """What stands over a column or beside a cell, set as elsewhere if `mark` still reads the symbol in it."""
+        found = self.rich(text)
+        return found if called((found.plain,), aliases_of((symbol,))).alone else text
+
+    def plain(self, text: str) -> str:
+        """A text with its names set, where there is one size of letters."""
+        return self.name.sub(lambda name: "".join(map(plain, self._parts(name[0]))), text)

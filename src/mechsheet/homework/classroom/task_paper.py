@@ -7,16 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-import numpy as np
-
 from livesheet.workbook import Rich
-from mechsheet import reference
 from mechsheet.compiled import Compiled, compiled_of
 from mechsheet.homework.classroom.exercise import drawn, with_dimensions
 from mechsheet.homework.classroom.figure import Figure, figure_of
-from mechsheet.homework.classroom.names import Names
-from mechsheet.homework.classroom.statement import Statement
-from mechsheet.homework.marking_rules import asked_of
+from mechsheet.homework.classroom.statement import Names, Statement
+from mechsheet.homework.expected_values import asked_of
 from mechsheet.model import Mechanism
 from mechsheet.plotting.paper import LINE, Paper, bound
 from mechsheet.plotting.pictures import settings
@@ -67,7 +63,7 @@ class _Task:
         self._lines("links", told.links())
         self._lines("joints", told.joints())
         self._lines("loads", told.loads())
-        self._lines("driver", [*told.driver(), self._rows(compiled), *told.assemblies()])
+        self._lines("driver", [*told.driver(), self._rows(told), *told.assemblies()])
         self._lines("asked", [*told.meanings(), *told.marks()])
 
     @property
@@ -102,11 +98,10 @@ class _Task:
                 self.pages.append(Paper())
             self.page.flow(self.names.set(one.parts))
 
-    def _rows(self, compiled: Compiled) -> Rich:
+    def _rows(self, told: Statement) -> Rich:
         """For which values of the driver: the first two and the last."""
         driver = self.mechanism.driver
-        values = reference.driver_values(self.mechanism, reference.dimension_values(self.mechanism))
-        shown = [in_digits(float(each), 6) for each in np.asarray(driver.unit.to_shown(values), float)]
+        shown = [in_digits(float(each), 6) for each in told.rows()]
         listed = ", ".join(shown) if len(shown) <= 8 else f"{shown[0]}, {shown[1]}, {shown[2]} … {shown[-1]}"
         values_text = f"{listed}{behind_number(driver.unit.text)}"
         return Rich(((self.text("rows", symbol=driver.symbol, values=values_text, count=len(shown)), ""),))

@@ -21,12 +21,10 @@ from livesheet.workbook import (
     Workbook,
     plain_text,
 )
-from mechsheet import reference
 from mechsheet.compiled import Compiled
 from mechsheet.homework.classroom.figure import Figure
-from mechsheet.homework.classroom.names import Names
-from mechsheet.homework.classroom.statement import Statement
-from mechsheet.homework.marking_rules import asked_of
+from mechsheet.homework.classroom.statement import Names, Statement
+from mechsheet.homework.expected_values import asked_of
 from mechsheet.units import Unit
 from mechsheet.words.catalogue import said
 
@@ -156,8 +154,7 @@ class _Page:
         """The driver's values, what is listed beside them, and the columns to fill in."""
         mechanism = compiled.mechanism
         driver = mechanism.driver
-        values = reference.driver_values(mechanism, reference.dimension_values(mechanism))
-        given = {driver.symbol: np.asarray(driver.unit.to_shown(values), float)}
+        given = {driver.symbol: self.told.rows()}
         for symbol in mechanism.given_by_row:
             unit = mechanism.given_unit(symbol)
             given[symbol] = np.asarray(unit.to_shown(compiled.given[symbol]) if unit else compiled.given[symbol], float)
@@ -165,7 +162,7 @@ class _Page:
             self.put(col, self.given_head(symbol, mechanism.given_unit(symbol)), HEAD)
         for col, symbol in enumerate(columns, len(given)):
             self.put(col, self.asked_head(symbol), HEAD)
-        for row in range(len(values)):
+        for row in range(len(given[driver.symbol])):
             self.row += 1
             for col, numbers in enumerate(given.values()):
                 self.put(col, round(float(numbers[row]), 10), DRIVEN)

@@ -23,19 +23,26 @@ from mechsheet.homework.agreement import (
     wrapped,
     zeros_of,
 )
-from mechsheet.homework.conventions import in_convention
 from mechsheet.homework.expected_values import Array, Quantity, kind_of, vocabulary
 from mechsheet.homework.formula_strips import Place, Strip, with_formula
 from mechsheet.homework.headings import around, names_over, says
 from mechsheet.homework.inputs import single_cells
-from mechsheet.homework.mends.candidates import Candidate, Surroundings, candidates
-from mechsheet.homework.mends.pairs import pairs
+from mechsheet.homework.mends.candidates import Candidate, Surroundings, candidates, pairs
 from mechsheet.homework.mends.trial import Effort, Trial, UntriableError
 from mechsheet.homework.series import Graph, Series
 from mechsheet.homework.summaries import holding, span_of
-from mechsheet.homework.two_way import columns_beside
-from mechsheet.homework.understanding import MOVING
-from mechsheet.homework.verdicts import Finding, Retyped, Sheet, agreeing, findings, follows, mostly, retype
+from mechsheet.homework.understanding import columns_beside
+from mechsheet.homework.verdicts import (
+    Finding,
+    Retyped,
+    Sheet,
+    agreeing,
+    findings,
+    follows,
+    in_convention,
+    mostly,
+    retype,
+)
 
 MOST_FAULTS = 5
 OF_VERIFYING = 10_000
@@ -205,7 +212,7 @@ class Search:
         columns = self.sheet.matrix(computed)
         for word in words:
             allowed = self.found.allowed(word)
-            if word.spread <= MOVING * allowed:
+            if self.found.is_still(word):
                 continue
             for place in np.flatnonzero(likely(columns, word, allowed)).tolist():
                 reading = reading_of(columns[place], word, allowed)
@@ -259,7 +266,7 @@ class Search:
 
     def _beside(self, strip: Strip) -> bool:
         """Whether a single cell stands in a series."""
-        return any(_inside(strip, series) for series in self.found.series)
+        return any(series.cells.begins(strip) for series in self.found.series)
 
     def _odd(self) -> set[int]:
         """Formulas that break the run they stand in."""
@@ -273,7 +280,7 @@ class Search:
     def _run_of(self, strip: Strip) -> Strip | None:
         """The run that a strip breaks: the main formula of its series, where it is another one."""
         for series in self.found.series:
-            if series.main not in (None, strip) and _inside(strip, series):
+            if series.main not in (None, strip) and series.cells.begins(strip):
                 return series.main
         return None
 
@@ -347,7 +354,7 @@ class Search:
         ]
         single = [place for place in dict.fromkeys(single) if free(place)][:MOST_AROUND]
         driver = self.found.driver
-        own = next((one for one in self.found.series if _inside(strip, one)), None)
+        own = next((one for one in self.found.series if one.cells.begins(strip)), None)
         lines = [(driver.sheet, driver.line, driver.start), *(series.key for series in self.found.series)]
         row = []
         columns = []
@@ -396,13 +403,6 @@ class Search:
         if symbol in self.truth.columns or not self._beside(strip):
             return True
         return agreeing(mended, self.truth, self.truth.summary(symbol).of) is not None
-
-
-def _inside(strip: Strip, series: Series) -> bool:
-    """Whether a strip begins in a series."""
-    return (series.sheet, series.line) == (strip.sheet, strip.line) and (
-        series.origin <= strip.start < series.origin + series.rows
-    )
 
 
 def _rank(mend: Mend) -> tuple[bool, int, int, float]:
@@ -466,7 +466,7 @@ def first_difference(
         wanted = reading.sense * right / reading.unit
     if mended is not None:
         wanted = float(series.column(mended[0].found.work)[row])
-    return Suspect(strip, series.places()[row], float(column[row]), wanted, symbol)
+    return Suspect(strip, series.cells.places()[row], float(column[row]), wanted, symbol)
 
 
 def many(sheet: Sheet, results: Mapping[str, Finding], effort: Effort) -> tuple[list[Mend], Sheet, dict[str, Finding]]:

@@ -8,11 +8,10 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from livesheet.formula.nodes import Number
-from mechsheet.homework.conventions import in_convention
 from mechsheet.homework.formula_strips import Strip
 from mechsheet.homework.mends.faults import Mend, goals_of, mended_sheet, newly_right
 from mechsheet.homework.series import Series
-from mechsheet.homework.verdicts import Finding, Sheet
+from mechsheet.homework.verdicts import Finding, Sheet, in_convention
 
 FEW = 0.25
 """With more typed numbers than this part of its rows a column is one of numbers as well as of formulas."""
@@ -78,9 +77,7 @@ def _typed(sheet: Sheet) -> Iterator[tuple[Series, Strip]]:
 
 def _differs(sheet: Sheet, mended: Sheet, strip: Strip) -> bool:
     """Whether the column's formula gives other numbers there."""
-    typed, computed = (
-        one.found.work.column(strip.sheet, strip.start, strip.line, strip.length) for one in (sheet, mended)
-    )
+    typed, computed = (strip.column(one.found.work) for one in (sheet, mended))
     return bool(
         np.isfinite(computed).all() and (np.abs(typed - computed) > ROUNDED * np.maximum(1.0, np.abs(computed))).any()
     )
@@ -97,5 +94,5 @@ def _leads_to(sheet: Sheet, strip: Strip, series: Series | None) -> bool:
     if (series.sheet, series.line) == (strip.sheet, strip.line) and strip.start < series.origin + series.rows:
         return strip.end > series.origin
     graph = sheet.found.graph
-    readers = graph.readers_of(strip.sheet, strip.line, strip.start, strip.end)
+    readers = graph.readers_of(strip)
     return bool(graph.below(readers) & set(series.strips(sheet.found.work)))

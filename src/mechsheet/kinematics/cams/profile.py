@@ -11,7 +11,14 @@ A flat face lies along f through F, with normal g = J f. It touches where it doe
 F + x f, and the radius of curvature is that of the support function p = g.F over the normal's direction in the cam:
 
     x = (s F.f - F'.g)/(theta' - s),    rho = p + d^2p/dpsi^2 where p > 0, else its opposite,    psi' = theta' - s
-Source: R. L. Norton, Cam Design and Manufacturing Handbook, chapter 7; the support function: any text on convex curves.
+
+How a place moves with the follower's variable v, while the cam stands: by the cam's angle every first derivative is linear
+in v.d. So its derivative by v.d follows from the formulas that stand there already, and it is there at a dwell, too:
+
+    dX/dv = sum of d(X.d)/d(Y.d) dY/dv,      dv/dv = 1
+
+Source: R. L. Norton, Cam Design and Manufacturing Handbook, chapter 7; the support function: any text on convex curves; the
+derivative by v: Soeylemez, Mechanisms, section 5.3 (virtual work).
 """
 
 from __future__ import annotations
@@ -20,19 +27,63 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol
+from livesheet.formula.derivatives import derivative
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols
 from livesheet.formula.vectors import Vector, cross, dot, minus, negative, over, plus, size, times, turned
 from livesheet.said import Words
-from mechsheet.kinematics.equations import CAM, Condition, Role
+from mechsheet.kinematics.equations import CAM, RATES, Condition, Equation, Role
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.points_in_link import angle_of
 from mechsheet.kinematics.poses import Poses
-from mechsheet.kinematics.rates.by_follower import ByFollower
 from mechsheet.kinematics.rates.motions import Motions, PointRate
-from mechsheet.kinematics.rates.rate_columns import RateColumns
+from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, RateColumns
 from mechsheet.model import BASE, Cam, FurtherDriver, Link, touched_by
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
+
+
+class ByFollower:
+    """Writes the columns down that are read."""
+
+    def __init__(self, follower: FurtherDriver, motions: Motions, columns: RateColumns) -> None:
+        """`motions`: by the cam's angle, all of whose columns are written down."""
+        self.follower, self.motions, self.columns = follower, motions, columns
+        self._rates = {each.symbol: each for each in columns.ledger.columns if each.role in RATES}
+        self._known: dict[str, Node] = {f"{follower.symbol}{COEFFICIENTS[0]}": al.ONE}
+
+    def of_place(self, link: str, at: Vector) -> Vector:
+        """How the place of a link moves that is at some coordinates now."""
+        x, y = self.motions.motion[link](at).first
+        return self._of(x), self._of(y)
+
+    def of_angle(self, link: str) -> Node:
+        """How a link turns."""
+        return self._of(self.motions.turning[link].first)
+
+    def _of(self, node: Node) -> Node:
+        parts = [al.mul(derivative(node, name), self._of_symbol(name)) for name in symbols(node)]
+        return al.total(part for part in parts if not al.is_zero(part))
+
+    def _of_symbol(self, name: str) -> Node:
+        if name not in self._known:
+            equation = self._rates.get(name)  # what is no rate of a body is a place: it stands
+            self._known[name] = al.ZERO if equation is None else self._column(equation)
+        return self._known[name]
+
+    def _column(self, equation: Equation) -> Node:
+        node = self._of(equation.expression)
+        if al.is_simple(node):
+            return node
+        ledger, variable = self.columns.ledger, self.follower.symbol
+        symbol = equation.symbol.removesuffix(COEFFICIENTS[0])
+        group, ledger.group = ledger.group, CAM
+        base = f"{symbol.replace('.', '_')}_by_{variable}"
+        unit = self.columns.per_length(equation.unit) if self.follower.joint else equation.unit
+        label = phrase("by_follower", symbol=symbol, follower=variable)
+        found: Symbol = self.columns.define(base, self.columns.within(node, base, unit, label), unit, label)
+        ledger.group = group
+        return found
+
 
 STRAIGHT = 1e-9
 """A curvature below this part of one over the largest length is that of a straight line, which has no radius."""

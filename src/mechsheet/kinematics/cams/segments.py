@@ -8,7 +8,6 @@ where phi is the angle within the turn. At an angle at which two segments meet t
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from typing import Literal
 
@@ -18,12 +17,9 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, symbols, with_symbols
 from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.numeric import Array, value
-from mechsheet.model import HALF, PIECE, TAU, WAVE, FurtherDriver, Segment, Segments
+from mechsheet.model import EIGHTH, HALF, MEETING, MOST_RISING, PIECE, TAU, WAVE, FurtherDriver, Segment, Segments
 from mechsheet.units import ANGLE, LENGTH, NUMBER, Unit
 from mechsheet.words.equations import phrase
-
-MEETING = 1e-9
-"""So far [rad] behind the angle where two segments meet the earlier one still counts: rounding decides nothing."""
 
 _MIDDLE = al.sub(al.PI, Number(MEETING))
 """The middle of what an angle is brought to; just below half a turn, so that a whole turn begins the next."""
@@ -31,24 +27,6 @@ _MIDDLE = al.sub(al.PI, Number(MEETING))
 
 SYMBOLS = {"begins": "phi_i", "over": "beta", "lift": "L", "by": "h"}
 """What columns of a row's segment are called."""
-
-EIGHTH, MOST_RISING = 0.125, 0.375
-"""Parts of a segment at which the pieces of a modified law meet."""
-
-INNER_SEAMS = {
-    "parabolic": (0.5,),
-    "harmonic": (0.5,),
-    "cycloidal": (0.25, 0.5, 0.75),
-    "3-4-5": ((3 - math.sqrt(3)) / 6, 0.5, (3 + math.sqrt(3)) / 6),
-    "4-5-6-7": ((5 - math.sqrt(5)) / 10, 0.5, (5 + math.sqrt(5)) / 10),
-    "modified trapezoid": (EIGHTH, MOST_RISING, 0.5, 1 - MOST_RISING, 1 - EIGHTH),
-    "modified sine": (EIGHTH, 0.5, 1 - EIGHTH),
-}
-"""Parts of a segment at which the pieces of its law meet, or its velocity or acceleration are extreme: of a segment narrower
-than a row the rows show neither."""
-
-BEHIND = 1e-7
-"""So far [rad] behind a seam the later piece is asked: beyond `MEETING`, which laws count in parts of a segment, too."""
 
 
 def write_segments(driver: FurtherDriver, angle: str, ledger: Ledger) -> None:
@@ -150,24 +128,3 @@ def _within(motion: Segments, angle: str, ledger: Ledger) -> Symbol:
         last = motion.parts[-1]
         within = Call("MAX", (al.ZERO, Call("MIN", (phi, al.add(last.begins, last.over)))))
     return ledger.column(f"{angle}_t", within, ANGLE, phrase("within_turn"))
-
-
-def seams(motion: Segments) -> list[Node]:
-    """Angles at which pieces of the motion meet, where what follows from it may be extreme without turning back; and those
-    at which laws have their largest velocities and accelerations.
-
-    Of two segments, and where the acceleration leaps within one, the last of the earlier piece and the first of the later.
-    """
-    found: list[Node] = [al.ZERO]
-    for place, part in enumerate(motion.parts):
-        found += _both_sides(part.begins) if place else []
-        for share in INNER_SEAMS.get(part.law, ()):
-            angle = al.add(part.begins, al.mul(Number(share), part.over))
-            found += _both_sides(angle) if part.law == "parabolic" else [angle]
-    last = motion.parts[-1]
-    end = al.add(last.begins, last.over)
-    return [*found, al.sub(Number(2 * math.pi), Number(BEHIND)) if motion.closed else end]
-
-
-def _both_sides(angle: Node) -> list[Node]:
-    return [angle, al.add(angle, Number(BEHIND))]

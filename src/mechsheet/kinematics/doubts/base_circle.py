@@ -9,7 +9,6 @@ import numpy as np
 from livesheet.diagnostics import Fault
 from livesheet.formula import algebra as al
 from livesheet.said import say
-from mechsheet.kinematics.cams.segments import seams
 from mechsheet.kinematics.dimensions import dimension_values
 from mechsheet.kinematics.driving import given_values
 from mechsheet.kinematics.equations import Equations
@@ -35,7 +34,7 @@ def base_circle_doubts(mechanism: Mechanism, equations: Equations) -> Iterator[F
         return
     values = dimension_values(mechanism)
     rows = given_values(mechanism, values)[mechanism.driver.symbol]
-    meet = [number(angle, values) for angle in seams(motion)]  # a motion may end between two rows
+    meet = [number(angle, values) for angle in motion.seams]  # a motion may end between two rows
     found = sweep(mechanism, equations, np.unique(np.concatenate([rows, meet])))
     distances = np.sqrt(found["cam.x"] ** 2 + found["cam.y"] ** 2)
     if not np.isfinite(distances).any():

@@ -131,21 +131,18 @@ def _sketched(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
     if any(group.system for group in equations.groups):  # its assembly is that of the first position alone
         doubts = step_doubts(mechanism, equations, driver, sweep)
         return (*doubts, *_phases_there(mechanism, equations, driver))
-    fixed = [point for point in mechanism.sketch.points if point in mechanism.ground.points]
     found = [
         Fault(
             say('"{point}" is a point of the ground: sketching it decides nothing', point=point),
             key=f"assembly.{point}",
         )
-        for point in fixed
+        for point in mechanism.sketch.points
+        if point in mechanism.ground.points
     ]
-    dimensions = dimension_values(mechanism)
-    entries = _entries(mechanism, dimensions)
+    entries = _entries(mechanism)
     if not entries:
         return tuple(found)
-    driver = driver_values(mechanism, dimensions)
-    at = mechanism.sketch.at
-    shown = driver if at is None else np.array([number(at, dimensions)])
+    shown = _read_at(mechanism, driver)
     values, row = _position(mechanism, equations, shown)
     if row is None:
         return tuple(found)
@@ -159,16 +156,14 @@ def _sketched(mechanism: Mechanism, equations: Equations) -> tuple[Fault, ...]:
 
 
 def _phases_there(mechanism: Mechanism, equations: Equations, driver: Array) -> list[Fault]:
-    """As `_phases`, where a phase may decide more than one wheel: the phase that the sketched angles of all three links
+    """As `out_of_phase`, where a phase may decide more than one wheel: the phase that the sketched angles of all three links
     make is held against the one that is given. A gear of which the sketch leaves one open is not asked.
     """
     gears = [relation for relation in mechanism.relations if isinstance(relation, Gear)]
-    dimensions = dimension_values(mechanism)
-    sketched = {entry.name: entry.wanted for entry in _entries(mechanism, dimensions)}
+    sketched = {entry.name: entry.wanted for entry in _entries(mechanism)}
     if not gears or not sketched:
         return []
-    at = mechanism.sketch.at
-    values, row = _position(mechanism, equations, driver if at is None else np.array([number(at, dimensions)]))
+    values, row = _position(mechanism, equations, _read_at(mechanism, driver))
     if row is None:
         return []
     there = {name: float(column[row]) for name, column in values.items()}
@@ -180,7 +175,7 @@ def _phases_there(mechanism: Mechanism, equations: Equations, driver: Array) -> 
         )
         if link is None or on is None or arm is None:
             continue
-        off = math.remainder(link - arm - number(gear.ratio, dimensions) * (on - arm), math.tau)
+        off = math.remainder(link - arm - number(gear.ratio, dimension_values(mechanism)) * (on - arm), math.tau)
         if abs(off) > OUT_OF_PHASE:
             found.append(_out_of_phase(mechanism, OutOfPhase(gear, gear.link, off)))
     return found
@@ -238,7 +233,7 @@ def out_of_phase(mechanism: Mechanism, equations: Equations) -> list[OutOfPhase]
 
     Turns count: where the sketch says at which value of the driver it was drawn, the mechanism is followed there.
     """
-    entries = _entries(mechanism, dimension_values(mechanism))
+    entries = _entries(mechanism)
     place = _followed(mechanism, equations) if mechanism.relations and entries else None
     if place is None:
         return []
@@ -340,9 +335,15 @@ class _Read:
     row: int
 
 
-def _entries(mechanism: Mechanism, dimensions: Mapping[str, float]) -> list[Entry]:
+def _read_at(mechanism: Mechanism, driver: Array) -> Array:
+    """The driver's values at which the sketch is read: the one it is said to show, else those of the rows."""
+    at = mechanism.sketch.at
+    return driver if at is None else np.array([number(at, dimension_values(mechanism))])
+
+
+def _entries(mechanism: Mechanism) -> list[Entry]:
     """Everything sketched that moves: points, angles, displacements, the driver itself."""
-    sketch, driver = mechanism.sketch, mechanism.driver
+    sketch, driver, dimensions = mechanism.sketch, mechanism.driver, dimension_values(mechanism)
     angles = {link.angle_symbol for link in mechanism.links} | ({driver.symbol} if not driver.joint else set())
     found = [
         Entry(point, (f"{point}.x", f"{point}.y"), (number(x, dimensions), number(y, dimensions)))
@@ -359,7 +360,7 @@ def _entries(mechanism: Mechanism, dimensions: Mapping[str, float]) -> list[Entr
 def with_position(fault: Fault, mechanism: Mechanism) -> Fault:
     """A fault of a sketch that is read at the first position, with the driver value that it fits, if there is one."""
     dimensions = dimension_values(mechanism)
-    entries, driver = _entries(mechanism, dimensions), driver_values(mechanism, dimensions)
+    entries, driver = _entries(mechanism), driver_values(mechanism, dimensions)
     if not entries:
         return fault
     equations = write_equations(mechanism, None)

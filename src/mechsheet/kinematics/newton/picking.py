@@ -17,7 +17,7 @@ from livesheet.diagnostics import Fault
 from livesheet.formula.nodes import Symbol
 from livesheet.said import Words, say
 from mechsheet.kinematics.equations import Equation, System
-from mechsheet.kinematics.ledger import CLOSING, Ledger
+from mechsheet.kinematics.ledger import Ledger
 from mechsheet.kinematics.modes import BetweenModesError, NeverClosesError, difference, entries_of, shown_entries
 from mechsheet.kinematics.newton.newton_equations import Solution
 from mechsheet.kinematics.newton.singular_start import DeadStartError, singular
@@ -52,9 +52,8 @@ def pick_assembly(
     a value of the driver
     """
     system = solution.system
-    turning = tuple(turns(ledger, name) for name in system.variables)
-    size = ledger.number(ledger.tolerance) / CLOSING
-    there = listed(system, ledger.values, min(ledger.following, ledger.rows), turning, size, mechanism.angle_unit)
+    turning, size = ledger.turning(system), ledger.largest_length
+    there = listed(system, ledger, ledger.values, ledger.rows, mechanism.angle_unit)
     if there is None:
         raise NeverClosesError(solution.label)
     system, found = there
@@ -83,20 +82,21 @@ def pick_assembly(
     elif entries:
         is_open = False
     ledger.set_mode(system.mode, index + 1, start)
-    known = {name: float(np.asarray(ledger.values[name])[row]) for name in system.given}
+    known = _given_in(system, ledger.values, row)
     if singular(system, known, found[index].tolist(), [not turns for turns in turning], size):
         raise DeadStartError(solution.label)
     return system, index, is_open
 
 
 def listed(
-    system: System, values: Mapping[str, Array], rows: int, turning: tuple[bool, ...], size: float, unit: Unit
+    system: System, ledger: Ledger, values: Mapping[str, Array], rows: int, unit: Unit
 ) -> tuple[System, list[Array]] | None:
     """The system with the start values of all assemblies in the first row that has one, and these; None where none has.
 
-    values  of what the system reads, row by row;  turning: which unknowns are angles;  size: of the mechanism
+    values  of what the system reads, in so many rows, of which those that follow one another are looked at
     """
-    row, found = _first_position(system, values, rows, turning, size)
+    turning, size = ledger.turning(system), ledger.largest_length
+    row, found = _first_position(system, values, min(rows, ledger.following), turning, size)
     if row is None:
         return None
     starts = tuple(
@@ -107,22 +107,20 @@ def listed(
 
 def words_of(mechanism: Mechanism, system: System, ledger: Ledger) -> tuple[Words, ...]:
     """What tells each assembly: its unknowns in the first position."""
+    unit = mechanism.angle_unit
     found = []
     for start in system.starts:
         parts = []
-        for name, number in zip(system.variables, start, strict=True):
-            angle = turns(ledger, name)
-            unit = mechanism.angle_unit
-            shown = unit.to_shown(number) if angle else number
-            parts.append(f"{name} = {float(shown):.4g}{unit.text if angle else ''}")
-        text = ", ".join(parts)
-        found.append(Label(text))
+        for name, number, turns in zip(system.variables, start, ledger.turning(system), strict=True):
+            shown = unit.to_shown(number) if turns else number
+            parts.append(f"{name} = {float(shown):.4g}{unit.text if turns else ''}")
+        found.append(Label(", ".join(parts)))
     return tuple(found)
 
 
-def turns(ledger: Ledger, symbol: str) -> bool:
-    """Whether an unknown is an angle."""
-    return ledger.of(symbol).unit.kind == "angle"
+def _given_in(system: System, values: Mapping[str, Array], row: int) -> dict[str, float]:
+    """What a system reads in a row."""
+    return {name: float(np.asarray(values[name])[row]) for name in system.given}
 
 
 def _rounded(number: float, turns: bool, size: float, unit: Unit) -> float:
@@ -140,7 +138,7 @@ def _first_position(
     """The first row in which there is an assembly, with all that there are."""
 
     def there(row: int) -> list[Array]:
-        known = {name: float(np.asarray(values[name])[row]) for name in system.given}
+        known = _given_in(system, values, row)
         if not all(map(math.isfinite, known.values())):
             return []
         return assemblies_in(system, known, turning, size)
@@ -176,7 +174,7 @@ def _described(ledger: Ledger, system: System, row: int) -> tuple[tuple[tuple[st
 
 def _refuse_dead(system: System, ledger: Ledger, row: int, found: list[Array], solution: Solution) -> None:
     """Start values lead to their own assembly, or two assemblies lie so near that they cannot be told apart."""
-    known = {name: float(np.asarray(ledger.values[name])[row]) for name in system.given}
+    known = _given_in(system, ledger.values, row)
     reached, _, _ = refined(
         system, known, [np.array([start[at] for start in system.starts]) for at in range(len(found[0]))]
     )
@@ -189,8 +187,7 @@ def _refuse_dead(system: System, ledger: Ledger, row: int, found: list[Array], s
 
 def _gap(state: Array, wanted: list[float], turning: tuple[bool, ...], size: float) -> float:
     gaps = (
-        math.remainder(one - other, math.tau) if turns else (one - other) / size
-        for one, other, turns in zip(state, wanted, turning, strict=True)
+        difference(one, other, 0.0 if turns else size) for one, other, turns in zip(state, wanted, turning, strict=True)
     )
     return float(portable.hypot(*gaps))
 

@@ -34,7 +34,7 @@ from mechsheet.kinematics.newton.newton_equations import Cramer, Solution, crame
 from mechsheet.kinematics.rates.motions import Motions, PointRate, Rate
 from mechsheet.kinematics.rates.rate_columns import COEFFICIENTS, LONGEST, RateColumns, order_words
 from mechsheet.model import Rack, Relation
-from mechsheet.units import LENGTH, NUMBER, Unit
+from mechsheet.units import NUMBER, Unit
 from mechsheet.words.equations import phrase
 
 SIDES = ((al.ONE, al.ZERO), (al.ZERO, al.ONE))
@@ -253,7 +253,7 @@ class ChainColumns:
     def write(self) -> tuple[Symbol, list[str]]:
         """D, and the symbols of which there are coefficients now."""
         system, columns = self.system, self.columns
-        slides = [columns.ledger.of(name).unit == LENGTH for name in system.variables]
+        slides = [not turns for turns in columns.ledger.turning(system)]
         columns.angles.update(name for name, slide in zip(system.variables, slides, strict=True) if not slide)
         label = phrase("determinant")
         alive = dead(system, slides, columns.ledger.size(), lambda node: columns.define("r", node, NUMBER, label))
@@ -317,11 +317,10 @@ class ChainColumns:
         """The gap between the two ways to a place, in columns where what is written with it becomes long."""
         if max(map(self.columns.length, write(gap))) <= LONGEST:
             return gap
-        parts = []
-        for axis, node in zip("xy", gap, strict=True):
-            label = phrase("gap_part", number=str(place + 1), axis=axis, order=order_words(order))
-            parts.append(self.columns.hoist(f"g{place + 1}_{axis}", node, self.columns.unit(1, order), label))
-        return parts[0], parts[1]
+        number, words = str(place + 1), order_words(order)
+        return self.columns.hoist_vector(
+            f"g{number}", gap, order, lambda axis: phrase("gap_part", number=number, axis=axis, order=words)
+        )
 
     def _unit(self, closing: Closing, order: int) -> Unit:
         """Of an equation: a distance is asked as a square, an offset or a pin as a length, a gear as an angle."""

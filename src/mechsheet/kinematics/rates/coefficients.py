@@ -390,12 +390,8 @@ class _Writer:
         return once.right if longest <= LONGEST else self._hoisted(once.right, base, 1)
 
     def _hoisted(self, right: Vector, base: str, order: int) -> Vector:
-        unit = self.columns.unit(1, order)
-        found = []
-        for axis, node in zip("xy", right, strict=True):
-            label = phrase("known_side", axis=axis, order=order_words(order))
-            found.append(self.columns.hoist(f"{base}_{axis}", node, unit, label))
-        return found[0], found[1]
+        words = order_words(order)
+        return self.columns.hoist_vector(base, right, order, lambda axis: phrase("known_side", axis=axis, order=words))
 
     def _rates(self, symbol: str, own: Rate, turns: bool, only: Container[str] | None = None) -> None:
         """omega, alpha of an angle, which `turns`; velocity and acceleration of a displacement. `only`: those of them."""

@@ -69,6 +69,14 @@ class RateColumns:
             return node
         return self.define(base, self.within(node, base, unit, label), unit, label)
 
+    def hoist_vector(self, base: str, vector: Vector, order: int, label: Callable[[str], Words]) -> Vector:
+        """The parts of a length's derivative, each in a column of its own unless it is simple; `label`: of x, of y."""
+        x, y = (
+            self.hoist(f"{base}_{axis}", node, self.unit(1, order), label(axis))
+            for axis, node in zip("xy", vector, strict=True)
+        )
+        return x, y
+
     def define(self, base: str, node: Node, unit: Unit, label: Words, *exists: Condition) -> Symbol:
         """A column of its own."""
         name = self.ledger.reserve(base)

@@ -24,8 +24,7 @@ from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.over_rows import ENDS, NUMBERS, ends_meet, may_leave_out, mean_of_motion
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.shown import input_validation, shown_unit
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import input_validation, rich, shown_unit
 from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.words.symbols import plain
 

@@ -33,8 +33,7 @@ from mechsheet.sheet.asked.cell_formula import Blocks, CellFormula, helper_block
 from mechsheet.sheet.drawing.charts import driver_axis
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.shown import input_validation, shown_unit
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import input_validation, rich, shown_unit
 from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import behind_number
 from mechsheet.words.symbols import plain

@@ -16,10 +16,7 @@ from mechsheet.kinematics.numeric import runs_of
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.cells import Cells
-from mechsheet.sheet.checks.assemblies import assembly_columns
-from mechsheet.sheet.checks.efforts import AGREES, effort_columns
-from mechsheet.sheet.checks.fits import fit_columns
-from mechsheet.sheet.checks.gaps import chunks_of, gap_columns
+from mechsheet.sheet.checks.rows import AGREES, assembly_columns, chunks_of, effort_columns, fit_columns, gap_columns
 from mechsheet.sheet.checks.search_rules import DIP
 from mechsheet.sheet.places import Checked
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan

@@ -11,7 +11,6 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
 from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, with_symbols
-from mechsheet.kinematics.cams.segments import seams
 from mechsheet.model import Way
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks import search_rules as rules
@@ -30,7 +29,7 @@ of that value and the best row's."""
 class Corners:
     """Their rows, from `row` on.
 
-    angles  of the driver (`seams`);  at: the first working cell beside a search
+    angles  of the driver (`Mechanism.seams`);  at: the first working cell beside a search
     """
 
     table: SearchTable
@@ -76,5 +75,4 @@ class Corners:
 
 def corners_of(plan: Plan) -> tuple[Node, ...]:
     """Those angles of the driver; none where nobody looks between the rows."""
-    motion = plan.mechanism.segments
-    return () if motion is None or plan.rows_only else tuple(dict.fromkeys(seams(motion)))
+    return () if plan.rows_only else plan.mechanism.seams

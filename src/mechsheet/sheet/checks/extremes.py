@@ -35,7 +35,6 @@ from mechsheet.sheet.checks.one_extreme import (
     Searches,
     Sought,
 )
-from mechsheet.sheet.checks.same_angle import same_angle
 from mechsheet.sheet.checks.search_rules import BRACKET, PROBES
 from mechsheet.sheet.checks.search_table import (
     COLUMN,
@@ -58,6 +57,7 @@ from mechsheet.sheet.plan import LEAST_PROBED, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
 from mechsheet.sheet.quoted import SHOWN, formula
 from mechsheet.sheet.table.positions import heading
+from mechsheet.sheet.transmission import same_angle
 from mechsheet.units import turn as whole_turn
 from mechsheet.words.symbols import plain
 

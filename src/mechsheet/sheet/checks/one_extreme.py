@@ -278,7 +278,7 @@ class Searches:
             table.work(row, WRAPS, "wraps", wraps=table.near(self.opposite(sought).row, WRAPS))
             return
         start, end = (table.in_row(symbol, row, place) for place in (al.ONE, table.rows))
-        unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
+        unit = plan.unit_of(symbol)
         meet = ends_meet(plan, symbol, unit, table.in_rows(symbol, row), (start, end))
         table.work(row, WRAPS, "wraps", wraps=with_symbols(rules.WRAPS, self._read(sought) | {"meet": meet}))
 

@@ -22,12 +22,12 @@ from mechsheet.kinematics.numeric import Array
 from mechsheet.model import ENERGY, TIME, ChartRequest, Ends, Mechanism, rate_symbols
 from mechsheet.shapes.described import remarkable_points
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import ROW_HEIGHT
 from mechsheet.sheet.columns.bands import HIGH, LOW, part_of
 from mechsheet.sheet.drawing.drawing import SIZE, Drawing, marker
 from mechsheet.sheet.plan import CHARTS, VALUE, Plan
 from mechsheet.sheet.printing import CHARTS_DOWN, first_setup, headings_of
 from mechsheet.sheet.shown import shown_unit
-from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.symbols import plain
 
 GAP = 12

@@ -22,7 +22,7 @@ from mechsheet.shapes.colors import INK
 from mechsheet.shapes.forms import BOTTOM, LEFT
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks.gaps import chunks_of
+from mechsheet.sheet.checks.rows import chunks_of
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan

@@ -46,7 +46,7 @@ from mechsheet.shapes.listing import shapes_of
 from mechsheet.shapes.names import POINTS
 from mechsheet.shapes.positions import rings_needed, ways_in
 from mechsheet.sheet import styles
-from mechsheet.sheet.checks.gaps import chunks_of
+from mechsheet.sheet.checks.rows import chunks_of
 from mechsheet.sheet.drawing.frames import (
     CHART_X,
     CHART_Y,
@@ -70,7 +70,7 @@ from mechsheet.sheet.over_rows import LEAST as SMALLEST
 from mechsheet.sheet.over_rows import MOST
 from mechsheet.sheet.plan import ArrowKind
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import rich
 
 KINDS: dict[ArrowKind, Kind] = {"velocity": "velocity", "acceleration": "acceleration", "forces": "force"}
 """What the list of shapes calls the arrows that a cell of the first sheet hides."""

@@ -32,8 +32,7 @@ from mechsheet.sheet.findings.finding import Finding, Level, Line, bad, good, lo
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
-from mechsheet.sheet.shown import shown_unit, unit_of_column
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import rich, shown_unit, unit_of_column
 from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 
 SAME = 1e-12

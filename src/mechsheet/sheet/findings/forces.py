@@ -1,8 +1,12 @@
-"""How large the driver's effort and the joints' forces become, and how even a flywheel keeps the speed."""
+"""What is said of velocities and forces: rows without them, whether both ways round each group agree, how large they become.
+
+How large the driver's effort and the joints' forces become, and how even a flywheel keeps the speed.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Literal
 
 import numpy as np
 
@@ -11,11 +15,14 @@ from livesheet.formula.nodes import CellRef, Node, Symbol
 from livesheet.workbook import Area, Conditional
 from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
-from mechsheet.sheet.findings.finding import Finding, InTitle, Line, look
+from mechsheet.sheet.checks.rows import AGREES
+from mechsheet.sheet.findings.closing import SMALL
+from mechsheet.sheet.findings.finding import Finding, InTitle, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
+from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import ALL, formula, joined
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import rich
 from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 from mechsheet.words.equations import link_words
 from mechsheet.words.symbols import plain
@@ -194,3 +201,41 @@ def _where_known(on: Reading, key: str, words: Node | str) -> Node:
     known = formula("IF(ISNUMBER(value),words,missing)", value=on.value(key), words=words,
                     missing=on.text("flywheel.missing"))  # fmt: skip
     return on.where_it_closes(known)
+
+
+class DeadCentres(Finding):
+    """In how many rows that close there are no velocities."""
+
+    key = "dead_centres"
+
+    def line(self, on: Reading) -> Line:
+        count, closed = on.value(self.key), on.value("rows_closed")
+        said, ok = there(on.plan.places.rates).whole(), on.plan.text("status.ok")
+        some = on.text("dead_centres.some", rates=on.plan.at.titles["rates"])
+        words = formula("IF(count=0,none,some)", count=count, none=on.text("dead_centres.none"), some=some)
+        return Line(
+            on.text(self.key), formula("closed-COUNTIF(said,ok)", closed=closed, said=said, ok=ok),
+            on.where_it_closes(words), on.of_rows, levels=(look("count>0", count=count),),
+        )  # fmt: skip
+
+
+class Agrees(Finding):
+    """How far two ways to the same numbers are apart.
+
+    of     whose worst value the sheet of checks has;  words: where its words are
+    """
+
+    def __init__(self, key: str, of: Literal["velocity", "acceleration", "torque"], words: str) -> None:
+        self.key, self.of, self.said = key, of, words
+        self.needs = ("forces",) if of == "torque" else ("rates",)
+
+    def line(self, on: Reading) -> Line:
+        effort, said = self.of == "torque", on.words(self.key)
+        most: Node | float = AGREES if effort else on.plan.checked.rounding.cell
+        wrong, fine = on.text(f"{self.said}.not", sheet=on.checks.title), on.text(f"{self.said}.fit")
+        words = formula("IF(gap>most,wrong,fine)", gap=on.value(self.key), most=most, wrong=wrong, fine=fine)
+        return Line(
+            on.text(self.key), on.checks.worst(self.of), on.where_it_closes(words),
+            "" if effort else on.plan.mechanism.length_unit, SMALL,
+            levels=(bad("said=wrong", said=said, wrong=wrong), good("said=fine", said=said, fine=fine)),
+        )  # fmt: skip

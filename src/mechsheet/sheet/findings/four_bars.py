@@ -56,7 +56,7 @@ class FourBarType(Finding):
             mend = formula('IFERROR(mend,"")', mend=bound_of(sides, shortest, excess))
             bound = Beside(mend, AT_MOST.strip(), plan.text("page.bound"))
             mended = on.beside(self.key, mend)
-        kind = type_of(shortest, excess, sides.first("MIN", turning_types(loop, plan.language, text)), text, mended)
+        kind = type_of(shortest, excess, sides.first("MIN", turning_types(loop, plan, text)), text, mended)
         begin = f"{named(loop, plan)}: "
         levels: tuple[Level, ...] = (
             bad(BEGINS, said=said, begin=begin + text("open")),

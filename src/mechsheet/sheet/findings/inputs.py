@@ -13,7 +13,7 @@ from typing import Literal
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Symbol, Text
 from livesheet.workbook import Area, Conditional
-from mechsheet.kinematics.cams.inputs import Asked, asked_by_cam
+from mechsheet.kinematics.inputs import Asked, asked_of
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
@@ -113,7 +113,7 @@ def inputs_of(plan: Plan) -> list[Input]:
     of_law = (law.start, law.stop, law.duration) if law else ()
     found = []
     of_cam: dict[str, list[Asked]] = {}
-    for each in asked_by_cam(plan.mechanism):
+    for each in asked_of(plan.mechanism):
         of_cam.setdefault(each.symbol, []).append(each)
     for dim in plan.mechanism.dimensions:
         of_ties = dim.path[:1] in (("joints",), ("drivers",), ("cam",)) or dim.path[1:2] == ("segments",)

@@ -1,18 +1,26 @@
-"""Which findings there are of a mechanism, in the order in which they stand."""
+"""Which findings there are of a mechanism, in the order in which they stand.
+
+The line under the title says all in one: whether it closes, what it is, how well it transmits force; or what is wrong,
+and where.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
+from livesheet.formula.nodes import Call, Node
 from mechsheet.model import Mechanism
 from mechsheet.sheet.classification import Classification
-from mechsheet.sheet.findings import cam, closing, forces, limits, newton, rates, ratios
-from mechsheet.sheet.findings.finding import Finding
+from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there
+from mechsheet.sheet.findings import cam, closing, forces, limits, ratios
+from mechsheet.sheet.findings.finding import Finding, Level, Line, good
 from mechsheet.sheet.findings.four_bars import FourBarType
 from mechsheet.sheet.findings.inputs import Inputs
 from mechsheet.sheet.findings.other_sheets import OtherSheets
+from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.task import LargestMiss, Task
 from mechsheet.sheet.findings.transmission import Transmission
+from mechsheet.sheet.quoted import formula, joined
 
 
 def findings_of(mechanism: Mechanism, found: Classification, by_rows: bool = False) -> list[Finding]:
@@ -36,7 +44,12 @@ def _closing(found: Classification, by_rows: bool) -> Iterator[Finding]:
         yield from (limits.Limits(), limits.InputEnd("from"), limits.InputEnd("to"), limits.Passes())
     yield from (closing.LargestGap(), closing.Leaps())
     if found.newton:
-        yield from (newton.SameAssembly(), newton.LargestResidual(), newton.PassesNeeded(), newton.LeastDeterminant())
+        yield from (
+            closing.SameAssembly(),
+            closing.LargestResidual(),
+            closing.PassesNeeded(),
+            closing.LeastDeterminant(),
+        )
 
 
 def _motion(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
@@ -53,13 +66,13 @@ def _motion(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
 def _effort(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
     """Velocities, forces, cams, a flywheel."""
     if found.rates:
-        yield rates.DeadCentres()
-        yield rates.Agrees("velocities_fit", "velocity", "rates")
-        yield rates.Agrees("accelerations_fit", "acceleration", "rates")
+        yield forces.DeadCentres()
+        yield forces.Agrees("velocities_fit", "velocity", "rates")
+        yield forces.Agrees("accelerations_fit", "acceleration", "rates")
     if found.forces:
         yield forces.LargestEffort()
         yield from map(forces.LargestBesides, found.besides)
-        yield from (forces.LargestForce(), rates.Agrees("effort_fits", "torque", "effort"))
+        yield from (forces.LargestForce(), forces.Agrees("effort_fits", "torque", "effort"))
         if mechanism.assumed_inertia:
             yield forces.AssumedInertia()
     if mechanism.cam is not None:
@@ -69,3 +82,33 @@ def _effort(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
     yield from cam.motion_findings(mechanism)
     if found.flywheel:
         yield from (forces.MeanTorque(), forces.EnergyChange(), forces.FlywheelInertia())
+
+
+def title_words(on: Reading, findings: Sequence[Finding]) -> Node:
+    """What each finding adds, in order; what the first of them overrules it by comes before all else."""
+    parts = [finding.in_title(on) for finding in findings]
+    first, last = [part.first for part in parts], [part.last for part in parts]
+    title = joined(*first, joined(*(part.here for part in parts)), *last)
+    for finding in reversed(findings):
+        title = finding.overrules(on, title)
+    return title
+
+
+def left_words(on: Reading, findings: Iterable[Finding]) -> Node:
+    """What can be said where other sheets were deleted, and which these are."""
+    said, present = joined(*(finding.left(on) for finding in findings)), are_there(on.plan, FIRST_OF_ALL)
+    if present is not None:
+        said = formula('IF(present,said,"")', present=present, said=said)
+    return formula('IF(count=0,"",said&words)', count=on.value("sheets"), said=said, words=on.words("sheets"))
+
+
+def title_levels(on: Reading, lines: Iterable[Line]) -> list[Level]:
+    """It is as bad as the worst line that decides it, and good where every row closes and no line says otherwise."""
+    levels = [level for line in lines for level in line.levels if level.decides]
+
+    def some(kind: str) -> Node:
+        tests = (formula("IFERROR(test,FALSE)", test=level.test) for level in levels if level.kind == kind)
+        return Call("OR", tuple(tests))
+
+    everywhere = good("count=rows", count=on.value("rows_closed"), rows=on.of_rows)
+    return [Level("bad", some("bad")), Level("look", some("look")), everywhere]

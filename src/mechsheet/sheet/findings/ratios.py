@@ -16,7 +16,7 @@ from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
 from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import SHOWN, formula
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import rich
 from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import turn as whole_turn
 from mechsheet.words.symbols import plain

@@ -15,7 +15,7 @@ from mechsheet.sheet.findings.finding import Finding, InTitle, Level, Line, bad,
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.synthesis.naming import Naming
+from mechsheet.sheet.synthesis.page import Naming
 from mechsheet.sheet.synthesis.requirement_checks import EXACT, NO
 from mechsheet.sheet.synthesis.tables import apart
 from mechsheet.sheet.task_rows import LINE_ROW, ROUNDED, SYMBOL, USED, Rows, verdicts_of

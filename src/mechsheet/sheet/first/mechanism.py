@@ -17,16 +17,24 @@ from mechsheet.kinematics.equations import Group, System
 from mechsheet.kinematics.newton.system import CLOSED
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import ROW_HEIGHT
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.columns.bands import tolerance_symbol
 from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.deleted import sheets_of
-from mechsheet.sheet.first.bands import band_here, write_bands
-from mechsheet.sheet.first.below import while_sheets_are_there, write_below
-from mechsheet.sheet.first.blocks import MEANING_WIDTH, Writer, value_style
-from mechsheet.sheet.first.given import words_of
-from mechsheet.sheet.first.summaries import write_summaries
+from mechsheet.sheet.first.blocks import (
+    MEANING_WIDTH,
+    Writer,
+    band_here,
+    quantity_style,
+    value_style,
+    while_sheets_are_there,
+    write_bands,
+    write_below,
+    write_legend,
+    write_summaries,
+)
 from mechsheet.sheet.first.verdicts import write_verdicts
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import (
@@ -44,12 +52,10 @@ from mechsheet.sheet.plan import (
     Plan,
 )
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.shown import input_validation, shown_unit
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import input_validation, label_of, rich, shown_unit, words_of
 from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 from mechsheet.sheet.table.status import while_inputs_can_be
 from mechsheet.sheet.table.tolerance import Tolerance
-from mechsheet.sheet.wrapping import ROW_HEIGHT
 from mechsheet.words.equations import given_words
 from mechsheet.words.symbols import plain
 
@@ -74,7 +80,7 @@ def mechanism_sheet(
     source = mechanism.source.of(plan.language)
     if source:
         writer.put(VERDICT_ROW, CHARTS, plan.text("source", source=source), styles.SUBTITLE)
-    _legend(writer)
+    write_legend(writer)
     _position(writer)
     _dimensions(writer)
     write_summaries(writer)
@@ -83,7 +89,7 @@ def mechanism_sheet(
     _assembly(writer)
     _variables(writer)
     write_bands(writer, tolerance)
-    merges = write_verdicts(writer, checks, extremes)
+    write_verdicts(writer, checks, extremes)
     _derived(writer)
     write_below(writer)
     return Sheet(
@@ -104,7 +110,7 @@ def mechanism_sheet(
             (VERDICT_ROW, LINE_HEIGHT),
             *((row, writer.heights.get(row, float(ROW_HEIGHT))) for row in range(LEGEND_ROW, _last_row(plan) + 1)),
         ),
-        merges=tuple(merges),
+        merges=tuple(writer.merges),
         controls=controls,
         validations=tuple(writer.validations),
         conditionals=tuple(writer.conditionals),
@@ -125,13 +131,6 @@ def _first_input(plan: Plan) -> tuple[int, int]:
     return (next(iter(rows), plan.blocks["position"].row + 1), VALUE)
 
 
-def _legend(writer: Writer) -> None:
-    """What the colours mean, in one row."""
-    text = writer.plan.text
-    writer.put(LEGEND_ROW, SYMBOL, text("legend.input"), styles.numbered(styles.INPUT, "@"))
-    writer.put(LEGEND_ROW, VALUE, text("legend.result"), styles.RESULT)
-
-
 # --- blocks ------------------------------------------------------------------------------------------------------
 
 
@@ -146,7 +145,7 @@ def _dimensions(writer: Writer) -> None:
         if not isinstance(dim.value, float):
             _from_synthesis(writer, dim, row)
             continue
-        writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim))
+        writer.line(row, rich(dim.symbol), dim.unit.text, label_of(plan, dim))
         value = dim.shown if dim.shown is not None else dim.unit.written(dim.value)
         writer.put(row, VALUE, value, styles.INPUT)
         read = tolerance_symbol(dim.symbol) in plan.at.spots
@@ -160,7 +159,7 @@ def _dimensions(writer: Writer) -> None:
 def _from_synthesis(writer: Writer, dim: Dimension, row: int) -> None:
     """A dimension that the synthesis finds: no number while its task has no solution."""
     plan = writer.plan
-    label = _label(plan, dim)
+    label = label_of(plan, dim)
     said = plan.text("synthesis.from")
     writer.line(row, rich(dim.symbol), dim.unit.text, f"{label} ({said})" if label else said)
     writer.put(row, TOLERANCE, dim.tolerance, styles.UNIT)
@@ -170,10 +169,6 @@ def _from_synthesis(writer: Writer, dim: Dimension, row: int) -> None:
     writer.formula(row, VALUE, solved, value_style(plan, dim.unit))
 
 
-def _label(plan: Plan, dim: Dimension) -> str:
-    return dim.label.of(plan.language) if dim.label else ""
-
-
 def _derived(writer: Writer) -> None:
     plan = writer.plan
     writer.heading("derived")
@@ -181,7 +176,7 @@ def _derived(writer: Writer) -> None:
     for dim in plan.mechanism.dimensions:
         if not isinstance(dim.value, float) and dim.symbol in rows:
             row = rows[dim.symbol]
-            writer.line(row, rich(dim.symbol), dim.unit.text, _label(plan, dim) or dim.written)
+            writer.line(row, rich(dim.symbol), dim.unit.text, label_of(plan, dim) or dim.written)
             _result(writer, row, dim.value, dim.unit.in_degrees, value_style(plan, dim.unit))
     for equation in plan.equations.constants:
         row = rows[equation.symbol]
@@ -343,13 +338,13 @@ def _variables(writer: Writer) -> None:
     plan = writer.plan
     writer.heading("variables", plan.text("head.tolerance") if plan.banded else None)
     for symbol, row in plan.blocks["variables"].rows.items():
-        unit = plan.mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
+        unit = plan.unit_of(symbol)
         writer.line(row, rich(symbol), shown_unit(plan, symbol), words_of(plan, symbol))
         node = _at_position(plan, plan.at.column(symbol, plan.main))
         writer.needs[row] = sheets_of(plan, symbol)
-        rate = styles.decimals(styles.RESULT, decimals_of_unit(plan, unit))
-        as_is = unit.per or symbol in plan.shown_forces
-        style = rate if as_is else value_style(plan, unit)
+        style = quantity_style(plan, unit)
+        if symbol in plan.shown_forces:
+            style = styles.decimals(styles.RESULT, decimals_of_unit(plan, unit))
         if symbol in plan.band_decimals:
             style = styles.decimals(styles.RESULT, plan.band_decimals[symbol])
         writer.formula(row, VALUE, node, style)

@@ -6,18 +6,19 @@ as they stand there, rows that exist only; whether these make a whole turn is as
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Text, transform
 from livesheet.workbook import Area, Conditional, Merge
 from mechsheet.sheet import styles
+from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.deleted import missing_words
 from mechsheet.sheet.findings.finding import LEVELS, MARKS, Finding, Line
-from mechsheet.sheet.findings.listing import findings_of
+from mechsheet.sheet.findings.listing import findings_of, left_words, title_levels, title_words
 from mechsheet.sheet.findings.reading import Reading, SheetReading
-from mechsheet.sheet.findings.title import left_words, title_levels, title_words
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import LEGEND_ROW, MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW
@@ -27,8 +28,8 @@ BESIDE = replace(styles.UNIT, name="", align="right")
 """What stands beside a number, and is no place in the motion."""
 
 
-def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[Merge]:
-    """Fill the block and the line under the title in; the merged cells of the line."""
+def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> None:
+    """Fill the block and the line under the title in."""
     plan = writer.plan
     on, findings = SheetReading(plan, checks, extremes), findings_of(plan.mechanism, plan.found)
     writer.heading("verdicts", plan.text("head.at"))
@@ -38,11 +39,26 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> list[M
     writer.needs |= {on.rows[finding.key]: {*finding.needs} for finding in findings}
     writer.formula(there(plan.places.left).row, MEANING, left_words(on, findings), styles.LABEL_SAID)
     _write_marks(writer, on, lines)
-    writer.formula(VERDICT_ROW, SYMBOL, title_words(on, findings), styles.LINE)
-    area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, MEANING)
-    for level in title_levels(on, lines.values()):
-        writer.colour(area, level.test, LEVELS[level.kind])
-    return [Merge(area)]
+    write_title_line(writer, on, findings, lines.values(), MEANING)
+
+
+def write_title_line(cells: Cells, on: Reading, findings: Sequence[Finding], lines: Iterable[Line], last: int) -> None:
+    """The line under the title, as far as a column."""
+    cells.formula(VERDICT_ROW, SYMBOL, title_words(on, findings), styles.LINE)
+    area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, last)
+    cells.merges.append(Merge(area))
+    for level in title_levels(on, lines):
+        cells.colour(area, level.test, LEVELS[level.kind])
+
+
+def write_value(cells: Cells, row: int, line: Line, words: Area) -> None:
+    """The value of a finding's line, its unit where a formula says it, and the colours of its words."""
+    if not isinstance(line.unit, str):
+        cells.formula(row, UNIT, line.unit, styles.numbered(styles.UNIT, '"/ "0'))
+    cells.formula(row, VALUE, line.value, line.value_style)
+    for level in line.levels:
+        cells.colour(words, level.test, LEVELS[level.kind])
+    cells.conditionals.extend(line.rules)
 
 
 def _while_it_can_be_said(on: Reading, finding: Finding) -> Line:
@@ -61,18 +77,13 @@ def _while_it_can_be_said(on: Reading, finding: Finding) -> Line:
 
 def _write(writer: Writer, on: Reading, row: int, line: Line) -> None:
     writer.line(row, line.symbol, line.unit if isinstance(line.unit, str) else None, None)
-    if not isinstance(line.unit, str):
-        writer.formula(row, UNIT, line.unit, styles.numbered(styles.UNIT, '"/ "0'))
-    writer.formula(row, VALUE, line.value, line.value_style)
+    write_value(writer, row, line, Area(row, MEANING, row, MEANING))
     writer.formula(row, MEANING, line.words, styles.LABEL_SAID)
     if line.occurs is not None:
         writer.formula(row, TOLERANCE, line.occurs, styles.decimals(styles.RESULT, on.driver_decimals()))
     if line.beside is not None:
         writer.formula(row, TOLERANCE, line.beside.value, BESIDE)
     writer.says_itself |= {(row, {"value": VALUE, "words": MEANING}[cell]) for cell in line.itself}
-    for level in line.levels:
-        writer.colour(Area(row, MEANING, row, MEANING), level.test, LEVELS[level.kind])
-    writer.conditionals.extend(line.rules)
 
 
 def _beside(node: Node, row: int, sheet: str) -> Node:

@@ -13,14 +13,14 @@ from livesheet.formula.nodes import CellRef, Node, transform
 from livesheet.workbook import Chart, Column, Content, Style
 from mechsheet.model import ChartRequest
 from mechsheet.sheet import styles
-from mechsheet.sheet.degrees import degrees_together
+from mechsheet.sheet.as_typed import degrees_together
 from mechsheet.sheet.drawing.drawing import caption, chart_of, letters_in, square_chart
 from mechsheet.sheet.drawing.frames import FIRST, NAME, NUMBER_STYLE, Page
 from mechsheet.sheet.drawing.listed import Listed
 from mechsheet.sheet.page.paper import CHART_HEIGHT
 from mechsheet.sheet.page.plan import PagePlan
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import rich
 
 WORDS = replace(styles.INNER, name="", align="left", shrink=True)
 """Shrunk: a text that is too long would be drawn over the columns beside those that are folded away, and one that is wrapped

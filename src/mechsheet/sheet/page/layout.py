@@ -20,8 +20,9 @@ from livesheet.workbook import (
 )
 from mechsheet.kinematics.equations import Equations
 from mechsheet.model import ChartRequest, Mechanism
+from mechsheet.sheet.as_typed import with_typed_constants
 from mechsheet.sheet.asked.requested import table_sheets
-from mechsheet.sheet.constants import with_typed_constants
+from mechsheet.sheet.cells import height_of, label_lines
 from mechsheet.sheet.drawing.charts import chart_requests, curve_chart, driver_axis
 from mechsheet.sheet.first.mechanism import position_controls
 from mechsheet.sheet.layout import description_sheet, properties_of
@@ -30,9 +31,8 @@ from mechsheet.sheet.page.paper import CHART_HEIGHT, CHART_WIDTH, GAP, NARROW, B
 from mechsheet.sheet.page.plan import FIRST_ROW, ROW_HEIGHT, PagePlan, plan_page
 from mechsheet.sheet.page.reading import MEANING
 from mechsheet.sheet.page.table import Table, note_last
-from mechsheet.sheet.page.top import LAST, UNIT, VALUE, Top
-from mechsheet.sheet.plan import VERDICT_ROW
-from mechsheet.sheet.wrapping import height_of, label_lines
+from mechsheet.sheet.page.top import LAST, Top
+from mechsheet.sheet.plan import UNIT, VALUE, VERDICT_ROW
 
 TOP_WIDTHS, WIDER = (11.0, 11.0, 9.0, 12.0, 12.0, 12.0), 1.0
 """Least widths of the columns over which the top stands, in characters; and by how much those are wider that say what a line

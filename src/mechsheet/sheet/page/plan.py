@@ -18,14 +18,14 @@ from mechsheet.model import Mechanism
 from mechsheet.shapes.described import remarkable_points
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.classification import FourBar, classification
-from mechsheet.sheet.columns.averaged import with_averaged
+from mechsheet.sheet.columns.added import with_averaged
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.geometry import length_in_cells
-from mechsheet.sheet.naming import kept_names, names_of_dimensions
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
 from mechsheet.sheet.page.paper import CHART_HEIGHT
 from mechsheet.sheet.places import Places
 from mechsheet.sheet.plan import SHEETS, SPARE, UNIT, VERDICT_ROW, Blocks, Named, Plan, TableColumn
+from mechsheet.sheet.shown import kept_names, names_of_dimensions
 from mechsheet.words.catalogue import words
 
 FIRST_ROW = 3
@@ -224,19 +224,13 @@ def _with_places(plan: PagePlan) -> PagePlan:
     for dim in mechanism.dimensions:
         row = rows["derived" if dim.derived else "dimensions"][dim.symbol]
         spots[dim.symbol] = named.cell(row, dim.symbol, degrees=dim.unit.in_degrees, own=called[dim.symbol])
-    for equation in plan.equations.constants:
-        symbol, degrees = equation.symbol, mechanism.shown(equation.unit).in_degrees
-        spots[symbol] = named.cell(rows["derived"][symbol], symbol, degrees=degrees)
+    spots |= named.constants(rows["derived"])
     lengths = {key: named.cell(rows["derived"][f"length {key}"], f"length_{key}") for key in plan.lengths}
-    for mode, row in rows["assembly"].items():
-        spots[mode] = named.cell(row, mode)
+    spots |= {mode: named.cell(row, mode) for mode, row in rows["assembly"].items()}
     start, step = named.sweep(rows)
     position = named.cell(rows["position"]["position"], plan.text("name.position")) if plan.drawn else None
     lines = {key: named.cell(row, key) for key, row in rows["verdicts"].items()}
-    summaries = {
-        each.symbol: named.cell(rows["summary"][each.symbol], each.symbol, own=each.cell)
-        for each in mechanism.motion_numbers
-    }
+    summaries = named.summaries(rows["summary"])
     verdict = named.cell(VERDICT_ROW, "verdict", 0)
     status = Spot(plan.main, plan.at.first, plan.columns[-1].col, plan.rows)
     count = Spot(plan.main, rows["verdicts"]["rows_closed"], UNIT)

@@ -9,8 +9,8 @@ from livesheet.formula.nodes import Call, CellRef, Node, Number, Symbol, Text, t
 from livesheet.workbook import Area, Comment, Conditional, Fill, plain_text
 from mechsheet.kinematics.equations import Group
 from mechsheet.sheet import styles
+from mechsheet.sheet.as_typed import degrees_together
 from mechsheet.sheet.cells import Cells
-from mechsheet.sheet.degrees import degrees_together
 from mechsheet.sheet.driving import rows_before
 from mechsheet.sheet.page.plan import STATUS_GROUP, PagePlan
 from mechsheet.sheet.places import there

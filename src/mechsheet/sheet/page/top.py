@@ -6,32 +6,45 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, transform
-from livesheet.workbook import Area, Comment, Content, Fill, Merge, Style
+from livesheet.workbook import Area, Comment, Content, Fill, Style
 from mechsheet.kinematics.whole_turns import LEAST_OF_TURN
-from mechsheet.model import WAYS, Summary
+from mechsheet.model import WAYS, Dimension, Summary
 from mechsheet.sheet import styles
-from mechsheet.sheet.cells import Cells
-from mechsheet.sheet.degrees import degrees_together, in_degrees
-from mechsheet.sheet.findings.finding import LEVELS, Finding, Line
+from mechsheet.sheet.as_typed import degrees_together, in_degrees
+from mechsheet.sheet.cells import Cells, height_of, label_lines, longest_said
+from mechsheet.sheet.findings.finding import Finding, Line
 from mechsheet.sheet.findings.listing import findings_of
-from mechsheet.sheet.findings.title import title_levels, title_words
-from mechsheet.sheet.first.blocks import value_style
-from mechsheet.sheet.first.summaries import output_words, over_summaries, summary_words
-from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, at_end, may_leave_out, mean_of_motion, stretches_of
+from mechsheet.sheet.first.blocks import (
+    output_words,
+    over_summaries,
+    quantity_style,
+    summary_words,
+    value_style,
+    where_it_closes,
+    write_legend,
+)
+from mechsheet.sheet.first.verdicts import write_title_line, write_value
+from mechsheet.sheet.over_rows import (
+    LEAST,
+    MOST,
+    NUMBERS,
+    at_end,
+    may_leave_out,
+    mean_of_motion,
+    stretches_of,
+    with_torn,
+)
 from mechsheet.sheet.page.plan import ROW_HEIGHT, PagePlan
 from mechsheet.sheet.page.reading import MEANING, PageReading
-from mechsheet.sheet.plan import LEGEND_ROW, VERDICT_ROW
+from mechsheet.sheet.plan import SYMBOL, UNIT, VALUE, VERDICT_ROW
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.shown import input_validation, unit_of_column
-from mechsheet.sheet.symbols import rich
-from mechsheet.sheet.table.positions import decimals_of_unit
-from mechsheet.sheet.wrapping import height_of, label_lines, longest_said
+from mechsheet.sheet.shown import input_validation, label_of, rich, unit_of_column
 from mechsheet.units import LENGTH, Unit, turn
 from mechsheet.words.equations import given_words
 from mechsheet.words.symbols import plain
 
-SYMBOL, VALUE, UNIT, LAST = 0, 1, 2, 5
-"""Columns of the top; the meaning has three of the table's columns."""
+LAST = 5
+"""The last column of the top: the meaning has three of the table's columns."""
 
 SMALLER = 0.98
 """So much smaller what a formula says may be printed where it then takes one line: of 10 points at 67 % stay 6.5."""
@@ -89,8 +102,7 @@ class Top(Cells):
     def _title(self) -> None:
         plan = self.plan
         self.put(0, 0, plan.mechanism.title.of(plan.language), styles.TITLE)
-        self.put(LEGEND_ROW, SYMBOL, plan.text("legend.input"), styles.numbered(styles.INPUT, "@"))
-        self.put(LEGEND_ROW, VALUE, plan.text("legend.result"), styles.RESULT)
+        write_legend(self)
         source = plan.mechanism.source.of(plan.language)
         if source:
             self.put(VERDICT_ROW, LAST + 1, plan.text("source", source=source), SOURCE)
@@ -101,7 +113,7 @@ class Top(Cells):
             if dim.derived:
                 continue
             row = plan.blocks["dimensions"].rows[dim.symbol]
-            label = dim.label.of(plan.language) if dim.label else given_words(plan.mechanism, plan.language, dim)
+            label = self._label(dim)
             if dim.tolerance:
                 label = f"{label} (±{dim.tolerance:g})".strip()
             self.line(row, rich(dim.symbol), dim.unit.text, label)
@@ -109,6 +121,9 @@ class Top(Cells):
                 shown = dim.shown if dim.shown is not None else dim.unit.written(dim.value)
                 self.put(row, VALUE, shown, styles.INPUT)
             self.validations.append(input_validation(plan, Area(row, VALUE, row, VALUE), dim.symbol))
+
+    def _label(self, dim: Dimension) -> str:
+        return label_of(self.plan, dim) or given_words(self.plan.mechanism, self.plan.language, dim)
 
     def _sweep(self) -> None:
         plan, driver = self.plan, self.plan.mechanism.driver
@@ -155,15 +170,8 @@ class Top(Cells):
         rows = plan.blocks["derived"].rows
         for dim in plan.mechanism.dimensions:
             if not isinstance(dim.value, float):
-                label = (
-                    dim.label.of(plan.language)
-                    if dim.label
-                    else given_words(plan.mechanism, plan.language, dim) or dim.written
-                )
-                self.line(rows[dim.symbol], rich(dim.symbol), dim.unit.text, label)
-                rate = styles.decimals(styles.RESULT, decimals_of_unit(plan, dim.unit))
-                style = rate if dim.unit.per else value_style(plan, dim.unit)
-                self._result(rows[dim.symbol], dim.value, dim.unit.in_degrees, style)
+                self.line(rows[dim.symbol], rich(dim.symbol), dim.unit.text, self._label(dim) or dim.written)
+                self._result(rows[dim.symbol], dim.value, dim.unit.in_degrees, quantity_style(plan, dim.unit))
         for key, tree in plan.lengths.items():
             words = plan.text("page.length", name=key)
             row = plan.places.lengths[key].row
@@ -192,24 +200,15 @@ class Top(Cells):
                 said = joined(said, formula('IFERROR(place,"")', place=place))
             words = said.value if isinstance(said, Text) else said
             self.line(row, line.symbol, line.unit if isinstance(line.unit, str) else None, words)
-            if not isinstance(line.unit, str):
-                self.formula(row, UNIT, line.unit, styles.numbered(styles.UNIT, '"/ "0'))
-            self.formula(row, VALUE, line.value, line.value_style)
+            write_value(self, row, line, Area(row, MEANING, row, LAST))
             if line.note:
                 self.comments.append(Comment(row, SYMBOL, line.note))
             if line.beside is not None:
                 below = on.rows[finding.key_beside(plan)]
                 self.line(below, line.beside.symbol, plan.mechanism.length_unit, line.beside.words)
                 self.formula(below, VALUE, line.beside.value, replace(styles.RESULT, name=""))
-            for level in line.levels:
-                self.colour(Area(row, MEANING, row, LAST), level.test, LEVELS[level.kind])
-            self.conditionals.extend(line.rules)
-        self.formula(VERDICT_ROW, SYMBOL, title_words(on, findings), styles.LINE)
+        write_title_line(self, on, findings, lines.values(), LAST)
         self.longest_line = self._longest_line(lines)
-        area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, LAST)
-        self.merges.append(Merge(area))
-        for level in title_levels(on, lines.values()):
-            self.colour(area, level.test, LEVELS[level.kind])
 
     def _longest_line(self, lines: Mapping[Finding, Line]) -> str:
         """The longest text of the line under the title where all is well, and nothing is to be mended."""
@@ -235,20 +234,22 @@ class Top(Cells):
         for summary in plan.mechanism.summaries:
             unit = unit_of_column(plan, summary.of)
             one = plan.equations.equations.range_has_gaps(summary.of, summary.take)
-            words = plan.text("page.take.stretch" if one else "page.take.rows", label=summary_words(plan, summary))
+            key = "page.take.stretch" if one else "page.take.rows"
+            words: str | Node = plan.text(key, label=summary_words(plan, summary))
+            if "mean" in summary.take.parts and plan.at.spots[summary.of].column:
+                words = with_torn(plan, words, self.on.column(summary.take.column(summary.of)))
             self._summary(summary.symbol, unit, words, self._taken(summary))
         for output in plan.mechanism.motion_outputs:
             unit = plan.mechanism.shown(output.unit)
             words = plan.text("page.take.rows", label=output_words(plan, output))
             self._summary(output.symbol, unit, words, over_summaries(plan, output))
 
-    def _summary(self, symbol: str, unit: Unit, words: str, value: Node) -> None:
+    def _summary(self, symbol: str, unit: Unit, words: str | Node, value: Node) -> None:
         """A line with one number of all rows; none where no row closes."""
         plan = self.plan
         row = plan.blocks["summary"].rows[symbol]
         self.line(row, rich(symbol), unit.text, words)
-        found = formula("IF(n=0,NA(),IFERROR(value,NA()))", n=plan.places.closed.cell, value=value)
-        self.formula(row, VALUE, found, value_style(plan, unit))
+        self.formula(row, VALUE, where_it_closes(plan, value), value_style(plan, unit))
 
     def _taken(self, summary: Summary) -> Node:
         """Over the rows in which the quantity has a value."""

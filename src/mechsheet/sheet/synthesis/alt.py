@@ -45,7 +45,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.synthesis.naming import Naming
+from mechsheet.sheet.synthesis.page import Naming
 from mechsheet.sheet.transmission import POOR
 from mechsheet.synthesis.four_bar import LAST_RATIO
 

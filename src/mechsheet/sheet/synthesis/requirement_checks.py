@@ -13,10 +13,8 @@ from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import MEANING as FIRST_SHEET_WORDS
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.synthesis.naming import MODE
-from mechsheet.sheet.synthesis.page import Page
-from mechsheet.sheet.synthesis.sensitivity import largest
-from mechsheet.sheet.synthesis.tables import MU, curve_columns, exact_column, has_points, sensitivity_columns
+from mechsheet.sheet.synthesis.page import MODE, Page
+from mechsheet.sheet.synthesis.tables import MU, curve_columns, exact_column, has_points, largest, sensitivity_columns
 from mechsheet.sheet.task_rows import INPUTS, LINE_ROW, MEANING, REMARK, ROUNDED, SYMBOL, UNIT, UNSOLVED, USED, VALUE
 from mechsheet.sheet.transmission import POOR
 from mechsheet.units import behind_number

@@ -8,8 +8,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.mathematics import written
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.shown import input_validation
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import input_validation, rich
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.synthesis.pictures import write_curve_chart, write_figure
 from mechsheet.sheet.synthesis.requirement_checks import Does, can_be

@@ -32,8 +32,8 @@ from mechsheet.kinematics.equations import CAM
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Addresses
+from mechsheet.sheet.as_typed import degrees_together, in_degrees
 from mechsheet.sheet.columns.bands import HEADINGS, ROOT, WORST
-from mechsheet.sheet.degrees import degrees_together, in_degrees
 from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there, sheets_of
 from mechsheet.sheet.driving import by_time, driver_after, rows_before, time_after
 from mechsheet.sheet.mathematics import written
@@ -41,7 +41,7 @@ from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, NUMBER, STATUS, Plan, TableColumn
 from mechsheet.sheet.printing import ROW, table_setup
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import rich
 from mechsheet.sheet.table.status import status, while_inputs_can_be
 from mechsheet.units import DEG, Unit
 from mechsheet.units import NUMBER as NUMBER_UNIT

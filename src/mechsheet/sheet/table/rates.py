@@ -1,20 +1,24 @@
-"""The sheet of velocities and accelerations: in the rows of the positions, a block of columns for each group.
+"""The sheets of velocities and of forces: in the rows of the positions, a block of columns for each group.
 
-Grey are the influence coefficients and what they are found from; black is what people read.
+Grey are the influence coefficients and what they are found from, mass centres, their accelerations, and the sums of what
+acts on each link; black is what people read. Forces begin with the driver's effort, found twice; groups stand in the
+order in which their forces are found: the last one first, the driver last.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from livesheet.formula.nodes import CellRef, Node, Symbol
 from livesheet.workbook import Area, Cell, Column, Comment, Conditional, Fill, Merge, Rich, Sheet
 from mechsheet.sheet import styles
+from mechsheet.sheet.deleted import READS, are_there, missing_words
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import DRIVER, HEADING_ROWS, RATES_DRIVER, RATES_STATUS, Plan, TableColumn
 from mechsheet.sheet.printing import table_setup
 from mechsheet.sheet.quoted import formula
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import rich
 from mechsheet.sheet.table.positions import (
     FORMULA_ROW,
     GROUP_ROW,
@@ -155,3 +159,14 @@ def _missing(plan: Plan, area: Area) -> Conditional:
     """Rows without rates are grey."""
     said = CellRef(area.first_row, RATES_STATUS, col_abs=True)
     return Conditional(area, formula("said<>ok", said=said, ok=plan.text("status.ok")), styles.MISSING)
+
+
+def forces_sheet(plan: Plan) -> Sheet:
+    """The sheet; what it says of a row is what the rates say, or the positions where there is no group; or that the rates
+    were deleted."""
+    said: Node = (plan.places.rates or plan.places.status).in_row(plan.at.first)
+    present = are_there(plan, READS["forces"])
+    if present is not None:
+        missing = replace(missing_words(plan), sheet=plan.main)
+        said = formula("IF(present,said,missing)", present=present, said=said, missing=missing)
+    return sheet_beside(plan, "forces", plan.forces, said, "B91C1C")

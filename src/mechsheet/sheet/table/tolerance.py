@@ -22,7 +22,7 @@ from mechsheet.sheet.over_rows import END_ROWS, MOST, mean_of_rows, over_rows
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import RATES_DRIVER, RATES_STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
-from mechsheet.sheet.symbols import rich
+from mechsheet.sheet.shown import rich
 from mechsheet.sheet.table.positions import style_of
 from mechsheet.sheet.table.rates import sheet_beside
 from mechsheet.words.symbols import plain

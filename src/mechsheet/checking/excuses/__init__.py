@@ -1,1 +1,0 @@
-"""How far two right answers may differ: by what the last digits of the numbers before may do to them."""

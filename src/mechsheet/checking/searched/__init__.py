@@ -1,1 +1,0 @@
-"""What the first sheet says of the whole motion, against a search in Python that reads no formula."""

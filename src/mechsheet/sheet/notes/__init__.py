@@ -1,1 +1,0 @@
-"""The sheet of notes, and equations as people write them."""
