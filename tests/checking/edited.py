@@ -12,9 +12,8 @@ from livesheet.formula.parser import parse_formula
 from livesheet.formula.references import parse_cell
 from livesheet.workbook import Cell, Fill, Sheet, Workbook
 from mechsheet.checking.edited.edits import Edits, edits_of
-from mechsheet.checking.edited.expected import expected_for
 from mechsheet.checking.edited.inserted_rows import NOTHING
-from mechsheet.checking.inputs import description_in
+from mechsheet.checking.inputs import description_in, expected_for
 from mechsheet.description import load
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.layout import lay_out

@@ -16,7 +16,7 @@ from livesheet.formula.references import column_letters
 from livesheet.formula.slips import damages
 from mechsheet.checking import mutate
 from mechsheet.checking.edited.edits import edits_of
-from mechsheet.checking.edited.expected import expected_for
+from mechsheet.checking.inputs import expected_for
 from mechsheet.description import Overrides, load
 from mechsheet.diagnostics import MechsheetError
 from mechsheet.library.building import build

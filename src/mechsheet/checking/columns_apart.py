@@ -91,7 +91,7 @@ def scale_of(plan: Plan, symbol: str, solution: reference.Solution) -> tuple[flo
     """What a difference is a part of: the size of the mechanism, of an angle a radian, None: the value itself; whether it is
     an angle, and an output."""
     mechanism = plan.mechanism
-    unit = mechanism.given_unit(symbol) or plan.equations.of(symbol).unit
+    unit = plan.unit_of(symbol)
     is_angle = unit.kind == "angle" and not unit.per
     is_output = any(output.symbol == symbol for output in mechanism.outputs)
     if is_angle:

@@ -18,12 +18,12 @@ from livesheet.formula.book import Book
 from livesheet.formula.references import cell_address
 from mechsheet import reference
 from mechsheet.checking.columns_apart import Mask, Rows, apart_from, apart_of, closed_rows, scale_of
-from mechsheet.checking.edited.expected import functions_in
 from mechsheet.checking.inputs import (
     Inputs,
     OfTheLast,
     changed,
     equations_as_typed,
+    functions_in,
     missing_dimensions,
     numbers_in,
     readers,

@@ -1,4 +1,6 @@
-"""What a mechanism's workbook carries in itself: its description, and what a person has typed into its input cells."""
+"""What a mechanism's workbook carries in itself: its description, the workbook that this would build, and what a person has
+typed into the input cells.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +9,7 @@ import tempfile
 from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, Generic, Literal, TypeVar
 
@@ -14,10 +17,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from livesheet.diagnostics import Fault, MissingSheetError, WorkbookError, readable_name
+from livesheet.evaluation import book_of
 from livesheet.formula.book import Book
+from livesheet.formula.nodes import Call
 from livesheet.formula.references import cell_address
 from livesheet.formula.scalar import evaluate
 from livesheet.said import reason, say
+from livesheet.workbook import Workbook
 from mechsheet.checking.report import Array, text_of
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
@@ -32,9 +38,9 @@ from mechsheet.library.building import build
 from mechsheet.library.changed import load
 from mechsheet.model import Mechanism
 from mechsheet.sheet.columns.lowering import Assignments
-from mechsheet.sheet.layout import DESCRIPTION_MARK
+from mechsheet.sheet.layout import DESCRIPTION_MARK, DESCRIPTION_SHEET
 from mechsheet.sheet.places import there
-from mechsheet.sheet.plan import Plan
+from mechsheet.sheet.plan import TOLERANCE, Plan
 
 
 def description_in(book: Book) -> str | None:
@@ -77,8 +83,82 @@ def workbook_of(path: Path) -> Iterator[Path]:
 
 def plan_inside(text: str, shown: str) -> Plan:
     """Where everything stands in the workbook that carries the description `text` (`shown`: the file, for messages)."""
-    mechanism = loads(text, file=f"{shown} (description inside)")
-    return Compiled(mechanism).plan
+    return Compiled(loads(text, file=inside(shown))).plan
+
+
+InputCells = dict[tuple[str, int, int], str]
+"""(sheet, row, column) of each input cell -> what it holds."""
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """The workbook as data, the same as a book of constants and formulas, and where everything stands in it."""
+
+    workbook: Workbook
+    book: Book
+    compiled: Compiled
+
+    @property
+    def plan(self) -> Plan:
+        """Where everything is in it."""
+        return self.compiled.plan
+
+    @property
+    def description_sheet(self) -> str:
+        """Title of the hidden sheet that carries the description."""
+        return self.plan.at.titles[DESCRIPTION_SHEET]
+
+    def inputs(self) -> InputCells:
+        """The cells that are there to be changed, and what each holds: dimensions, modes, the driver, tolerances …"""
+        named = {"start": self.plan.places.start, "step": self.plan.places.step, **self.plan.at.spots}
+        by_cell = {(spot.sheet, spot.row, spot.col): symbol for symbol, spot in named.items() if spot is not None}
+        found = {}
+        for sheet in self.workbook.sheets:
+            for cell in sheet.cells:
+                if not cell.style.locked and not isinstance(cell.content, str):
+                    place = (sheet.title, cell.row, cell.col)
+                    found[place] = by_cell.get(place, "")
+        tolerated = self.plan.blocks["dimensions"].rows if self.plan.mechanism.layout == "sheets" else {}
+        for symbol, row in tolerated.items():
+            found[self.plan.main, row, TOLERANCE] = f"the tolerance of {symbol}"
+        return found
+
+
+def expected_for(text: str, file: str, functions: str = "") -> Expected:
+    """What the description `text` builds; `file` is what messages call it. Raises MechsheetError.
+
+    functions  "lambda" for the workbook whose tables call functions (`functions_in` tells)
+    """
+    loads(text, file=file)  # its faults name the file
+    try:
+        return _built(text, functions)
+    except MechanismError as error:
+        raise located(error, text, file) from error
+
+
+@lru_cache(maxsize=1)
+def _built(text: str, functions: str) -> Expected:
+    """The last is kept: the .xlsx and the .ods of one description are judged one after the other."""
+    compiled = Compiled(loads(text))
+    if functions:
+        from mechsheet.exporting.functions.workbooks import functions_workbook, in_sheets
+
+        compiled = in_sheets(compiled)
+        workbook = functions_workbook(compiled, functions)
+    else:
+        workbook = compiled.layout
+    return Expected(workbook, book_of(workbook), compiled)
+
+
+def functions_in(book: Book) -> str:
+    """The form of a workbook whose names stand for functions: "lambda"; else nothing."""
+    has = any(isinstance(name.formula, Call) and name.formula.name == "LAMBDA" for name in book.names)
+    return "lambda" if has else ""
+
+
+def inside(shown: str) -> str:
+    """What messages call the description in a workbook's file."""
+    return f"{shown} (description inside)"
 
 
 @dataclass(frozen=True, slots=True)

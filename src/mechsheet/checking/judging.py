@@ -16,9 +16,8 @@ from mechsheet.checking.baseline import Baseline
 from mechsheet.checking.cells import compare_cells, compare_program
 from mechsheet.checking.cells_apart import Rules
 from mechsheet.checking.edited.edits import compared
-from mechsheet.checking.edited.expected import expected_for, functions_in, inside
 from mechsheet.checking.edited.inserted_rows import MovedValues
-from mechsheet.checking.inputs import description_in, workbook_of
+from mechsheet.checking.inputs import description_in, expected_for, functions_in, inside, workbook_of
 from mechsheet.checking.of_itself import description_of, first_sheet, red_line, stale
 from mechsheet.checking.programs import answers, cannot_judge, names_of, refuse_unknown
 from mechsheet.checking.report import Comparison, Edit, Report

@@ -13,8 +13,8 @@ from livesheet.evaluation import computed
 from livesheet.formats import read, update_values, write
 from livesheet.formula.references import cell_name
 from mechsheet.checking.edited.edits import same
-from mechsheet.checking.edited.expected import expected_for
 from mechsheet.checking.edited.pull import input_places, pull
+from mechsheet.checking.inputs import expected_for
 from mechsheet.checking.perturbation import drawn
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text

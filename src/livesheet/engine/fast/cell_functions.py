@@ -18,8 +18,8 @@ from ...time_limit import TimeLimitError
 from ..interpreter.evaluator import Evaluator
 from ..kernels.math import BELOW_HALF, rounded_one
 from ..kernels.table import KERNELS
-from ..values.calling import to_number
-from ..values.cells import BLANK, DIV0, ERROR, NA, NEAR, NUM, TEXT, VALUE, Cells, Frame, NotReadyError
+from ..values.calling import Problem, to_number, to_truth
+from ..values.cells import BLANK, ERROR, ERROR_NAMES, NEAR, TEXT, Cells, Frame, NotReadyError, error_code
 from ..values.coerce import MOST_CHARACTERS, Serial, number_shown, text_to_number, to_text
 from .scalars import snap, trunc
 
@@ -29,26 +29,18 @@ if TYPE_CHECKING:
 COMPARED = {"=": "equal", "<>": "unequal", "<": "less", "<=": "at_most", ">": "more", ">=": "at_least"}
 
 
-class CellError(Exception):
-    """An error value on its way to the cell."""
-
-    def __init__(self, code: int) -> None:
-        super().__init__(code)
-        self.code = code
-
-
 class LeftError(Exception):
     """Something that only the interpreter can do."""
 
 
 def _finite(number: float) -> float:
     if number - number != 0.0:
-        raise CellError(NUM)
+        raise Problem("#NUM!")
     return number
 
 
 def _fail(code: int) -> float:
-    raise CellError(code)
+    raise Problem(ERROR_NAMES[code - ERROR])
 
 
 def _number(value: Scalar) -> float:
@@ -58,7 +50,7 @@ def _number(value: Scalar) -> float:
         return to_number(value)
     shown = text_to_number(value)
     if shown is None:
-        raise CellError(VALUE)
+        raise Problem("#VALUE!")
     if isinstance(shown, Serial):
         raise LeftError
     return shown
@@ -81,24 +73,8 @@ def _shown(value: Scalar) -> Scalar:
 
 def _over(left: float, right: float) -> float:
     if right == 0:
-        raise CellError(DIV0)
+        raise Problem("#DIV/0!")
     return _finite(left / right)
-
-
-def raised(exponent: float, function: Callable[[float], float]) -> Callable[[float], float]:
-    """A power as a function of its base, with the errors that cells show."""
-
-    def power(base: float) -> float:
-        if base == 0:
-            if exponent < 0:
-                raise CellError(DIV0)
-            return _zero((base, 0.0))
-        try:
-            return _finite(function(base))
-        except (ValueError, ArithmeticError):
-            raise CellError(NUM) from None
-
-    return power
 
 
 def guarded(function: Callable[..., float]) -> Callable[..., float]:
@@ -108,9 +84,23 @@ def guarded(function: Callable[..., float]) -> Callable[..., float]:
         try:
             return _finite(function(*numbers))
         except (ValueError, ArithmeticError):
-            raise CellError(NUM) from None
+            raise Problem("#NUM!") from None
 
     return checked
+
+
+def raised(exponent: float, function: Callable[[float], float]) -> Callable[[float], float]:
+    """A power as a function of its base, with the errors that cells show."""
+    checked = guarded(function)
+
+    def power(base: float) -> float:
+        if base == 0:
+            if exponent < 0:
+                raise Problem("#DIV/0!")
+            return _zero((base, 0.0))
+        return checked(base)
+
+    return power
 
 
 def direction(function: Callable[[float, float], float]) -> Callable[[float, float], float]:
@@ -118,7 +108,7 @@ def direction(function: Callable[[float, float], float]) -> Callable[[float, flo
 
     def atan2(x: float, y: float) -> float:
         if x == 0 == y:
-            raise CellError(DIV0)
+            raise Problem("#DIV/0!")
         return function(y, x)
 
     return atan2
@@ -126,7 +116,7 @@ def direction(function: Callable[[float, float], float]) -> Callable[[float, flo
 
 def _modulo(number: float, divisor: float) -> float:
     if divisor == 0:
-        raise CellError(DIV0)
+        raise Problem("#DIV/0!")
     return _finite(number - divisor * ((number / divisor) // 1.0))
 
 
@@ -154,33 +144,22 @@ def _only_truth(value: Scalar) -> bool:
 def _joined_texts(left: Scalar, right: Scalar) -> str:
     text = to_text(left) + to_text(right)
     if len(text) > MOST_CHARACTERS:
-        raise CellError(VALUE)
+        raise Problem("#VALUE!")
     return text
 
 
 def power_of(function: Callable[[float, float], float]) -> Callable[[float, float], float]:
     """A power whose exponent is computed, with the errors that cells show."""
+    checked = guarded(function)
 
     def power(base: float, exponent: float) -> float:
         if exponent == 2.0:
             return _finite(base * base)
         if base == 0 and exponent <= 0:
-            raise CellError(DIV0 if exponent < 0 else NUM)
-        try:
-            return _finite(function(base, exponent))
-        except (ValueError, ArithmeticError):
-            raise CellError(NUM) from None
+            raise Problem("#DIV/0!" if exponent < 0 else "#NUM!")
+        return checked(base, exponent)
 
     return power
-
-
-def _truth(value: Scalar) -> bool:
-    if isinstance(value, str):
-        word = value.strip().upper()
-        if word not in ("TRUE", "FALSE"):
-            raise CellError(VALUE)
-        return word == "TRUE"
-    return bool(value)
 
 
 def _compared(op: str) -> Callable[[Scalar, Scalar], bool]:
@@ -249,15 +228,15 @@ def _unequal(left: float, right: float) -> bool:
 def _iferror(first: Callable[[], Scalar], second: Callable[[], Scalar]) -> Scalar:
     try:
         return first()
-    except CellError:
+    except Problem:
         return second()
 
 
 def _ifna(first: Callable[[], Scalar], second: Callable[[], Scalar]) -> Scalar:
     try:
         return first()
-    except CellError as problem:
-        if problem.code != NA:
+    except Problem as problem:
+        if problem.code != "#N/A":
             raise
         return second()
 
@@ -271,7 +250,7 @@ NAMES: dict[str, Any] = {
     "joined": _joined_texts, "only_truth": _only_truth,
     "least": lambda *numbers: min(numbers, default=0.0) or _zero(numbers),
     "greatest": lambda *numbers: max(numbers, default=0.0) or _zero(numbers),
-    "number_in": _number_in, "truth": _truth, "rounded_one": rounded_one,
+    "number_in": _number_in, "truth": to_truth, "rounded_one": rounded_one,
     "rounded_whole": lambda a: trunc(a + math.copysign(BELOW_HALF, a)), "iferror": _iferror, "ifna": _ifna,
     **{name: _compared(op) for op, name in COMPARED.items()},
 }  # fmt: skip
@@ -298,7 +277,7 @@ class Memory:
     # single cells
 
     def look(self, place: int) -> Scalar:
-        """What stands at a place (-1: nothing). Raises CellError for an error."""
+        """What stands at a place (-1: nothing). Raises Problem for an error."""
         if place < 0:
             return None
         code = self.codes[place]
@@ -306,7 +285,7 @@ class Memory:
             number: float = self.numbers[place]
             return number
         if code >= ERROR:
-            raise CellError(code)
+            raise Problem(ERROR_NAMES[code - ERROR])
         if code == BLANK:
             return None
         return self.texts.text(self.numbers[place]) if code == TEXT else bool(self.numbers[place])
@@ -334,8 +313,8 @@ class Memory:
             return False
         try:
             value = value_of(self, down)
-        except CellError as problem:
-            self.numbers[place], self.codes[place] = math.nan, problem.code
+        except Problem as problem:
+            self.numbers[place], self.codes[place] = math.nan, error_code(problem.code)
         except LeftError:
             return False
         else:
@@ -376,7 +355,7 @@ class Memory:
             raise LeftError  # an array
         code = 0 if found.codes is None else int(found.codes)
         if code >= ERROR:
-            raise CellError(code)
+            raise Problem(ERROR_NAMES[code - ERROR])
         return self.texts.decode(float(found.numbers), code)
 
     # lines
@@ -391,21 +370,21 @@ class Memory:
         """`INDEX(line, first):INDEX(line, last)`."""
         try:
             low, high = sorted((first(), last()))
-        except CellError:
+        except Problem:
             raise LeftError from None
         if not (low >= 1 and high < len(places) + 1):
             raise LeftError
         return places[int(low) - 1 : int(high)]
 
     def in_line(self, places: Places) -> list[float]:
-        """The numbers of a line; blanks, texts and truth values do not count. Raises CellError for the first error."""
+        """The numbers of a line; blanks, texts and truth values do not count. Raises Problem for the first error."""
         codes = self._codes(places)
         if isinstance(places, range) and not any(codes):
             whole: list[float] = self.numbers[places.start : places.stop].tolist()
             return whole
         for code in codes:
             if code >= ERROR:
-                raise CellError(code)
+                raise Problem(ERROR_NAMES[code - ERROR])
         return [self.numbers[place] for place, code in zip(places, codes, strict=True) if not code]
 
     def count(self, places: Places) -> int:
@@ -418,12 +397,12 @@ class Memory:
         return [self.code(place) for place in places]
 
     def match(self, wanted: Scalar, places: Places) -> float:
-        """Where a number, or a word, stands first, from 1. Raises CellError where it does not."""
+        """Where a number, or a word, stands first, from 1. Raises Problem where it does not."""
         is_wanted = self._test(wanted)
         for at, place in enumerate(places, 1):
             if is_wanted(place):
                 return float(at)
-        raise CellError(NA)
+        raise Problem("#N/A")
 
     def count_if(self, *asked: tuple[Places, Scalar]) -> float:
         """COUNTIFS: several lines of as many cells, and what is asked for in each."""

@@ -24,6 +24,7 @@ from ...formula.nodes import (
     Node,
     RangeRef,
 )
+from ..values.calling import Args
 from ..values.cells import (
     ERROR,
     NA,
@@ -44,7 +45,6 @@ if TYPE_CHECKING:
     from .evaluator import Evaluator
 
 Regions: TypeAlias = "list[Span] | Cells | None"
-Args = tuple[Node, ...]
 
 
 class ReferenceFault(Exception):  # noqa: N818 - an error value on its way to the cell

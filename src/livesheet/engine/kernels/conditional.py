@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, Missing, Node, RangeRef
+from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, Node, RangeRef
 from ..texts.searching import Test, criterion
-from ..values.calling import table_of
+from ..values.calling import Args, table_of
 from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, VALUE, ArrayArgumentError, Cells, Frame, codes_of, error
 from ..values.coerce import once_each, shaped
 from .fold import greatest, least, total
@@ -18,7 +18,6 @@ from .fold import greatest, least, total
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
 
-Args = tuple[Node, ...]
 _BLANK_CELL = Cells(np.zeros((1, 1)), np.full((1, 1), BLANK, np.uint8))
 
 
@@ -104,7 +103,7 @@ def _stretched(values: Node, like: Node, ev: Evaluator, frame: Frame) -> Node:
 
 def _keyed(ev: Evaluator, criteria: Args, frame: Frame, spread: bool, one: Callable[[Any], tuple[float, int]]) -> Cells:
     """The result for every cell of the frame, from `one(keys of its criteria)`."""
-    cells = [Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread) for arg in criteria]
+    cells = [ev.value(arg, frame, spread) for arg in criteria]
     if any(np.size(cell.numbers) > 1 and len(cell.shape) > 2 for cell in cells):
         raise ArrayArgumentError
     cells = [

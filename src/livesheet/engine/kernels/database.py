@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...formula.nodes import Missing, Node, Scalar
+from ...formula.nodes import Missing, Scalar
 from ..texts.searching import criterion
-from ..values.calling import Problem, caught, table_of, to_number
+from ..values.calling import Args, Problem, caught, table_of, to_number
 from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, Frame, Texts, VaryingSizeError, error
 from ..values.coerce import to_text
 from .fold import count, folded, greatest, least, mean, product, total
@@ -18,8 +18,6 @@ from .statistics import SPREADS
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
-
-Args = tuple[Node, ...]
 
 
 def _headings(table: Cells, texts: Texts) -> list[str]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ...formula.nodes import Binary, Missing, Node, RangeRef
-from ..values.calling import is_reference
+from ..values.calling import Args, is_reference
 from ..values.cells import (
     BLANK,
     DIV0,
@@ -33,8 +33,6 @@ from .logic import _first_of, _flat
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
-
-Args = tuple[Node, ...]
 
 
 class Gathered(NamedTuple):

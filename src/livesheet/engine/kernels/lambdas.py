@@ -11,6 +11,7 @@ from ...formula.nodes import CellRef, Local, Missing, Node, RangeRef
 from ..interpreter.closures import Bound, Closure
 from ..interpreter.regions import gives_region, regions
 from ..layout import Area
+from ..values.calling import Args
 from ..values.cells import (
     CALC,
     MOST_LISTED,
@@ -29,8 +30,6 @@ from ..values.coerce import numbers_of
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
-
-Args = tuple[Node, ...]
 
 
 def let(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ...formula.nodes import CellRef, ErrorValue, Missing, Node, Scalar
-from ..values.calling import Problem, to_number
+from ..values.calling import Args, Problem, given, to_number
 from ..values.cells import (
     BLANK,
     BOOLEAN,
@@ -35,8 +35,6 @@ from ..values.coerce import compared, truths_of
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
-
-Args = tuple[Node, ...]
 
 
 def if_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
@@ -69,9 +67,7 @@ def _branch(ev: Evaluator, args: Args, index: int, frame: Frame, spread: bool) -
     """A branch left out is the condition's truth value; an empty one (`IF(a,,b)`) is 0."""
     if index >= len(args):
         return boolean(np.float64(index == 1))
-    if isinstance(args[index], Missing):
-        return Cells(np.float64(0))
-    return ev.value(args[index], frame, spread)
+    return given(ev, args[index], frame, spread)
 
 
 def _instead(caught: Callable[[Any], Any]) -> Any:
@@ -82,7 +78,7 @@ def _instead(caught: Callable[[Any], Any]) -> Any:
         mask = caught(first.codes)
         if not np.count_nonzero(mask):
             return first
-        second = Cells(np.float64(0)) if isinstance(args[1], Missing) else ev.value(args[1], frame, spread)
+        second = given(ev, args[1], frame, spread)
         first, second = fitted(first, second)
         return choose(caught(codes_of(first)), second, first)
 
@@ -275,10 +271,6 @@ rows, columns = _size(0), _size(1)
 # --- choices among several values ------------------------------------------------------------------------------------
 
 
-def _given(ev: Evaluator, arg: Node, frame: Frame, spread: bool) -> Cells:
-    return Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread)
-
-
 def _first_true(
     conditions: Sequence[Callable[[], Cells]], values: Sequence[Callable[[], Cells]], last: Callable[[], Cells]
 ) -> Cells:
@@ -312,7 +304,7 @@ def _merged(mask: Any, value: Cells, before: Cells | None) -> Cells:
 
 
 def _truth(ev: Evaluator, arg: Node, frame: Frame, spread: bool) -> Cells:
-    mask, errors = truths_of(_given(ev, arg, frame, spread), ev.texts)
+    mask, errors = truths_of(given(ev, arg, frame, spread), ev.texts)
     return Cells(np.asarray(mask, np.float64), errors)
 
 
@@ -321,24 +313,24 @@ def ifs(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     if len(args) % 2:
         return error(VALUE)
     conditions = [partial(_truth, ev, arg, frame, spread) for arg in args[::2]]
-    values = [partial(_given, ev, arg, frame, spread) for arg in args[1::2]]
+    values = [partial(given, ev, arg, frame, spread) for arg in args[1::2]]
     return _first_true(conditions, values, partial(error, NA))
 
 
 def switch(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     """SWITCH(value, case, result, ..., default)."""
-    wanted = _given(ev, args[0], frame, spread)
+    wanted = given(ev, args[0], frame, spread)
     cases = args[1:]
     default = cases[-1] if len(cases) % 2 else None
 
     def equal(arg: Node) -> Cells:
-        found = compared("=", wanted, _given(ev, arg, frame, spread), ev.texts)
+        found = compared("=", wanted, given(ev, arg, frame, spread), ev.texts)
         return Cells(found.numbers, errors_of(found))
 
     pairs = cases[:-1] if default is not None else cases
     conditions = [partial(equal, arg) for arg in pairs[::2]]
-    values = [partial(_given, ev, arg, frame, spread) for arg in pairs[1::2]]
-    otherwise = partial(error, NA) if default is None else partial(_given, ev, default, frame, spread)
+    values = [partial(given, ev, arg, frame, spread) for arg in pairs[1::2]]
+    otherwise = partial(error, NA) if default is None else partial(given, ev, default, frame, spread)
     return _first_true(conditions, values, otherwise)
 
 

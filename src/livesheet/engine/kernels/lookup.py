@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...formula.nodes import Call, CellRef, Local, Missing, Node, RangeRef
+from ...formula.nodes import Call, CellRef, Local, Missing, RangeRef
 from ..interpreter.regions import gives_region, regions
 from ..texts.searching import CRITERION, EXACT, EXPRESSION, LARGER, SMALLER, WILDCARD, Line
-from ..values.calling import spread_cells, table_of
+from ..values.calling import Args, given, spread_cells, table_of
 from ..values.cells import (
     BLANK,
     NA,
@@ -30,8 +30,6 @@ from ..values.coerce import numbers_of, once_each, truths_of
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
-
-Args = tuple[Node, ...]
 
 
 def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
@@ -164,7 +162,7 @@ def choose_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     for place, arg in enumerate(args[1:], 1):
         here = np.equal(number, place)
         if np.count_nonzero(here):
-            value = Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread)
+            value = given(ev, arg, frame, spread)
             result = value if np.all(here) else choose(here, value, result)
     return _or_error(result, errors)
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cache, partial
 from typing import Any, TypeAlias
 
@@ -464,7 +463,6 @@ PLAIN: dict[str, Callable[..., Any]] = {
 }
 
 
-@dataclass(frozen=True, slots=True, eq=False)
 class Arithmetic:
     """What stands instead of numpy's own code.
 
@@ -473,8 +471,11 @@ class Arithmetic:
                 where the result goes, as numpy has it
     """
 
-    functions: Mapping[str, Callable[..., Any]]
-    operations: Mapping[str, Callable[..., Any]]
+    def __init__(
+        self, functions: Mapping[str, Callable[..., Any]], operations: Mapping[str, Callable[..., Any]]
+    ) -> None:
+        self.functions = functions
+        self.operations = operations
 
 
 FAST = Arithmetic({}, {})

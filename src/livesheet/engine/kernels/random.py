@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...formula.nodes import Missing, Node
+from ...formula.nodes import Missing
+from ..values.calling import Args
 from ..values.cells import (
     MOST_LISTED,
     NUM,
@@ -25,7 +26,6 @@ from ..values.coerce import numbers_of, truths_of
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
 
-Args = tuple[Node, ...]
 _GENERATOR = np.random.default_rng(1900)
 
 

@@ -14,6 +14,7 @@ from ...formula.references import column_letters
 from ...said import reason, say
 from ..interpreter.regions import gives_region, regions
 from ..layout import Area
+from ..values.calling import Args
 from ..values.cells import (
     BLANK,
     NA,
@@ -33,8 +34,6 @@ from ..values.coerce import text_of
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
-
-Args = tuple[Node, ...]
 
 
 def _cell_by_cell(kernel: Callable[[Evaluator, Args, Frame], Cells]) -> Any:

@@ -7,17 +7,15 @@ from collections.abc import Callable
 from decimal import ROUND_HALF_UP, Decimal
 from typing import TYPE_CHECKING, Any
 
-from ...formula.nodes import Node, Scalar
+from ...formula.nodes import Scalar
 from ..texts.number_formats import WIDE, formatted
-from ..values.calling import Problem, since_epoch
+from ..values.calling import Args, Problem, since_epoch
 from ..values.cells import Cells, Frame
 from ..values.coerce import Serial, to_text
 from .text import VALUE, _each, number_or_none
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
-
-Args = tuple[Node, ...]
 
 
 def text(value: Scalar, pattern: Scalar, epochs: float = 0.0) -> Scalar:

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...formula.nodes import Node
-from ..values.calling import Problem, is_reference, need, raise_first
+from ..values.calling import Args, Problem, is_reference, need, raise_first
 from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, TEXT, Cells, Frame, Numbers, codes_of
 from ..values.coerce import numbers_of
 from .fold import count, fold, folded, mean, total, united
@@ -17,8 +16,6 @@ from .logic import _first_of, _flat
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
-
-Args = tuple[Node, ...]
 
 
 def _deviations(numbers: Any, counts: Any) -> tuple[Any, Any]:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...formula.nodes import Call, Node, walk
 from ..layout import Area
-from ..values.calling import caught, raise_first, table_of
+from ..values.calling import Args, caught, raise_first, table_of
 from ..values.cells import (
     BLANK,
     ERROR,
@@ -30,7 +30,6 @@ from .statistics import MODES, SPREADS, percentile, quartile
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
 
-Args = tuple[Node, ...]
 
 COUNT, COUNTA = 2, 3
 _FOLDS: dict[int, Callable[[Any, Any], Any]] = {

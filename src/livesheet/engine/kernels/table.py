@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import numpy as np
 
 from ...formula.functions import FUNCTIONS, Function
-from ...formula.nodes import Missing, Node
+from ...formula.nodes import Node
 from ..values.calling import called
 from ..values.cells import BOOLEAN, VALUE, Cells, Frame
 from ..values.coerce import truths_of
@@ -38,7 +38,7 @@ def _mapped(row: Function, function: Callable[..., Any]) -> Kernel:
     """A function of numbers and truth values (1 and 0), cell by cell; an argument left empty is 0."""
 
     def kernel(ev: Evaluator, args: tuple[Node, ...], frame: Frame, spread: bool) -> Cells:
-        cells = [Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread) for arg in args]
+        cells = [ev.value(arg, frame, spread) for arg in args]
         for place, kind in enumerate(row.kinds_of(len(args))):
             if kind == "p":
                 cells[place] = _without_flags(cells[place])

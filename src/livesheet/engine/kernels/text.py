@@ -12,18 +12,17 @@ import numpy as np
 
 from ...formula.book import Settings
 from ...formula.functions import FUNCTIONS
-from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Missing, Node, Scalar
+from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from ...formula.printer import quote_sheet
 from ...formula.references import column_letters
 from ..texts.patterns import expression, pattern_of
-from ..values.calling import Problem, called, since_epoch, to_number
-from ..values.cells import BLANK, Cells, Frame, codes_of
+from ..values.calling import Args, Problem, called, since_epoch, to_number
+from ..values.cells import Cells, Frame, codes_of
 from ..values.coerce import MOST_CHARACTERS, Serial, each, joined, text_to_number, to_text
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
 
-Args = tuple[Node, ...]
 VALUE = ErrorValue("#VALUE!")
 
 
@@ -71,10 +70,7 @@ def _value(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
 
 def _each(function: Callable[..., Scalar]) -> Any:
     def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
-        cells = tuple(
-            Cells(np.float64(0), np.uint8(BLANK)) if isinstance(arg, Missing) else ev.value(arg, frame, spread)
-            for arg in args
-        )
+        cells = tuple(ev.value(arg, frame, spread) for arg in args)
         return each(function, cells, ev.texts, ev.around.budget.spend)
 
     return kernel

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from ...formula.book import CellStore
 from ...formula.nodes import Node
@@ -31,8 +30,7 @@ class Step(Protocol):
         """Compute all cells of the step."""
 
 
-@dataclass(frozen=True, slots=True)
-class Special:
+class Special(NamedTuple):
     """What is not simply a formula filled down, and how the steps will be used.
 
     functions  what names that stand for functions mean
@@ -43,12 +41,12 @@ class Special:
     once       the book will be computed only once: no code is prepared for blocks too small to be worth it then
     """
 
-    functions: Functions = field(default_factory=dict)
-    kept: Mapping[int, tuple[CellStore, int]] = field(default_factory=dict)
-    blocked: frozenset[int] = frozenset()
-    apart: frozenset[int] = frozenset()
-    texts: set[int] = field(default_factory=set)
-    once: bool = False
+    functions: Functions
+    kept: Mapping[int, tuple[CellStore, int]]
+    blocked: frozenset[int]
+    apart: frozenset[int]
+    texts: set[int]
+    once: bool
 
 
 def schedule(

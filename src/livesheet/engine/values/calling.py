@@ -8,7 +8,7 @@ combination of arguments that differs.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
@@ -36,6 +36,9 @@ from .coerce import Serial, numbers_of, once_each, shaped, text_to_number, to_te
 
 if TYPE_CHECKING:
     from ..interpreter.evaluator import Evaluator
+
+Args: TypeAlias = tuple[Node, ...]
+"""The arguments of a call, as trees."""
 
 SINGLES = frozenset("npytbdae")
 """Kinds of single values: an array there means one result for each of its cells."""
@@ -122,6 +125,11 @@ _CONVERSIONS: dict[str, Callable[[Scalar], Any]] = {
     "a": lambda value: value,
     "e": lambda value: value,
 }
+
+
+def given(ev: Evaluator, arg: Node, frame: Frame, spread: bool) -> Cells:
+    """An argument's value as it is handed on: nothing between two commas is 0."""
+    return Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread)
 
 
 def table_of(ev: Evaluator, node: Node, frame: Frame) -> Cells:
@@ -218,11 +226,7 @@ def called(row: Function, function: Callable[..., Any]) -> Any:
             None if kind in SINGLES else _fixed(ev, arg, kind, frame, row.needs(place))
             for place, (arg, kind) in enumerate(zip(args, kinds, strict=True))
         ]
-        lifted = [
-            (Cells(np.float64(0), np.uint8(BLANK)) if isinstance(arg, Missing) else ev.value(arg, frame, spread))
-            for arg, kind in zip(args, kinds, strict=True)
-            if kind in SINGLES
-        ]
+        lifted = [ev.value(arg, frame, spread) for arg, kind in zip(args, kinds, strict=True) if kind in SINGLES]
         return _each_key(_Call(function, kinds, fixed, ev.texts, ev.layout.date1904), lifted, ev.around.budget.spend)
 
     return kernel

@@ -10,7 +10,7 @@ from livesheet.formula.nodes import CellRef, anchored, shifted, transform
 from livesheet.formula.parser import parse_formula
 from livesheet.said import say
 
-from ..reading.package import Package, local_name, open_package, part_key, saved_by, settings_remarks
+from ..reading.package import Package, local_name, open_package, part_key, protected, saved_by, settings_remarks
 from ..xml_text import NULL_DATE, NULL_DATE_1904
 from .scan import CONTENT, ContentScan, NameText
 from .text import SHEET_TYPE
@@ -19,8 +19,6 @@ NULL_YEAR = "1930"
 """The year that 30 means where a document does not say otherwise."""
 
 _MANIFEST = "META-INF/manifest.xml"
-_PASSWORD = say("the workbook is protected by a password")
-_UNLOCK = say("save it without a password")
 
 
 def read_ods(path: Path) -> Book:
@@ -66,7 +64,7 @@ def _read(package: Package) -> Book:
 def _check_parts(package: Package) -> None:
     """Refuse what is no .ods, in words that say what it is."""
     if "encrypted-package" in package or (_MANIFEST in package and _is_encrypted(package)):
-        raise WorkbookError(Fault(_PASSWORD, file=package.name, hint=_UNLOCK))
+        raise protected(package.name, say("save it without a password"))
     if CONTENT in package:
         kind = b"".join(package.pieces("mimetype"))[:200].decode("latin-1").strip() if "mimetype" in package else ""
         if kind and not kind.startswith(SHEET_TYPE):

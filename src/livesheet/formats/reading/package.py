@@ -206,9 +206,7 @@ def open_package(path: Path) -> Iterator[Package]:
             Fault(say("the file is damaged or cut off ({problem})", problem=problem), file=name)
         ) from problem
     except OSError as problem:
-        raise WorkbookError(
-            Fault(say("cannot be read: {reason}", reason=system_reason(problem)), file=name)
-        ) from problem
+        raise unreadable(name, problem) from problem
 
 
 def _check_head(path: Path, name: str) -> None:
@@ -226,9 +224,18 @@ def _check_head(path: Path, name: str) -> None:
             stream.seek((sector + 1) << power if power < 20 else 0)
             directory = stream.read(1 << 13)
     if head.startswith(_OLE) and _ENCRYPTED in head + directory:
-        message = say("the workbook is protected by a password")
-        raise WorkbookError(Fault(message, file=name, hint=say("save it as .xlsx without a password")))
+        raise protected(name)
     refuse_what_it_is(head, name)
+
+
+def protected(name: str, hint: str = say("save it as .xlsx without a password")) -> WorkbookError:
+    """The error that refuses a workbook with a password."""
+    return WorkbookError(Fault(say("the workbook is protected by a password"), file=name, hint=hint))
+
+
+def unreadable(name: str, problem: OSError) -> WorkbookError:
+    """The error for a file that the system does not let be read."""
+    return WorkbookError(Fault(say("cannot be read: {reason}", reason=system_reason(problem)), file=name))
 
 
 def refuse_what_it_is(head: bytes, name: str, missing: str = say("this is no zip file")) -> NoReturn:

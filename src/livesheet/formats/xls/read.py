@@ -5,12 +5,12 @@ from __future__ import annotations
 import struct
 from pathlib import Path
 
-from livesheet.diagnostics import Fault, WorkbookError, readable_name, system_reason
+from livesheet.diagnostics import Fault, WorkbookError, readable_name
 from livesheet.formula.book import Book, BookSheet, DefinedName, Settings
 from livesheet.formula.nodes import Foreign, Node
 from livesheet.said import reason, say
 
-from ..reading.package import MAX_SHEETS, refuse_what_it_is, settings_remarks
+from ..reading.package import MAX_SHEETS, protected, refuse_what_it_is, settings_remarks, unreadable
 from .compound import SIGNATURE, Compound
 from .contents import FILTER, Contents, contents_of, is_biff8
 from .formulas import ROWS, Formulas, UnreadableError
@@ -47,9 +47,7 @@ def _bytes(path: Path, name: str) -> bytes:
             raise WorkbookError(Fault(say("larger than {most} MB: this is no .xls", most=MAX_BYTES >> 20), file=name))
         return path.read_bytes()
     except OSError as problem:
-        raise WorkbookError(
-            Fault(say("cannot be read: {reason}", reason=system_reason(problem)), file=name)
-        ) from problem
+        raise unreadable(name, problem) from problem
 
 
 def _stream(data: bytes, name: str) -> tuple[bytes, str]:
@@ -57,8 +55,7 @@ def _stream(data: bytes, name: str) -> tuple[bytes, str]:
     if data.startswith(SIGNATURE):
         compound = Compound(data, name)
         if "EncryptedPackage" in compound:
-            message = say("the workbook is protected by a password")
-            raise WorkbookError(Fault(message, file=name, hint=say("save it as .xlsx without a password")))
+            raise protected(name)
         stream = compound.stream("Workbook")
         if stream is None:
             if "Book" in compound:

@@ -33,7 +33,6 @@ from livesheet.formula.nodes import (
 )
 from livesheet.said import say
 from mechsheet.checking.books_compared import Formulas, alike, formula_of, neutral, printed, stretches
-from mechsheet.checking.edited.expected import Expected, Inputs
 from mechsheet.checking.edited.inserted_rows import (
     Move,
     Moves,
@@ -44,6 +43,7 @@ from mechsheet.checking.edited.inserted_rows import (
     moves_between,
     undone,
 )
+from mechsheet.checking.inputs import Expected, InputCells
 from mechsheet.checking.report import Edit, text_of
 from mechsheet.compiled import Compiled
 from mechsheet.model import Mechanism, Quantity
@@ -269,7 +269,7 @@ def _edit(change: _Change, sheet: BookSheet, other: BookSheet, moves: Moves) -> 
 # --- constants -----------------------------------------------------------------------------------------------------
 
 
-def _numbers(sheet: BookSheet, other: BookSheet, inputs: Inputs, moves: Moves) -> Iterator[Edit]:
+def _numbers(sheet: BookSheet, other: BookSheet, inputs: InputCells, moves: Moves) -> Iterator[Edit]:
     """Numbers that are no inputs, and inputs in whose place something else stands."""
     theirs = Formulas(other)
     for row, col, value in sheet.constants.items():
@@ -292,7 +292,9 @@ def same(one: Scalar, other: Scalar) -> bool:
     return one == other
 
 
-def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Expected, moves: Moves) -> Iterator[str]:
+def _constants(
+    sheet: BookSheet, other: BookSheet, inputs: InputCells, expected: Expected, moves: Moves
+) -> Iterator[str]:
     """Inputs that were changed, and texts. Not the position and the arrows shown, which say nothing, nor modes: others tell
     of them.
     """
@@ -323,7 +325,7 @@ def _constants(sheet: BookSheet, other: BookSheet, inputs: Inputs, expected: Exp
         )
 
 
-def _added(sheet: BookSheet, other: BookSheet, inputs: Inputs, moves: Moves) -> Iterator[str]:
+def _added(sheet: BookSheet, other: BookSheet, inputs: InputCells, moves: Moves) -> Iterator[str]:
     """Cells of the user's own on free places."""
     ours, theirs = Formulas(sheet), Formulas(other)
 

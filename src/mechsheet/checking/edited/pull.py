@@ -14,9 +14,8 @@ from livesheet.formula.nodes import Scalar
 from livesheet.formula.references import cell_address
 from livesheet.said import say
 from mechsheet.checking.edited.edits import same
-from mechsheet.checking.edited.expected import Expected, expected_for, inside
 from mechsheet.checking.edited.inserted_rows import moves_between, undone
-from mechsheet.checking.inputs import description_or_fault
+from mechsheet.checking.inputs import Expected, description_or_fault, expected_for, inside
 from mechsheet.checking.report import text_of
 from mechsheet.description import loads
 from mechsheet.description.driving.driver import LANDS
