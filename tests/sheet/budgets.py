@@ -53,9 +53,9 @@ IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anch
 TABLES = 250
 """Characters of the longest formula of any table that a person reads row by row, and of the two-way tables."""
 
-ELSEWHERE = {"names": 430, "anchors": 510, "page": 400}
-"""Characters of the longest formula beside the table of several sheets: whether the accelerations of four links fit that
-Newton's method has found at once, verdict words, of which 20 say what is left where a sheet was deleted; and of pages that
+ELSEWHERE = {"names": 470, "anchors": 510, "page": 400}
+"""Characters of the longest formula beside the table of several sheets: which of fifteen inputs cannot be (a cam's linkage; a
+condition each, 430 elsewhere), whether the accelerations of four links fit that Newton's method has found at once, verdict words, of which 20 say what is left where a sheet was deleted; and of pages that
 are generated."""
 
 

@@ -203,16 +203,15 @@ class _Start:
     def _rocker(self, pivot: Vector, arm: Vector) -> _Begun | None:
         reach = al.add(al.as_node(self.cam.base_radius), al.as_node(self.cam.radius or 0.0))
         far, long = (al.add(al.square(x), al.square(y)) for x, y in (pivot, arm))
-        cosine = al.div(
-            al.sub(al.sub(al.square(reach), far), long), al.mul(al.TWO, al.mul(al.sqrt(far), al.sqrt(long)))
-        )
+        opposite, product = al.sub(al.sub(al.square(reach), far), long), al.mul(al.sqrt(far), al.sqrt(long))
+        cosine = al.div(opposite, al.mul(al.TWO, product))
         if not abs(self.scope.number(cosine)) <= 1:
             self.scope.report.at(("cam", "base_radius"), say("the roller never touches a base circle of this radius"))
             return None
         between = Call("ACOS", (cosine,))
         facing = al.sub(al.atan2(*pivot), al.atan2(*arm))
         start = al.sub(facing, between) if self._outwards() else al.add(facing, between)
-        return _Begun(start, touches=al.sub(al.ONE, al.square(cosine)))
+        return _Begun(start, touches=al.sub(al.mul(al.TWO, product), Call("ABS", (opposite,))))
 
     def _outwards(self) -> bool:
         """Whether the first part that moves goes towards larger values."""

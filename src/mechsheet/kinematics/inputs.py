@@ -20,6 +20,10 @@ TURN = Number(math.tau + MEETING)
 """Where a turn ends, but for rounding."""
 
 
+ALWAYS = ("ABS", "COS", "DEGREES", "MAX", "MIN", "RADIANS", "SIN", "SUMSQ")
+"""Functions of the format that have a value for all numbers."""
+
+
 @dataclass(frozen=True, slots=True)
 class Asked:
     """Something that must be above 0.
@@ -60,9 +64,8 @@ def asked_of(mechanism: Mechanism) -> tuple[Asked, ...]:
         wheel = al.as_node(mechanism.cam.radius or 0.0)
         found += [Asked(symbol, wheel, _roller, zero=True) for symbol in reads.first_of(wheel)]
         touches = mechanism.cam.touches
-        if (
-            touches is not None
-        ):  # the offset may be too large as well as the base circle too small: one of them is named
+        if touches is not None:
+            # the offset may be too large as well as the base circle too small: one of them is named
             named = reads.first_of(radius) or reads.first_of(touches)
             found += [Asked(symbol, touches, _out_of_reach, zero=True) for symbol in named]
     if mechanism.segments is not None:
@@ -127,9 +130,7 @@ class _Inputs:
                     found.append(symbol)
                 elif given is not None:
                     trees.append(given)
-        fails = any(
-            isinstance(part, Call) or getattr(part, "op", "") in ("/", "^") for tree in trees for part in walk(tree)
-        )
+        fails = any(_may_fail(part) for tree in trees for part in walk(tree))
         return tuple(dict.fromkeys(found)) if fails else ()
 
     def first_of(self, node: Node) -> tuple[str, ...]:
@@ -140,6 +141,18 @@ class _Inputs:
             if found:
                 return found
         return ()
+
+
+def _may_fail(part: Node) -> bool:
+    """Whether an operation may have no value although all that it reads are numbers."""
+    match part:
+        case Binary("^", _, Number(exponent)):
+            return exponent not in (1.0, 2.0)
+        case Binary("/" | "^", _, _):
+            return True
+        case Call(name, _):
+            return name not in ALWAYS
+    return False
 
 
 def _base_circle(_: float) -> Said:

@@ -5,7 +5,7 @@ Python evaluates from the left, so the first error is the one that the cell show
 ranges, a text where a number is wanted) is the interpreter's: `LeftError` when it turns up, no code if known before.
 
 Code is made where a step has been interpreted so often that making it pays. It is what makes a workbook that is kept open
-quick: without it the 52 smallest workbooks of generated/ take 5 times as long to be computed again, and an answer of
+quick: without it 52 workbooks of generated/ take 5 times as long to be computed again, and an answer of
 benchmarks/bench_session.py 20 times.
 """
 

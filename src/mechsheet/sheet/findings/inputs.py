@@ -11,12 +11,13 @@ from dataclasses import dataclass
 from typing import Literal
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Symbol, Text
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Symbol, Text, walk
 from livesheet.workbook import Area, Conditional
 from mechsheet.kinematics.inputs import Asked, asked_of
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.as_typed import in_degrees
 from mechsheet.sheet.findings.finding import Finding, Line, bad, good
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
@@ -92,15 +93,22 @@ class Input:
         """Whether its cell, read on the first sheet, holds what it can; `first`: or another one's is told in its place."""
         can_be = formula(CAN_BE[self.kind], cell=cell, **({"most": self.most} if self.kind == "choice" else {}))
         for each in self.asked:
-            holds: Node = each.holds
+            holds = _bound(plan, each.holds)
             if first and each.earlier is not None:
-                holds = formula("OR(earlier,holds)", earlier=each.earlier, holds=holds)
+                holds = formula("OR(earlier,holds)", earlier=_bound(plan, each.earlier), holds=holds)
             cells = tuple(plan.at.bind(plan.at.spots[symbol].cell, plan.main) for symbol in each.reads)
             # an error is another cell's fault, unless all are numbers from which it follows
             other = formula("counted<all", counted=Call("COUNT", cells), all=len(cells)) if cells else formula("TRUE")
-            bound = plan.at.bind(holds, plan.main)
-            can_be = formula("can_be*IFERROR(holds,other)", can_be=can_be, holds=bound, other=other)
+            can_be = formula("can_be*IFERROR(holds,other)", can_be=can_be, holds=holds, other=other)
         return can_be
+
+
+def _bound(plan: Plan, test: Binary) -> Node:
+    """A comparison over the cells of the first sheet; angles in the degrees that people type."""
+    bound = plan.at.bind(test, plan.main)
+    if isinstance(bound, Binary) and any(isinstance(part, Call) and part.name == "RADIANS" for part in walk(bound)):
+        return Binary(bound.op, in_degrees(bound.left), in_degrees(bound.right))
+    return bound
 
 
 def inputs_of(plan: Plan) -> list[Input]:
@@ -154,8 +162,13 @@ def first_wrong(plan: Plan) -> Node:
     """The number of the first input that cannot be, 0 where all can: where the first 0 is in 111...10, a digit an input."""
     found = inputs_of(plan)
     each_can = (each.can_be(plan.at.bind(each.spot.cell, plan.main), plan) for each in found)
-    digits = joined(*(formula("can_be*1", can_be=can_be) for can_be in each_can), "0")
+    digits = joined(*(_digit(can_be) for can_be in each_can), "0")
     return formula('MOD(FIND("0",digits),beyond)', digits=digits, beyond=len(found) + 1)
+
+
+def _digit(holds: Node) -> Node:
+    """1 where it holds, else 0; a product is a number as it is."""
+    return holds if isinstance(holds, Binary) and holds.op == "*" else formula("holds*1", holds=holds)
 
 
 def words(plan: Plan, wrong: Node, others: Node) -> Node:
