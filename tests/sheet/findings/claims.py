@@ -448,6 +448,8 @@ class _Judge:
         else:
             word = ("both", "one", "coupler", "one")[index]
         link = link_words(names[index]).of(self.plan.language) if names[index] else ""
+        if self.verdict("grashof.rocker") in link.split():  # a rocker that turns fully is told by its pins
+            link = "".join(loop.sides(self.plan.mechanism.ground)[index][1:])
         bound = sheets.of(key, TOLERANCE)
         if word in ("open", "none") and has_advice(loop, self.plan):  # up to which length it is not
             most = self.bound_of(lengths, word)

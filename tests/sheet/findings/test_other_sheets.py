@@ -101,7 +101,7 @@ def test_charts_have_gaps_and_forces_say_why(name):
         assert errors(laid, without(laid, plan.at.titles[key]), plan.at.titles["drawing"]) <= {"#N/A"}, key
     alone, forces = without(laid, plan.at.titles["rates"]), plan.at.titles["forces"]
     said = {alone.get(forces, row, RATES_STATUS) for row in range(plan.at.first, plan.at.last + 1)}
-    assert said == {"sheet Rates was deleted, and without it Forces has no numbers"}
+    assert said == {"sheet Rates was deleted; Forces needs it"}
 
 
 @pytest.mark.slow
