@@ -54,9 +54,9 @@ TABLES = 250
 """Characters of the longest formula of any table that a person reads row by row, and of the two-way tables."""
 
 ELSEWHERE = {"names": 470, "anchors": 510, "page": 400}
-"""Characters of the longest formula beside the table of several sheets: which of fifteen inputs cannot be (a cam's linkage; a
-condition each, 430 elsewhere), whether the accelerations of four links fit that Newton's method has found at once, verdict words, of which 20 say what is left where a sheet was deleted; and of pages that
-are generated."""
+"""Characters of the longest formula beside the table of several sheets: which of fifteen inputs cannot be (of a cam's
+linkage, a condition each; 430 elsewhere), whether the accelerations of four links fit that Newton's method has found at
+once, verdict words, of which 20 say what is left where a sheet was deleted; and of pages that are generated."""
 
 
 @dataclass(frozen=True)
