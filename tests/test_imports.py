@@ -26,7 +26,7 @@ ALLOWED = {
     "extras": set(),
     "arguments": {"livesheet.formula"},
     "units": set(),
-    "model": {"livesheet.formula.nodes", "units"},
+    "model": {"livesheet.formula", "units"},
     "words": {"model"},
     # the nodes of expressions are data of the model; how they are parsed, printed and evaluated is not the reference's
     "reference": {"model", "livesheet.formula.nodes"},

@@ -41,7 +41,8 @@ LEAP = 90.0
 
 Kind = Literal[
     "gap", "margin", "crossing", "leap", "assembly",
-    "residual", "needed", "det", "velocity", "acceleration", "torque", "effort", "force",
+    "residual", "needed", "det",
+    "velocity_size", "velocity", "acceleration_size", "acceleration", "torque", "effort", "force",
 ]  # fmt: skip
 
 MEASURED: tuple[Kind, ...] = ("gap", "velocity", "acceleration", "torque")
@@ -54,8 +55,8 @@ ARRIVED: tuple[Kind, ...] = ("residual", "needed", "det")
 COUNTED: tuple[Kind, ...] = ("leap", "assembly")
 """Columns of 0 and 1."""
 
-SIZES: tuple[Kind, ...] = ("effort", "force")
-"""Columns of sizes, whose largest the first sheet names."""
+SIZES: tuple[Kind, ...] = ("effort", "force", "velocity_size", "acceleration_size")
+"""Columns of sizes: those of forces the first sheet names, by the others differences of rates are measured."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +87,7 @@ class Checks:
         ]
         self.checks += [Check("leap", 0, node) for node in _leaps(plan, self.title)]
         self.checks += [Check(*found) for found in assembly_columns(plan, self.title, CellRef(self.first, COUNT_COL))]
-        self.checks += [Check(*found) for found in fit_columns(plan, self.title, first)]
+        self.checks += [Check(*found) for found in fit_columns(plan, self.title, first, self._next())]
         self.checks += [Check(*found) for found in effort_columns(plan, self.title, first)]
 
     @property
@@ -101,6 +102,10 @@ class Checks:
                 for col, check in checks if check.kind == "crossing"
             },
         )  # fmt: skip
+
+    def _next(self) -> CellRef:
+        """The first cell of the column that comes next."""
+        return CellRef(self.first, DATA + len(self.checks))
 
     def _crossed(self, sine: str) -> Node:
         """The sine of the angle between two lines, times that of the row before, where both rows exist: below 0 the lines
@@ -249,7 +254,7 @@ class _Writer(Cells):
     def _unit(self, kind: Kind) -> str:
         """The unit of a column."""
         plan = self.plan
-        if kind in ("crossing", "torque", *COUNTED, *ARRIVED):
+        if kind in ("crossing", "torque", "velocity_size", "acceleration_size", *COUNTED, *ARRIVED):
             return ""
         if kind == "effort":
             return plan.equations.of(plan.efforts[0]).unit.text
@@ -267,7 +272,7 @@ class _Writer(Cells):
 
 _WORST = {"gap": "MAX", "margin": "MIN", "crossing": "MIN", "leap": "SUM", "velocity": "MAX", "acceleration": "MAX"}
 _WORST |= {"assembly": "SUM", "residual": "MAX", "needed": "MAX", "det": "MIN"}
-_WORST |= dict.fromkeys(("torque", "effort", "force"), "MAX")
+_WORST |= dict.fromkeys(("torque", *SIZES), "MAX")
 
 
 def typed_over(plan: Plan) -> Node:

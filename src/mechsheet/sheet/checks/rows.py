@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import islice
 from typing import Literal, TypeAlias
 
@@ -65,7 +66,7 @@ def chunks_of(parts: Sequence[Node]) -> list[list[Node]]:
 
 
 def _largest(parts: Sequence[Node]) -> Node:
-    return formula('IFERROR(most,"")', most=al.nested("MAX", parts))
+    return formula('IFERROR(most,"")', most=al.largest(parts))
 
 
 def _parts(plan: Plan, number: int) -> list[Node]:
@@ -158,27 +159,42 @@ def misfits_of(plan: Plan) -> list[tuple[str, int]]:
 RESTING = 1e-9
 """What turns by less than this part of the cam's speed rests: all that is left of it is rounding."""
 
-Column: TypeAlias = tuple[Literal["velocity", "acceleration"], int, Node]
+Rate: TypeAlias = Literal["velocity", "acceleration"]
+Size: TypeAlias = Literal["velocity_size", "acceleration_size"]
+
+Column: TypeAlias = tuple[Rate | Size, int, Node]
+
+_BY_RATE: tuple[tuple[Rate, Size, str], ...] = (
+    ("velocity", "velocity_size", "ABS(rate)"),
+    ("acceleration", "acceleration_size", "rate^2"),
+)
+"""What is checked, by what it is measured, and how an angular velocity counts in that."""
 
 
-def fit_columns(plan: Plan, sheet: str, row: int) -> list[Column]:
-    """(what, number of the group, largest difference) of each column, as formulas of `sheet` for a row of the table.
+def fit_columns(plan: Plan, sheet: str, row: int, begins: CellRef) -> list[Column]:
+    """(what, number of the group, formula) of each column, as formulas of `sheet` for a row of the table.
 
-    An empty text in rows without velocities.
+    How fast the links of each group turn, then the largest difference measured by that: an empty text in rows without
+    velocities. begins: the first cell of the first column.
     """
     found: list[Column] = []
-    for number, parts in plan.equations.equations.fits.items():
-        found += _columns(plan, sheet, row, "velocity", number, parts.velocity, "ABS(rate)")
-    for number, parts in plan.equations.equations.fits.items():
-        found += _columns(plan, sheet, row, "acceleration", number, parts.acceleration, "rate^2")
+    for what, scale, size in _BY_RATE:
+        parts_of = {number: getattr(parts, what) for number, parts in plan.equations.equations.fits.items()}
+        sizes = {}
+        for number, parts in parts_of.items():
+            sizes[number] = replace(begins, col=begins.col + len(found))
+            node = plan.at.bind(_size(plan, what, number, parts, size), sheet, row)
+            found.append((scale, number, formula('IFERROR(scale,"")', scale=node)))
+        for number, parts in parts_of.items():
+            whole = [
+                formula("ABS(part)/scale", part=plan.at.bind(each, sheet, row), scale=sizes[number]) for each in parts
+            ]
+            found += [(what, number, _largest(chunk)) for chunk in chunks_of(whole)]
     return found
 
 
-def _columns(
-    plan: Plan, sheet: str, row: int, what: Literal["velocity", "acceleration"], number: int, parts: Sequence[Node],
-    size: str,
-) -> list[Column]:  # fmt: skip
-    """Each part over what it is measured by, in as few columns as their length allows."""
+def _size(plan: Plan, what: Rate, number: int, parts: Sequence[Node], size: str) -> Node:
+    """How fast the links of a group turn, which its differences are measured by: the sum over what is read of its own."""
     group = plan.equations.groups[number - 1]
     own = {*plan.mechanism.driver_rates, *(eq.symbol for eq in plan.equations.columns if eq.group == group.number)}
     known = _rates(plan)
@@ -191,14 +207,10 @@ def _columns(
     scale = al.total([scale, *(Call("ABS", (turning[name],)) for name in rates if name not in speeds)])
     if plan.mechanism.segments is not None:
         scale = formula("MAX(scale,rest*cam)", scale=scale, rest=RESTING, cam=_of_cam(plan, what))
-    whole = [plan.at.bind(formula("ABS(part)/(scale)", part=part, scale=scale), sheet, row) for part in parts]
-    return [
-        (what, number, formula('IFERROR(most,"")', most=Call("MAX", tuple(chunk)) if len(chunk) > 1 else chunk[0]))
-        for chunk in chunks_of(whole)
-    ]
+    return scale
 
 
-def _of_cam(plan: Plan, what: Literal["velocity", "acceleration"]) -> Node:
+def _of_cam(plan: Plan, what: Rate) -> Node:
     speed, acceleration = (Symbol(name) for name in plan.mechanism.driver_rates)
     if what == "velocity":
         return formula("ABS(speed)", speed=speed)

@@ -38,6 +38,9 @@ from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 SAME = 1e-12
 """Two values that differ by so small a part of themselves are one."""
 
+BEYOND = 1e300
+"""No number is as large; a text is more than any number."""
+
 LEAPT = 1e-9
 """A step of a derivative, in sizes a radian, that is more than rounding."""
 
@@ -360,7 +363,9 @@ class LargestRate(Finding):
             words = formula("IF(ABS(value-own*power)<=rounding*value,said,other)", value=value, own=own, power=power,
                             rounding=SAME, said=said, other=words)  # fmt: skip
         unit = plan.equations.of(symbol).unit
-        place = on.driver_in_row("IFERROR(MATCH(value,all,0),MATCH(-value,all,0))", value=rows, all=column)
+        # the first row of those that are as fast but for rounding; a text counts as more than any number
+        row = "SUMPRODUCT(MATCH(1,(all>=fastest)*(all<beyond)+(all<=-(fastest)),0))"
+        place = on.driver_in_row(row, all=column, fastest=al.mul(rows, al.number(1 - SAME)), beyond=BEYOND)
         return Line(
             rich(symbol), largest, on.where_it_closes(words), shown_unit(plan, symbol), decimals_of_unit(plan, unit),
             occurs=place,
@@ -372,7 +377,8 @@ class LargestRate(Finding):
         if not search.count or symbol not in search.at:
             return {}
         in_rows = np.abs(search.in_rows(symbol))
-        of_rows, row = float(np.nanmax(in_rows)), 1.0 + int(np.nanargmax(in_rows))
+        of_rows = float(np.nanmax(in_rows))
+        row = 1.0 + int(np.argmax(in_rows >= of_rows * (1 - SAME)))
         each = [_fastest(motion, part, self.order) for part in self.motion.parts]
         power, evenly = 1.0, True
         if symbol in self.follower.by_time:

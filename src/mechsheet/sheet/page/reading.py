@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node, RangeRef, Symbol, Text, symbols
 from mechsheet.model import Way
 from mechsheet.sheet.checks.checks import Checks
@@ -118,11 +119,13 @@ class PageReading(Reading):
         return formula(f'IFERROR(INDEX(drivers,{row}),"")', drivers=self.drivers, **holes)
 
     def occurs_at_least(self, symbol: str, folded: Folded, least: Node) -> Node:
-        column = self.column(symbol)
+        # what follows rises as the smallest value does and falls as the largest rises, both by as much: solved for them
+        low, high = (al.tidied(at_zero) for at_zero in folded(al.ZERO, al.ZERO))
+        # compared, not subtracted: a text in a row without an angle would be an error that gnumeric's MATCH hands on
         one, other = (
-            formula('SUMPRODUCT(MATCH(1,(column<>"")*(ABS(angle-least)<=alike),0))', column=column, angle=angle,
-                    least=least, alike=ALIKE)
-            for angle in folded(column, column)
+            formula("SUMPRODUCT(MATCH(1,(column>=angle-alike)*(column<=angle+alike),0))", column=self.column(symbol),
+                    angle=angle, alike=ALIKE)
+            for angle in (al.sub(least, low), al.sub(high, least))
         )  # fmt: skip
         return formula("INDEX(drivers,IFERROR(one,other))", drivers=self.drivers, one=one, other=other)
 
