@@ -365,7 +365,7 @@ class LargestRate(Finding):
         unit = plan.equations.of(symbol).unit
         # the first row of those that are as fast but for rounding; a text counts as more than any number
         row = "SUMPRODUCT(MATCH(1,(all>=fastest)*(all<beyond)+(all<=-(fastest)),0))"
-        place = on.driver_in_row(row, all=column, fastest=al.mul(rows, al.number(1 - SAME)), beyond=BEYOND)
+        place = on.driver_in_row(row, all=column, fastest=al.mul(rows, al.number(1 - SAME)), beyond=al.number(BEYOND))
         return Line(
             rich(symbol), largest, on.where_it_closes(words), shown_unit(plan, symbol), decimals_of_unit(plan, unit),
             occurs=place,
