@@ -38,8 +38,8 @@ from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 SAME = 1e-12
 """Two values that differ by so small a part of themselves are one."""
 
-BEYOND = 1e300
-"""No number is as large; a text is more than any number."""
+AS_FAST = 1e-9
+"""Of two rows that differ by so small a part the follower is as fast in both: the rest is rounding."""
 
 LEAPT = 1e-9
 """A step of a derivative, in sizes a radian, that is more than rounding."""
@@ -345,7 +345,7 @@ class LargestRate(Finding):
         plan = on.plan
         symbol = plan.equations.equations.rates_of(self.follower)[self.order - 1]
         column, value = Symbol(ALL + symbol), on.value(self.key)
-        rows = formula("MAX(MAX(all),-MIN(all))", all=column)
+        rows = formula("MAX(all,-MIN(all))", all=column)
         parts = [plan.at.bind(self._largest(part), plan.main) for part in self.motion.parts]
         most = largest = al.nested("MAX", parts)
         power: Node = al.ONE
@@ -363,9 +363,9 @@ class LargestRate(Finding):
             words = formula("IF(ABS(value-own*power)<=rounding*value,said,other)", value=value, own=own, power=power,
                             rounding=SAME, said=said, other=words)  # fmt: skip
         unit = plan.equations.of(symbol).unit
-        # the first row of those that are as fast but for rounding; a text counts as more than any number
-        row = "SUMPRODUCT(MATCH(1,(all>=fastest)*(all<beyond)+(all<=-(fastest)),0))"
-        place = on.driver_in_row(row, all=column, fastest=al.mul(rows, al.number(1 - SAME)), beyond=al.number(BEYOND))
+        # the first row of those that are as fast but for rounding
+        row = "SUMPRODUCT(MATCH(1,(all>=fastest)+(all<=-(fastest)),0))"
+        place = on.driver_in_row(row, all=column, fastest=al.mul(rows, al.number(1 - AS_FAST)))
         return Line(
             rich(symbol), largest, on.where_it_closes(words), shown_unit(plan, symbol), decimals_of_unit(plan, unit),
             occurs=place,
@@ -378,7 +378,7 @@ class LargestRate(Finding):
             return {}
         in_rows = np.abs(search.in_rows(symbol))
         of_rows = float(np.nanmax(in_rows))
-        row = 1.0 + int(np.argmax(in_rows >= of_rows * (1 - SAME)))
+        row = 1.0 + int(np.argmax(in_rows >= of_rows * (1 - AS_FAST)))
         each = [_fastest(motion, part, self.order) for part in self.motion.parts]
         power, evenly = 1.0, True
         if symbol in self.follower.by_time:
