@@ -101,7 +101,7 @@ class Program:
 
     def unit_shown(self, symbol: str) -> Unit:
         """The unit in which people read a symbol's value."""
-        return self.mechanism.shown(self.mechanism.given_unit(symbol) or self.equations.of(symbol).unit)
+        return self.mechanism.shown(self.equations.unit_of(self.mechanism, symbol))
 
     def unit_of(self, symbol: str) -> str:
         """The unit of a shown symbol's value: "rad", the length unit, an output's own label, or ""."""

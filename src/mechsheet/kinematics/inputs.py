@@ -70,7 +70,10 @@ def asked_of(mechanism: Mechanism) -> tuple[Asked, ...]:
             found += [Asked(symbol, touches, _out_of_reach, zero=True) for symbol in named]
     if mechanism.segments is not None:
         found += _of_segments(mechanism.segments, reads)
-    return tuple(replace(each, reads=reads.divided(each.margin)) if each.begins == al.ZERO else each for each in found)
+    return tuple(
+        replace(each, reads=reads.behind_what_may_fail(each.margin)) if each.begins == al.ZERO else each
+        for each in found
+    )
 
 
 def refused_of(mechanism: Mechanism, typed: Mapping[str, float]) -> Iterator[tuple[Asked, Said]]:
@@ -120,7 +123,7 @@ class _Inputs:
     def __init__(self, mechanism: Mechanism) -> None:
         self.dimensions = {dim.symbol: dim.value for dim in mechanism.dimensions}
 
-    def divided(self, node: Node) -> tuple[str, ...]:
+    def behind_what_may_fail(self, node: Node) -> tuple[str, ...]:
         """All that are read, where what follows from them may have no value although all are numbers; else none."""
         trees, found = [node], []
         for tree in trees:

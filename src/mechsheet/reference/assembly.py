@@ -175,9 +175,7 @@ class Sketched:
 
     def _off_side(self, entry: Entry, states: Array) -> Array:
         """1 for states on the other side, 0 else."""
-        crank, coupler, rocker = (
-            next(k for k in self.system.mechanism.links if k.name == n) for n in entry.name.split(" ")
-        )
+        crank, coupler, rocker = map(self.system.mechanism.link, entry.name.split(" "))
         a = point_positions(self.system, crank.name, _shared(crank, coupler)[0], states)
         b = point_positions(self.system, rocker.name, _shared(coupler, rocker)[0], states)
         b0 = point_positions(self.system, rocker.name, _shared(rocker, self.system.mechanism.ground)[0], states)

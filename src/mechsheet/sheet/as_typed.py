@@ -88,15 +88,15 @@ def in_degrees(node: Node) -> Node:
             return Number(HALF_TURN)
         case Number(value):
             return Number(float(f"{math.degrees(value):.15g}"))
-        case Unary(op, angle) if _reads_degrees(angle):
+        case Unary(op, angle) if reads_degrees(angle):
             return Unary(op, in_degrees(angle))
-        case Binary("+" | "-" as sign, left, right) if _reads_degrees(left) or _reads_degrees(right):
+        case Binary("+" | "-" as sign, left, right) if reads_degrees(left) or reads_degrees(right):
             return Binary(sign, in_degrees(left), in_degrees(right))
-        case Binary("*", left, right) if _reads_degrees(right):
+        case Binary("*", left, right) if reads_degrees(right):
             return _product(left, in_degrees(right))
-        case Binary("*", left, right) if _reads_degrees(left):
+        case Binary("*", left, right) if reads_degrees(left):
             return _product(in_degrees(left), right)
-        case Binary("/", left, Number(count)) if _reads_degrees(left):
+        case Binary("/", left, Number(count)) if reads_degrees(left):
             return _parted(in_degrees(left), count)
     return Call("DEGREES", (node,))
 
@@ -129,14 +129,15 @@ def _parted(angle: Node, count: float) -> Node:
     return Binary("/", angle, Number(count))
 
 
-def _reads_degrees(node: Node) -> bool:
+def reads_degrees(node: Node) -> bool:
+    """Whether a tree is an angle that is read from cells in degrees."""
     match node:
         case Call("RADIANS", _) | Call("PI", ()):
             return True
         case Unary(_, angle):
-            return _reads_degrees(angle)
+            return reads_degrees(angle)
         case Binary("+" | "-" | "*", left, right):
-            return _reads_degrees(left) or _reads_degrees(right)
+            return reads_degrees(left) or reads_degrees(right)
         case Binary("/", left, Number()):
-            return _reads_degrees(left)
+            return reads_degrees(left)
     return False

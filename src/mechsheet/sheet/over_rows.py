@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, CellRef, Node, Number, RangeRef, Symbol, Text, with_symbols
 from mechsheet.kinematics.whole_turns import SAME_AGAIN, Change
 from mechsheet.model import Driver
@@ -30,6 +31,16 @@ def over_rows(function: str, column: Node, *besides: Node) -> Node:
     """The least or the largest of the numbers of a column, of rows in which those `besides` say nothing."""
     tests = (column, Text(NUMBERS), *(part for each in besides for part in (each, Text(""))))
     return Call(function, (column, *tests))
+
+
+AS_LARGE = 1e-9
+"""Two numbers that differ by so small a part are as large: the rest is rounding, which no two programs do alike."""
+
+
+def row_of_size(column: Node, size: Node) -> Node:
+    """The number of the first row whose number, of either sign, is as large as `size`, the largest of the column."""
+    least = al.mul(size, al.number(1 - AS_LARGE))
+    return formula("SUMPRODUCT(MATCH(1,(column>=least)+(column<=-(least)),0))", column=column, least=least)
 
 
 Test = tuple[RangeRef, str]

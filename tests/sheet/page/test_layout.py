@@ -10,7 +10,7 @@ from mechsheet.description.templates import template_text
 from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.cells import height_of
 from mechsheet.sheet.drawing.charts import driver_axis
-from mechsheet.sheet.page.layout import MOST_STEPS, lay_out_page
+from mechsheet.sheet.page.layout import AXIS_STEPS, lay_out_page
 from mechsheet.sheet.plan import UNIT, VALUE, VERDICT_ROW
 
 
@@ -27,9 +27,9 @@ def laid():
 def test_grid_lines_of_the_drivers_axis(laid, start, stop, step, ends):
     """At most eight of them, however the sweep lies; the axis ends with it: Excel's own ended at 405 degrees."""
     plan = replace(laid[1], driver=[math.radians(start), math.radians(stop)])
-    axis = driver_axis(plan, "theta12", steps=MOST_STEPS)
+    axis = driver_axis(plan, "theta12", steps=AXIS_STEPS)
     assert (axis.title, axis.step, (axis.low, axis.high)) == ("θ₁₂ [°]", step, ends)
-    assert driver_axis(plan, "theta14", steps=MOST_STEPS).step is None
+    assert driver_axis(plan, "theta14", steps=AXIS_STEPS).step is None
 
 
 @pytest.mark.parametrize("language", ["en", "tr"])

@@ -91,7 +91,7 @@ class Statement:
     def asked_head(self, symbol: str) -> str:
         """The same of what is asked: a column, or a summary, which has the unit of its column."""
         of = next((one.of for one in self.mechanism.summaries if one.symbol == symbol), symbol)
-        return self.head(symbol, self.mechanism.given_unit(of) or self.compiled.equations.of(of).unit)
+        return self.head(symbol, self.compiled.equations.unit_of(self.mechanism, of))
 
     def rows(self) -> NDArray[np.float64]:
         """The driver's values, as people read them."""

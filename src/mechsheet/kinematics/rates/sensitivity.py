@@ -88,7 +88,7 @@ def by_symbol(quantity: str, dimension: str) -> str:
 
 def toleranced(mechanism: Mechanism) -> tuple[Dimension, ...]:
     """The dimensions that have a tolerance."""
-    return tuple(dim for dim in mechanism.dimensions if dim.tolerance and not dim.derived and not dim.path)
+    return tuple(dim for dim in mechanism.free_dimensions if dim.tolerance)
 
 
 def sensitivities(mechanism: Mechanism, equations: Equations, quantities: Sequence[str]) -> Sensitivities:

@@ -55,8 +55,11 @@ ARRIVED: tuple[Kind, ...] = ("residual", "needed", "det")
 COUNTED: tuple[Kind, ...] = ("leap", "assembly")
 """Columns of 0 and 1."""
 
-SIZES: tuple[Kind, ...] = ("effort", "force", "velocity_size", "acceleration_size")
-"""Columns of sizes: those of forces the first sheet names, by the others differences of rates are measured."""
+RATE_SIZES: tuple[Kind, ...] = ("velocity_size", "acceleration_size")
+"""By what differences of rates are measured."""
+
+SIZES: tuple[Kind, ...] = ("effort", "force", *RATE_SIZES)
+"""Columns of sizes; the largest ones of forces the first sheet names."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -254,7 +257,7 @@ class _Writer(Cells):
     def _unit(self, kind: Kind) -> str:
         """The unit of a column."""
         plan = self.plan
-        if kind in ("crossing", "torque", "velocity_size", "acceleration_size", *COUNTED, *ARRIVED):
+        if kind in ("crossing", "torque", *RATE_SIZES, *COUNTED, *ARRIVED):
             return ""
         if kind == "effort":
             return plan.equations.of(plan.efforts[0]).unit.text

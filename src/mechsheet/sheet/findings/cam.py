@@ -31,15 +31,13 @@ from mechsheet.model import (
 from mechsheet.sheet.findings.finding import Finding, Level, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
+from mechsheet.sheet.over_rows import AS_LARGE, row_of_size
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.shown import rich, shown_unit, unit_of_column
 from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 
 SAME = 1e-12
 """Two values that differ by so small a part of themselves are one."""
-
-AS_FAST = 1e-9
-"""Of two rows that differ by so small a part the follower is as fast in both: the rest is rounding."""
 
 LEAPT = 1e-9
 """A step of a derivative, in sizes a radian, that is more than rounding."""
@@ -363,9 +361,7 @@ class LargestRate(Finding):
             words = formula("IF(ABS(value-own*power)<=rounding*value,said,other)", value=value, own=own, power=power,
                             rounding=SAME, said=said, other=words)  # fmt: skip
         unit = plan.equations.of(symbol).unit
-        # the first row of those that are as fast but for rounding
-        row = "SUMPRODUCT(MATCH(1,(all>=fastest)+(all<=-(fastest)),0))"
-        place = on.driver_in_row(row, all=column, fastest=al.mul(rows, al.number(1 - AS_FAST)))
+        place = on.driver_in_row(row_of_size(column, rows))
         return Line(
             rich(symbol), largest, on.where_it_closes(words), shown_unit(plan, symbol), decimals_of_unit(plan, unit),
             occurs=place,
@@ -378,7 +374,7 @@ class LargestRate(Finding):
             return {}
         in_rows = np.abs(search.in_rows(symbol))
         of_rows = float(np.nanmax(in_rows))
-        row = 1.0 + int(np.argmax(in_rows >= of_rows * (1 - AS_FAST)))
+        row = 1.0 + int(np.argmax(in_rows >= of_rows * (1 - AS_LARGE)))
         each = [_fastest(motion, part, self.order) for part in self.motion.parts]
         power, evenly = 1.0, True
         if symbol in self.follower.by_time:

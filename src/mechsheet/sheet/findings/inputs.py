@@ -11,13 +11,13 @@ from dataclasses import dataclass
 from typing import Literal
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Symbol, Text, walk
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Symbol, Text
 from livesheet.workbook import Area, Conditional
 from mechsheet.kinematics.inputs import Asked, asked_of
 from mechsheet.model import Dimension
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.as_typed import in_degrees
+from mechsheet.sheet.as_typed import in_degrees, reads_degrees
 from mechsheet.sheet.findings.finding import Finding, Line, bad, good
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
@@ -106,7 +106,7 @@ class Input:
 def _bound(plan: Plan, test: Binary) -> Node:
     """A comparison over the cells of the first sheet; angles in the degrees that people type."""
     bound = plan.at.bind(test, plan.main)
-    if isinstance(bound, Binary) and any(isinstance(part, Call) and part.name == "RADIANS" for part in walk(bound)):
+    if isinstance(bound, Binary) and reads_degrees(bound.left):
         return Binary(bound.op, in_degrees(bound.left), in_degrees(bound.right))
     return bound
 

@@ -91,7 +91,7 @@ class Reading(ABC):
             return found.value.cell, found.occurs.cell
         column = Symbol(ALL + symbol)
         value = over_rows(LEAST if way == "min" else MOST, column)
-        return value, self.driver_in_row("MATCH(value,all,0)", value=value, all=column)
+        return value, self.driver_in_row(formula("MATCH(value,all,0)", value=value, all=column))
 
     def doubt(self, symbol: str, *ways: Way, sure: Node = NOTHING) -> Node:
         """What is added where an extreme is to be doubted; `sure` where the search has no doubt."""
@@ -123,9 +123,9 @@ class Reading(ABC):
     def drivers(self) -> RangeRef:
         """The driver's values."""
 
-    def driver_in_row(self, row: str, **holes: Node) -> Node:
-        """The driver's value in the row that a formula finds."""
-        return formula(f'IFERROR(INDEX(drivers,{row}),"")', drivers=Symbol(ALL + self.driver.symbol), **holes)
+    def driver_in_row(self, row: Node) -> Node:
+        """The driver's value in the row of that number."""
+        return formula('IFERROR(INDEX(drivers,row),"")', drivers=Symbol(ALL + self.driver.symbol), row=row)
 
     def driver_decimals(self) -> int:
         """Decimals of a value of the driver."""

@@ -45,7 +45,7 @@ character's width."""
 CHARTS_ROW, CHARTS_BELOW = 2, 4
 """The row where the drawing and the first charts begin, and so many pixels below its upper end."""
 
-MOST_STEPS = 8
+AXIS_STEPS = 8
 """So many steps at most of the driver's axis: a page's charts are narrow."""
 
 BELOW_DRAWING = 4
@@ -199,7 +199,7 @@ def _curves(plan: PagePlan, request: ChartRequest, drawing: PageDrawing | None) 
         cell = drawing.shown[symbol] if drawing else None
         return SeriesRef(plan.main, Area(cell.row, cell.col, cell.row, cell.col)) if cell else None
 
-    axis = driver_axis(plan, request.x, request.x_ends, MOST_STEPS)
+    axis = driver_axis(plan, request.x, request.x_ends, AXIS_STEPS)
     return curve_chart(plan, request, at, (CHART_WIDTH, CHART_HEIGHT), axis, "bottom")
 
 

@@ -13,7 +13,7 @@ from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.findings.reading import ALIKE, Folded, Reading
 from mechsheet.sheet.grashof import Sides, turns_up_to
-from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, over_rows
+from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, over_rows, row_of_size
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.table.positions import decimals_of_kind
@@ -115,8 +115,8 @@ class PageReading(Reading):
     def doubt(self, symbol: str, *ways: Way, sure: Node = NOTHING) -> Node:
         return Text(self.text("rows.only")) if symbol in self.plan.found.cam else sure
 
-    def driver_in_row(self, row: str, **holes: Node) -> Node:
-        return formula(f'IFERROR(INDEX(drivers,{row}),"")', drivers=self.drivers, **holes)
+    def driver_in_row(self, row: Node) -> Node:
+        return formula('IFERROR(INDEX(drivers,row),"")', drivers=self.drivers, row=row)
 
     def occurs_at_least(self, symbol: str, folded: Folded, least: Node) -> Node:
         # what follows rises as the smallest value does and falls as the largest rises, both by as much: solved for them
@@ -132,8 +132,7 @@ class PageReading(Reading):
     def largest_size(self, finding: str, symbol: str) -> tuple[Node, Node]:
         size, place = super().largest_size(finding, symbol)
         if not isinstance(place, Text):
-            row = "IFERROR(MATCH(size,all,0),MATCH(-size,all,0))"
-            place = self.driver_in_row(row, size=self.value(finding), all=self.column(symbol))
+            place = self.driver_in_row(row_of_size(self.column(symbol), self.value(finding)))
         return size, place
 
     def where_known(self, value: Node) -> Node:
