@@ -159,6 +159,9 @@ class Rounding:
         return any(apart <= ROUNDING * size for size in self._sizes(formula, title))
 
     def _sizes(self, formula: Node, title: str) -> Iterator[float]:
+        arithmetic = self._with_loss(formula, title)
+        if arithmetic is not None:  # its products may be larger than all that it reads
+            yield arithmetic[1]
         for node in with_names(formula, self._names):
             for part in walk(node):
                 if isinstance(part, Binary) and part.op == "/":

@@ -37,6 +37,7 @@ from mechsheet.kinematics.points_in_link import number as place_number
 from mechsheet.library.building import build
 from mechsheet.library.changed import load
 from mechsheet.model import Mechanism
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.columns.lowering import Assignments
 from mechsheet.sheet.layout import DESCRIPTION_MARK, DESCRIPTION_SHEET
 from mechsheet.sheet.places import there
@@ -224,22 +225,8 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
 
     def number(symbol: str) -> float:
         spot = plan.at.spots[symbol]
-        value = values.get(spot.sheet, spot.row, spot.col)
-        if isinstance(value, bool) or not isinstance(value, float | int):
-            cell = cell_address(spot.sheet, spot.row, spot.col)
-            faults.append(
-                Fault(
-                    say(
-                        "{symbol} must be a number, not {what}",
-                        symbol=symbol,
-                        what=text_of(value) or say("an empty cell"),
-                    ),
-                    shown,
-                    key=cell,
-                )
-            )
-            return math.nan
-        return math.radians(value) if spot.degrees else float(value)
+        value = _typed_number(values, spot, symbol, shown, faults)
+        return math.radians(value) if spot.degrees else value
 
     def wrong(symbol: str, message: str) -> None:
         spot = plan.at.spots[symbol]
@@ -292,6 +279,28 @@ def inputs_in(book: Book, values: Any, plan: Plan, shown: str) -> Inputs:
     return Inputs(dimensions, modes, given, tuple(remarks))
 
 
+def _typed_number(values: Any, spot: Spot, called: str, shown: str, faults: list[Fault]) -> float:
+    """The number in an input cell; where none is, NaN and a fault that names the cell."""
+    value = values.get(spot.sheet, spot.row, spot.col)
+    if isinstance(value, float | int) and not isinstance(value, bool):
+        return float(value)
+    message = say("{symbol} must be a number, not {what}", symbol=called, what=text_of(value) or say("an empty cell"))
+    faults.append(Fault(message, shown, key=cell_address(spot.sheet, spot.row, spot.col)))
+    return math.nan
+
+
+def _faults_of_sweep(plan: Plan, values: Any, shown: str) -> list[Fault]:
+    """What is wrong with start and step where a person types them."""
+    faults: list[Fault] = []
+    start, step, driver = plan.places.start, plan.places.step, plan.mechanism.driver
+    if start is not None and isinstance(driver.start, float):
+        _typed_number(values, start, "start", shown, faults)
+    if step is not None and isinstance(driver.step, float) and _typed_number(values, step, "step", shown, faults) == 0:
+        message = say("step must not be 0: all rows would be one position")
+        faults.append(Fault(message, shown, key=cell_address(step.sheet, step.row, step.col)))
+    return faults
+
+
 def _of_sweep(plan: Plan, values: Any, key: Literal["start", "step"], dimensions: Mapping[str, float]) -> Any:
     """Start or step as its cell has it. Where that follows from dimensions and shows no number, what it should be, NaN
     where these have none: what is shown instead is told elsewhere.
@@ -327,6 +336,9 @@ def _given(
             spot = plan.at.spots[symbol]
             found[symbol] = numbers_in(values, spot.sheet, spot.col, plan.at.first, plan.at.last)
     else:
+        if wrong := _faults_of_sweep(plan, values, shown):
+            faults += wrong
+            return {}
         start = _of_sweep(plan, values, "start", dimensions)
         step = _of_sweep(plan, values, "step", dimensions)
         numbers = isinstance(start, float) and isinstance(step, float)

@@ -2,8 +2,7 @@
 
 This is the one judgement of stored values: `check` and `recalc --check` both ask `judge_stored`.
 
-A cell follows when its stored value is what its formula gives for the stored values of the cells it reads. So each formula
-that differs is computed once more beside the book's own sheets, on which all formulas have given way to their stored values.
+A cell follows when its stored value is what its formula gives for the stored values of the cells it reads (`following`).
 When all cells of a file follow, its stored values are a solution of its formulas: what differs then is rounding that grew.
 """
 
@@ -11,8 +10,7 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from copy import copy
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby
 from pathlib import Path
@@ -20,24 +18,22 @@ from typing import Any
 
 from livesheet.diagnostics import Fault
 from livesheet.engine import steady_plan
-from livesheet.formula.book import Block, Book, BookSheet, CellStore, Run
+from livesheet.formula.book import Block, Book, BookSheet, Run
 from livesheet.formula.nodes import (
     Binary,
     Call,
-    CellRef,
     ErrorValue,
-    NameRef,
     Node,
     Scalar,
     Unary,
     shifted,
-    transform,
     walk,
 )
 from livesheet.formula.printer import print_formula
 from livesheet.formula.references import cell_address
 from livesheet.said import say
 from mechsheet.checking.cells_apart import Ignored, Rounding, Rules, ignored_in, texts_apart, unmeant
+from mechsheet.checking.following import Suspect, explained
 from mechsheet.checking.report import Comparison, text_of
 
 JUDGE = "stored values"
@@ -252,7 +248,6 @@ class _Comparing:
         self.counts: Counter[str] = Counter()
         self.worst = 0.0
         self.found: list[tuple[Difference, Suspect]] = []
-        self.uncomputed: list[str] = []
         self.libreoffice = LIBREOFFICE in book.program
         self.ods = Path(book.source).suffix.lower() in (".ods", ".ots")
 
@@ -299,9 +294,6 @@ class _Comparing:
         if not kind:
             self.worst = size
             return
-        if self.libreoffice and kind in ("type", "error") and theirs == 0.0:
-            self.uncomputed.append(cell_address(sheet.title, row, col))
-            return
         difference = Difference(
             sheet.title, row, col, kind, size, ours, theirs, _functions(formula), print_formula(formula)
         )
@@ -328,21 +320,29 @@ class _Comparing:
             return ("" if size <= self.rules.relative else "text"), size
         return "type", math.inf
 
+    def is_uncomputed(self, item: Difference) -> bool:
+        """Whether LibreOffice has saved a cell without computing it: it writes 0 then."""
+        return self.libreoffice and not item.follows and item.kind in ("type", "error") and item.theirs == 0.0
+
     def result(self) -> Stored:
         """What was found, with what follows from what."""
         follows = explained(self.book, self.values, [suspect for _, suspect in self.found], self.apart)
-        differences = [replace(item, follows=known) for (item, _), known in zip(self.found, follows, strict=True)]
-        if all(follows):  # nothing is at fault: what differs is rounding that grew on its way
+        judged = [replace(item, follows=known) for (item, _), known in zip(self.found, follows, strict=True)]
+        differences = [item for item in judged if not self.is_uncomputed(item)]
+        uncomputed = tuple(item.address for item in judged if self.is_uncomputed(item))
+        if all(
+            item.follows for item in differences
+        ):  # nothing is at fault: what differs is rounding that grew on its way
             differences = []
         counts = self.counts
         return Stored(
             counts["formulas"],
-            counts["formulas"] - counts["unstored"] - len(differences) - len(self.uncomputed),
+            counts["formulas"] - counts["unstored"] - len(differences) - len(uncomputed),
             counts["unstored"],
             counts["kept"] + max(counts["stored"] - counts["in blocks"], 0),
             counts["volatile"],
             counts["ignored"],
-            uncomputed=tuple(self.uncomputed),
+            uncomputed=uncomputed,
             worst=self.worst,
             differences=tuple(differences),
             sheets=tuple(sheet.title for sheet in self.book.sheets if sheet.blocks),
@@ -370,92 +370,3 @@ def _functions(formula: Node) -> str:
 
 def _operators(formula: Node) -> Iterator[str]:
     yield from dict.fromkeys(part.op for part in walk(formula) if isinstance(part, Binary | Unary))
-
-
-# --- which came first ------------------------------------------------------------------------------------------------
-
-
-BESIDE = "\u0001"
-"""Added to a sheet's title: no program allows it there, so no other sheet is called so."""
-
-
-@dataclass(frozen=True, slots=True)
-class Suspect:
-    """A cell that differs, the block it belongs to, and its stored value."""
-
-    sheet: str
-    row: int
-    col: int
-    block: Block
-    theirs: Scalar
-
-
-def explained(
-    book: Book, values: Any, suspects: Sequence[Suspect], apart: Callable[[Scalar, Scalar], tuple[str, float]]
-) -> list[bool]:
-    """For each of the suspects, in the order of sheets, columns and rows, whether it follows from what it reads.
-
-    apart  the measure of two values: ("", size) when they count as equal
-    """
-    if not suspects:
-        return []
-    beside = copy(book)
-    beside.sheets = [_as_stored(sheet, values) for sheet in book.sheets] + list(_formulas(suspects))
-    found = steady_plan(beside).evaluate()
-    return [
-        not apart(found.get(suspect.sheet + BESIDE, suspect.row, suspect.col), suspect.theirs)[0]
-        for suspect in suspects
-    ]
-
-
-def _as_stored(sheet: BookSheet, values: Any) -> BookSheet:
-    """The sheet with the stored values in place of its formulas; a formula without one has its value computed."""
-    cells: dict[int, dict[int, Scalar]] = {}
-    for block in sheet.blocks:
-        for col in range(block.col, block.col + block.cols):
-            computed = values.column(sheet.title, col, block.row, block.row + block.rows - 1)
-            cells.setdefault(col, {}).update(enumerate(computed, block.row))
-    for store in (sheet.constants, sheet.cached):
-        for row, col, value in store.items():
-            cells.setdefault(col, {})[row] = value
-    stored = CellStore()
-    for col, column in sorted(cells.items()):
-        for row, value in sorted(column.items()):
-            if value is not None:
-                stored.put(row, col, value)
-    return replace(sheet, constants=stored, blocks=[], cached=CellStore())
-
-
-def _formulas(suspects: Iterable[Suspect]) -> Iterable[BookSheet]:
-    """A sheet beside each that has suspects, with their formulas, which read the sheet itself."""
-    beside: dict[str, BookSheet] = {}
-    whole: set[int] = set()
-    last: Suspect | None = None
-    for suspect in suspects:
-        sheet = beside.get(suspect.sheet)
-        if sheet is None:
-            sheet = beside[suspect.sheet] = BookSheet(suspect.sheet + BESIDE)
-        block = suspect.block
-        if block.kind != "fill":
-            if id(block) not in whole:
-                whole.add(id(block))
-                sheet.blocks.append(replace(block, formula=_reading(block.formula, suspect.sheet)))
-            continue
-        if last is not None and last.block is block and (last.col, last.row + 1) == (suspect.col, suspect.row):
-            sheet.blocks[-1] = replace(sheet.blocks[-1], rows=sheet.blocks[-1].rows + 1)
-        else:
-            formula = shifted(block.formula, suspect.row - block.row, suspect.col - block.col)
-            sheet.blocks.append(Block(suspect.row, suspect.col, 1, 1, _reading(formula, suspect.sheet)))
-        last = suspect
-    return beside.values()
-
-
-def _reading(formula: Node, title: str) -> Node:
-    """A formula whose references without a sheet mean the sheet `title`."""
-
-    def change(part: Node) -> Node:
-        if isinstance(part, CellRef | NameRef) and part.sheet is None:
-            return replace(part, sheet=title)
-        return part
-
-    return transform(formula, change)

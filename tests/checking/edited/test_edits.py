@@ -233,6 +233,11 @@ def test_an_input_that_is_no_number(yoke, tmp_path):
     workbook, plan = yoke
     with pytest.raises(WorkbookError, match="a2 must be a number, not thirty"):
         found_in(edited(workbook, **{f"Mechanism_B{plan.at.spots['a2'].row + 1}": "thirty"}), tmp_path)
+    step = f"Mechanism_B{plan.places.step.row + 1}"
+    with pytest.raises(WorkbookError, match="step must not be 0"):  # as the line of the sheet says
+        found_in(edited(workbook, **{step: 0.0}), tmp_path)
+    with pytest.raises(WorkbookError, match="step must be a number, not an empty cell"):
+        found_in(edited(workbook, **{step: None}), tmp_path)
 
 
 # --- what a program only spells differently ------------------------------------------------------------------------
