@@ -312,7 +312,7 @@ class Extremes:
         table.put(row, LABEL, plan.text("extremes.gap", number=number), styles.LABEL)
         here = table.work(row, HERE, "IF(COUNT(least)=0,NA(),MATCH(MIN(least),least,0))", least=least)
         table.fill(row, COLUMN, table.number_of(symbol))
-        begin: dict[str, Node] = {"near": here, "sense": al.ONE}
+        begin: dict[str, Node] = {"near": here, "sense": al.ONE, "side": al.ZERO, "limit": al.ZERO}
         for name, step in (("left", "-1"), ("middle", ""), ("right", "+1")):
             begin[name] = formula(f"here{step}", here=here)
             begin[f"f_{name}"] = table.in_row(symbol, row, Symbol(name))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, CellRef, Node, Text, with_symbols
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, with_symbols
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.model import WAYS, Way
 from mechsheet.sheet import styles
@@ -38,6 +38,8 @@ from mechsheet.sheet.transmission import acute
 
 (
     OF_ROWS,
+    WORST,
+    NUMBER,
     BEST,
     HERE,
     WRAPS,
@@ -54,8 +56,9 @@ from mechsheet.sheet.transmission import acute
     TURN,
     TURN_ABOUT,
     BOUNDLESS,
-) = range(1, 18)
-"""Working cells beside the first row of a search: the best value of the rows, its row, that from which the search begins;
+) = range(1, 20)
+"""Working cells beside the first row of a search: the best and the worst value of the rows, in which column of this sheet
+probes find the quantity; the row of the best one, that from which the search begins;
 whether the ends of the rows are neighbours; values where the stretch begins and ends; the place from which the search begins
 and those beside it; the best of other rows; what is found, its place, the value of the driver there, how sure it is; where
 the quantity turns back, and how sure that is; whether it is without bound. Where the best row is at an end of the motion,
@@ -131,8 +134,9 @@ class Searches:
     def value(self, row: int, symbol: str) -> None:
         """What the probes have found: where there is no position, nothing better than what is known."""
         table = self.table
+        table.fill(row, table.side + NUMBER, table.number_here(row, symbol), rules.PROBES)
         known = CellRef(row, KNOWN + rules.BRACKET.index("f_middle"), False, True)
-        value = formula("IFERROR(cell,known)", cell=table.probed(symbol, row), known=known)
+        value = formula("IFERROR(cell,known)", cell=table.probed(row, table.near(row, NUMBER)), known=known)
         table.fill(row, table.value_col, value, rules.PROBES)
 
     def known(self, row: int, name: str) -> CellRef:
@@ -151,11 +155,15 @@ class Searches:
             **{name: self.limits.of_stretch(1, work) for name, work in stretch.items()},
             "sense": CellRef(row, SENSE, False, True),
             "wraps": self._around(sought),
-            "other": table.near(self.opposite(sought).row, OF_ROWS),
+            "other": table.near(row, WORST),
             "rows": table.rows,
             "rows_only": plan.searched.rows_only.cell,
             "whole": plan.searched.whole.cell,
         }
+
+    @staticmethod
+    def _sense(sought: Sought) -> float:
+        return 1.0 if sought.way == "min" else -1.0
 
     def _place_of(self, row: int, counted: Node) -> Node:
         """A place of a search in rows; `counted`: as the bracket counts it."""
@@ -175,6 +183,7 @@ class Searches:
         self._best_row(sought)
         table.fill(row, COLUMN, table.number_of(symbol))
         if plan.rows_only:
+            table.put(row, SENSE, self._sense(sought), styles.INNER)
             if sought.way == "max":
                 table.work(row, WRAPS, "0")
             self._result_of_rows(sought)
@@ -194,12 +203,16 @@ class Searches:
         """The best value of all rows that close, of no more stretches than are looked at, and the first row that has it."""
         table, row, symbol = self.table, sought.row, sought.symbol
         said, stretches = self.plan.places.status.whole(), self.plan.searched.count.cell
-        bests = Call(f"{sought.way.upper()}IFS", (table.in_rows(symbol, row), said, Text(self.plan.ok)))
-        begin = self._read(sought)["first"]
+        least, largest = (
+            Call(name, (table.in_rows(symbol, row), said, Text(self.plan.ok))) for name in ("MINIFS", "MAXIFS")
+        )
+        begin, sense = (self._read(sought)[name] for name in ("first", "sense"))
         best = table.work(
-            row, OF_ROWS, "IF(OR(stretches=0,stretches>most),NA(),bests)", stretches=stretches, most=rules.STRETCHES,
-            bests=bests,
+            row, OF_ROWS, "IF(OR(stretches=0,stretches>most),NA(),IF(sense>0,least,largest))", stretches=stretches,
+            most=rules.STRETCHES, sense=sense, least=least, largest=largest,
         )  # fmt: skip
+        if not self.plan.rows_only:
+            table.work(row, WORST, "IF(sense<0,least,largest)", sense=sense, least=least, largest=largest)
         table.work(
             row, BEST, "begin-1+MATCH(best,from_begin,0)", begin=begin, best=best,
             from_begin=table.in_rows(symbol, row, begin),
@@ -209,7 +222,7 @@ class Searches:
         """What the first row knows: the best row (a corner or the end of the stretch, where these are better) and its
         neighbours."""
         table, row, symbol = self.table, sought.row, sought.symbol
-        sense = al.number(1.0 if sought.way == "min" else -1.0)
+        sense = Number(self._sense(sought))
         known = self._read(sought) | {"value": value}
         trees = rules.begun(corners=self.corners is not None, limits=bool(self.ends))
         if self.corners is not None:
@@ -220,7 +233,7 @@ class Searches:
         if not self.ends:
             return {"sense": sense, **self._between_rows(sought, known, trees)}
         for name, work, at in zip(("at_low", "at_high"), (AT_LOW, AT_HIGH), self.ends.values(), strict=True):
-            cell = table.probed(symbol, at, anchored=True)
+            cell = table.probed(at, table.near(row, NUMBER), anchored=True)
             known[name] = table.work(row, work, "IFERROR(cell,value)", cell=cell, value=value)
         for name, work in (("start", START), ("lower", LEFT), ("upper", RIGHT)):
             known[name] = table.work(row, work, "place", place=with_symbols(trees.pop(name), known))
@@ -258,8 +271,9 @@ class Searches:
         end = table.work(row + 2, HERE, "IF(best=1,rows,rows-2)", best=best, rows=rows)
         inner = Binary(":", *(table.in_row(symbol, row, place) for place in (begin, end)))
         other = table.work(
-            row, OTHER, f"IF(OR(best=1,best=rows),{sought.way.upper()}(inner),NA())", best=best, rows=rows, inner=inner
-        )
+            row, OTHER, "IF(OR(best=1,best=rows),IF(sense>0,MIN(inner),MAX(inner)),NA())", best=best, rows=rows,
+            sense=known["sense"], inner=inner,
+        )  # fmt: skip
         for name, work, first, last in (("next", OTHER, "2", "rows-1"), ("third", WRAPS, "3", "rows-2")):
             place = formula(f"IF(best=1,{first},{last})", best=best, rows=rows)
             known[name] = table.work(row + 1, work, "value", value=table.in_row(symbol, row, place))
@@ -274,9 +288,6 @@ class Searches:
         """Whether the ends of the rows are neighbours: what the whole sheet says, or 0 where something is missing or the
         quantity does not come back."""
         plan, table, row, symbol = self.plan, self.table, sought.row, sought.symbol
-        if sought.way == "min":
-            table.work(row, WRAPS, "wraps", wraps=table.near(self.opposite(sought).row, WRAPS))
-            return
         start, end = (table.in_row(symbol, row, place) for place in (al.ONE, table.rows))
         unit = plan.unit_of(symbol)
         meet = ends_meet(plan, symbol, unit, table.in_rows(symbol, row), (start, end))
@@ -316,10 +327,6 @@ class Searches:
                 known[name] = with_symbols(rules.UNLESS_CORNER, known | {"probed": known[name]})
         table.work(row, ABOUT_VALUE, "doubt", doubt=with_symbols(rules.DOUBT, known))
         rivals.write(table, row, RIVALS, sought.symbol, known | {"found": known["extreme"]})
-
-    def opposite(self, sought: Sought) -> Sought:
-        """The search of the quantity's other extreme."""
-        return self.sought[sought.symbol, "max" if sought.way == "min" else "min"]
 
     @cached_property
     def steepest(self) -> Node | None:

@@ -12,7 +12,18 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, CellRef, Node, Previous, RangeRef, Symbol, transform, with_symbols
+from livesheet.formula.nodes import (
+    Binary,
+    Call,
+    CellRef,
+    Node,
+    Number,
+    Previous,
+    RangeRef,
+    Symbol,
+    transform,
+    with_symbols,
+)
 from livesheet.workbook import Cell, Content, Fill, Style
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
@@ -101,9 +112,15 @@ class SearchTable:
         """
         return Binary(":", *(self.in_row(sought, row, place) for place in (first, self.rows)))
 
-    def probed(self, sought: str, probe: int, anchored: bool = False) -> CellRef:
-        """What a row here has found of a quantity: by its cell, as a column inserted into the table is not here."""
-        return CellRef(probe, self.at.spots[sought].col, anchored, True)
+    def number_here(self, row: int, symbol: str) -> Node:
+        """In which column of this sheet's table a quantity stands: a column that is inserted there is not here."""
+        columns = RangeRef(CellRef(row, DRIVER_COL, False, True), self.quantity(row, symbol))
+        return formula("COLUMNS(columns)", columns=columns)
+
+    def probed(self, probe: int, number: Node, anchored: bool = False) -> Node:
+        """What a row here has found of the quantity in the column of that number."""
+        ends = (CellRef(probe, col, anchored, True) for col in (DRIVER_COL, self.value_col - 1))
+        return formula("INDEX(quantities,number)", quantities=RangeRef(*ends), number=number)
 
     def _columns(self, first: str, last: str) -> RangeRef:
         """Columns of a table, from one to another, as formulas here read them."""
@@ -116,6 +133,10 @@ class SearchTable:
         away = {each.symbol: (there[each.symbol].sheet, there[each.symbol].col - each.col) for each in self.columns}
         together = [each.symbol for each in self.columns if away[each.symbol] == away[symbol]]
         return together[0], together[-1]
+
+    def first_beside(self, symbol: str) -> str:
+        """The first quantity of the table in which one stands."""
+        return self._table_of(symbol)[0]
 
     def down(self, row: int, work: int, count: int) -> RangeRef:
         """Cells below each other, wherever they are read."""
@@ -151,7 +172,7 @@ class SearchTable:
     ) -> dict[str, CellRef]:
         """What the rows of a search know, and where they probe; the cells of the first row by name.
 
-        count    of rows, of which the last makes no probe;  first: what the first row knows
+        count    of rows, of which the last makes no probe;  first: what the first row knows, as far as it is read
         names    of the columns of what is known;  rules: that of the next row, over this one's
         probing  name and tree of the columns that decide where the probe is
         """
@@ -163,21 +184,25 @@ class SearchTable:
         def at(number: int) -> dict[str, CellRef]:
             return {name: CellRef(row + number, col, False, True) for name, col in columns.items()}
 
-        here, above = at(1), {f"{name}_above": cell for name, cell in at(0).items()}
-        for name, col in [(name, columns[name]) for name in names]:
-            self._down(row, col, count, first[name], with_symbols(rules[name], at(0)), at(0))
-        for name, col in (("near", NEAR), ("sense", SENSE), ("limit", LIMIT), ("side", SIDE)):
+        style = styles.decimals(styles.INNER, DECIMALS)
+        for name in names:
             if name in first:
-                self._down(row, col, count, first[name], CellRef(row, col, False, True), at(0))
+                self.fill(row, columns[name], with_symbols(first[name], at(0)), style=style)
+            self.fill(row + 1, columns[name], with_symbols(rules[name], at(0)), count - 1, style)
+        for name, col in (("near", NEAR), ("sense", SENSE), ("limit", LIMIT), ("side", SIDE)):
+            match first.get(name):
+                case Number(value):
+                    self.put(row, col, value, styles.INNER)
+                case None:
+                    continue
+                case tree:
+                    self.fill(row, col, with_symbols(tree, at(0)))
+            self.fill(row + 1, col, CellRef(row, col, False, True), count - 1)
+        next_row = at(1) | {f"{name}_above": cell for name, cell in at(0).items()}
         for col, (name, tree) in probing.items():
-            self._down(row, col, count, first.get(name, tree), with_symbols(tree, here | above), at(0))
+            self.fill(row, col, with_symbols(first.get(name, tree), at(0)), style=style)
+            self.fill(row + 1, col, with_symbols(tree, next_row), count - 1, style)
         return at(0)
-
-    def _down(self, row: int, col: int, count: int, first: Node, further: Node, here: Mapping[str, Node]) -> None:
-        """A column of a search: its first row, and the others."""
-        style = styles.INNER if col < KNOWN else styles.decimals(styles.INNER, DECIMALS)
-        self.fill(row, col, with_symbols(first, here), style=style)
-        self.fill(row + 1, col, further, count - 1, style)
 
     def heads(self, row: int, first: int, names: Sequence[str]) -> None:
         """What columns of searches hold, over them."""
