@@ -16,7 +16,8 @@ from livesheet.formula.references import cell_address
 from mechsheet.checking.inputs import inputs_in
 from mechsheet.checking.perturbation import drawn
 from mechsheet.description.templates import template_text
-from mechsheet.sheet.findings.inputs import first_wrong, inputs_of
+from mechsheet.sheet.findings.inputs import first_wrong
+from mechsheet.sheet.inputs import inputs_of
 from mechsheet.sheet.plan import VALUE
 from random_cams import ON_A_SLIDE
 

@@ -51,6 +51,7 @@ from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.columns.bands import band_of_constant
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.grashof import turns_up_to
+from mechsheet.sheet.inputs import rest_fits
 from mechsheet.sheet.over_rows import is_back, whole_turns
 from mechsheet.sheet.places import Extreme, Searched, there
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
@@ -285,14 +286,9 @@ class Extremes:
         )
 
     def _inputs_are_fine(self) -> Node:
-        """Whether the yellow cells hold what can be, there is such a position, and all that is derived is a number."""
-        rows = self.plan.blocks["derived"].rows.values()
-        derived = RangeRef(
-            CellRef(min(rows), FIRST_SHEET_VALUE, True, True, self.plan.main),
-            CellRef(max(rows), FIRST_SHEET_VALUE, True, True, self.plan.main),
-        )
-        return formula("AND(inputs=0,there,ISNUMBER(SUM(derived)))", inputs=self.plan.places.inputs.cell,
-                       there=self.plan.searched.there.cell, derived=derived)  # fmt: skip
+        """Whether the yellow cells hold what can be, there is such a position, and all that follows from them too."""
+        none_wrong = formula("inputs=0", inputs=self.plan.places.inputs.cell)
+        return Call("AND", (none_wrong, self.plan.searched.there.cell, *rest_fits(self.plan, self.table.title)))
 
     # --- searches ---------------------------------------------------------------------------------------------
 
