@@ -45,6 +45,7 @@ from mechsheet.sheet.checks.search_table import (
     PLACE_COL,
     SENSE,
     SIDE,
+    VALUE_COL,
     SearchTable,
 )
 from mechsheet.sheet.classification import FourBar
@@ -165,7 +166,7 @@ class Extremes:
             (NEAR, "near"),
             (SENSE, "sense"),
             (PLACE_COL, "row"),
-            (table.value_col, "value"),
+            (VALUE_COL, "value"),
         ):
             table.put(HEAD_ROW, col, plan.text(f"extremes.{key}"), styles.HEAD)
         self._whole()
@@ -308,7 +309,7 @@ class Extremes:
         table.put(row, LABEL, plan.text("extremes.gap", number=number), styles.LABEL)
         here = table.work(row, HERE, "IF(COUNT(least)=0,NA(),MATCH(MIN(least),least,0))", least=least)
         table.fill(row, COLUMN, table.number_of(symbol))
-        begin: dict[str, Node] = {"near": here, "sense": al.ONE, "side": al.ZERO, "limit": al.ZERO}
+        begin: dict[str, Node] = {"near": here, "sense": al.ONE}
         for name, step in (("left", "-1"), ("middle", ""), ("right", "+1")):
             begin[name] = formula(f"here{step}", here=here)
             begin[f"f_{name}"] = table.in_row(symbol, row, Symbol(name))

@@ -11,7 +11,7 @@ from dataclasses import replace
 from livesheet.formula.nodes import Call, CellRef, Node, Symbol, with_symbols
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks import search_rules as rules
-from mechsheet.sheet.checks.search_table import KNOWN, LABEL, PLACE_COL, VERTEX_COL, SearchTable, whole
+from mechsheet.sheet.checks.search_table import KNOWN, LABEL, VALUE_COL, SearchTable, whole
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.places import Stretch
 from mechsheet.sheet.plan import Plan
@@ -147,16 +147,16 @@ class Limits:
         begin = {
             "near": inside,
             "newest": outside,
-            "f_newest": rules.least_margin([self._in_row(symbol, outside) for symbol in margins]),
+            "f_newest": rules.least_margin([self._in_row(symbol, Symbol("newest")) for symbol in margins]),
             "other": inside,
-            "f_other": rules.least_margin([self._in_row(symbol, inside) for symbol in margins]),
+            "f_other": rules.least_margin([self._in_row(symbol, Symbol("other")) for symbol in margins]),
             "share": rules.FIRST_SHARE,
         }
-        probing = {VERTEX_COL: ("share", rules.SHARE), PLACE_COL: ("place", rules.SHARED)}
+        probing = {"share": rules.SHARE, "probe": rules.SHARED}
         known = table.search(row, rules.LIMIT_PROBES + 1, begin, rules.CROSSING, rules.CROSSED, probing)
         table.lay(row, rules.LIMIT_PROBES, margins)
         least = rules.least_margin([table.quantity(row, symbol) for symbol in margins])
-        table.fill(row, table.value_col, least, rules.LIMIT_PROBES)
+        table.fill(row, VALUE_COL, least, rules.LIMIT_PROBES)
         self._result(
             row, {name: replace(known[name], row=row + rules.LIMIT_PROBES) for name in rules.CROSSING}, known["f_other"]
         )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from livesheet.formula import algebra as al
@@ -21,11 +21,10 @@ from mechsheet.sheet.checks.search_table import (
     KNOWN,
     LABEL,
     LIMIT,
-    PLACE_COL,
     PROBE_COL,
     SENSE,
     SIDE,
-    VERTEX_COL,
+    VALUE_COL,
     SearchTable,
     whole,
 )
@@ -43,12 +42,12 @@ from mechsheet.sheet.transmission import acute
     BEST,
     HERE,
     WRAPS,
-    AT_LOW,
-    AT_HIGH,
-    START,
     LEFT,
-    RIGHT,
+    AT_LOW,
+    START,
     OTHER,
+    RIGHT,
+    AT_HIGH,
     VALUE,
     PLACED,
     WHERE,
@@ -57,12 +56,13 @@ from mechsheet.sheet.transmission import acute
     TURN_ABOUT,
     BOUNDLESS,
 ) = range(1, 20)
-"""Working cells beside the first row of a search: the best and the worst value of the rows, in which column of this sheet
-probes find the quantity; the row of the best one, that from which the search begins;
-whether the ends of the rows are neighbours; values where the stretch begins and ends; the place from which the search begins
-and those beside it; the best of other rows; what is found, its place, the value of the driver there, how sure it is; where
-the quantity turns back, and how sure that is; whether it is without bound. Where the best row is at an end of the motion,
-three of them in the rows below say between which rows another is looked for, and what the two rows beside that end have."""
+"""Working cells beside the first row of a search: the best and the worst value of the rows; in which column of this sheet
+probes find the quantity; the best row, that from which the search begins; whether the ends of the rows are neighbours; the
+place from which the search begins and those beside it, two columns apart as the places of a bracket are, and between them
+values where the stretch begins and ends and the best of other rows; what is found, its place, the value of the driver there,
+how sure it is; where the quantity turns back, and how sure that is; whether it is without bound. Where the best row is at an
+end of the motion, three of them in the rows below say between which rows another is looked for, and what the two rows beside
+that end have."""
 
 MIDDLE, BEFORE, CENTRE, AFTER = range(BOUNDLESS + 1, BOUNDLESS + 5)
 """Behind them: three rows that follow one another, and the quantity in them."""
@@ -119,14 +119,8 @@ class Searches:
         return self.table.plan
 
     def search(self, row: int, begin: dict[str, Node]) -> None:
-        """The rows of a bracket; places count by roots beside a limit, where the sheet looks for these."""
-        probing = {VERTEX_COL: ("vertex", rules.VERTEX), PLACE_COL: ("probe", rules.PROBE)}
-        if "side" in begin:
-            probing = {
-                VERTEX_COL: ("vertex", rules.VERTEX),
-                PROBE_COL: ("probe", rules.PROBE),
-                PLACE_COL: ("place", rules.PLACE),
-            }
+        """The rows of a bracket."""
+        probing = {"vertex": rules.VERTEX, "probe": rules.PROBE}
         self.table.search(
             row, rules.PROBES + 1, begin | {"probe": rules.FIRST_PROBE}, rules.BRACKET, rules.NARROWED, probing
         )
@@ -137,7 +131,7 @@ class Searches:
         table.fill(row, table.side + NUMBER, table.number_here(row, symbol), rules.PROBES)
         known = CellRef(row, KNOWN + rules.BRACKET.index("f_middle"), False, True)
         value = formula("IFERROR(cell,known)", cell=table.probed(row, table.near(row, NUMBER)), known=known)
-        table.fill(row, table.value_col, value, rules.PROBES)
+        table.fill(row, VALUE_COL, value, rules.PROBES)
 
     def known(self, row: int, name: str) -> CellRef:
         """A cell of what a row of a search knows."""
@@ -167,8 +161,6 @@ class Searches:
 
     def _place_of(self, row: int, counted: Node) -> Node:
         """A place of a search in rows; `counted`: as the bracket counts it."""
-        if not self.ends:
-            return counted
         return with_symbols(
             rules.PLACE,
             {"probe": counted, "side": CellRef(row, SIDE, False, True), "limit": CellRef(row, LIMIT, False, True)},
@@ -235,11 +227,16 @@ class Searches:
         for name, work, at in zip(("at_low", "at_high"), (AT_LOW, AT_HIGH), self.ends.values(), strict=True):
             cell = table.probed(at, table.near(row, NUMBER), anchored=True)
             known[name] = table.work(row, work, "IFERROR(cell,value)", cell=cell, value=value)
+        places: dict[str, CellRef] = {}
         for name, work in (("start", START), ("lower", LEFT), ("upper", RIGHT)):
-            known[name] = table.work(row, work, "place", place=with_symbols(trees.pop(name), known))
+            places[name] = table.work(row, work, "place", place=with_symbols(trees.pop(name), known | places))
+        known |= places
         for name in ("lower", "upper"):
             known[f"of_{name}"] = self._at_place(sought, known | {"place": known[name]})
-        return {"sense": sense} | {name: with_symbols(tree, known) for name, tree in trees.items()}
+        begun = {name: with_symbols(tree, known) for name, tree in trees.items()}
+        to_fill_right = known | {name: replace(cell, col_abs=False) for name, cell in places.items()}
+        begun |= {name: with_symbols(trees[name], to_fill_right) for name in ("left", "middle", "right")}
+        return {"sense": sense, **begun}
 
     def _between_rows(self, sought: Sought, known: dict[str, Node], trees: Mapping[str, Node]) -> dict[str, Node]:
         """The same where the sheet looks for no limits: between two rows."""
@@ -311,7 +308,7 @@ class Searches:
         known = self._read(sought) | {
             "found": self.known(last, "f_middle"),
             "before": self.known(last - 1, "f_middle"),
-            "last_probe": CellRef(last - 1, table.value_col, False, True),
+            "last_probe": CellRef(last - 1, VALUE_COL, False, True),
         }
         extreme, placed = rules.EXTREME, rules.PLACED
         if self.corners is not None:
@@ -375,10 +372,7 @@ class Searches:
     def _cubic(self, row: int) -> Node:
         """Where the cubic through the probes of four rows (Newton's form, over the way from the last) has its extreme."""
         table = self.table
-        counted = PROBE_COL if self.ends else PLACE_COL
-        at, known = (
-            [CellRef(row + index, col, False, True) for index in range(4)] for col in (counted, table.value_col)
-        )
+        at, known = ([CellRef(row + index, col, False, True) for index in range(4)] for col in (PROBE_COL, VALUE_COL))
         for order in range(1, 4):
             for index in range(3, order - 1, -1):
                 known[index] = table.work(
