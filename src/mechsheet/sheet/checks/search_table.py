@@ -42,8 +42,8 @@ KNOWN = SIDE + 1
 """The first of six columns of what a row knows."""
 
 VERTEX_COL, PROBE_COL, VALUE_COL, PLACE_COL = range(KNOWN + 6, KNOWN + 10)
-"""Where the parabola has its vertex (of a limit: on which part of the way the probe is); the probe and what it has found, side
-by side as places and values of what is known are; its place in rows."""
+"""Where the parabola has its vertex (of a limit: on which part of the way the probe is); the probe and what it has found, as
+places and values of what is known side by side; its place in rows."""
 
 DECIMALS = 6
 """Of places and of what is known of them."""
