@@ -15,6 +15,7 @@ from mechsheet.checking.edited.edits import WITH_ROWS
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, load
 from mechsheet.library.building import build
+from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.plan import MAY_GO
 from office_macros import Job, edited
 
@@ -78,7 +79,7 @@ def places(compiled):
     return {
         "everywhere": "; ".join(inserted), "shortened": shortened, "torn": torn,
         "before_last": last - 1, "shorter": last - 2,
-        "length": cell(plan.at.spots[length.symbol]), "twice": 2 * length.unit.to_shown(length.value),
+        "length": cell(plan.at.spots[length.symbol]), "longer": 1.5 * length.unit.to_shown(length.value),
         "mode": cell(plan.at.spots[plan.equations.groups[0].mode]), "position": cell(plan.places.position),
         "start": cell(plan.places.start), "step": cell(plan.places.step),
         "main": plan.main, "table": plan.table, "first": first, "second": first + 1, "fourth": first + 3, "last": last,
@@ -119,7 +120,9 @@ def said_by(case, path):
 def wrong_in(case, path):
     """What is not as the table says."""
     line, report, plan = said_by(case, path)
-    found = []
+    found, check = [], case.check
+    if check == "fewer":
+        check = "nothing" if tables_of(plan) else "agrees"
     built = case.compiled.value(plan.places.verdict)
     match case.line.split(" ", 1):
         case ["same"] if line != built:
@@ -132,12 +135,12 @@ def wrong_in(case, path):
             found.append(f"says {line!r}")
         case [more] if more[0] in "+-" and str(plan.rows + int(more)) not in line:
             found.append(f"says {line!r}")
-    if case.check not in ("any", "differs") and (case.check in ("agrees", "values")) is bool(report.edits):
+    if check not in ("any", "differs", "nothing") and (check in ("agrees", "values")) is bool(report.edits):
         found.append(f"edits: {[edit.where for edit in report.edits][:4]}")
-    agrees = report.values_agree if case.check in ("values", "differs") else report.agrees
-    if (case.check in ("agrees", "values") and not agrees) or (case.check == "any" and not (agrees or report.edits)):
+    agrees = report.values_agree if check in ("values", "differs") else report.agrees
+    if (check in ("agrees", "values") and not agrees) or (check == "any" and not (agrees or report.edits)):
         found.append(f"does not agree: {[c for c in report.comparisons if not c.agrees]}")
-    if case.check == "differs" and agrees:
+    if check == "differs" and agrees:
         found.append("agrees")
     if [part for part in report.comparisons if part.judge == "reference" and not part.cells]:
         found.append("is not compared with the reference")
