@@ -6,7 +6,7 @@ as they stand there, rows that exist only; whether these make a whole turn is as
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Text, transform
@@ -17,7 +17,7 @@ from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.deleted import missing_words
 from mechsheet.sheet.findings.finding import LEVELS, MARKS, Finding, Line
-from mechsheet.sheet.findings.listing import findings_of, left_words, title_levels, title_words
+from mechsheet.sheet.findings.listing import findings_of, left_words, title_levels, title_words, words_where_well
 from mechsheet.sheet.findings.reading import Reading, SheetReading
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.places import there
@@ -37,14 +37,19 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> None:
     for row, line in lines.items():
         _write(writer, on, row, line)
     writer.needs |= {on.rows[finding.key]: {*finding.needs} for finding in findings}
-    writer.formula(there(plan.places.left).row, MEANING, left_words(on, findings), styles.LABEL_SAID)
+    well = there(plan.places.well)
+    for row, said in (
+        (well.row, words_where_well(on, findings)),
+        (there(plan.places.left).row, left_words(on, findings)),
+    ):
+        writer.formula(row, MEANING, said, styles.LABEL_SAID)
     _write_marks(writer, on, lines)
-    write_title_line(writer, on, findings, lines.values(), MEANING)
+    write_title_line(writer, on, title_words(on, findings, well.cell), lines.values(), MEANING)
 
 
-def write_title_line(cells: Cells, on: Reading, findings: Sequence[Finding], lines: Iterable[Line], last: int) -> None:
+def write_title_line(cells: Cells, on: Reading, words: Node, lines: Iterable[Line], last: int) -> None:
     """The line under the title, as far as a column."""
-    cells.formula(VERDICT_ROW, SYMBOL, title_words(on, findings), styles.LINE)
+    cells.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
     area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, last)
     cells.merges.append(Merge(area))
     for level in title_levels(on, lines):
