@@ -12,7 +12,7 @@ from dataclasses import replace
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Text, transform
 from livesheet.workbook import Area, Conditional, Merge
 from mechsheet.sheet import styles
-from mechsheet.sheet.cells import Cells
+from mechsheet.sheet.cells import Cells, height_of
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.deleted import missing_words
@@ -27,6 +27,9 @@ from mechsheet.sheet.quoted import formula, joined
 BESIDE = replace(styles.UNIT, name="", align="right")
 """What stands beside a number, and is no place in the motion."""
 
+WELL_LINES = 4
+"""What the line under the title says where nothing is wrong, two lines there, takes so many in the column of words."""
+
 
 def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> None:
     """Fill the block and the line under the title in."""
@@ -38,11 +41,9 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> None:
         _write(writer, on, row, line)
     writer.needs |= {on.rows[finding.key]: {*finding.needs} for finding in findings}
     well = there(plan.places.well)
-    for row, said in (
-        (well.row, words_where_well(on, findings)),
-        (there(plan.places.left).row, left_words(on, findings)),
-    ):
-        writer.formula(row, MEANING, said, styles.LABEL_SAID)
+    writer.formula(well.row, MEANING, words_where_well(on, findings), styles.LABEL_LINES)
+    writer.heights[well.row] = height_of(WELL_LINES)
+    writer.formula(there(plan.places.left).row, MEANING, left_words(on, findings), styles.LABEL_SAID)
     _write_marks(writer, on, lines)
     write_title_line(writer, on, title_words(on, findings, well.cell), lines.values(), MEANING)
 
