@@ -311,6 +311,7 @@ SHEET = (
         "transmission",
         "geometry",
         "grashof",
+        "inputs",
     },
     # rows first, then what is measured and searched in rows, then what draws and judges by that
     {"table"},

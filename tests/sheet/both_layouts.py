@@ -1,6 +1,5 @@
 """One description in both layouts: what each says under its title and beside its numbers, in words and in colour."""
 
-import re
 from dataclasses import replace
 
 from placed import places_of
@@ -21,8 +20,7 @@ class Book:
     """A workbook of one layout, whose yellow cells are typed into."""
 
     def __init__(self, text, layout, language="en"):
-        text = re.sub(r"\[workbook\]\n", "", text) + f'\n[workbook]\nlayout = "{layout}"\n'
-        made = Compiled(loads(text, overrides=Overrides(language=language)))
+        made = Compiled(loads(text, overrides=Overrides(language=language, layout=layout)))
         self.plan = made.plan
         first = next(sheet for sheet in made.layout.sheets if sheet.title == self.plan.main)
         self.rules = first.conditionals
@@ -34,7 +32,12 @@ class Book:
 
     def type(self, **inputs):
         spots = places_of(self.plan)
-        cells = {(spots[key].sheet, spots[key].row, spots[key].col): float(value) for key, value in inputs.items()}
+        cells = {
+            (spots[key].sheet, spots[key].row, spots[key].col): value
+            if value is None or isinstance(value, str)
+            else float(value)
+            for key, value in inputs.items()
+        }
         self.values = self.book.evaluate(cells)
         return self
 

@@ -1,4 +1,6 @@
-"""What is asked of inputs beyond their kind, whatever is typed into their cells: segments in one turn, radii that can be."""
+"""What is asked of inputs beyond their kind, whatever is typed into their cells: segments in one turn, radii that can be,
+wheels with teeth, masses that are not negative.
+"""
 
 from __future__ import annotations
 
@@ -9,12 +11,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, Node, Number, symbols, walk
+from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Unary, symbols, walk
 from livesheet.said import Said, say
 from mechsheet.kinematics.dimensions import dimension_order
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.points_in_link import number
-from mechsheet.model import MEETING, Mechanism, Segments
+from mechsheet.model import MEETING, Gear, Mechanism, Segments
 
 TURN = Number(math.tau + MEETING)
 """Where a turn ends, but for rounding."""
@@ -22,6 +24,9 @@ TURN = Number(math.tau + MEETING)
 
 ALWAYS = ("ABS", "COS", "DEGREES", "MAX", "MIN", "RADIANS", "SIN", "SUMSQ")
 """Functions of the format that have a value for all numbers."""
+
+FLUCTUATION = ("flywheel", "fluctuation")
+"""The path of the coefficient by which a flywheel is sized."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +75,13 @@ def asked_of(mechanism: Mechanism) -> tuple[Asked, ...]:
             found += [Asked(symbol, touches, _out_of_reach, zero=True) for symbol in named]
     if mechanism.segments is not None:
         found += _of_segments(mechanism.segments, reads)
+    found += _of_wheels(mechanism, reads)
+    for dim in mechanism.dimensions:
+        if dim.path[-1:] in (("mass",), ("inertia",)):
+            found.append(Asked(dim.symbol, Symbol(dim.symbol), _weight, zero=True))
+        if dim.path == FLUCTUATION:
+            found.append(Asked(dim.symbol, Symbol(dim.symbol), _fluctuation))
+    found = [each for each in found if isinstance(reads.dimensions.get(each.symbol), float)]
     return tuple(
         replace(each, reads=reads.behind_what_may_fail(each.margin)) if each.begins == al.ZERO else each
         for each in found
@@ -117,6 +129,13 @@ def _of_segments(motion: Segments, reads: _Inputs) -> Iterator[Asked]:
             yield Asked(symbol, left, why, begins=part.begins)
 
 
+def _of_wheels(mechanism: Mechanism, reads: _Inputs) -> Iterator[Asked]:
+    """No wheel has 0 teeth or no radius, be it what is divided by."""
+    for relation in mechanism.relations:
+        for part in reads.parts_of(relation.ratio if isinstance(relation, Gear) else relation.radius):
+            yield from (Asked(symbol, Call("ABS", (part,)), _wheel) for symbol in reads.first_of(part))
+
+
 class _Inputs:
     """Which inputs are read by what follows from them."""
 
@@ -135,6 +154,17 @@ class _Inputs:
                     trees.append(given)
         fails = any(_may_fail(part) for tree in trees for part in walk(tree))
         return tuple(dict.fromkeys(found)) if fails else ()
+
+    def parts_of(self, node: Node) -> tuple[Node, ...]:
+        """What is divided and what it is divided by, as of 24/18; what is no quotient itself."""
+        match node:
+            case Unary("-", operand):
+                return self.parts_of(operand)
+            case Symbol(name) if not isinstance(self.dimensions.get(name, 0.0), float):
+                return self.parts_of(al.as_node(self.dimensions[name]))
+            case Binary("/", left, right):
+                return (left, right)
+        return (node,)
 
     def first_of(self, node: Node) -> tuple[str, ...]:
         """The first input that is read, as a tuple of one; none by what reads none."""
@@ -156,6 +186,18 @@ def _may_fail(part: Node) -> bool:
         case Call(name, _):
             return name not in ALWAYS
     return False
+
+
+def _wheel(_: float) -> Said:
+    return say("the teeth or the radius of a wheel must not be 0")
+
+
+def _weight(_: float) -> Said:
+    return say("a mass or a moment of inertia is not negative")
+
+
+def _fluctuation(_: float) -> Said:
+    return say("the coefficient of fluctuation must be greater than 0")
 
 
 def _base_circle(_: float) -> Said:

@@ -358,8 +358,8 @@ def edges_of(first: Array, last: Array, rows: int, margin: Probe) -> tuple[Array
     state["f_newest"] = state["f_oldest"] = margin(outside)
     for number in range(rules.LIMIT_PROBES):
         state["share"] = value_of(rules.SHARE if number else rules.FIRST_SHARE, state)
-        state["place"] = value_of(rules.SHARED, state)
-        state["value"] = margin(state["place"])
+        state["probe"] = value_of(rules.SHARED, state)
+        state["value"] = margin(state["probe"])
         state |= {name: value_of(tree, state) for name, tree in rules.CROSSED.items()}
     found = np.where(np.isnan(outside), inside, value_of(rules.FOUND, state))
     unsettled = np.asarray(value_of(rules.REST, state) > rules.SETTLED_LIMIT).any(axis=1)

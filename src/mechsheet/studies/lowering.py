@@ -44,7 +44,7 @@ class Lowering:
     fixed    values of the dimensions that do not vary, and of the assembly modes
     varied   symbols of those that vary;  derived  those that follow from them, in order, with their expressions
     given    what is given row by row, the driver first
-    asked    what a cam asks of them: no row of a design for which it does not hold claims a position
+    asked    what is asked of them: no row of a design for which it does not hold claims a position
     """
 
     def __init__(
@@ -187,7 +187,7 @@ class _Writer:
         for symbol, node in lowering.derived:
             self.known[symbol] = self.value(node)
         self.known |= {symbol: self.program.given(symbol, wide) for symbol in lowering.given}
-        self._possible = self._of_cam(lowering.asked)
+        self._possible = self._can_be(lowering.asked)
         if self._possible.width != ONE and not constants:
             driver = lowering.given[0]
             self.known[driver] = self.program.step(kept, self.known[driver], self._possible)
@@ -215,8 +215,8 @@ class _Writer:
         mask = self._mask(equation.exists)
         return value if mask.width == ONE and mask.number else self.program.step(kept, value, mask)
 
-    def _of_cam(self, asked: Sequence[Asked]) -> Value:
-        """Whether all holds that a cam asks, one value for a design."""
+    def _can_be(self, asked: Sequence[Asked]) -> Value:
+        """Whether all holds that is asked of inputs, one value for a design."""
         tests = [
             self.program.step(
                 np.greater_equal if each.zero else np.greater, self.value(each.margin), Value(ONE, number=0.0)

@@ -15,7 +15,8 @@ from livesheet.formula.references import cell_address
 from mechsheet.checking.inputs import inputs_in
 from mechsheet.checking.perturbation import drawn
 from mechsheet.description.templates import template_text
-from mechsheet.sheet.findings.inputs import inputs_of, marks_of
+from mechsheet.sheet.findings.inputs import marks_of
+from mechsheet.sheet.inputs import inputs_of
 from mechsheet.sheet.plan import VALUE
 from random_cams import ON_A_SLIDE
 

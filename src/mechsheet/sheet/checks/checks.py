@@ -144,14 +144,21 @@ class Checks:
     def worst(self, kind: Kind, group: int | None = None) -> Node:
         """The largest value of all columns of a kind (of leaps: their number), or those of a group, as another sheet reads
         it."""
-        columns = [check.kind == kind and group in (None, check.group) for check in self.checks]
-        if not any(columns):
-            return al.ZERO
+        parts = self._parts(kind, group)
+        return al.nested("SUM" if kind in COUNTED else "MIN" if kind == "det" else "MAX", parts) if parts else al.ZERO
+
+    def worst_known(self, kind: Kind) -> Node:
+        """The same of all columns of a kind; #N/A where no row has a value."""
+        parts, worst = tuple(self._parts(kind)), self.worst(kind)
+        return formula("IF(counted=0,NA(),worst)", counted=Call("COUNT", parts), worst=worst) if parts else worst
+
+    def _parts(self, kind: Kind, group: int | None = None) -> list[Node]:
+        """The cells with the largest values of such columns."""
         parts: list[Node] = []
-        for first, beyond in runs_of(columns):
+        for first, beyond in runs_of([check.kind == kind and group in (None, check.group) for check in self.checks]):
             start, end = (CellRef(self.most_row, DATA + at, True, True, self.title) for at in (first, beyond - 1))
             parts.append(start if start == end else RangeRef(start, end))
-        return al.nested("SUM" if kind in COUNTED else "MIN" if kind == "det" else "MAX", parts)
+        return parts
 
     def worst_at(self, kind: Kind) -> Node:
         """The driver's value where the first column of a kind with the worst value has it."""

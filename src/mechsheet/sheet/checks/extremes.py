@@ -45,12 +45,14 @@ from mechsheet.sheet.checks.search_table import (
     PLACE_COL,
     SENSE,
     SIDE,
+    VALUE_COL,
     SearchTable,
 )
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.columns.bands import band_of_constant
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.grashof import turns_up_to
+from mechsheet.sheet.inputs import rest_fits
 from mechsheet.sheet.over_rows import both_means, is_back, may_leave_out, rows_that_close, whole_turns
 from mechsheet.sheet.places import Extreme, Searched, there
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
@@ -174,7 +176,7 @@ class Extremes:
             (NEAR, "near"),
             (SENSE, "sense"),
             (PLACE_COL, "row"),
-            (table.value_col, "value"),
+            (VALUE_COL, "value"),
         ):
             table.put(HEAD_ROW, col, plan.text(f"extremes.{key}"), styles.HEAD)
         self._whole()
@@ -321,14 +323,9 @@ class Extremes:
         )
 
     def _inputs_are_fine(self) -> Node:
-        """Whether the yellow cells hold what can be, there is such a position, and all that is derived is a number."""
-        rows = self.plan.blocks["derived"].rows.values()
-        derived = RangeRef(
-            CellRef(min(rows), FIRST_SHEET_VALUE, True, True, self.plan.main),
-            CellRef(max(rows), FIRST_SHEET_VALUE, True, True, self.plan.main),
-        )
-        return formula("AND(inputs=0,there,ISNUMBER(SUM(derived)))", inputs=self.plan.places.inputs.cell,
-                       there=self.plan.searched.there.cell, derived=derived)  # fmt: skip
+        """Whether the yellow cells hold what can be, there is such a position, and all that follows from them too."""
+        none_wrong = formula("inputs=0", inputs=self.plan.places.inputs.cell)
+        return Call("AND", (none_wrong, self.plan.searched.there.cell, *rest_fits(self.plan, self.table.title)))
 
     # --- searches ---------------------------------------------------------------------------------------------
 

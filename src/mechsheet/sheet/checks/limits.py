@@ -11,7 +11,7 @@ from dataclasses import replace
 from livesheet.formula.nodes import Call, CellRef, Node, Symbol, with_symbols
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks import search_rules as rules
-from mechsheet.sheet.checks.search_table import KNOWN, LABEL, PLACE_COL, VERTEX_COL, SearchTable, whole
+from mechsheet.sheet.checks.search_table import KNOWN, LABEL, VALUE_COL, SearchTable, whole
 from mechsheet.sheet.driving import driver_at
 from mechsheet.sheet.places import Stretch
 from mechsheet.sheet.plan import Plan
@@ -110,26 +110,21 @@ class Limits:
                            said=self.plan.places.status.whole(), ok=self.plan.ok)  # fmt: skip
         ends = [formula("ROUND(INDEX(drivers,row),2)", drivers=Symbol(ALL + self.plan.mechanism.driver.symbol), row=edge)
                 for edge in (first, last)]  # fmt: skip
+        between = formula('IF(nth>1,"; ","")', nth=nth)
         table.work(row, WORDS, 'IF(ISNUMBER(first),words,"")', first=first,
-                    words=joined("; " if number > 1 else "", ends[0], " … ", ends[1]))  # fmt: skip
+                    words=joined(between, ends[0], " … ", ends[1]))  # fmt: skip
         if not self.count:
             table.work(row, FROM, "first", first=first)
             table.work(row, TO, "last", last=last)
             return
-        begun_outside = table.fixed(self.stretch_rows[0], FIRST_ROW)
-        # The first limit is the first stretch's beginning where the sweep begins outside: then all come one later.
-        for work, edge, outside, offset in (
-            (FROM, first, "edge>1", 2 * number - 2),
-            (TO, last, "edge<rows", 2 * number - 1),
-        ):
-            slots = [
-                table.fixed(self.rows[index], FOUND) if 0 <= index < self.count else edge
-                for index in (offset - 1, offset)
-            ]
-            table.work(
-                row, work, f'IF(ISNUMBER(edge),IF({outside},IF(begun_outside>1,later,earlier),edge),"")',
-                edge=edge, rows=table.rows, begun_outside=begun_outside, earlier=slots[0], later=slots[1],
-            )  # fmt: skip
+        # limits in order are beginning and end of each stretch, without the first where the sweep begins inside
+        limits = table.down(self.rows[0], FOUND, self.rows[-1] - self.rows[0] + 1)
+        begin, apart = table.fixed(self.stretch_rows[0], FIRST_ROW), rules.LIMIT_PROBES + 2
+        for work, edge, outside, place in ((FROM, first, "edge>1", "2*nth-1"), (TO, last, "edge<rows", "2*nth")):
+            limit = formula(f"INDEX(limits,1+apart*({place}-1-(begin=1)))", limits=limits, apart=apart, begin=begin,
+                            nth=nth)  # fmt: skip
+            table.work(row, work, f'IF(ISNUMBER(edge),IF({outside},IFERROR(limit,edge),edge),"")',
+                       edge=edge, rows=table.rows, limit=limit)  # fmt: skip
 
     def _limit(self, number: int, row: int, stretches: CellRef) -> None:
         """One limit: the row that closes beside it, the one that does not, and where between them the least margin is 0."""
@@ -152,18 +147,16 @@ class Limits:
         begin = {
             "near": inside,
             "newest": outside,
-            "f_newest": rules.least_margin([self._in_row(symbol, outside) for symbol in margins]),
+            "f_newest": rules.least_margin([self._in_row(symbol, Symbol("newest")) for symbol in margins]),
             "other": inside,
-            "f_other": rules.least_margin([self._in_row(symbol, inside) for symbol in margins]),
-            "oldest": Symbol("newest"),
-            "f_oldest": Symbol("f_newest"),
+            "f_other": rules.least_margin([self._in_row(symbol, Symbol("other")) for symbol in margins]),
             "share": rules.FIRST_SHARE,
         }
-        probing = {VERTEX_COL: ("share", rules.SHARE), PLACE_COL: ("place", rules.SHARED)}
+        probing = {"share": rules.SHARE, "probe": rules.SHARED}
         known = table.search(row, rules.LIMIT_PROBES + 1, begin, rules.CROSSING, rules.CROSSED, probing)
         table.lay(row, rules.LIMIT_PROBES, margins)
         least = rules.least_margin([table.quantity(row, symbol) for symbol in margins])
-        table.fill(row, table.value_col, least, rules.LIMIT_PROBES)
+        table.fill(row, VALUE_COL, least, rules.LIMIT_PROBES)
         self._result(
             row, {name: replace(known[name], row=row + rules.LIMIT_PROBES) for name in rules.CROSSING}, known["f_other"]
         )

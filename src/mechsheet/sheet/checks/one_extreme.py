@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, CellRef, Node, Text, with_symbols
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, Number, Text, with_symbols
 from mechsheet.kinematics.equations import FORCES, RATES
 from mechsheet.model import WAYS, Way
 from mechsheet.sheet import styles
@@ -21,11 +21,10 @@ from mechsheet.sheet.checks.search_table import (
     KNOWN,
     LABEL,
     LIMIT,
-    PLACE_COL,
     PROBE_COL,
     SENSE,
     SIDE,
-    VERTEX_COL,
+    VALUE_COL,
     SearchTable,
     whole,
 )
@@ -38,15 +37,17 @@ from mechsheet.sheet.transmission import acute
 
 (
     OF_ROWS,
+    WORST,
+    NUMBER,
     BEST,
     HERE,
     WRAPS,
-    AT_LOW,
-    AT_HIGH,
-    START,
     LEFT,
-    RIGHT,
+    AT_LOW,
+    START,
     OTHER,
+    RIGHT,
+    AT_HIGH,
     VALUE,
     PLACED,
     WHERE,
@@ -54,12 +55,14 @@ from mechsheet.sheet.transmission import acute
     TURN,
     TURN_ABOUT,
     BOUNDLESS,
-) = range(1, 18)
-"""Working cells beside the first row of a search: the best value of the rows, its row, that from which the search begins;
-whether the ends of the rows are neighbours; values where the stretch begins and ends; the place from which the search begins
-and those beside it; the best of other rows; what is found, its place, the value of the driver there, how sure it is; where
-the quantity turns back, and how sure that is; whether it is without bound. Where the best row is at an end of the motion,
-three of them in the rows below say between which rows another is looked for, and what the two rows beside that end have."""
+) = range(1, 20)
+"""Working cells beside the first row of a search: the best and the worst value of the rows; in which column of this sheet
+probes find the quantity; the best row, that from which the search begins; whether the ends of the rows are neighbours; the
+place from which the search begins and those beside it, two columns apart as the places of a bracket are, and between them
+values where the stretch begins and ends and the best of other rows; what is found, its place, the value of the driver there,
+how sure it is; where the quantity turns back, and how sure that is; whether it is without bound. Where the best row is at an
+end of the motion, three of them in the rows below say between which rows another is looked for, and what the two rows beside
+that end have."""
 
 MIDDLE, BEFORE, CENTRE, AFTER = range(BOUNDLESS + 1, BOUNDLESS + 5)
 """Behind them: three rows that follow one another, and the quantity in them."""
@@ -116,14 +119,8 @@ class Searches:
         return self.table.plan
 
     def search(self, row: int, begin: dict[str, Node]) -> None:
-        """The rows of a bracket; places count by roots beside a limit, where the sheet looks for these."""
-        probing = {VERTEX_COL: ("vertex", rules.VERTEX), PLACE_COL: ("probe", rules.PROBE)}
-        if "side" in begin:
-            probing = {
-                VERTEX_COL: ("vertex", rules.VERTEX),
-                PROBE_COL: ("probe", rules.PROBE),
-                PLACE_COL: ("place", rules.PLACE),
-            }
+        """The rows of a bracket."""
+        probing = {"vertex": rules.VERTEX, "probe": rules.PROBE}
         self.table.search(
             row, rules.PROBES + 1, begin | {"probe": rules.FIRST_PROBE}, rules.BRACKET, rules.NARROWED, probing
         )
@@ -131,9 +128,10 @@ class Searches:
     def value(self, row: int, symbol: str) -> None:
         """What the probes have found: where there is no position, nothing better than what is known."""
         table = self.table
+        table.fill(row, table.side + NUMBER, table.number_here(row, symbol), rules.PROBES)
         known = CellRef(row, KNOWN + rules.BRACKET.index("f_middle"), False, True)
-        value = formula("IFERROR(cell,known)", cell=table.probed(symbol, row), known=known)
-        table.fill(row, table.value_col, value, rules.PROBES)
+        value = formula("IFERROR(cell,known)", cell=table.probed(row, table.near(row, NUMBER)), known=known)
+        table.fill(row, VALUE_COL, value, rules.PROBES)
 
     def known(self, row: int, name: str) -> CellRef:
         """A cell of what a row of a search knows."""
@@ -151,16 +149,18 @@ class Searches:
             **{name: self.limits.of_stretch(1, work) for name, work in stretch.items()},
             "sense": CellRef(row, SENSE, False, True),
             "wraps": self._around(sought),
-            "other": table.near(self.opposite(sought).row, OF_ROWS),
+            "other": table.near(row, WORST),
             "rows": table.rows,
             "rows_only": plan.searched.rows_only.cell,
             "whole": plan.searched.whole.cell,
         }
 
+    @staticmethod
+    def _sense(sought: Sought) -> float:
+        return 1.0 if sought.way == "min" else -1.0
+
     def _place_of(self, row: int, counted: Node) -> Node:
         """A place of a search in rows; `counted`: as the bracket counts it."""
-        if not self.ends:
-            return counted
         return with_symbols(
             rules.PLACE,
             {"probe": counted, "side": CellRef(row, SIDE, False, True), "limit": CellRef(row, LIMIT, False, True)},
@@ -175,6 +175,7 @@ class Searches:
         self._best_row(sought)
         table.fill(row, COLUMN, table.number_of(symbol))
         if plan.rows_only:
+            table.put(row, SENSE, self._sense(sought), styles.INNER)
             if sought.way == "max":
                 table.work(row, WRAPS, "0")
             self._result_of_rows(sought)
@@ -194,12 +195,16 @@ class Searches:
         """The best value of all rows that close, of no more stretches than are looked at, and the first row that has it."""
         table, row, symbol = self.table, sought.row, sought.symbol
         said, stretches = self.plan.places.status.whole(), self.plan.searched.count.cell
-        bests = Call(f"{sought.way.upper()}IFS", (table.in_rows(symbol, row), said, Text(self.plan.ok)))
-        begin = self._read(sought)["first"]
+        least, largest = (
+            Call(name, (table.in_rows(symbol, row), said, Text(self.plan.ok))) for name in ("MINIFS", "MAXIFS")
+        )
+        begin, sense = (self._read(sought)[name] for name in ("first", "sense"))
         best = table.work(
-            row, OF_ROWS, "IF(OR(stretches=0,stretches>most),NA(),bests)", stretches=stretches, most=rules.STRETCHES,
-            bests=bests,
+            row, OF_ROWS, "IF(OR(stretches=0,stretches>most),NA(),IF(sense>0,least,largest))", stretches=stretches,
+            most=rules.STRETCHES, sense=sense, least=least, largest=largest,
         )  # fmt: skip
+        if not self.plan.rows_only:
+            table.work(row, WORST, "IF(sense<0,least,largest)", sense=sense, least=least, largest=largest)
         table.work(
             row, BEST, "begin-1+MATCH(best,from_begin,0)", begin=begin, best=best,
             from_begin=table.in_rows(symbol, row, begin),
@@ -209,7 +214,7 @@ class Searches:
         """What the first row knows: the best row (a corner or the end of the stretch, where these are better) and its
         neighbours."""
         table, row, symbol = self.table, sought.row, sought.symbol
-        sense = al.number(1.0 if sought.way == "min" else -1.0)
+        sense = Number(self._sense(sought))
         known = self._read(sought) | {"value": value}
         trees = rules.begun(corners=self.corners is not None, limits=bool(self.ends))
         if self.corners is not None:
@@ -220,13 +225,18 @@ class Searches:
         if not self.ends:
             return {"sense": sense, **self._between_rows(sought, known, trees)}
         for name, work, at in zip(("at_low", "at_high"), (AT_LOW, AT_HIGH), self.ends.values(), strict=True):
-            cell = table.probed(symbol, at, anchored=True)
+            cell = table.probed(at, table.near(row, NUMBER), anchored=True)
             known[name] = table.work(row, work, "IFERROR(cell,value)", cell=cell, value=value)
+        places: dict[str, CellRef] = {}
         for name, work in (("start", START), ("lower", LEFT), ("upper", RIGHT)):
-            known[name] = table.work(row, work, "place", place=with_symbols(trees.pop(name), known))
+            places[name] = table.work(row, work, "place", place=with_symbols(trees.pop(name), known | places))
+        known |= places
         for name in ("lower", "upper"):
             known[f"of_{name}"] = self._at_place(sought, known | {"place": known[name]})
-        return {"sense": sense} | {name: with_symbols(tree, known) for name, tree in trees.items()}
+        begun = {name: with_symbols(tree, known) for name, tree in trees.items()}
+        to_fill_right = known | {name: replace(cell, col_abs=False) for name, cell in places.items()}
+        begun |= {name: with_symbols(trees[name], to_fill_right) for name in ("left", "middle", "right")}
+        return {"sense": sense, **begun}
 
     def _between_rows(self, sought: Sought, known: dict[str, Node], trees: Mapping[str, Node]) -> dict[str, Node]:
         """The same where the sheet looks for no limits: between two rows."""
@@ -258,8 +268,9 @@ class Searches:
         end = table.work(row + 2, HERE, "IF(best=1,rows,rows-2)", best=best, rows=rows)
         inner = Binary(":", *(table.in_row(symbol, row, place) for place in (begin, end)))
         other = table.work(
-            row, OTHER, f"IF(OR(best=1,best=rows),{sought.way.upper()}(inner),NA())", best=best, rows=rows, inner=inner
-        )
+            row, OTHER, "IF(OR(best=1,best=rows),IF(sense>0,MIN(inner),MAX(inner)),NA())", best=best, rows=rows,
+            sense=known["sense"], inner=inner,
+        )  # fmt: skip
         for name, work, first, last in (("next", OTHER, "2", "rows-1"), ("third", WRAPS, "3", "rows-2")):
             place = formula(f"IF(best=1,{first},{last})", best=best, rows=rows)
             known[name] = table.work(row + 1, work, "value", value=table.in_row(symbol, row, place))
@@ -274,9 +285,6 @@ class Searches:
         """Whether the ends of the rows are neighbours: what the whole sheet says, or 0 where something is missing or the
         quantity does not come back."""
         plan, table, row, symbol = self.plan, self.table, sought.row, sought.symbol
-        if sought.way == "min":
-            table.work(row, WRAPS, "wraps", wraps=table.near(self.opposite(sought).row, WRAPS))
-            return
         start, end = (table.in_row(symbol, row, place) for place in (al.ONE, table.rows))
         unit = plan.unit_of(symbol)
         meet = ends_meet(plan, symbol, unit, table.in_rows(symbol, row), (start, end))
@@ -300,7 +308,7 @@ class Searches:
         known = self._read(sought) | {
             "found": self.known(last, "f_middle"),
             "before": self.known(last - 1, "f_middle"),
-            "last_probe": CellRef(last - 1, table.value_col, False, True),
+            "last_probe": CellRef(last - 1, VALUE_COL, False, True),
         }
         extreme, placed = rules.EXTREME, rules.PLACED
         if self.corners is not None:
@@ -316,10 +324,6 @@ class Searches:
                 known[name] = with_symbols(rules.UNLESS_CORNER, known | {"probed": known[name]})
         table.work(row, ABOUT_VALUE, "doubt", doubt=with_symbols(rules.DOUBT, known))
         rivals.write(table, row, RIVALS, sought.symbol, known | {"found": known["extreme"]})
-
-    def opposite(self, sought: Sought) -> Sought:
-        """The search of the quantity's other extreme."""
-        return self.sought[sought.symbol, "max" if sought.way == "min" else "min"]
 
     @cached_property
     def steepest(self) -> Node | None:
@@ -368,10 +372,7 @@ class Searches:
     def _cubic(self, row: int) -> Node:
         """Where the cubic through the probes of four rows (Newton's form, over the way from the last) has its extreme."""
         table = self.table
-        counted = PROBE_COL if self.ends else PLACE_COL
-        at, known = (
-            [CellRef(row + index, col, False, True) for index in range(4)] for col in (counted, table.value_col)
-        )
+        at, known = ([CellRef(row + index, col, False, True) for index in range(4)] for col in (PROBE_COL, VALUE_COL))
         for order in range(1, 4):
             for index in range(3, order - 1, -1):
                 known[index] = table.work(

@@ -87,7 +87,8 @@ def write(table: SearchTable, row: int, at: int, symbol: str, known: Mapping[str
     columns: dict[str, Node] = {"own": own, "before": before, "after": after, "number": number, "again": again}
     rivals = with_symbols(RIVALS, ends | limits | columns)
     table.work(row, at + COUNT, "IFERROR(SUMPRODUCT(rivals),0)", rivals=rivals)
-    # rows that are inserted beside the first or last two are not in all three
+    # rows that are inserted beside the first or last two are not in all three, of no column of its table
+    before, after = (_part(table, table.plan.at.spots[table.first_beside(symbol)], offset) for offset in (0, 2))
     table.work(row + 3, at + TO, "IF(ROWS(before)=ROWS(after),0,1)", before=before, after=after)
     for index, (begin, further, until) in enumerate((("first", "+1", "here-2"), ("here", "+2", "last-1")), 1):
         # where all rows close, there is no part of them

@@ -260,7 +260,7 @@ CROSSING = ("newest", "f_newest", "other", "f_other", "oldest", "f_oldest")
 
 CROSSED = _trees(
     {
-        "newest": "place",
+        "newest": "probe",
         "f_newest": "value",
         "other": "IF(same,other,newest)",
         "f_other": "IF(same,f_other,f_newest)",

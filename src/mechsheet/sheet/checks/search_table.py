@@ -1,7 +1,7 @@
 """The sheet of searches: the formulas of the table of positions, filled down at other values of the driver.
 
-Each row is a probe. Columns before those of the positions say what is known and where the probe is (`search_rules`); behind
-them stands what it has found. All rows of a search have the same formulas, but for its first one, which begins from rows of
+Each row is a probe. Columns before those of the positions say what is known, where the probe is (`search_rules`), and what
+it has found. All rows of a search have the same formulas, but for its first one, which begins from rows of
 *Positions*. Places are counted in rows: 1 is the first row of the table, 2.5 lies halfway between the second and the third.
 An angle without jumps is taken within half a turn of what it is in the row from which the search begins.
 """
@@ -12,11 +12,23 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, CellRef, Node, Previous, RangeRef, Symbol, transform, with_symbols
+from livesheet.formula.nodes import (
+    Binary,
+    Call,
+    CellRef,
+    Node,
+    Number,
+    Previous,
+    RangeRef,
+    Symbol,
+    transform,
+    with_symbols,
+)
 from livesheet.workbook import Cell, Content, Fill, Style
 from mechsheet.model import TIME
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
+from mechsheet.sheet.checks.search_rules import PLACE
 from mechsheet.sheet.driving import by_time, driver_at, time_after
 from mechsheet.sheet.plan import NUMBER, STATUS, Plan, TableColumn
 from mechsheet.sheet.quoted import ALL, formula
@@ -29,8 +41,9 @@ the smallest or the largest value is sought; from which limit, and on which side
 KNOWN = SIDE + 1
 """The first of six columns of what a row knows."""
 
-VERTEX_COL, PROBE_COL, PLACE_COL = range(KNOWN + 6, KNOWN + 9)
-"""Where the parabola has its vertex (of a limit: on which part of the way the probe is), the probe, its place in rows."""
+VERTEX_COL, PROBE_COL, VALUE_COL, PLACE_COL = range(KNOWN + 6, KNOWN + 10)
+"""Where the parabola has its vertex (of a limit: on which part of the way the probe is); the probe and what it has found, as
+places and values of what is known side by side; its place in rows."""
 
 DECIMALS = 6
 """Of places and of what is known of them."""
@@ -53,8 +66,7 @@ class SearchTable:
         # the table's columns on this sheet
         spots = {each.symbol: replace(plan.at.spots[each.symbol], sheet=title, col=each.col) for each in self.columns}
         self.at = plan.at.beside(spots)
-        self.value_col = DRIVER_COL + len(self.columns)
-        self.side = self.value_col + 1
+        self.side = DRIVER_COL + len(self.columns)
         self.cells: list[Cell] = []
         self.fills: list[Fill] = []
         self._reads = {equation.symbol: equation.reads for equation in plan.equations.columns}
@@ -101,9 +113,15 @@ class SearchTable:
         """
         return Binary(":", *(self.in_row(sought, row, place) for place in (first, self.rows)))
 
-    def probed(self, sought: str, probe: int, anchored: bool = False) -> CellRef:
-        """What a row here has found of a quantity: by its cell, as a column inserted into the table is not here."""
-        return CellRef(probe, self.at.spots[sought].col, anchored, True)
+    def number_here(self, row: int, symbol: str) -> Node:
+        """In which column of this sheet's table a quantity stands: a column that is inserted there is not here."""
+        columns = RangeRef(CellRef(row, DRIVER_COL, False, True), self.quantity(row, symbol))
+        return formula("COLUMNS(columns)", columns=columns)
+
+    def probed(self, probe: int, number: Node, anchored: bool = False) -> Node:
+        """What a row here has found of the quantity in the column of that number."""
+        ends = (CellRef(probe, col, anchored, True) for col in (DRIVER_COL, self.side - 1))
+        return formula("INDEX(quantities,number)", quantities=RangeRef(*ends), number=number)
 
     def _columns(self, first: str, last: str) -> RangeRef:
         """Columns of a table, from one to another, as formulas here read them."""
@@ -116,6 +134,10 @@ class SearchTable:
         away = {each.symbol: (there[each.symbol].sheet, there[each.symbol].col - each.col) for each in self.columns}
         together = [each.symbol for each in self.columns if away[each.symbol] == away[symbol]]
         return together[0], together[-1]
+
+    def first_beside(self, symbol: str) -> str:
+        """The first quantity of the table in which one stands."""
+        return self._table_of(symbol)[0]
 
     def down(self, row: int, work: int, count: int) -> RangeRef:
         """Cells below each other, wherever they are read."""
@@ -147,37 +169,40 @@ class SearchTable:
         first: Mapping[str, Node],
         names: Sequence[str],
         rules: Mapping[str, Node],
-        probing: Mapping[int, tuple[str, Node]],
+        probing: Mapping[str, Node],
     ) -> dict[str, CellRef]:
         """What the rows of a search know, and where they probe; the cells of the first row by name.
 
-        count    of rows, of which the last makes no probe;  first: what the first row knows
+        count    of rows, of which the last makes no probe;  first: what the first row knows, as far as it is read
         names    of the columns of what is known;  rules: that of the next row, over this one's
-        probing  name and tree of the columns that decide where the probe is
+        probing  trees of the two columns that decide where the probe is, by name
         """
-        columns = {"sense": SENSE, "limit": LIMIT, "side": SIDE, "place": PLACE_COL, "value": self.value_col}
-        columns |= {name: KNOWN + at for at, name in enumerate(names)} | {
-            name: col for col, (name, _) in probing.items()
-        }
+        columns = {"sense": SENSE, "limit": LIMIT, "side": SIDE, "probe": PROBE_COL, "value": VALUE_COL}
+        columns |= {name: col for col, name in enumerate((*names, *probing), KNOWN)}
 
-        def at(number: int) -> dict[str, CellRef]:
-            return {name: CellRef(row + number, col, False, True) for name, col in columns.items()}
+        def at(number: int, anchored: bool = True) -> dict[str, CellRef]:
+            return {name: CellRef(row + number, col, False, anchored) for name, col in columns.items()}
 
-        here, above = at(1), {f"{name}_above": cell for name, cell in at(0).items()}
-        for name, col in [(name, columns[name]) for name in names]:
-            self._down(row, col, count, first[name], with_symbols(rules[name], at(0)), at(0))
-        for name, col in (("near", NEAR), ("sense", SENSE), ("limit", LIMIT), ("side", SIDE)):
+        style = styles.decimals(styles.INNER, DECIMALS)
+        for name in names:
             if name in first:
-                self._down(row, col, count, first[name], CellRef(row, col, False, True), at(0))
-        for col, (name, tree) in probing.items():
-            self._down(row, col, count, first.get(name, tree), with_symbols(tree, here | above), at(0))
+                self.fill(row, columns[name], _filled_right(first[name], at(0), at(0, False)), style=style)
+            self.fill(row + 1, columns[name], _filled_right(rules[name], at(0), at(0, False)), count - 1, style)
+        for name, col in (("near", NEAR), ("sense", SENSE), ("limit", LIMIT), ("side", SIDE)):
+            match first.get(name):
+                case Number(value):
+                    self.put(row, col, value, styles.INNER)
+                case None:
+                    continue
+                case tree:
+                    self.fill(row, col, with_symbols(tree, at(0)))
+            self.fill(row + 1, col, CellRef(row, col, False, True), count - 1)
+        next_row = at(1) | {f"{name}_above": cell for name, cell in at(0).items()}
+        for name, tree in probing.items():
+            self.fill(row, columns[name], with_symbols(first.get(name, tree), at(0)), style=style)
+            self.fill(row + 1, columns[name], with_symbols(tree, next_row), count - 1, style)
+        self.fill(row, PLACE_COL, with_symbols(PLACE, at(0)), count, style)
         return at(0)
-
-    def _down(self, row: int, col: int, count: int, first: Node, further: Node, here: Mapping[str, Node]) -> None:
-        """A column of a search: its first row, and the others."""
-        style = styles.INNER if col < KNOWN else styles.decimals(styles.INNER, DECIMALS)
-        self.fill(row, col, with_symbols(first, here), style=style)
-        self.fill(row + 1, col, further, count - 1, style)
 
     def heads(self, row: int, first: int, names: Sequence[str]) -> None:
         """What columns of searches hold, over them."""
@@ -222,6 +247,15 @@ class SearchTable:
             return part
         there = formula("INDEX(column,near)", column=self.plan.at.column(part.name, self.title), near=near)
         return Call("RADIANS", (there,)) if self.plan.at.spots[part.name].degrees else there
+
+
+def _filled_right(tree: Node, fixed: Mapping[str, Node], moving: Mapping[str, Node]) -> Node:
+    """What a row knows of a place, so that filled right it is what the row knows of the value there: what conditions read is
+    `fixed`."""
+    match tree:
+        case Call("IF", (condition, *ways)):
+            return Call("IF", (with_symbols(condition, fixed), *(_filled_right(way, fixed, moving) for way in ways)))
+    return with_symbols(tree, moving)
 
 
 def whole(symbol: str) -> Symbol:

@@ -148,9 +148,13 @@ class Page:
         return transform(node, lambda part: self.read(part.name) if isinstance(part, Symbol) else al.tidied(part))
 
     def indexed(self, spot: Spot) -> Node:
-        """What stands in a column of the table in the row of the position shown."""
+        """What stands in a column of the table in the row of the position shown; an error where there is none."""
         position = self.plan.at.bind(there(self.plan.places.position).cell, self.title)
-        return formula("INDEX(column,position+1)", column=self.table_column(spot), position=position)
+        row = formula("position+1", position=position)
+        if self.plan.places.number is not None:
+            numbers = self.plan.places.number.whole(self.title)
+            row = formula("MATCH(position,numbers,0)", position=position, numbers=numbers)
+        return formula("INDEX(column,row_shown)", column=self.table_column(spot), row_shown=row)
 
     def at_position(self, symbol: str) -> Node:
         """The quantity (internal units) in the row of the position shown; #N/A where it does not exist."""

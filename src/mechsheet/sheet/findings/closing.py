@@ -5,18 +5,20 @@ Of groups that Newton's method solves: how well it has found each row, in how ma
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
 
 from livesheet import portable
+from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node
 from mechsheet.kinematics.points_in_link import number_points
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.rows import misfits_of
 from mechsheet.sheet.findings.finding import Finding, InTitle, Level, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
-from mechsheet.sheet.findings.searched import Expected, SearchedMotion
+from mechsheet.sheet.findings.searched import LEAP, Expected, SearchedMotion
 from mechsheet.sheet.grashof import why_nowhere
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
@@ -116,7 +118,7 @@ class LargestGap(Finding):
 
 
 class Leaps(Finding):
-    """How often a link turns far between two rows."""
+    """How often a link turns far between two rows: then nobody sees what is between them."""
 
     key = "leaps"
 
@@ -124,7 +126,16 @@ class Leaps(Finding):
         count = on.value(self.key)
         words = formula('IF(closed=0,"",IF(count=0,none,some))', closed=on.value("rows_closed"), count=count,
                         none=on.text("leaps.none"), some=on.text("leaps.some"))  # fmt: skip
-        return Line(on.text("leaps"), on.checks.worst("leap"), words, levels=(look("count>0", count=count),))
+        return Line(on.text("leaps"), self._counted(on), words, levels=(look("count>0", count=count),))
+
+    def _counted(self, on: Reading) -> Node:
+        """Of the links that follow, as their rows have it; the driver's steps are all alike."""
+        followers, step = on.checks.worst("leap"), on.plan.places.step
+        if step is None or on.plan.mechanism.driver.unit.kind != "angle":
+            return followers
+        most = math.degrees(LEAP) if on.plan.mechanism.driver.unit.in_degrees else round(LEAP, 4)
+        far = formula("IFERROR(IF(ABS(step)>most,rows-1,0),0)", step=step.cell, most=most, rows=on.of_rows)
+        return al.add(followers, far)
 
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
         if not (motion.sure or (motion.leaps and not (motion.search.holes or motion.search.doubtful))):

@@ -46,8 +46,8 @@ class LargestEffort(Finding):
         effort = on.plan.efforts[0]
         unit = on.plan.equations.of(effort).unit
         return Line(
-            rich(effort), on.checks.worst("effort"), on.where_it_closes(on.text(self.key)), unit.text,
-            decimals_of_unit(on.plan, unit), occurs=formula('IFERROR(place,"")', place=on.checks.worst_at("effort")),
+            rich(effort), on.checks.worst_known("effort"), _of_a_number(on, self.key, on.text(self.key)), unit.text,
+            decimals_of_unit(on.plan, unit), occurs=_of_a_number(on, self.key, on.checks.worst_at("effort")),
         )  # fmt: skip
 
 
@@ -86,10 +86,16 @@ class LargestForce(Finding):
         strongest = plan.checked.strongest
         names = strongest.cell if strongest is not None else Text("")
         return Line(
-            on.text(self.key), on.checks.worst("force"), on.where_it_closes(joined(on.text(f"{self.key}.words"), names)),
+            on.text(self.key), on.checks.worst_known("force"),
+            _of_a_number(on, self.key, joined(on.text(f"{self.key}.words"), names)),
             plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else "", decimals_of_kind(plan, "force"),
-            occurs=formula('IFERROR(place,"")', place=on.checks.worst_at("force")),
+            occurs=_of_a_number(on, self.key, on.checks.worst_at("force")),
         )  # fmt: skip
+
+
+def _of_a_number(on: Reading, key: str, said: Node | str) -> Node:
+    """What is said of a finding's number; nothing where it has none."""
+    return formula('IF(ISNUMBER(found),said,"")', found=on.value(key), said=said)
 
 
 class AssumedInertia(Finding):
@@ -232,8 +238,9 @@ class Agrees(Finding):
         most: Node | float = AGREES if effort else on.plan.checked.rounding.cell
         wrong, fine = on.text(f"{self.said}.not", sheet=on.checks.title), on.text(f"{self.said}.fit")
         words = formula("IF(gap>most,wrong,fine)", gap=on.value(self.key), most=most, wrong=wrong, fine=fine)
+        words = _of_a_number(on, self.key, words)
         return Line(
-            on.text(self.key), on.checks.worst(self.of), on.where_it_closes(words),
+            on.text(self.key), on.checks.worst_known(self.of), on.where_it_closes(words),
             "" if effort else on.plan.mechanism.length_unit, SMALL,
             levels=(bad("said=wrong", said=said, wrong=wrong), good("said=fine", said=said, fine=fine)),
         )  # fmt: skip

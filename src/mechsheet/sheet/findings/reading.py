@@ -262,8 +262,11 @@ class SheetReading(Reading):
         return formula("IFERROR(value,NA())", value=value)
 
     def about(self, symbol: str) -> Node:
-        return formula("IF(leaps>0,about,more)", leaps=self.plan.places.leaps.cell, about=self.text("about"),
-                       more=about(self.plan, symbol))  # fmt: skip
+        more, rows_only = about(self.plan, symbol), self.of_rows_only
+        if isinstance(rows_only, bool):
+            return more  # nobody looks between the rows, and that is said
+        return formula("IF(AND(leaps>0,NOT(rows_only)),about,more)", leaps=self.plan.places.leaps.cell,
+                       rows_only=rows_only, about=self.text("about"), more=more)  # fmt: skip
 
     def worst_group(self, values: RangeRef) -> Node:
         return there(self.found.worst_group).cell

@@ -29,6 +29,9 @@ ABOUT = 5e-2
 LEAP = math.radians(90.0)
 """A link that turns by more between two rows leaps."""
 
+STEPPED = 9
+"""To so many decimals [rad]: a step of 90 degrees is no larger one."""
+
 
 @dataclass(frozen=True, slots=True)
 class Expected:
@@ -63,7 +66,10 @@ class SearchedMotion:
         self.angle_scale = math.degrees(1.0) if mechanism.angle_unit.in_degrees else 1.0
         self.page = mechanism.layout == "page"
         both = search.row_there[1:] & search.row_there[:-1]
-        self.leaps = any(np.any(both & (column > LEAP)) for column in search.turns_between_rows().values())
+        turned = [column[both] for column in search.turns_between_rows().values()]
+        if mechanism.driver.unit.kind == "angle" and search.stepped:
+            turned.append(np.abs(np.diff(search.driver(np.arange(1.0, search.rows + 1)))))
+        self.leaps = any(np.any(np.round(column, STEPPED) > np.round(LEAP, STEPPED)) for column in turned)
         self.too_many = not self.page and len(search.row_stretches) > STRETCHES
         self.sure = not (search.holes or search.doubtful or self.leaps)
 

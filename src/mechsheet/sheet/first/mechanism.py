@@ -297,13 +297,13 @@ def start_words(plan: Plan, system: System) -> Node:
         parts.append(unit.text if unit.in_degrees else "")
     arrived = formula("residual<=closed", residual=Symbol(in_pass(system.residual, 0)), closed=CLOSED)
     return formula("IFERROR(IF(arrived,words,nowhere),nowhere)", arrived=arrived, words=joined(*parts),
-                   nowhere=plan.text("newton.nowhere"))  # fmt: skip
+                   nowhere=plan.text("position.nowhere"))  # fmt: skip
 
 
 def _at_position(plan: Plan, column: RangeRef) -> Node:
-    """The value of a column in the row of the position shown."""
-    position = there(plan.places.position).cell
-    return formula("INDEX(column,position+1)", column=column, position=position)
+    """The value of a column in the row of the position shown; #N/A where there is no such position."""
+    position, numbers = there(plan.places.position).cell, there(plan.places.number).whole(plan.main)
+    return formula("INDEX(column,MATCH(position,numbers,0))", column=column, position=position, numbers=numbers)
 
 
 def _position(writer: Writer) -> None:
@@ -327,7 +327,8 @@ def _position(writer: Writer) -> None:
         value_style(plan, driver.unit),
     )
     writer.line(rows["status"], plan.text("head.status"), "", "")
-    said = _at_position(plan, plan.places.status.whole(plan.main))
+    status = _at_position(plan, plan.places.status.whole(plan.main))
+    said = formula("IFERROR(status,nowhere)", status=status, nowhere=plan.text("position.nowhere"))
     writer.formula(rows["status"], VALUE, said, styles.VERDICT)
     for kind in plan.arrows:
         row = rows[f"show_{kind}"]

@@ -12,6 +12,7 @@ from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.findings.reading import ALIKE, Folded, Reading
 from mechsheet.sheet.grashof import Sides, turns_up_to
+from mechsheet.sheet.inputs import rest_fits
 from mechsheet.sheet.over_rows import LEAST, MOST, NUMBERS, over_rows, row_of_size
 from mechsheet.sheet.page.plan import PagePlan, sides_of
 from mechsheet.sheet.quoted import formula
@@ -83,10 +84,11 @@ class PageReading(Reading):
 
     def inputs_fit(self) -> tuple[Node, Node | None]:
         position, rows = self.plan.places.position, self.plan.places.rows.cell
+        known = Call("AND", tuple(tests)) if (tests := rest_fits(self.plan, self.plan.main)) else None
         if position is None:
-            return formula("TRUE"), None
+            return formula("TRUE"), known
         there = formula("AND(ISNUMBER(shown),INT(N(shown))=shown,shown>=0,shown<rows)", shown=position.cell, rows=rows)
-        return there, None
+        return there, known
 
     def sides(self, loop: FourBar, names: Sequence[str]) -> Sides:
         lengths = tuple(self._length(key, tree) for key, tree in sides_of(self.page, loop))
