@@ -76,7 +76,7 @@ DOUBTS = ("about", "beyond", "rows.only")
 WHOLE, FINE, THERE, WORST_GROUP, STEEP, COUNTED, ROWS_APART = range(1, 8)
 """Working cells of all: what the sweep covers, whether inputs can be, whether the position that is drawn is one; which of
 several angles of transmission is the least, whether velocities and forces have a spike between two rows, how many rows there
-are, and in how many sheets others; behind it, whether each has."""
+are, and in how many sheets others; behind it, where there are several, whether each has."""
 
 TITLE_ROW, ABOUT_ROW, HEAD_ROW, FIRST = 0, 1, 3, 4
 
@@ -192,10 +192,12 @@ class Extremes:
         if self.searches.steepest:
             table.work(self.whole_row, STEEP, "steep", steep=self.searches.steepest)
         table.work(self.whole_row, COUNTED, "rows", rows=plan.places.rows.cell)
-        each = [
-            table.work(self.whole_row, work, "apart", apart=apart)
-            for work, apart in enumerate(rows_apart(plan), ROWS_APART + 1)
-        ]
+        each = rows_apart(plan)
+        if len(each) > 1:
+            each = [
+                table.work(self.whole_row, work, "apart", apart=apart)
+                for work, apart in enumerate(each, ROWS_APART + 1)
+            ]
         table.work(self.whole_row, ROWS_APART, "apart", apart=al.total(each))
         self._doubts_in_words()
         self.limits.write()

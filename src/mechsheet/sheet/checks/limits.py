@@ -166,7 +166,7 @@ class Limits:
         table = self.table
         known = last | {"inside": table.near(row, INSIDE), "outside": table.near(row, OUTSIDE), "margin": margin}
         found = table.work(row, FOUND, "found", found=with_symbols(rules.FOUND, known))
-        table.work(row, DRIVER, "driver", styles.RESULT, driver=driver_at(self.plan, found))
+        table.work(row, DRIVER, "driver", styles.RESULT, driver=driver_at(self.plan, replace(found, col_abs=False)))
         table.work(row, REST, "rest", rest=with_symbols(rules.REST, known))
 
     def _in_row(self, symbol: str, row: Node) -> Node:

@@ -74,7 +74,7 @@ them turns back."""
 RIVALS = BOUNDLESS + 9
 """Behind them, in four rows, those of `rivals`."""
 
-COLUMNS = RIVALS + rivals.TWIN
+COLUMNS = RIVALS + rivals.OTHER_END
 """How many working cells there are beside a search."""
 
 MOVED = 0.02

@@ -19,13 +19,11 @@ from mechsheet.sheet.checks.search_table import SearchTable
 from mechsheet.sheet.places import there
 from mechsheet.sheet.quoted import ALL, formula
 
-COUNT = 0
-"""Working cells: how many rivals there are of all rows; where not all close, above the best row, and below it; at the
-first row, and beside that at the last, and whether rows were inserted where nobody looks."""
-
-FROM, TO, PROMISE, TWIN = range(COUNT + 1, COUNT + 5)
-"""Beside it: from which to which row of a part they are looked for; what a row must promise, and below it what is before
-the first and behind the last row, and in these; up to which value a row is no twin of the best one."""
+COUNT, PARTS, PROMISE, TWIN, OTHER_END = 0, (1, 4), 7, 8, 9
+"""Working cells: how many rivals there are of all rows, and below it whether the first row is one, whether the last is, and
+whether rows were inserted where nobody looks. Where not all rows close, of the rows before the best one and of those behind
+it: from which to which row they are looked for, and how many there are. What a row must promise, and up to which value it is
+no twin of the best one; below these what is before the first and behind the last row, and in these; `AGAIN`."""
 
 
 AGAIN = formula("IF(AND(wraps=1,here=1),rows,IF(AND(wraps=1,here=rows),1,here))")
@@ -83,34 +81,37 @@ def write(table: SearchTable, row: int, at: int, symbol: str, known: Mapping[str
     column = Symbol(ALL + symbol)
     before, own, after = (_part(table, table.plan.at.spots[symbol], offset) for offset in (0, 1, 2))
     number = _part(table, there(table.plan.places.number), 1)
-    again = table.work(row, at + FROM, "again", again=with_symbols(AGAIN, ends | {"rows": table.rows}))
+    again = table.work(row, at + OTHER_END, "again", again=with_symbols(AGAIN, ends | {"rows": table.rows}))
     columns: dict[str, Node] = {"own": own, "before": before, "after": after, "number": number, "again": again}
     rivals = with_symbols(RIVALS, ends | limits | columns)
     table.work(row, at + COUNT, "IFERROR(SUMPRODUCT(rivals),0)", rivals=rivals)
+    for below, way in enumerate((PROMISE, TWIN), 1):
+        rival = _end(table, (row + 1, at + way), way, lambda place: table.in_row(symbol, row, place), ends, limits)
+        table.work(row + below, at + COUNT, "rival", rival=rival)
     # rows that are inserted beside the first or last two are not in all three, of no column of its table
     before, after = (_part(table, table.plan.at.spots[table.first_beside(symbol)], offset) for offset in (0, 2))
-    table.work(row + 3, at + TO, "IF(ROWS(before)=ROWS(after),0,1)", before=before, after=after)
-    for index, (begin, further, until) in enumerate((("first", "+1", "here-2"), ("here", "+2", "last-1")), 1):
+    table.work(row + 3, at + COUNT, "IF(ROWS(before)=ROWS(after),0,1)", before=before, after=after)
+    for work, begin, until in zip(PARTS, ("first", "here"), ("here-2", "last-1"), strict=True):
         # where all rows close, there is no part of them
-        begin = f"IF(last-first+1=rows,rows,{begin}){further}"
-        start = table.work(row + index, at + FROM, begin, rows=table.rows, **ends)
-        end = table.work(row + index, at + TO, until, **ends)
+        begin = f"IF(last-first+1=rows,rows,{begin}){'+1' if begin == 'first' else '+2'}"
+        edges = (
+            table.work(row, at + work, begin, rows=table.rows, **ends),
+            table.work(row, at + work + 1, until, **ends),
+        )
+        start, end = (replace(cell, col_abs=False) for cell in edges)
         part = {  # three times each: by its own column, which is shorter
             name: formula(f"INDEX(column,start{away}):INDEX(column,end{away})", column=column, start=start, end=end)
             for name, away in (("own", ""), ("before", "-1"), ("after", "+1"))
         }
         rivals = with_symbols(OF_PART, limits | part)
-        table.work(row + index, at + COUNT, "IF(start>end,0,SUMPRODUCT(rivals))", start=start, end=end, rivals=rivals)
-    for work, count in ((PROMISE, COUNT), (TWIN, FROM)):
-        rival = _end(table, (row + 1, at + work), work, lambda place: table.in_row(symbol, row, place), ends, limits)
-        table.work(row + 3, at + count, "rival", rival=rival)
+        table.work(row, at + work + 2, "IF(start>end,0,SUMPRODUCT(rivals))", start=start, end=end, rivals=rivals)
 
 
 def there_are(table: SearchTable, row: int, at: int) -> Node:
     """Whether there is one."""
     counts = RangeRef(table.near(row, at + COUNT), table.near(row + 3, at + COUNT))
-    last = RangeRef(table.near(row + 3, at + FROM), table.near(row + 3, at + TO))
-    return formula("SUM(counts,last)>0", counts=counts, last=last)
+    earlier, later = (table.near(row, at + work + 2) for work in PARTS)
+    return formula("SUM(counts,earlier,later)>0", counts=counts, earlier=earlier, later=later)
 
 
 def _part(table: SearchTable, spot: Spot, offset: int) -> RangeRef:

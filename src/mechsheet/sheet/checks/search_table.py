@@ -196,7 +196,7 @@ class SearchTable:
                     continue
                 case tree:
                     self.fill(row, col, with_symbols(tree, at(0)))
-            self.fill(row + 1, col, CellRef(row, col, False, True), count - 1)
+            self.fill(row + 1, col, CellRef(row, col), count - 1)
         next_row = at(1) | {f"{name}_above": cell for name, cell in at(0).items()}
         for name, tree in probing.items():
             self.fill(row, columns[name], with_symbols(first.get(name, tree), at(0)), style=style)
@@ -225,7 +225,7 @@ class SearchTable:
     def lay(self, first: int, count: int, wanted: Collection[str]) -> None:
         """The driver, and the table's columns that quantities need, in so many rows; place and nearest row stand there."""
         plan = self.plan
-        place = CellRef(first, PLACE_COL, False, True)
+        place = CellRef(first, PLACE_COL)
         law, style = plan.mechanism.driver.law, styles.decimals(styles.COLUMN, 4)
         driver = driver_at(plan, place) if law is None else by_time(law, Symbol(TIME))
         if law is not None:
