@@ -26,7 +26,7 @@ gc.set_threshold(100_000, 50, 50)
 """Trees of formulas are many small objects without circles: to look for circles in them took a tenth of the time."""
 
 
-MORE_CASES_IN_CI = 3
+MORE_CASES_IN_CI = 2
 """So many times the cases that `make test` takes of a test marked `cases` run in CI, where it runs elsewhere, too."""
 
 

@@ -228,6 +228,7 @@ def test_libreoffice_computes_the_same():
     assert mine == pytest.approx(theirs, rel=1e-12)
 
 
+@pytest.mark.ci
 @pytest.mark.slow
 def test_the_five_link_that_calls_vba_agrees_with_its_module(tmp_path):
     """`build --functions vba`: columns that call functions, and the module beside them, read for other lengths."""

@@ -161,6 +161,7 @@ def test_a_wrong_summary_is_found(layout, symbol, by):
 # --- cams ------------------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.cases(2)
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize("name", ["cam-flat", "cam-linkage", "cam-rocker", "cam-slide", "cam-valve"])
 def test_a_cam_says_what_the_search_finds(name, layout):
@@ -175,6 +176,7 @@ WRONG = [
 WRONG_PLACES = [("pressure_angle_at", 2), ("least_rho_at", 1), ("contact_force_at", 1), ("largest_velocity_at", 5)]
 
 
+@pytest.mark.cases(6)
 @pytest.mark.parametrize(
     ("key", "by", "layout"),
     [(*each, layout) for each in WRONG for layout in ("sheets", "page")] + [(*each, "sheets") for each in WRONG_PLACES],
@@ -197,6 +199,7 @@ class Said:
         return self.words if place == self.place else self.values.get(*place)
 
 
+@pytest.mark.cases(9)
 @pytest.mark.parametrize(("layout", "col"), [("sheets", 4), ("page", 3)])
 @pytest.mark.parametrize(
     ("key", "words"),

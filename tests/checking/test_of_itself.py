@@ -67,6 +67,7 @@ def test_what_changes_no_number(folder, was, now):
     assert run("check", folder).exit_code == 0
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     "options",
     [["--set", "a1=72"], ["--set", "mode_1=-1", "--rows", "13"], ["--step", "5", "--layout", "page"], ["--tolerance"]],

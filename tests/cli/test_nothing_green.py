@@ -70,6 +70,7 @@ def test_a_red_line_is_no_agreement(built, tmp_path):
     assert "the line under its title says: " in found.output
 
 
+@pytest.mark.cases(3)
 @pytest.mark.parametrize("language", ["en", "tr"])
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 def test_a_mechanism_that_closes_nowhere(language, layout, tmp_path):
@@ -115,6 +116,7 @@ def test_our_workbook_without_its_description(built, tmp_path):
     assert json.loads(run("check", "--json", path).output)[0]["unjudged"][-1] == "it carries no description"
 
 
+@pytest.mark.cases(2)
 @pytest.mark.parametrize("sheet", ["Extremes", "Checks", "Drawing", "Positions"])
 def test_one_files_trouble_is_one_files_line(sheet, built, tmp_path):
     folder = tmp_path / "books"

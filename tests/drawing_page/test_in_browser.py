@@ -195,6 +195,7 @@ def test_a_late_answer_does_not_take_the_text_back(opening, four_bar):
     assert opened.text() == typed
 
 
+@pytest.mark.ci
 def test_the_text_is_edited_and_the_drawing_follows(opening, four_bar):
     opened = opening(four_bar)
     x, _ = opened.place("B0")
@@ -614,6 +615,7 @@ def test_a_point_and_a_link_are_renamed_by_double_click_everywhere_in_the_text(o
     assert opened.text() == before
 
 
+@pytest.mark.ci
 def test_loads_masses_and_the_speed_are_drawn_and_typed_with_their_units(opening, four_bar):
     """A force by its arrow, a spring to a free place, a bar's mass, the speed: each with the mouse; then their numbers."""
     opened = opening(four_bar)
@@ -666,6 +668,7 @@ def test_loads_masses_and_the_speed_are_drawn_and_typed_with_their_units(opening
     assert "xlsx:" not in page.locator("#results").text_content()
 
 
+@pytest.mark.ci
 def test_wheels_loads_and_masses_are_drawn_and_deleted_by_the_mouse(opening, four_bar):
     opened = opening(four_bar)
     page, before = opened.page, opened.text()
@@ -702,6 +705,7 @@ def test_wheels_loads_and_masses_are_drawn_and_deleted_by_the_mouse(opening, fou
     opened.until("before => document.querySelector('#text').value === before", before)
 
 
+@pytest.mark.ci
 def test_a_rack_and_a_further_driver_are_drawn_by_the_mouse(opening, tmp_path):
     """A pinion on a crank drives a slider; without it the slider takes a driver of its own."""
     opened = opening(tmp_path / "rack.toml")

@@ -48,6 +48,7 @@ def test_positions_are_those_of_the_reference(path):
     json.dumps(found, allow_nan=False)
 
 
+@pytest.mark.cases(10)
 @pytest.mark.slow
 @pytest.mark.parametrize("path", TEMPLATE_FILES, ids=lambda path: path.stem)
 def test_a_template_is_written_back_unchanged(path, tmp_path):

@@ -112,6 +112,7 @@ def test_arguments_and_their_faults(tmp_path):
     assert lines[3].startswith("arguments come in pairs")
 
 
+@pytest.mark.cases(2)
 @pytest.mark.octave
 @pytest.mark.parametrize("name", ["slider-crank", "fivelink", "cylinder-boom"])
 def test_picture_without_a_display(name, tmp_path):

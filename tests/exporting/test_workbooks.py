@@ -220,6 +220,7 @@ def folder(tmp_path_factory):
     return tmp_path_factory.mktemp("functions")
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     ("path", "program"),
     [

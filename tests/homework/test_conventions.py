@@ -139,6 +139,7 @@ FAULTS = {
 """Number -> (task, its convention, the fault: a formula, or a number typed over one; the asked quantities it stands in)."""
 
 
+@pytest.mark.cases(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("number", first(list(FAULTS), 6))
 def test_one_fault_is_found_with_exact_marks(tmp_path, number):

@@ -83,6 +83,7 @@ def test_what_is_wrong_and_no_place_has_no_picture(tmp_path):
     assert found.picture is None
 
 
+@pytest.mark.ci
 def test_a_wrong_length_is_told_in_the_unit_of_the_dimensions(tmp_path):
     """s, too large by far, was told as if it were meant in another unit: 3.0758 mm for 307.58."""
     found = shaped(tmp_path, s="{xB}+40*SQRT({c}^2-({h}-{yB})^2)", reach="SQRT(40^2+{xB}^2)")

@@ -207,6 +207,7 @@ LIKE_FORMULAS = {
 }
 
 
+@pytest.mark.cases(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("how", LIKE_FORMULAS)
 def test_pasted_numbers_have_half_marks(tmp_path, mechanism, how):
@@ -283,6 +284,7 @@ SINGLE = {
 }
 
 
+@pytest.mark.cases(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("how", SINGLE)
 def test_a_single_number_is_the_cell_that_is_called_so(tmp_path, how):

@@ -87,6 +87,7 @@ MIRRORED = {
 }  # fmt: skip
 
 
+@pytest.mark.cases(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("how", MIRRORED)
 def test_an_angle_whose_place_is_mirrored_is_of_the_other_assembly(tmp_path, how):

@@ -92,6 +92,7 @@ def test_a_table_wider_than_it_is_high_goes_down_all_the_same(tmp_path, pump):
 SWAPPED = CALL.replace("Biyel,Arakol", "Arakol,Biyel")
 
 
+@pytest.mark.cases(1)
 @pytest.mark.slow
 @pytest.mark.parametrize(("only", "cells"), [("BCDEFG", "B8:G26"), ("D", "D8:D26")])
 def test_a_wrong_formula_is_found_in_the_columns_that_have_it(tmp_path, pump, only, cells):

@@ -29,6 +29,7 @@ def root_of_mean_square(torque):
     return float(np.sqrt((squares[1:] + squares[:-1]).mean() / 2))
 
 
+@pytest.mark.cases(2)
 @pytest.mark.slow
 @pytest.mark.parametrize(("layout", "form"), [("sheets", "xlsx"), ("sheets", "ods"), ("page", "xlsx"), ("page", "ods")])
 def test_the_root_mean_square_of_a_torque_heats_the_motor(layout, form, tmp_path):

@@ -155,6 +155,7 @@ def _sampled(mechanism, at=None):
     return stage.sample, stage.positions
 
 
+@pytest.mark.ci
 @pytest.mark.slow
 def test_turkish_and_a_position_of_ones_own(tmp_path):
     mechanism = mechsheet.load(next(path for path in TEMPLATE_FILES if path.stem == "four-bar"))

@@ -50,6 +50,7 @@ def test_every_column_is_the_references(seed):
         assert np.nanmax(np.abs(ours - theirs) / scale, initial=0.0) < 1e-10, name
 
 
+@pytest.mark.cases(13)
 @pytest.mark.parametrize("kind", [kind for kind in KINDS if kind != "coupler"])
 @pytest.mark.parametrize("seed", part(range(40), 4))
 def test_forces_are_the_references(seed, kind):
@@ -180,6 +181,7 @@ def test_undercut_is_where_a_millionth_is_missing(seed, kind):
         assert (np.min(convex) <= 0) == undercut
 
 
+@pytest.mark.cases(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", part(range(50), 3))
 def test_the_first_sheet_says_undercut_of_those_that_are(seed):
@@ -191,6 +193,7 @@ def test_the_first_sheet_says_undercut_of_those_that_are(seed):
         assert book.line_colour in (("red",) if undercut else ("green", "amber"))
 
 
+@pytest.mark.cases(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", part(range(50), 3))
 def test_a_page_says_undercut_of_its_rows(seed):

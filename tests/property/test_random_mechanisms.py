@@ -40,6 +40,7 @@ def test_a_single_kind(seed, kinds):
     assert comparison.agrees, (seed, kinds, comparison)
 
 
+@pytest.mark.cases(4)
 @pytest.mark.parametrize("seed", part(range(400, 440), 2))
 def test_dimensions_and_modes_changed_in_the_sheet(seed):
     """The workbook follows its input cells: a few dimensions changed by some percent, every second mode flipped."""
@@ -56,6 +57,7 @@ def test_dimensions_and_modes_changed_in_the_sheet(seed):
     assert comparison.agrees, (seed, changes, comparison)
 
 
+@pytest.mark.ci
 def test_every_kind_occurs():
     kinds = [group.kind for seed in range(60) for group in solve(mechanism(seed)).groups]
     assert set(kinds) == set(KINDS)

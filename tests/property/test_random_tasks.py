@@ -85,6 +85,7 @@ def test_the_equations_find_what_the_reference_finds(kind, seed):
     compare(of_equations(mechanism), of_reference(mechanism), mechanism.synthesis.results.values(), tolerance)
 
 
+@pytest.mark.cases(6)
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 @pytest.mark.parametrize("kind", KINDS)

@@ -48,6 +48,7 @@ def test_velocities_and_forces_of_a_four_bar_with_three_masses():
     assert (size.rates, size.forces) == (19 * rows, 37 * rows)
 
 
+@pytest.mark.cases(9)
 @pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_iterations(name):
     """Passes, unknowns and rows decide how large the sheet of Newton's method is; its start what leads to the group, too."""

@@ -29,6 +29,7 @@ def near_change_points(count):
         yield random.permutation([*sides, other + off]).tolist()
 
 
+@pytest.mark.cases(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("language", ["en", "tr"])
 def test_both_layouts_say_the_same_type(language):
@@ -71,6 +72,7 @@ def test_of_a_linkage_of_more_links_it_is_the_type_of_the_loop_alone(layout, lan
     assert "A0AKB0" not in book.line and book.line_colour == "amber"
 
 
+@pytest.mark.cases(1)
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("language", "words"), [("en", "tolerances reach a change point"), ("tr", "toleranslar sınır duruma")]

@@ -22,6 +22,7 @@ def worst_of(a1, a2, a3, a4, rows=25):
     return min(found)
 
 
+@pytest.mark.cases(3)
 @pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize("language", ["en", "tr"])

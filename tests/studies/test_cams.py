@@ -23,6 +23,7 @@ vary = { first = { values = [20, 37.5, 70] } }
 """
 
 
+@pytest.mark.cases(2)
 @pytest.mark.parametrize("laws", [("parabolic",), ("modified sine", "3-4-5"), ("modified trapezoid", "harmonic")])
 @pytest.mark.parametrize(("kind", "sharp", "way"), [("slide", "kappa", "max"), ("flat slide", "rho", "min")])
 def test_summaries_are_those_of_the_workbook(kind, sharp, way, laws):

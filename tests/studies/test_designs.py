@@ -230,6 +230,7 @@ def test_a_loop_that_there_is_not_is_told_with_those_that_there_are():
         Designs(study_of(f'[study]\n{GRID}\nkeep = ["grashof(A0BBA0)"]'))
 
 
+@pytest.mark.ci
 @pytest.mark.slow
 def test_links_that_turn_far_between_limits_swing_as_in_the_workbook():
     """An angle where a stretch ends is near what it is in the row beside the end; near the best row it was a turn off."""

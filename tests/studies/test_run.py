@@ -109,6 +109,7 @@ def test_a_study_that_is_killed_again_and_again_ends_with_the_same_bytes(whole, 
     assert contents(folder) == whole[1]
 
 
+@pytest.mark.ci
 @pytest.mark.slow
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="nothing kills a process without a word here")
 def test_a_study_that_is_killed_leaves_no_process_behind(tmp_path):
@@ -249,6 +250,7 @@ def test_a_container_with_little_memory_gets_fewer_processes(monkeypatch, tmp_pa
     assert memory_there() > 2**28
 
 
+@pytest.mark.ci
 @pytest.mark.slow
 @pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="the system does not say how much a process has had")
 def test_a_process_has_as_much_memory_as_is_counted_with(tmp_path):
@@ -266,6 +268,7 @@ def test_a_process_has_as_much_memory_as_is_counted_with(tmp_path):
     assert 1024 * int(done.stdout) < OF_A_PROCESS
 
 
+@pytest.mark.ci
 @pytest.mark.slow
 def test_a_chunk_takes_no_more_memory_for_a_long_table():
     """2,048 designs over 1,801 rows: a column of all of them would take 28 MiB."""

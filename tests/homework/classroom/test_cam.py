@@ -83,6 +83,7 @@ def filled(path, sign=""):
     book.save(path)
 
 
+@pytest.mark.cases(1)
 @pytest.mark.slow
 @pytest.mark.parametrize(("sign", "marks"), [("", 4.0), ("0.9*", 2.0)])
 def test_a_task_filled_in_by_hand_is_marked(tmp_path, sign, marks):

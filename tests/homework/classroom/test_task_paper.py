@@ -76,6 +76,7 @@ def test_no_line_is_cut_off(name):
                 assert box.y0 >= 0.04 * height
 
 
+@pytest.mark.ci
 @pytest.mark.slow
 def test_each_student_has_a_task_of_their_own_and_it_is_the_same_again():
     made = mechanism("shaper")

@@ -18,6 +18,7 @@ from mechsheet.library import linkage
 from within_cases import LOADER, loader
 
 
+@pytest.mark.ci
 @pytest.mark.slow
 def test_random_cylinders_between_links_that_move():
     rng = np.random.default_rng(18)

@@ -48,6 +48,7 @@ DRAWN = [
 """At these values of the driver there are several assemblies; not all can be followed to the first row."""
 
 
+@pytest.mark.cases(2)
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "at"), DRAWN)
 def test_the_assembly_drawn_is_the_one_that_moves(name, at):

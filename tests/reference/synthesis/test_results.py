@@ -148,6 +148,7 @@ def test_two_cranks_guide_a_body_through_its_poses(seed):
         assert apart(other, (0.0, *second.turns)[at]) < 1e-9
 
 
+@pytest.mark.cases(5)
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_slider_crank_has_its_stroke_and_time_ratio(seed):
@@ -166,6 +167,7 @@ def test_a_slider_crank_has_its_stroke_and_time_ratio(seed):
         assert abs(one - other) != pytest.approx(asked["stroke"], rel=1e-6)
 
 
+@pytest.mark.cases(4)
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_slotted_lever_has_its_stroke_and_time_ratio(seed):

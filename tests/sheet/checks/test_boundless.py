@@ -128,6 +128,7 @@ def test_a_page_says_as_much_to_programs():
     assert said["swing_theta14"]["value"] == pytest.approx(78.94412837)
 
 
+@pytest.mark.cases(2)
 @pytest.mark.parametrize(
     ("formula", "grows"),
     [

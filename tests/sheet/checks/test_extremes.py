@@ -23,6 +23,7 @@ def dense(text, rows, of):
     return float(np.min(column)), float(np.max(column))
 
 
+@pytest.mark.cases(11)
 @pytest.mark.parametrize("rows", ROWS.values(), ids=ROWS)
 @pytest.mark.parametrize(
     ("formula", "unit"),
@@ -58,6 +59,7 @@ def test_a_load_that_grows_with_the_angle(rows):
     assert compiled.number(spot) == pytest.approx(high, abs=2e-4 * (high - low))
 
 
+@pytest.mark.cases(5)
 @pytest.mark.slow
 @pytest.mark.parametrize("rows", ROWS.values(), ids=ROWS)
 @pytest.mark.parametrize("formula", ["C.x - 20*theta12", "C.x + 20*theta14", "C.x - C.y"])

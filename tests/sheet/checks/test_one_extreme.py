@@ -24,6 +24,7 @@ def slider_crank(start, step, count, speed=True):
     return text.replace("[driver]", "[driver]\nspeed = 10", 1) if speed else text
 
 
+@pytest.mark.cases(8)
 @pytest.mark.parametrize("offset", [0, 20, 60])
 @pytest.mark.parametrize(("start", "step", "count"), [(0, 15, 25), (7.3, 45, 9), (0, -30, 13), (5, 40, 9)])
 def test_dead_centres_of_a_slider_crank(offset, start, step, count):

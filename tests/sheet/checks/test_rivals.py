@@ -83,6 +83,7 @@ def test_an_acceleration_with_a_spike_between_two_rows():
     assert not shown(mechanism, "min_1")[1].endswith(SAID)
 
 
+@pytest.mark.cases(6)
 @pytest.mark.parametrize("formula", ["B.x", "cos(2*theta12)*a2", "C.x", "sin(theta12)*a2"])
 @pytest.mark.parametrize("rows", [(360, 15), (345, 15), (360, 20), (300, 15)])
 def test_one_peak_or_several_alike_are_none_to_doubt(formula, rows):
@@ -109,6 +110,7 @@ def test_few_templates_have_doubts():
 STUDY = "[study]\nvary = { a2 = [24, 36, 4], a3 = [50, 104, 18], a4 = [56, 92, 12] }\n"
 
 
+@pytest.mark.cases(1)
 @pytest.mark.parametrize(
     ("rows", "more"), [((360, 40), ""), ((350, 10), ""), ((280, 40), ""), ((360, 20), "speed = 10\n")]
 )

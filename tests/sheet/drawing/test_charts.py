@@ -189,6 +189,7 @@ def test_charts_do_not_overlap(name):
         assert row in heights  # not left to a program, else charts run into each other
 
 
+@pytest.mark.cases(10)
 @pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_true_scale(name):
     """Drawing and paths: square frame, square plot area, the same fixed axes, hidden."""

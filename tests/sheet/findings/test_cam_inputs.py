@@ -58,6 +58,7 @@ CAN_BE = [
 ]
 
 
+@pytest.mark.cases(6)
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize(("text", "typed", "named"), CANNOT_BE)
 def test_the_cell_is_named_and_red(text, typed, named, layout):
@@ -70,6 +71,7 @@ def test_the_cell_is_named_and_red(text, typed, named, layout):
     assert (red, book.line_colour) == ([told], "red")
 
 
+@pytest.mark.cases(6)
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize(("text", "typed"), CAN_BE)
 def test_what_a_description_takes_is_taken(text, typed, layout):
@@ -77,6 +79,7 @@ def test_what_a_description_takes_is_taken(text, typed, layout):
     assert (book.number("inputs"), book.words("inputs")) == (0, "all hold possible values")
 
 
+@pytest.mark.cases(7)
 @pytest.mark.parametrize(("text", "typed", "named"), CANNOT_BE)
 def test_check_refuses_it_at_its_cell(text, typed, named):
     laid = Laid(text).change(**typed)

@@ -91,6 +91,7 @@ def errors(laid, values, title):
     return {value.code for value in shown if isinstance(value, ErrorValue)}
 
 
+@pytest.mark.cases(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["four-bar-forces", "shaper"])
 def test_charts_have_gaps_and_forces_say_why(name):

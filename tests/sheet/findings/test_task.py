@@ -69,6 +69,7 @@ def test_a_number_in_the_place_of_a_result():
     assert words == "misses what is asked by up to 1.5187°"
 
 
+@pytest.mark.cases(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["function-generator", "crank-rocker-swing", "rigid-body-guidance"])
 def test_a_task_and_the_assembly_that_the_mechanism_has(name):

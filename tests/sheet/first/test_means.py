@@ -65,6 +65,7 @@ def means(laid):
     return [laid.spot(f"summary {name}") for name in ("angle", "place")]
 
 
+@pytest.mark.ci
 @pytest.mark.slow
 def test_over_a_turn_in_300_linkages():
     """Any crank-rocker, from any start, with the closing row and without it: what a fine quadrature finds. A plain average

@@ -26,6 +26,7 @@ def with_speed(speed, text=FOUR_BAR):
     return text.replace("step = 15", f"step = 15\nspeed = {speed}")
 
 
+@pytest.mark.cases(6)
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "name", "value"),

@@ -106,6 +106,7 @@ def line(plan, values):
     return values.get(spot.sheet, spot.row, spot.col)
 
 
+@pytest.mark.cases(14)
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_every_row_has_the_same_formula(name, layout):
@@ -129,6 +130,7 @@ FIXED = [("stephenson-iii-output", "sheets"), ("engine", "sheets")]
 """Of Newton's method, whose links do not reach much farther, and with a flywheel, which needs a whole turn."""
 
 
+@pytest.mark.cases(2)
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "layout"), [*CASES, *FIXED])
 def test_the_first_row_filled_down_over_the_table(name, layout):
@@ -143,6 +145,7 @@ def test_the_first_row_filled_down_over_the_table(name, layout):
     assert line(plan, values) == line(plan, evaluate(book_of(made.layout)))
 
 
+@pytest.mark.cases(2)
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "layout"), CASES)
 def test_the_last_row_filled_further_down(name, layout):
@@ -169,6 +172,7 @@ def inserted(plan, workbook, place, count=MORE):
     return workbook
 
 
+@pytest.mark.cases(2)
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "layout"), CASES)
 def test_rows_inserted_at_three_places(name, layout):
@@ -186,6 +190,7 @@ def test_rows_inserted_at_three_places(name, layout):
     assert line(plan, values) == line(longer.plan, evaluate(book_of(longer.layout)))
 
 
+@pytest.mark.cases(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 def test_a_mean_counts_rows_inserted_below_the_first(layout):

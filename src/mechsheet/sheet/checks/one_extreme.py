@@ -55,12 +55,12 @@ from mechsheet.sheet.transmission import acute
     TURN_ABOUT,
     BOUNDLESS,
 ) = range(1, 19)
-"""Working cells beside the first row of a search: the best and the worst value of the rows; the best row, that from which the search begins; whether the ends of the rows are neighbours; the
-place from which the search begins and those beside it, two columns apart as the places of a bracket are, and between them
-values where the stretch begins and ends and the best of other rows; what is found, its place, the value of the driver there,
-how sure it is; where the quantity turns back, and how sure that is; whether it is without bound. Where the best row is at an
-end of the motion, three of them in the rows below say between which rows another is looked for, and what the two rows beside
-that end have."""
+"""Working cells beside the first row of a search: the best and the worst value of the rows; the best row, that from which
+the search begins; whether the ends of the rows are neighbours; the place from which the search begins and those beside it,
+two columns apart as the places of a bracket are, and between them values where the stretch begins and ends and the best of
+other rows; what is found, its place, the value of the driver there, how sure it is; where the quantity turns back, and how
+sure that is; whether it is without bound. Where the best row is at an end of the motion, three of them in the rows below say
+between which rows another is looked for, and what the two rows beside that end have."""
 
 MIDDLE, BEFORE, CENTRE, AFTER = range(BOUNDLESS + 1, BOUNDLESS + 5)
 """Behind them: three rows that follow one another, and the quantity in them."""

@@ -139,6 +139,10 @@ class Reading(ABC):
         """How many rows below the table somebody has filled of which nothing is said; None where these count, too."""
         return None
 
+    def rows_torn(self) -> Node | None:
+        """Above 0 where rows inside the table were deleted, over which angles go on; None where another sheet tells it."""
+        return None
+
     @abstractmethod
     def stretches(self) -> Node | None:
         """In words the stretches in which it closes; None where nobody looks for them."""

@@ -251,6 +251,8 @@ def write_below(writer: Writer) -> None:
         title = plan.at.titles[key]
         writer.line(spot.row, title, "", plan.text("sheets.there"))
         found = formula("ISREF(cell)*1", cell=CellRef(0, 0, True, True, title))
+        if key == "checks":  # or rows inside it were deleted: it counts from row to row
+            found = formula("ISNUMBER(MAX(begun))*1", begun=plan.checked.begun.whole())
         writer.formula(spot.row, VALUE, found, styles.decimals(styles.RESULT, 0))
 
 

@@ -39,7 +39,6 @@ from mechsheet.sheet.first.verdicts import write_verdicts
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import (
     CHARTS,
-    DRIVER,
     INPUT_BLOCKS,
     LEGEND_ROW,
     MARGIN,
@@ -214,8 +213,8 @@ def _sweep(writer: Writer) -> None:
         start = rows["start"]
         writer.validations.append(input_validation(plan, Area(start, VALUE, start, VALUE), driver.symbol))
     writer.line(rows["stop"], plan.text("name.stop"), unit, plan.text("sweep.stop", rows=plan.rows))
-    last = CellRef(plan.at.last, DRIVER, True, True, plan.table)
-    writer.formula(rows["stop"], VALUE, last, shown)
+    drivers = plan.at.column(driver.symbol, plan.main)  # whose last row may be deleted
+    writer.formula(rows["stop"], VALUE, formula("INDEX(drivers,ROWS(drivers))", drivers=drivers), shown)
     step = rows["step"]
     writer.validations.append(
         Validation(

@@ -76,6 +76,19 @@ class PageReading(Reading):
         closed = formula('COUNTIFS(filled,numbers,said,"")', filled=filled, numbers=NUMBERS, said=said)
         return closed, Call("COUNT", (filled,))
 
+    def rows_torn(self) -> Node | None:
+        # a row whose group closes has the angle that leads to it, unless it goes on from a row that was deleted
+        for column in self.page.columns:
+            equation = column.equation
+            closes = (
+                self.page.page.closes.get(equation.group) if equation is not None and equation.first is not None else ""
+            )
+            if closes:
+                angles, closing = self.column(column.symbol), self.column(closes)
+                return formula("COUNT(closing)-COUNTIFS(closing,numbers,angles,numbers)", closing=closing, angles=angles,
+                               numbers=NUMBERS)  # fmt: skip
+        return None
+
     def stretches(self) -> Node | None:
         return None
 
