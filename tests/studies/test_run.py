@@ -12,7 +12,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from chosen import IN_CI
 from livesheet.diagnostics import OutputError
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.studies import folder as folders
@@ -82,7 +81,7 @@ def test_what_is_missing_is_computed_again_and_nothing_else(whole, tmp_path):
 
 @pytest.mark.ci
 def test_several_processes_write_the_same_bytes(whole, tmp_path):
-    studied(small(), tmp_path / "study", workers=4 if IN_CI else 2)
+    studied(small(), tmp_path / "study", workers=2)
     assert contents(tmp_path / "study") == whole[1]
 
 
