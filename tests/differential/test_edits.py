@@ -15,6 +15,7 @@ from mechsheet.checking.edited.edits import WITH_ROWS
 from mechsheet.compiled import Compiled
 from mechsheet.description import Overrides, load
 from mechsheet.library.building import build
+from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.plan import MAY_GO
 from office_macros import Job, edited
 
@@ -66,8 +67,21 @@ def places(compiled):
         f"insert rows, {title}, {row + 3}, 2; fill down, {title}, A{row}:{WIDE}{row + plan.rows + 1}"
         for title, row in dict(everywhere).items()
     ]
+    shortened, torn = (
+        "; ".join(f"delete rows, {title}, {row + at}, 2" for title, row in dict(everywhere).items())
+        for at in (plan.rows - 2, plan.rows // 2)
+    )
+
+    def cell(spot):
+        return f"{column_letters(spot.col)}{spot.row + 1}"
+
+    length = next(dim for dim in plan.mechanism.dimensions if dim.symbol in plan.equations.positive and not dim.derived)
     return {
-        "everywhere": "; ".join(inserted),
+        "everywhere": "; ".join(inserted), "shortened": shortened, "torn": torn,
+        "before_last": last - 1, "shorter": last - 2,
+        "length": cell(plan.at.spots[length.symbol]), "longer": 1.5 * length.unit.to_shown(length.value),
+        "mode": cell(plan.at.spots[plan.equations.groups[0].mode]), "position": cell(plan.places.position),
+        "start": cell(plan.places.start), "step": cell(plan.places.step),
         "main": plan.main, "table": plan.table, "first": first, "second": first + 1, "fourth": first + 3, "last": last,
         "further": last + 5, "behind": last + 2, "middle": middle, "before": middle - 1, "beyond": middle + 2,
         "driver": column_letters(driver), "end": column_letters(max(columns)),
@@ -106,7 +120,9 @@ def said_by(case, path):
 def wrong_in(case, path):
     """What is not as the table says."""
     line, report, plan = said_by(case, path)
-    found = []
+    found, check = [], case.check
+    if check == "fewer":
+        check = "nothing" if tables_of(plan) else "agrees"
     built = case.compiled.value(plan.places.verdict)
     match case.line.split(" ", 1):
         case ["same"] if line != built:
@@ -115,12 +131,17 @@ def wrong_in(case, path):
             found.append(f"says {line!r}")
         case ["red"] if not report.red_line:
             found.append(f"is not red: {line!r}")
-        case [more] if more[0] == "+" and str(plan.rows + int(more)) not in line:
+        case ["torn"] if plan.text("verdict.sheets.torn") not in line:
             found.append(f"says {line!r}")
-    if case.check != "any" and (case.check == "agrees") is bool(report.edits):
+        case [more] if more[0] in "+-" and str(plan.rows + int(more)) not in line:
+            found.append(f"says {line!r}")
+    if check not in ("any", "differs", "nothing") and (check in ("agrees", "values")) is bool(report.edits):
         found.append(f"edits: {[edit.where for edit in report.edits][:4]}")
-    if (case.check == "agrees" and not report.agrees) or (case.check == "any" and not (report.agrees or report.edits)):
+    agrees = report.values_agree if check in ("values", "differs") else report.agrees
+    if (check in ("agrees", "values") and not agrees) or (check == "any" and not (agrees or report.edits)):
         found.append(f"does not agree: {[c for c in report.comparisons if not c.agrees]}")
+    if check == "differs" and agrees:
+        found.append("agrees")
     if [part for part in report.comparisons if part.judge == "reference" and not part.cells]:
         found.append("is not compared with the reference")
     if report.stored.unstored:

@@ -105,3 +105,15 @@ def test_what_is_divided_by_0_at_a_limit_has_the_sign_it_has_beside_it():
     assert least < -1e4
     assert (largest, where) == (pytest.approx(-3.7393751483096), search.rows)
     assert search.known(search.edges)["gain"] > 1e9  # what rounding makes of it
+
+
+@pytest.mark.parametrize("template", ["six-link-dwell", "geared-five-bar"])
+def test_a_symbol_asked_for_alone_has_the_values_that_it_has_among_all(template):
+    """Else the largest and least values between the rows, which `check` holds a workbook against, would be others."""
+    search = searched(template_text(template))
+    places = search.u[:-1:7] + 0.3 / search.fine
+    among_all = search.known(places)
+    for equation in search.equations.columns:
+        alone = search.known(places, equation.symbol)
+        assert np.array_equal(alone[equation.symbol], among_all[equation.symbol], equal_nan=True)
+        assert np.array_equal(search.exists(alone), search.exists(among_all))

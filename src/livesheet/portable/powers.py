@@ -7,6 +7,7 @@ everywhere, number by number. Other powers are e^(exponent ln base), the logarit
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import cache
 from typing import Any
 
@@ -224,11 +225,17 @@ def _by_decimals(base: float, exponent: float) -> float:
             return pole if size == 0.0 else math.nan
     if base < 0.0 and exponent != math.floor(exponent):
         return math.nan
+    found = _power_of_decimals()(size, exponent)
+    return -found if base < 0.0 and exponent % 2.0 == 1.0 else found
+
+
+@cache
+def _power_of_decimals() -> Callable[[float, float], float]:
+    """The power of two numbers by decimal arithmetic, which is imported and set up once: cams ask for thousands."""
     from decimal import Context, Decimal
 
     context = Context(prec=_DIGITS, Emax=999_999, Emin=-999_999, traps=[])
-    found = float(context.power(Decimal(size), Decimal(exponent)))
-    return -found if base < 0.0 and exponent % 2.0 == 1.0 else found
+    return lambda base, exponent: float(context.power(Decimal(base), Decimal(exponent)))
 
 
 def _log10(x: float) -> float:

@@ -101,6 +101,7 @@ class Search:
             self.last += 1
             self._look()
         self._known_extremes: dict[tuple[str, bool], Extremes | None] = {}
+        self._known_behind: dict[str, Equations] = {}
         self.edges = edges(self.u, self.there, lambda u: self.exists(self.known(u)), HALVINGS if self.stepped else 0)
         self.dips: list[float] = []
         self.peeps: list[float] = []
@@ -132,20 +133,32 @@ class Search:
             return {name: np.asarray(column[rows]) for name, column in self.given.items()}
         return given_between(self.mechanism, self.dimensions, self.given, places)
 
-    def known(self, u: Array) -> dict[str, Array]:
-        """Every symbol's values at places.
+    def known(self, u: Array, symbol: str = "") -> dict[str, Array]:
+        """Every symbol's values at places; with a symbol only its own, what it follows from, and whether every group closes.
 
         What gears and racks drive depends on how often a link has turned round: that is counted from place to place of the
         grid, never from one of a few scattered places to the next.
         """
+        equations = self._behind(symbol) if symbol else self.equations
         with np.errstate(all="ignore"):
             if not self._counts_turns or u is self.u:
-                return sweep(self.mechanism, self.equations, self._given(u))
+                return sweep(self.mechanism, equations, self._given(u))
             places = np.concatenate((self.u, u))
             order = np.argsort(places, kind="stable")
-            found = sweep(self.mechanism, self.equations, self._given(places[order]))
+            found = sweep(self.mechanism, equations, self._given(places[order]))
             back = np.argsort(order)[len(self.u) :]
-            return {symbol: column[back] for symbol, column in found.items()}
+            return {name: column[back] for name, column in found.items()}
+
+    def _behind(self, symbol: str) -> Equations:
+        """The equations that say a symbol, and whether every group closes: no rates and forces that nobody asks for."""
+        if symbol not in self._known_behind:
+            behind = {
+                each.symbol
+                for each in self.equations.behind([symbol, *(each.closes for each in self.equations.groups)])
+            }
+            columns = tuple(each for each in self.equations.columns if each.symbol in behind)
+            self._known_behind[symbol] = replace(self.equations, columns=columns)
+        return self._known_behind[symbol]
 
     @cached_property
     def _counts_turns(self) -> bool:
@@ -335,7 +348,7 @@ class Search:
         held, turns = self._held(column), self.is_angle(symbol)
 
         def near(u: Array) -> Array:
-            known = self.known(u)
+            known = self.known(u, symbol)
             raw = np.asarray(change(known[symbol]), float)
             if turns:  # near the nearest place that exists
                 nearest = held[np.clip(np.rint((u - 1) * self.fine).astype(int), 0, len(self.u) - 1)]

@@ -1,9 +1,9 @@
 """What somebody changed in a workbook that mechsheet built: every formula against the one the description would build.
 
-A table may have been made longer, by rows inserted into it or filled below it. A program that inserts rows lets the ranges
-grow that reach over them; so the range in which the first sheet counts says by how many. Then the workbook is compared with
-the description's, grown in the same way: with the rows inserted, and every filled range that they tear filled down over
-them. The motion is compared with that of the description with as many rows.
+A table may have been made longer, by rows inserted into it or filled below it, or shorter, by rows deleted. A program that
+inserts rows lets the ranges grow that reach over them; so the range in which the first sheet counts says by how many. Then
+the workbook is compared with the description's, grown in the same way: with the rows inserted, and every filled range that
+they tear filled down over them; or with the rows deleted. The motion is compared with that of as many rows.
 """
 
 from __future__ import annotations
@@ -356,7 +356,7 @@ def _number(value: Scalar) -> str:
     return text_of(value) or say("empty")
 
 
-# --- a table that was made longer ------------------------------------------------------------------------------------
+# --- a table that was made longer or shorter ---------------------------------------------------------------------------
 
 
 WITH_ROWS = ("iterations", "rates", "forces", "tolerance", "checks")
@@ -367,9 +367,9 @@ WITH_ROWS = ("iterations", "rates", "forces", "tolerance", "checks")
 class Growth:
     """By how much a table is longer.
 
-    inserted  rows inside it;  below: rows of a page that go on below its last one
+    inserted  rows inside it, below 0 of one that is shorter;  below: rows of a page that go on below its last one
     empty     the numbers of those that were left empty, counted from 0 in the longer table
-    sheets    those of the description's workbook that have the inserted rows
+    sheets    those of the description's workbook that have the inserted rows, or have lost them
     """
 
     inserted: int
@@ -399,16 +399,20 @@ def compared(book: Book, expected: Expected) -> Compared:
     at, found = min(tried.items(), key=lambda each: len(each[1].edits))
     if growth.empty:  # they are no rows of the table
         found = replace(found, edits=edits_of(book, expected).edits)
-    remarks = (*_said(growth, expected), *found.remarks)
+    remarks = (*_said(growth, expected, at), *found.remarks)
     plan, rows = longer_plan(expected.plan, growth.inserted + growth.below), range(expected.plan.rows)
-    built = tuple(row if row < at else row + growth.inserted for row in rows)
+    built = tuple(row if row < at else max(0, row + growth.inserted) for row in rows)
     return Compared(replace(found, remarks=remarks), plan, built)
 
 
-def _said(growth: Growth, expected: Expected) -> tuple[str, ...]:
+def _said(growth: Growth, expected: Expected, at: int) -> tuple[str, ...]:
     rows, said = expected.plan.rows, []
-    if growth.inserted:
+    if growth.inserted > 0:
         said.append(say("the table of {rows} rows has {count} more inside it", rows=rows, count=growth.inserted))
+    if growth.inserted < 0:
+        said.append(say("the table of {rows} rows has {count} fewer", rows=rows, count=-growth.inserted))
+        if at < rows + growth.inserted:
+            said.append(say("its row {row} reads one that was deleted: fill it down anew", row=at))
     if growth.below:
         said.append(say("the table of {rows} rows has {count} more below it", rows=rows, count=growth.below))
     return tuple(said)
@@ -429,8 +433,11 @@ def growth_of(book: Book, expected: Expected) -> Growth | None:
     table = book.sheet(now.start.sheet or "")
     inserted, first = _rows(now) - _rows(was), now.start.row
     filled = set() if table is None else _rows_with_formulas(table, first)
-    if inserted < 0 or first not in filled:
+    if first not in filled or inserted <= -plan.rows:
         return None
+    if inserted < 0:
+        sheets = _shortened(book, expected, -inserted)
+        return Growth(inserted, 0, (), sheets) if plan.table in sheets else None
     end = first + plan.rows + inserted
     empty = tuple(row - first for row in range(first, end) if row not in filled)
     below = 0
@@ -443,6 +450,20 @@ def growth_of(book: Book, expected: Expected) -> Growth | None:
     if inserted and any(_rows_on(book, expected, move) < plan.rows + inserted for move in moved):
         return None
     return Growth(inserted, below, empty, tuple(move.title for move in moved) if inserted else ())
+
+
+def _shortened(book: Book, expected: Expected, count: int) -> tuple[str, ...]:
+    """The sheets with a row for each position from which so many rows were deleted."""
+    plan = expected.plan
+    titles, found = {plan.table, *(plan.at.titles.get(key, "") for key in WITH_ROWS)}, []
+    for sheet in expected.book.sheets:
+        other = book.sheet(sheet.title)
+        if sheet.title in titles and other is not None:
+            first = _first_row(sheet, plan)
+            rows, wanted = _rows_with_formulas(other, first), plan.rows - count
+            if {*range(first, first + wanted)} <= rows and not rows & {*range(first + wanted, first + plan.rows)}:
+                found.append(sheet.title)
+    return tuple(found)
 
 
 def _rows_on(book: Book, expected: Expected, move: Move) -> int:
@@ -490,6 +511,8 @@ def _places(book: Book, expected: Expected, growth: Growth) -> tuple[int, ...]:
     Filled ones look the same everywhere, but for ranges that leave out the first or the last row, and for sheets that read
     the table row by row and have no rows of their own for the new ones: these read rows farther down from there on.
     """
+    if growth.inserted < 0:
+        return _torn(book, expected.plan, expected.plan.rows + growth.inserted)
     if growth.empty:
         return growth.empty[:1]
     for sheet in expected.book.sheets:
@@ -497,6 +520,16 @@ def _places(book: Book, expected: Expected, growth: Growth) -> tuple[int, ...]:
             return (at,)
     last = expected.plan.rows - 1
     return tuple(dict.fromkeys((max(1, last // 2), 1, last)))
+
+
+def _torn(book: Book, plan: Plan, last: int) -> tuple[int, ...]:
+    """Before which row rows were deleted: one that reads what is gone, if any; else they were the last ones."""
+    table, first = book.sheet(plan.table), plan.at.first
+    for block in table.blocks if table is not None else ():
+        row, lost = block.row - first, any(part == ErrorValue("#REF!") for part in walk(block.formula))
+        if lost and 0 <= row < last:
+            return (row, last)
+    return (last,)
 
 
 def _read_farther_down(book: Book, sheet: BookSheet, plan: Plan) -> int:
@@ -544,7 +577,7 @@ def _filled(now: BookSheet, was: BookSheet, moves: Moves, last: int, growth: Gro
     """A sheet after the insertion, its torn blocks filled over the new rows; those that end in row `last` further down."""
     move, blocks = moves.of(was.title), []
     for block in was.blocks:
-        more = growth.inserted if inside(block, move.rows, "row") else 0
+        more = max(0, growth.inserted) if inside(block, move.rows, "row") else 0
         if block.rows > 1 and block.row + block.rows - 1 == last:
             more += growth.below
         if more:

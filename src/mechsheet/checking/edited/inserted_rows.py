@@ -299,7 +299,8 @@ def _undone_cells(cells: CellStore, move: Move) -> CellStore:
 
 
 def moved_back(formula: Node, title: str, moves: Moves) -> Node:
-    """A formula (as its own cell has it now) with its references where they were; one to a new cell is #REF!."""
+    """A formula (as its own cell has it now) with its references where they were; one to a new cell is #REF!, and a range
+    that begins or ends in new rows has those between them that are old."""
 
     def change(part: Node) -> Node:
         if isinstance(part, CellRef):
@@ -308,9 +309,15 @@ def moved_back(formula: Node, title: str, moves: Moves) -> Node:
 
     def ranged(part: Node) -> Node:
         """The end of a range has no sheet of its own: it is that of the start."""
-        if isinstance(part, RangeRef) and part.start.sheet is not None and part.end.sheet is None:
-            return RangeRef(part.start, replace(part.end, sheet=part.start.sheet))
-        return part
+        if not (isinstance(part, RangeRef) and isinstance(part.start, CellRef) and isinstance(part.end, CellRef)):
+            return part
+        start, end = part.start, replace(part.end, sheet=part.start.sheet or part.end.sheet)
+        rows = moves.of(start.sheet or title).rows
+        if rows.before(start.row) is None:
+            start = replace(start, row=rows.at + rows.count)
+        if rows.before(end.row) is None:
+            end = replace(end, row=rows.at - 1)
+        return RangeRef(start, end) if start.row <= end.row else ErrorValue("#REF!")
 
     return transform(transform(formula, ranged), change)
 

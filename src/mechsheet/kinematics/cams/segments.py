@@ -106,12 +106,12 @@ def _of_half(tau: Node, later: Node) -> tuple[Node, Node]:
     return piece, al.mul(al.mul(Number(4.0), al.PI), nearer)
 
 
-def ways_over(part: Segment, tau: Array) -> list[Array]:
-    """f, f', f'' and f''' of a segment's law at parts of it, as numbers."""
+def way_over(part: Segment, order: int, tau: Array) -> Array:
+    """f, f', f'' or f''', by its order, of a segment's law at parts of it, as numbers."""
     known = {TAU: tau}
     known[HALF] = value(_later(Symbol(TAU)), known)
     known[PIECE], known[WAVE] = (value(node, known) for node in _of_half(Symbol(TAU), Symbol(HALF)))
-    return [np.broadcast_to(np.asarray(value(way, known), float), tau.shape) for way in part.way]
+    return np.broadcast_to(np.asarray(value(part.way[order], known), float), tau.shape)
 
 
 def _power(over: Node, order: int) -> Node:

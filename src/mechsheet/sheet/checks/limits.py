@@ -66,9 +66,7 @@ class Limits:
         """All cells."""
         table, plan = self.table, self.plan
         table.put(self.row, table.side, plan.text("extremes.stretches"), styles.LABEL)
-        begun = plan.checked.begun
-        last = CellRef(begun.row + plan.rows - 1, begun.col, True, True, begun.sheet)
-        table.work(self.row, COUNT, "last", last=last)
+        table.work(self.row, COUNT, "MAX(begun)", begun=plan.checked.begun.whole(table.title))
         stretches = table.fixed(self.row, COUNT)
         for work, key in enumerate(("first", "last", "from", "to")):
             table.put(self.row + 1, table.side + work, plan.text(f"extremes.{key}"), styles.HEAD)

@@ -278,10 +278,11 @@ class _Lowering:
 
     def _direction(self, equation: Equation, y: Node, x: Node) -> None:
         """ATAN2 and whole turns. It begins anew under the heading, and after a row without a direction (none is known, or
-        pins coincide)."""
+        pins coincide); but not where the row above was deleted: then nobody knows the turns, and it is an error."""
         raw = al.atan2(x, y)
         apart = pins_apart(self.equations, equation)
-        turns = formula("IFERROR(ROUND((above-raw)/turn,0),0)", above=Previous(equation.symbol), raw=raw, turn=TURN)
+        turns = formula("IFERROR(ROUND((above-raw)/turn,0),0/ISREF(above))", above=Previous(equation.symbol),
+                        raw=raw, turn=TURN)  # fmt: skip
         first, further = (guarded(apart, angle) for angle in (raw, al.add(raw, al.mul(TURN, turns))))
         self._add(equation, further, first=first)
 

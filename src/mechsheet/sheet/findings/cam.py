@@ -12,7 +12,7 @@ import numpy as np
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Binary, Call, Node, Number, Symbol, Text
 from livesheet.formula.scalar import evaluate
-from mechsheet.kinematics.cams.segments import ways_over
+from mechsheet.kinematics.cams.segments import way_over
 from mechsheet.kinematics.numeric import Array, value
 from mechsheet.kinematics.search import Extremes
 from mechsheet.model import (
@@ -473,7 +473,7 @@ def _doubt(on: Reading, symbol: str, *ways: Way) -> Node:
     """What is added where an extreme is to be doubted: beside a leap no probe comes as near as where all is smooth."""
     leaps = on.value("velocity_leaps")
     count: Node = leaps if symbol == "alpha" else al.add(leaps, on.value("acceleration_leaps"))
-    return on.doubt(symbol, *ways, sure=formula('IF(count>0,about,"")', count=count, about=on.text("about")))
+    return on.doubt(symbol, *ways, unsure=formula("count>0", count=count))
 
 
 # --- what a search finds -------------------------------------------------------------------------------------------------
@@ -515,7 +515,7 @@ def _either(
 def _over(motion: SearchedMotion, part: Segment, order: int, taus: Array) -> Array:
     """A derivative of the motion by the cam's angle at parts of a segment, as numbers."""
     by, over = (_number(motion, node) for node in (part.by, part.over))
-    return np.asarray(by / over**order * ways_over(part, taus)[order])
+    return np.asarray(by / over**order * way_over(part, order, taus))
 
 
 def _fastest(motion: SearchedMotion, part: Segment, order: int) -> float:

@@ -59,6 +59,10 @@ class RowsClosed(Finding):
             # a rule reads the cells of its sheet alone
             beyond = formula("ISNUMBER(SEARCH(after,words))", after=after, words=on.words(self.key))
             levels.insert(1, Level("look", beyond))
+        torn = on.rows_torn()
+        if torn is not None:
+            words = formula("IF(torn>0,said,words)", torn=torn, said=on.text("rows.torn"), words=words)
+            levels.insert(0, bad("said=torn", said=on.words(self.key), torn=on.text("rows.torn")))
         return Line(on.text("rows"), counted, words, of_rows, itself=("words",), levels=levels)
 
     def in_title(self, on: Reading) -> InTitle:
@@ -72,7 +76,10 @@ class RowsClosed(Finding):
         if on.plan.found.newton:
             nowhere = formula("IF(ends>0,ended,nowhere)", ends=assemblies_lost(on.plan), ended=on.text("line.ended"),
                               nowhere=nowhere)  # fmt: skip
-        return formula("IF(count=0,nowhere,title)", count=on.value(self.key), nowhere=nowhere, title=title)
+        title = formula("IF(count=0,nowhere,title)", count=on.value(self.key), nowhere=nowhere, title=title)
+        if on.rows_torn() is None:
+            return title
+        return formula("IF(said=torn,said,title)", said=on.words(self.key), torn=on.text("rows.torn"), title=title)
 
     def expected(self, motion: SearchedMotion) -> Mapping[str, Expected]:
         return {self.key: Expected([float(motion.search.count)])}

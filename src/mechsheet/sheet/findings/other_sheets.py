@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from livesheet.formula.nodes import CellRef, Node, RangeRef
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
 from mechsheet.sheet.deleted import readers_of
 from mechsheet.sheet.findings.finding import Finding, Line, look
 from mechsheet.sheet.findings.reading import Reading
@@ -23,7 +23,7 @@ class OtherSheets(Finding):
         plan, count = on.plan, on.value(self.key)
         cells = [CellRef(spot.row, spot.col, True, True) for spot in plan.places.sheets.values()]
         gone = joined(*(
-            formula('IF(there,"",gone)', there=cell, gone=f"; {_gone(on, key)}")
+            formula('IF(there,"",gone)', there=cell, gone=_gone(on, key))
             for cell, key in zip(cells, plan.places.sheets, strict=True)
         ))  # fmt: skip
         words = formula("IF(count=0,all,MID(gone,3,most))", count=count, all=on.text("sheets.all"), gone=gone,
@@ -37,9 +37,13 @@ class OtherSheets(Finding):
         )
 
 
-def _gone(on: Reading, key: str) -> str:
-    """That a sheet was deleted, and which ones have no numbers without it."""
+def _gone(on: Reading, key: str) -> Node:
+    """That a sheet was deleted, and which ones have no numbers without it; of the checks, that rows of theirs were."""
     title, readers = on.plan.at.titles[key], readers_of(on.plan, key)
-    if not readers:
-        return on.text("sheets.deleted", sheet=title)
-    return on.text("sheets.deleted.read", sheet=title, readers=", ".join(readers))
+    said = on.text("sheets.deleted", sheet=title)
+    if readers:
+        said = on.text("sheets.deleted.read", sheet=title, readers=", ".join(readers))
+    if key != "checks":
+        return Text(f"; {said}")
+    return formula("IF(ISREF(cell),torn,gone)", cell=CellRef(0, 0, True, True, title), gone=f"; {said}",
+                   torn=f"; {on.text('sheets.torn')}")  # fmt: skip

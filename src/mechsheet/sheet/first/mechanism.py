@@ -23,6 +23,7 @@ from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.columns.bands import tolerance_symbol
 from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.deleted import sheets_of
+from mechsheet.sheet.findings.inputs import marks_of
 from mechsheet.sheet.first.blocks import (
     MEANING_WIDTH,
     Writer,
@@ -39,7 +40,6 @@ from mechsheet.sheet.first.verdicts import write_verdicts
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import (
     CHARTS,
-    DRIVER,
     INPUT_BLOCKS,
     LEGEND_ROW,
     MARGIN,
@@ -90,6 +90,8 @@ def mechanism_sheet(
     _variables(writer)
     write_bands(writer, tolerance)
     write_verdicts(writer, checks, extremes)
+    for row, marked in marks_of(plan).items():
+        writer.formula(row, MARGIN, marked, styles.MARK)
     _derived(writer)
     write_below(writer)
     return Sheet(
@@ -214,8 +216,8 @@ def _sweep(writer: Writer) -> None:
         start = rows["start"]
         writer.validations.append(input_validation(plan, Area(start, VALUE, start, VALUE), driver.symbol))
     writer.line(rows["stop"], plan.text("name.stop"), unit, plan.text("sweep.stop", rows=plan.rows))
-    last = CellRef(plan.at.last, DRIVER, True, True, plan.table)
-    writer.formula(rows["stop"], VALUE, last, shown)
+    drivers = plan.at.column(driver.symbol, plan.main)  # whose last row may be deleted
+    writer.formula(rows["stop"], VALUE, formula("INDEX(drivers,ROWS(drivers))", drivers=drivers), shown)
     step = rows["step"]
     writer.validations.append(
         Validation(

@@ -118,10 +118,10 @@ class Table(Cells):
         value = cell_formula(plan, plan.at, column, equation.expression, plan.main, first)
         if equation.first is None:
             return value
-        # anew under the heading, and after a row without a value
+        # anew under the heading, and after a row without a value; an error where the row above was deleted
         turn: Node = Number(360.0) if plan.at.spots[column.symbol].degrees else al.mul(al.TWO, al.PI)
         return formula(
-            "value+turn*IFERROR(ROUND((above-value)/turn,0),0)",
+            "value+turn*IFERROR(ROUND((above-value)/turn,0),0/ISREF(above))",
             value=value, turn=turn, above=CellRef(first - 1, column.col),
         )  # fmt: skip
 
