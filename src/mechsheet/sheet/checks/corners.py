@@ -58,7 +58,7 @@ class Corners:
     def write_beside(self, row: int, symbol: str, way: Way, known: Mapping[str, Node]) -> None:
         """Them; `known`: what the rules read."""
         table = self.table
-        first = CellRef(self.row, table.at.spots[symbol].col, True, True)
+        first = table.probed(symbol, self.row, anchored=True)
         column, places = (
             RangeRef(cell, replace(cell, row=self.row + len(self.angles) - 1))
             for cell in (first, CellRef(self.row, PLACE_COL, True, True))

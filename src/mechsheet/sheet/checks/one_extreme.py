@@ -38,7 +38,6 @@ from mechsheet.sheet.transmission import acute
 (
     OF_ROWS,
     WORST,
-    NUMBER,
     BEST,
     HERE,
     WRAPS,
@@ -55,14 +54,13 @@ from mechsheet.sheet.transmission import acute
     TURN,
     TURN_ABOUT,
     BOUNDLESS,
-) = range(1, 20)
-"""Working cells beside the first row of a search: the best and the worst value of the rows; in which column of this sheet
-probes find the quantity; the best row, that from which the search begins; whether the ends of the rows are neighbours; the
-place from which the search begins and those beside it, two columns apart as the places of a bracket are, and between them
-values where the stretch begins and ends and the best of other rows; what is found, its place, the value of the driver there,
-how sure it is; where the quantity turns back, and how sure that is; whether it is without bound. Where the best row is at an
-end of the motion, three of them in the rows below say between which rows another is looked for, and what the two rows beside
-that end have."""
+) = range(1, 19)
+"""Working cells beside the first row of a search: the best and the worst value of the rows; the best row, that from which
+the search begins; whether the ends of the rows are neighbours; the place from which the search begins and those beside it,
+two columns apart as the places of a bracket are, and between them values where the stretch begins and ends and the best of
+other rows; what is found, its place, the value of the driver there, how sure it is; where the quantity turns back, and how
+sure that is; whether it is without bound. Where the best row is at an end of the motion, three of them in the rows below say
+between which rows another is looked for, and what the two rows beside that end have."""
 
 MIDDLE, BEFORE, CENTRE, AFTER = range(BOUNDLESS + 1, BOUNDLESS + 5)
 """Behind them: three rows that follow one another, and the quantity in them."""
@@ -128,9 +126,8 @@ class Searches:
     def value(self, row: int, symbol: str) -> None:
         """What the probes have found: where there is no position, nothing better than what is known."""
         table = self.table
-        table.fill(row, table.side + NUMBER, table.number_here(row, symbol), rules.PROBES)
         known = CellRef(row, KNOWN + rules.BRACKET.index("f_middle"), False, True)
-        value = formula("IFERROR(cell,known)", cell=table.probed(row, table.near(row, NUMBER)), known=known)
+        value = formula("IFERROR(cell,known)", cell=table.probed(symbol, row), known=known)
         table.fill(row, VALUE_COL, value, rules.PROBES)
 
     def known(self, row: int, name: str) -> CellRef:
@@ -225,7 +222,7 @@ class Searches:
         if not self.ends:
             return {"sense": sense, **self._between_rows(sought, known, trees)}
         for name, work, at in zip(("at_low", "at_high"), (AT_LOW, AT_HIGH), self.ends.values(), strict=True):
-            cell = table.probed(at, table.near(row, NUMBER), anchored=True)
+            cell = table.probed(symbol, at, anchored=True)
             known[name] = table.work(row, work, "IFERROR(cell,value)", cell=cell, value=value)
         places: dict[str, CellRef] = {}
         for name, work in (("start", START), ("lower", LEFT), ("upper", RIGHT)):

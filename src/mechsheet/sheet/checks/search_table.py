@@ -113,15 +113,9 @@ class SearchTable:
         """
         return Binary(":", *(self.in_row(sought, row, place) for place in (first, self.rows)))
 
-    def number_here(self, row: int, symbol: str) -> Node:
-        """In which column of this sheet's table a quantity stands: a column that is inserted there is not here."""
-        columns = RangeRef(CellRef(row, DRIVER_COL, False, True), self.quantity(row, symbol))
-        return formula("COLUMNS(columns)", columns=columns)
-
-    def probed(self, probe: int, number: Node, anchored: bool = False) -> Node:
-        """What a row here has found of the quantity in the column of that number."""
-        ends = (CellRef(probe, col, anchored, True) for col in (DRIVER_COL, self.side - 1))
-        return formula("INDEX(quantities,number)", quantities=RangeRef(*ends), number=number)
+    def probed(self, sought: str, probe: int, anchored: bool = False) -> CellRef:
+        """What a row here has found of a quantity: by its cell, as a column inserted into the table is not here."""
+        return CellRef(probe, self.at.spots[sought].col, anchored, True)
 
     def _columns(self, first: str, last: str) -> RangeRef:
         """Columns of a table, from one to another, as formulas here read them."""
