@@ -53,10 +53,11 @@ IN_TABLE = {("sheets", "names"): 120, ("sheets", "anchors"): 180, ("page", "anch
 TABLES = 250
 """Characters of the longest formula of any table that a person reads row by row, and of the two-way tables."""
 
-ELSEWHERE = {"names": 470, "anchors": 510, "page": 400}
-"""Characters of the longest formula beside the table of several sheets: which of fifteen inputs cannot be (of a cam's
-linkage, a condition each; 430 elsewhere), whether the accelerations of four links fit that Newton's method has found at
-once, verdict words, of which 20 say what is left where a sheet was deleted; and of pages that are generated."""
+ANYWHERE = 400
+"""Characters of any formula, as people see it, in both formats: what would be longer has a cell of its own for a part."""
+
+LAW_OF_A_LOAD = ("engine",)
+"""Templates whose description has a load of several lines: where names are not written its formulas are as long as it is."""
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ lies as one array of its own.
 
 from __future__ import annotations
 
-from bisect import bisect_right
+from bisect import bisect_left, bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from math import inf
@@ -89,9 +89,8 @@ class Column:
     def producers_in(self, row: int, rows: int) -> Iterator[int]:
         """What fills any of the rows [row, row + rows)."""
         index = max(0, bisect_right(self.pieces, (row, inf)) - 1)
-        for piece in self.pieces[index:]:
-            if piece.row >= row + rows:
-                break
+        end = bisect_left(self.pieces, (row + rows,), index)
+        for piece in self.pieces[index:end]:
             if piece.row + piece.rows > row:
                 yield piece.producer
 

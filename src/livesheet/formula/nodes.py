@@ -320,7 +320,10 @@ def _transformed(node: Node, change: Callable[[Node], Node], calls: int) -> Node
     if not calls:
         return _by_stack(node, change)
     below = operands(node)
-    changed = tuple([_transformed(child, change, calls - 1) for child in below])
+    # leaves, which are most of a tree, are changed here: a call for each would cost more than the change
+    changed = tuple(
+        [_transformed(each, change, calls - 1) if type(each) in _OPERANDS else change(each) for each in below]
+    )
     return change(_with_operands(node, below, changed))
 
 

@@ -117,16 +117,20 @@ class _Printer:
     def text(self, root: Node) -> str:
         done: list[_Printed] = []
         rewrite = _REWRITES.get(self.dialect.name)
-        stack = [(transform(root, rewrite) if rewrite else root, False)]
+        # with each node how many of the texts that are done are its operands'; -1 while they are not
+        stack = [(transform(root, rewrite) if rewrite else root, -1)]
         while stack:
-            node, visited = stack.pop()
-            below = () if isinstance(node, RangeRef) else children(node)
-            if below and not visited:
-                stack.append((node, True))
-                stack.extend((child, False) for child in reversed(below))
+            node, count = stack.pop()
+            if count < 0:
+                below = () if isinstance(node, RangeRef) else children(node)
+                if below:
+                    stack.append((node, len(below)))
+                    stack += [(child, -1) for child in reversed(below)]
+                    continue
+                done.append(self.piece(node, []))
                 continue
-            parts = done[len(done) - len(below) :]
-            del done[len(done) - len(below) :]
+            parts = done[-count:]
+            del done[-count:]
             done.append(self.piece(node, parts))
             if done[-1].depth > MAX_NESTING:
                 raise FormulaError(

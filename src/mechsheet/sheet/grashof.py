@@ -97,6 +97,7 @@ class Sides:
     lengths  each;  all: the arguments of a function of all four, one range where they stand side by side
     names    what they are called: dimensions, or their pins;  places: decimals of a length
     turns    up to which length the first link turns fully (`turns_up_to`)
+    shortest the length of the shortest;  which: its number, where a cell has it
     """
 
     lengths: Sequence[Node]
@@ -104,11 +105,15 @@ class Sides:
     names: Sequence[str]
     places: int
     turns: Node
+    shortest: Node
+    which: Node | None = None
 
     def first(self, function: Literal["MIN", "MAX"], words: Sequence[str]) -> Node:
         """The words of the first side that is as short, or as long, as any."""
         if len(self.all) == 1:
-            place = Call("MATCH", (Call(function, self.all), *self.all, Number(0.0)))
+            place: Node = Call("MATCH", (Call(function, self.all), *self.all, Number(0.0)))
+            if function == "MIN" and self.which is not None:
+                place = self.which
             return Call("CHOOSE", (place, *map(Text, words)))
         found: Node = Text(words[-1])
         for index, said in reversed([*enumerate(words[:-1], 1)]):  # each is compared with those behind it

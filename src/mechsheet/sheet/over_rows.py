@@ -58,18 +58,27 @@ def mean_of_motion(
     tests   what rows that count have beside the column;  turns: whether they are such a turn; None where they cannot be
     headed  whether a text stands above the columns
     """
-    alike = Call("AVERAGEIFS", (column, *(part for each, text in tests for part in (each, Text(text)))))
     if driver.values or column.start.row == column.end.row:
-        return alike
+        return _alike(column, tests)
+    neighbours, alike = both_means(column, tests, headed)
+    if turns is not None:
+        neighbours = formula("IF(turns,NA(),mean)", turns=turns, mean=neighbours)
+    return formula("IFERROR(neighbours,alike)", neighbours=neighbours, alike=alike)
+
+
+def both_means(column: RangeRef, tests: Sequence[Test], headed: bool = True) -> tuple[Node, Node]:
+    """The mean by the trapezoidal rule, an error where no two rows that count are neighbours; and that in which all rows
+    count alike."""
     upper, lower = _halves(column, headed)
     both = tuple(part for each, text in tests for half in _halves(each, headed) for part in (half, Text(text)))
     mean = formula("(one+other)/2", one=Call("AVERAGEIFS", (upper, *both)), other=Call("AVERAGEIFS", (lower, *both)))
-    if turns is not None:
-        mean = formula("IF(turns,NA(),mean)", turns=turns, mean=mean)
     # rows that are inserted above the first or beside the last one are in one half only
-    return formula(
-        "IFERROR(mean,IF(ROWS(upper)=ROWS(lower),alike,NA()))", mean=mean, alike=alike, upper=upper, lower=lower
-    )
+    alike = formula("IF(ROWS(upper)=ROWS(lower),alike,NA())", alike=_alike(column, tests), upper=upper, lower=lower)
+    return mean, alike
+
+
+def _alike(column: RangeRef, tests: Sequence[Test]) -> Node:
+    return Call("AVERAGEIFS", (column, *(part for each, text in tests for part in (each, Text(text)))))
 
 
 def torn(driver: Driver, column: RangeRef) -> Node | None:
@@ -99,12 +108,18 @@ def stretches_of(column: RangeRef, besides: Sequence[RangeRef]) -> Node:
 
 def mean_of_rows(plan: Plan, symbol: str, sheet: str) -> Node:
     """That of a column of the tables, over rows in which the mechanism closes, for a formula on a sheet."""
-    said, turns = plan.places.status.whole(sheet), None
-    if may_leave_out(plan):
+    found = plan.searched.means.get(symbol)
+    if found is not None:
         turns = formula("AND(whole=2,closed=rows)", whole=plan.searched.whole.cell, closed=plan.places.closed.cell,
                         rows=plan.places.rows.cell)  # fmt: skip
-    column = plan.at.column(symbol, sheet)
-    return mean_of_motion(plan.mechanism.driver, column, [(said, plan.text("status.ok"))], turns)
+        neighbours, alike = (each.cell for each in found)
+        return formula("IFERROR(IF(turns,alike,neighbours),alike)", turns=turns, neighbours=neighbours, alike=alike)
+    return mean_of_motion(plan.mechanism.driver, plan.at.column(symbol, sheet), rows_that_close(plan, sheet), None)
+
+
+def rows_that_close(plan: Plan, sheet: str) -> list[Test]:
+    """What rows have in which the mechanism closes, for a formula on a sheet."""
+    return [(plan.places.status.whole(sheet), plan.text("status.ok"))]
 
 
 def first_row(plan: Plan) -> Node:

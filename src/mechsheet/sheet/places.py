@@ -47,7 +47,8 @@ class Places:
     lengths    by their names sides of four-bar loops that are no dimensions
     starts     by number of the group
     reasons, dead  what is said of a row that does not close, or is a dead centre, in order of solution
-    sheets     by key whether a sheet that a person may delete is there;  left: what can be said without
+    sheets     by key whether a sheet that a person may delete is there;  left: what can be said without;  well: what the
+               line under the title says where nothing is wrong, which a page writes where it is said
     """
 
     status: Spot
@@ -71,6 +72,7 @@ class Places:
     dead: RangeRef | None = None
     sheets: Mapping[str, Spot] = field(default_factory=dict)
     left: Spot | None = None
+    well: Spot | None = None
 
     @property
     def inputs(self) -> Spot:
@@ -128,11 +130,13 @@ class Searched:
     fine, there  whether all inputs can be; whether the position that is drawn is one
     rows       how many rows the table has;  rows_apart: in how many of the sheets that have them they differ
     count      how many stretches there are, of which the first ones have places;  worst_group: which of several angles of
-               transmission is the least
+               transmission is the least;  doubts: what is added to words of an extreme that is not sure, by doubt
     unsettled  whether a limit is known to a step only;  rows_only: whether only rows are known
     limits     the driver's values there
     extremes, wraps  by quantity; whether the rows at the ends of the table are neighbours for it
     derivatives  by way and by the symbol of the derivative, where a quantity with a band is smallest or largest
+    means      of quantities whose mean is asked for, where rows may be a turn without the one that closes it: by the
+               trapezoidal rule, and that of all rows alike
     gaps       by group its least margin between rows, and the row there;  reach: of a loop, whether tolerances do
     """
 
@@ -145,11 +149,13 @@ class Searched:
     unsettled: Spot
     rows_only: Spot
     worst_group: Spot | None
+    doubts: RangeRef
     stretches: Sequence[Stretch]
     limits: Sequence[Spot]
     extremes: Mapping[tuple[Way, str], Extreme]
     wraps: Mapping[str, Spot]
     derivatives: Mapping[tuple[Way, str], Spot]
+    means: Mapping[str, tuple[Spot, Spot]]
     gaps: Mapping[int, tuple[Spot, Spot]]
     reach: Mapping[int, Spot]
 
@@ -161,6 +167,7 @@ class Checked:
     begun     the column that counts stretches;  typed: how many cells were typed over;  rounding: which gaps are none
     least     by group the column of its least margin near each row
     crossed   by group the least of the products of sines before and after, and the driver's value there
+    strongest  the joints of the largest force, in words; None where there are no joint forces
     """
 
     begun: Spot
@@ -168,6 +175,7 @@ class Checked:
     rounding: Spot
     least: Mapping[int, Spot]
     crossed: Mapping[int, tuple[Spot, Spot]]
+    strongest: Spot | None
 
 
 def there(place: Found | None) -> Found:

@@ -123,7 +123,7 @@ def _with_rows(plan: Plan, starts: Mapping[int, Starts]) -> Plan:
         key, row = finding.key, rows["verdicts"][finding.key]
         lines[key] = named.cell(row, key)
         if finding.placed:
-            occurs[key] = named.cell(row, f"{key}_at", TOLERANCE)
+            occurs[key] = named.cell(row, finding.key_at, TOLERANCE)
     if "mean_torque" in lines:
         spots[MEAN] = lines["mean_torque"]
     first = plan.at.first
@@ -135,16 +135,17 @@ def _with_rows(plan: Plan, starts: Mapping[int, Starts]) -> Plan:
         for key in ("reasons", "dead")
     )
     sheets = {key: Spot(plan.main, row, VALUE) for key, row in rows["sheets"].items()}
-    left = replace(sheets.pop(LEFT), col=MEANING)
+    left, well = (replace(sheets.pop(key), col=MEANING) for key in (LEFT, WELL))
     places = Places(
         status, count, verdict, lines, summaries, number, rates, position, start, step, unsolved, line, arrows, occurs,
-        bands, starts=starts, reasons=reasons, dead=dead, sheets=sheets, left=left,
+        bands, starts=starts, reasons=reasons, dead=dead, sheets=sheets, left=left, well=well,
     )  # fmt: skip
     return replace(plan, at=plan.at.beside(spots), blocks=blocks, names=named.names, synthesis=task_rows, placed=places)
 
 
-LEFT = "left"
-"""The entry of what can be said where sheets were deleted, among those that say whether they are there."""
+LEFT, WELL = "left", "well"
+"""The entries of what can be said where sheets were deleted, and where nothing is wrong, before those that say whether
+sheets are there."""
 
 
 def _blocks(plan: Plan, findings: Iterable[Finding], shown: Sequence[str]) -> Mapping[str, Block]:
@@ -180,7 +181,7 @@ def _blocks(plan: Plan, findings: Iterable[Finding], shown: Sequence[str]) -> Ma
     for key, said in (("reasons", words_looked_up(plan)), ("dead", dead_words(plan))):
         if said:  # the words that tables look up
             blocks.add(key, [f"{key}_{number}" for number in range(len(said))])
-    blocks.add("sheets", [LEFT, *(key for key in MAY_GO if key in plan.at.titles)])
+    blocks.add("sheets", [WELL, LEFT, *(key for key in MAY_GO if key in plan.at.titles)])
     return blocks.of
 
 

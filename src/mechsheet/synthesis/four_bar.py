@@ -6,27 +6,21 @@ transmission angle over it, of four-bars and of slider-cranks.
 
 from __future__ import annotations
 
-from mechsheet.synthesis.kind import Curve, Line
+from mechsheet.synthesis.kind import MU, Curve, Line
 
 
 def output_angle(theta: str) -> str:
-    """ψ where the input link stands at `theta` from A0B0: direction B0→A less or plus the angle of the triangle AB0B.
+    """ψ where the input link stands at `theta` from A0B0: direction B0→A less or plus the angle of the triangle AB0B, which
+    follows from the transmission angle there.
 
     theta  an expression in parentheses
     """
-    squared = _diagonal_squared(theta)
-    triangle = f"acos(({squared} + a4^2 - a3^2)/(2*a4*sqrt{squared}))"
-    return f"atan2(a2*sin{theta}, a2*cos{theta} - a1) - mode*{triangle} - psi_offset"
+    return f"atan2(a2*sin{theta}, a2*cos{theta} - a1) - mode*atan2(a3*sin({MU}), a4 - a3*cos({MU})) - psi_offset"
 
 
 def transmission_angle(theta: str) -> str:
     """Angle of coupler and output there, `theta` likewise."""
-    return f"acos((a3^2 + a4^2 - {_diagonal_squared(theta)})/(2*a3*a4))"
-
-
-def _diagonal_squared(theta: str) -> str:
-    """Of A and B0."""
-    return f"(a1^2 + a2^2 - 2*a1*a2*cos{theta})"
+    return f"acos((a3^2 + a4^2 - (a1^2 + a2^2 - 2*a1*a2*cos{theta}))/(2*a3*a4))"
 
 
 def position(key: str, n: int, theta: str, psi: str) -> Line:

@@ -14,7 +14,7 @@ from livesheet.formula.nodes import Symbol, with_symbols
 from livesheet.formula.parser import parse_description
 from mechsheet.model import Synthesis
 from mechsheet.synthesis.four_bar import INPUT_TURNS, RANGE_ROWS, output_angle, part, position, transmission_angle
-from mechsheet.synthesis.kind import THROUGH_POINTS, Columns, Curve, Kind, Line, Requirement
+from mechsheet.synthesis.kind import MU, THROUGH_POINTS, Columns, Curve, Kind, Line, Requirement
 from mechsheet.synthesis.writing import DETERMINED, Writer
 from mechsheet.words.equations import ENDS
 
@@ -132,7 +132,13 @@ def _numbers(task: Synthesis) -> range:
 def _asked(task: Synthesis) -> list[Requirement]:
     return [
         Requirement(
-            "psi", f"psi_p{n}", output_angle(f"(theta_p{n} + theta_offset)"), "angle", (("number", n),), f"theta_p{n}"
+            "psi",
+            f"psi_p{n}",
+            output_angle(theta := f"(theta_p{n} + theta_offset)"),
+            "angle",
+            (("number", n),),
+            f"theta_p{n}",
+            transmission_angle(theta),
         )
         for n in _numbers(task)
     ]
@@ -151,10 +157,10 @@ def _curve(task: Synthesis) -> Curve:
         x = parse_description(part("x_first", "x_last"))
         risen = parse_description("psi_first + (psi_last - psi_first)*(f - f_first)/(f_last - f_first)")
         columns["wanted"] = (with_symbols(risen, {"f": with_symbols(task.function, {"x": x})}), "angle")
+    columns[MU] = (transmission_angle("(theta + theta_offset)"), "angle")
     columns["raw"] = (output_angle("(theta + theta_offset)"), "angle")
     middle = f"psi_p{(count + 1) // 2}"
     columns["got"] = (f"{middle} + atan2(sin(raw - {middle}), cos(raw - {middle}))", "angle")
-    columns["mu"] = (transmission_angle("(theta + theta_offset)"), "angle")
     return Curve(RANGE_ROWS, columns, "theta", "got", "wanted" if task.function is not None else "")
 
 

@@ -9,11 +9,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
-from livesheet.formula.nodes import Node
+from livesheet.formula.nodes import Node, with_symbols
+from livesheet.formula.parser import parse_description
 from mechsheet.model import Synthesis, TaskPlace
 from mechsheet.synthesis.writing import Writer
 
 Measure = Literal["angle", "length", "number"]
+
+MU = "mu"
+"""What the transmission angle at a point is called in what is asked there."""
 
 THROUGH_POINTS = (
     "meets",
@@ -36,8 +40,9 @@ class Requirement:
     """One row of what is asked: what is wanted, what the mechanism that comes out does.
 
     key     of its words, with `parts`
-    wanted  an expression;  got  another, of an angle but for whole turns
-    at      the angle of the input link there, where the task has points: the sheet has the transmission angle beside it
+    wanted  an expression;  got  another, of an angle but for whole turns; it may read `MU`
+    at      the angle of the input link there, where the task has points;  mu: the transmission angle there, which the sheet
+            has beside it
     """
 
     key: str
@@ -46,6 +51,13 @@ class Requirement:
     measure: Measure
     parts: tuple[tuple[str, object], ...] = ()
     at: str = ""
+    mu: str = ""
+
+    @property
+    def got_alone(self) -> Node:
+        """What is got, where no cell has the transmission angle."""
+        got = parse_description(self.got)
+        return with_symbols(got, {MU: parse_description(self.mu)}) if self.mu else got
 
 
 Vertex = tuple[str, str, str]

@@ -127,13 +127,13 @@ def test_how_long_a_face_must_be(layout):
 
 @pytest.mark.slow
 def test_a_page_says_where_in_the_rows():
-    """It has no cell for that: its words do."""
+    """In a line of its own."""
     mechanism = load(TEMPLATES / "cam-slide.toml", Overrides(layout="page"))
     compiled = compiled_of(mechanism)
     alpha = np.abs(compiled.values["alpha"])
-    spot = compiled.plan.places.lines["pressure_angle"]
-    words = compiled.cells.values().get(spot.sheet, spot.row, 3)
-    assert words.endswith(f"(rows only), at {5 * int(np.argmax(alpha))}°")
+    spot = compiled.plan.places.occurs["pressure_angle"]
+    said = [compiled.cells.values().get(spot.sheet, spot.row, col) for col in (0, 1, 2, 3)]
+    assert said[1:] == [5.0 * int(np.argmax(alpha)), "°", "where that is"]
 
 
 @pytest.mark.slow

@@ -16,7 +16,7 @@ from typing import NamedTuple
 from livesheet.diagnostics import Fault, FormulaError
 from livesheet.formula.book import Block, BookSheet, CellStore, Kind
 from livesheet.formula.lexer import tokenise
-from livesheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, Node, shifted
+from livesheet.formula.nodes import MAX_COLUMNS, MAX_ROWS, Call, Node, shifted
 from livesheet.formula.parser import parse_formula
 from livesheet.formula.references import CELL, ROW, area_name, parse_area
 from livesheet.said import say
@@ -272,7 +272,10 @@ def _continues(last: Block, block: Block) -> bool:
     """Whether `block` is the next column of `last`: the same rows, and what fill-right would write there."""
     if (last.row, last.rows, last.col + last.cols) != (block.row, block.rows, block.col):
         return False
-    return shifted(last.formula, 0, last.cols) == block.formula
+    before, formula = last.formula, block.formula
+    if isinstance(before, Call) and not (isinstance(formula, Call) and before.name == formula.name):
+        return False  # which is seen without shifting anything
+    return shifted(before, 0, last.cols) == formula
 
 
 MOST_CELLS = 1 << 24

@@ -18,10 +18,12 @@ from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.checks.rows import AGREES, assembly_columns, chunks_of, effort_columns, fit_columns, gap_columns
 from mechsheet.sheet.checks.search_rules import DIP
+from mechsheet.sheet.over_rows import MOST, over_rows
 from mechsheet.sheet.places import Checked
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
 from mechsheet.sheet.table.positions import SYMBOL_ROW, heading
+from mechsheet.words.symbols import plain
 
 ROUNDING = 1e3
 """Lengths are equal up to so many times what counts as zero (1e-12 of the largest length): 1e-9 of it."""
@@ -35,6 +37,9 @@ VALUE, WORDS = 2, 3
 
 DRIVER_COL, COUNT_COL, DATA = range(3)
 """Columns of the table: driver, stretches begun; then the checks."""
+
+LARGEST, NAMED = 1, 2
+"""Of a table of joint forces the columns behind their names: the largest size, and which are the largest so far."""
 
 LEAP = 90.0
 """A link that turns by more [deg] from one row to the next: the rows do not show what happens between."""
@@ -104,7 +109,18 @@ class Checks:
                 check.group: (Spot(title, self.most_row, col), Spot(title, self.at_row, col))
                 for col, check in checks if check.kind == "crossing"
             },
+            Spot(title, self.first + len(self.forces) - 1, self.forces_col + NAMED) if self.forces else None,
         )  # fmt: skip
+
+    @property
+    def forces(self) -> tuple[str, ...]:
+        """The joint forces of which the largest is named."""
+        return self.plan.equations.equations.forces("size")
+
+    @property
+    def forces_col(self) -> int:
+        """The first column of their table, to the right of all others."""
+        return DATA + len(self.checks) + 1
 
     def _next(self) -> CellRef:
         """The first cell of the column that comes next."""
@@ -179,12 +195,13 @@ class _Writer(Cells):
         self._table()
         for index, check in enumerate(at.checks):
             self._column(DATA + index, check)
+        self._forces()
         self._grey_where_missing()
         return Sheet(
             at.title,
             tuple(self.cells),
             tuple(self.fills),
-            columns=(Column(0, 0, 13), Column(1, last_col, 13)),
+            columns=(Column(0, 0, 13), Column(1, max(last_col, at.forces_col + NAMED), 13)),
             row_heights=((TITLE_ROW, 26.0), (ABOUT_ROW, 58.0), (at.head_row, 42.0)),
             merges=tuple(self.merges),
             conditionals=tuple(self.conditionals),
@@ -260,6 +277,27 @@ class _Writer(Cells):
             where = formula('IF(worst>rounding,where,"")', worst=sought, rounding=rounding, where=where)
         where = formula('IFERROR(where,"")', where=where)
         self.formula(at.at_row, col, where, styles.numbered(styles.RESULT, "0.00"))
+
+    def _forces(self) -> None:
+        """Each joint force with its largest size; the names of those that are as large as any, one more in each row."""
+        plan, at = self.plan, self.at
+        forces, col, row = at.forces, at.forces_col, at.first
+        if not forces:
+            return
+        for number, key in enumerate(("name", "most", "named")):
+            self.put(at.head_row, col + number, plan.text(f"checks.forces.{key}"), styles.HEAD)
+        for number, name in enumerate(forces):
+            self.put(row + number, col, plain(name), styles.LABEL)
+            largest = over_rows(MOST, Symbol(ALL + name))
+            self.formula(row + number, col + LARGEST, largest, styles.decimals(styles.COLUMN, 4))
+        ends = (CellRef(each, col + LARGEST, True, True) for each in (row, row + len(forces) - 1))
+        most = formula("MAX(sizes)", sizes=RangeRef(*ends))
+        own = formula('IF(size=most," "&name,"")', size=CellRef(row, col + LARGEST, False, True), most=most,
+                      name=CellRef(row, col, False, True))  # fmt: skip
+        self.formula(row, col + NAMED, own, styles.LABEL_SAID)
+        if len(forces) > 1:
+            further = formula("before&own", before=CellRef(row, col + NAMED, False, True), own=shifted(own, 1))
+            self.formula(row + 1, col + NAMED, further, styles.LABEL_SAID, len(forces) - 1)
 
     def _unit(self, kind: Kind) -> str:
         """The unit of a column."""

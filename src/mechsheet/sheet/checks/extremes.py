@@ -53,7 +53,7 @@ from mechsheet.sheet.columns.bands import band_of_constant
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.grashof import turns_up_to
 from mechsheet.sheet.inputs import rest_fits
-from mechsheet.sheet.over_rows import is_back, whole_turns
+from mechsheet.sheet.over_rows import both_means, is_back, may_leave_out, rows_that_close, whole_turns
 from mechsheet.sheet.places import Extreme, Searched, there
 from mechsheet.sheet.plan import LEAST_PROBED, Plan
 from mechsheet.sheet.plan import VALUE as FIRST_SHEET_VALUE
@@ -63,9 +63,15 @@ from mechsheet.sheet.transmission import same_angle
 from mechsheet.units import turn as whole_turn
 from mechsheet.words.symbols import plain
 
-REACH, BOUND = 6, 7
-"""Working cells of a loop: whether tolerances reach a change point (how far they reach stands before it), and up to which
-length its first link turns fully."""
+BAND, REACH, BOUND, SHORTEST, WHICH = range(5, 10)
+"""Working cells of a loop behind its four lengths: how far tolerances reach, whether that is to a change point, up to which
+length its first link turns fully, how long its shortest side is, and which of the four that is."""
+
+LOOP_HEADS = ("ground", "first", "coupler", "last", "band", "reach", "bound", "shortest", "which")
+"""What stands over them."""
+
+DOUBTS = ("about", "beyond", "rows.only")
+"""What is added to the words of an extreme of which the search is not sure, by how much: behind nothing, which is 1."""
 
 WHOLE, FINE, THERE, WORST_GROUP, STEEP, COUNTED, ROWS_APART = range(1, 8)
 """Working cells of all: what the sweep covers, whether inputs can be, whether the position that is drawn is one; which of
@@ -85,8 +91,9 @@ class Extremes:
         self.whole_row = FIRST
         self.limits = Limits(self.table, FIRST + 2)
         row = self.limits.end
-        self.loops = {loop.group: row + number for number, loop in enumerate(plan.found.four_bars)}
-        row += len(self.loops) + 1 if self.loops else 0
+        # below the row of their heads
+        self.loops = {loop.group: row + number for number, loop in enumerate(plan.found.four_bars, 1)}
+        row += len(self.loops) + 2 if self.loops else 0
         self.ends: dict[int, int] = {}
         if self.limits.count and self.quantities and plan.rows >= LEAST_PROBED:
             self.ends = {FROM: row, TO: row + 1}
@@ -111,6 +118,7 @@ class Extremes:
         for extreme in () if plan.rows_only else banded_extremes(plan):
             self.bands[extreme] = row
             row += 1
+        self.means: dict[str, int] = {symbol: row + number for number, symbol in enumerate(_means_of(plan))}
         self.searches = Searches(
             self.table, self.limits, self.ends, self.corners, self.sought, self.table.fixed(self.whole_row, STEEP)
         )
@@ -130,6 +138,7 @@ class Extremes:
             unsettled=spot(limits.row, UNSETTLED),
             rows_only=spot(limits.row, ROWS_ONLY),
             worst_group=spot(self.whole_row, WORST_GROUP) if several else None,
+            doubts=RangeRef(*(replace(end, sheet=self.table.title) for end in self._doubts())),
             stretches=limits.stretches,
             limits=limits.found,
             extremes={(way, symbol): self._place(sought) for (symbol, way), sought in self.sought.items()},
@@ -139,6 +148,7 @@ class Extremes:
                 for (symbol, way), row in self.bands.items()
                 for name in plan.banded[symbol].derivatives
             },
+            means={symbol: (spot(row, 1), spot(row, 2)) for symbol, row in self.means.items()},
             gaps={number: (spot(row, VALUE), spot(row, WHERE)) for number, row in self.gaps.items()},
             reach={group: spot(row, REACH) for group, row in self.loops.items()} if plan.mechanism.bands else {},
         )
@@ -189,7 +199,13 @@ class Extremes:
                 for work, apart in enumerate(each, ROWS_APART + 1)
             ]
         table.work(self.whole_row, ROWS_APART, "apart", apart=al.total(each))
+        self._doubts_in_words()
         self.limits.write()
+        if self.loops:
+            heads = [plan.text(f"extremes.loop.{key}") for key in LOOP_HEADS]
+            for work, head in enumerate(heads if plan.mechanism.bands else _without_bands(heads), 1):
+                if head:
+                    table.put(min(self.loops.values()) - 1, table.side + work, head, styles.HEAD)
         for loop in plan.found.four_bars:
             self._loop(loop)
         self._heads()
@@ -203,6 +219,11 @@ class Extremes:
             self.searches.write(sought)
         for (symbol, way), row in self.bands.items():
             self._band(symbol, way, row)
+        for symbol, row in self.means.items():
+            table.put(row, LABEL, plan.text("extremes.mean", symbol=plain(symbol)), styles.LABEL)
+            means = both_means(plan.at.column(symbol, table.title), rows_that_close(plan, table.title))
+            for work, mean in enumerate(means, 1):
+                table.work(row, work, "mean", mean=mean)
         return Sheet(
             table.title,
             tuple(table.cells),
@@ -229,13 +250,13 @@ class Extremes:
         ends = (self.table.fixed(self.loops[loop.group], work) for work in (1, 4))
         return RangeRef(*(replace(end, sheet=self.table.title) for end in ends))
 
-    def bound_of(self, loop: FourBar) -> CellRef:
-        """The cell with the length up to which its first link turns fully, as another sheet reads it."""
-        return replace(self.table.fixed(self.loops[loop.group], BOUND), sheet=self.table.title)
+    def of_loop(self, loop: FourBar, work: int) -> CellRef:
+        """A working cell of a loop, as another sheet reads it."""
+        return replace(self.table.fixed(self.loops[loop.group], work), sheet=self.table.title)
 
     def _loop(self, loop: FourBar) -> None:
-        """The four lengths of a loop, up to which length its first link turns fully, and how far tolerances reach in the sum
-        that its type follows from, at most."""
+        """The four lengths of a loop, up to which length its first link turns fully, which side is the shortest, and how far
+        tolerances reach in the sum that its type follows from, at most."""
         plan, row = self.plan, self.loops[loop.group]
         self.table.put(row, self.table.side, loop.name, styles.LABEL)
         poses = plan.equations.poses
@@ -244,6 +265,9 @@ class Extremes:
             for work, (link, start, end) in enumerate(loop.sides(plan.mechanism.ground), 1)
         ]
         self.table.work(row, BOUND, "bound", bound=turns_up_to(lengths))
+        four = RangeRef(lengths[0], lengths[-1])
+        shortest = self.table.work(row, SHORTEST, "MIN(four)", four=four)
+        self.table.work(row, WHICH, "MATCH(shortest,four,0)", shortest=shortest, four=four)
         if plan.mechanism.bands is None:
             return
         bands = [
@@ -252,8 +276,20 @@ class Extremes:
         ]
         self.table.work(
             row, REACH, 'IF(AND(excess<>0,ABS(excess)<=band),words,"")', excess=plan.places.excess(loop.group).cell,
-            band=self.table.work(row, REACH - 1, "band", band=al.total(bands)), words=plan.text("verdict.grashof.reach"),
+            band=self.table.work(row, BAND, "band", band=al.total(bands)), words=plan.text("verdict.grashof.reach"),
         )  # fmt: skip
+
+    def _doubts(self) -> tuple[CellRef, CellRef]:
+        """The first and the last cell of what is added to words, by doubt."""
+        return self.table.fixed(ABOUT_ROW, 1), self.table.fixed(ABOUT_ROW, len(DOUBTS) + 1)
+
+    def _doubts_in_words(self) -> None:
+        """What is added to words, by doubt: in cells that all lines of the first sheet look up."""
+        plan, table = self.plan, self.table
+        table.put(ABOUT_ROW, table.side, plan.text("extremes.doubts"), styles.LABEL)
+        table.work(ABOUT_ROW, 1, '""', styles.LABEL)
+        for number, word in enumerate(DOUBTS, 2):
+            table.put(ABOUT_ROW, table.side + number, plan.text(f"verdict.{word}"), styles.LABEL)
 
     def _whole(self) -> None:
         """What the sweep covers: 1 for whole turns whose last row is the first again, 2 where that row is left out,
@@ -330,24 +366,35 @@ class Extremes:
         table.lay(row, 1, self.plan.banded[symbol].derivatives)
 
 
-NOTHING = Text("")
+def _means_of(plan: Plan) -> tuple[str, ...]:
+    """Quantities whose mean is asked for, where rows may be a turn without the one that closes it."""
+    if not may_leave_out(plan) or plan.rows == 1:
+        return ()
+    asked = (each for each in plan.mechanism.summaries if "mean" in each.take.parts and has_column(plan, each.of))
+    return tuple(dict.fromkeys(each.take.column(each.of) for each in asked))
+
+
+def _without_bands(heads: Sequence[str]) -> list[str]:
+    """The heads of a loop's cells where no dimension has a tolerance: over the cells of these stands nothing."""
+    return ["" if work in (BAND, REACH) else head for work, head in enumerate(heads, 1)]
 
 
 def about(
     plan: Plan,
     symbol: str,
     ways: Sequence[Way] = ("min", "max"),
-    sure: Node = NOTHING,
+    unsure: Node | None = None,
     none: Node | None = None,
 ) -> Node:
-    """What is added to the words of an extreme, or of two: how much it is to be doubted; `sure` where the search has no
-    doubt. `none`: whether there is no number; then some row has no value, as at a dead centre, or there is no bound."""
+    """What is added to the words of an extreme, or of two: how much it is to be doubted. `unsure`: where the value is about
+    right although the search has no doubt. `none`: whether there is no number; then some row has no value, as at a dead
+    centre, or there is no bound."""
     rows = plan.text("verdict.rows.only")
     gaps = plan.text("verdict.gaps")
     if plan.between_unseen:
         return Text(rows) if none is None else formula("IF(none,gaps,rows)", none=none, gaps=gaps, rows=rows)
     doubts = [plan.searched.extremes[way, symbol].doubt for way in ways]
-    said = _doubt(plan, doubts, ("about", "beyond", "rows.only"), sure)
+    said = _doubt(plan, doubts, unsure)
     if none is not None:
         said = formula("IF(none,gaps,said)", none=none, gaps=gaps, said=said)
     said = _without_bound(plan, symbol, ways, said)
@@ -361,14 +408,26 @@ def about_turns(plan: Plan, symbol: str) -> Node:
     """The same of a ratio of times over whole turns: places count, too; one that may be elsewhere makes it about right."""
     ends = [plan.searched.extremes[way, symbol] for way in WAYS.values()]
     doubts = [*(end.doubt for end in ends), *(there(end.turns_doubt) for end in ends)]
-    return _without_bound(plan, symbol, ("min", "max"), _doubt(plan, doubts, ("about", "about")))
+    return _without_bound(
+        plan, symbol, ("min", "max"), _in_words(plan, formula("MIN(2,doubt)", doubt=_largest(doubts)))
+    )
 
 
-def _doubt(plan: Plan, doubts: Sequence[Spot], words: Sequence[str], sure: Node = NOTHING) -> Node:
-    """The words of the largest doubt: those of the cells' numbers from 2 on, and `sure` of 1."""
+def _doubt(plan: Plan, doubts: Sequence[Spot], unsure: Node | None) -> Node:
+    """The words of the largest doubt; `unsure`: where the search has none and the value is about right all the same."""
+    doubt = _largest(doubts)
+    if unsure is not None:
+        doubt = formula("MAX(doubt,1+(unsure))", doubt=doubt, unsure=unsure)
+    return _in_words(plan, doubt)
+
+
+def _largest(doubts: Sequence[Spot]) -> Node:
     cells = tuple(each.cell for each in doubts)
-    doubt = Call("MAX", cells) if len(cells) > 1 else cells[0]
-    return Call("CHOOSE", (doubt, sure, *(Text(plan.text(f"verdict.{word}")) for word in words)))
+    return Call("MAX", cells) if len(cells) > 1 else cells[0]
+
+
+def _in_words(plan: Plan, doubt: Node) -> Node:
+    return formula("INDEX(words,1,doubt)", words=plan.searched.doubts, doubt=doubt)
 
 
 def _without_bound(plan: Plan, symbol: str, ways: Sequence[Way], said: Node) -> Node:

@@ -77,7 +77,8 @@ def _changes(plan: Plan, positions: Positions, letters: float) -> list[tuple[int
 
     Between two positions that were looked at the nearer one counts.
     """
-    rows = np.unique(np.linspace(0, plan.rows - 1, min(MOST, plan.rows)).astype(int)).tolist()
+    # np.unique would load numpy.ma, which nothing else here needs
+    rows = sorted(set(np.linspace(0, plan.rows - 1, min(MOST, plan.rows)).astype(int).tolist()))
     places = np.round(positions.beside(rows, letters), DIGITS) + 0.0
     found = []
     for index in range(places.shape[1]):

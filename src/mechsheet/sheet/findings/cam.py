@@ -473,7 +473,7 @@ def _doubt(on: Reading, symbol: str, *ways: Way) -> Node:
     """What is added where an extreme is to be doubted: beside a leap no probe comes as near as where all is smooth."""
     leaps = on.value("velocity_leaps")
     count: Node = leaps if symbol == "alpha" else al.add(leaps, on.value("acceleration_leaps"))
-    return on.doubt(symbol, *ways, sure=formula('IF(count>0,about,"")', count=count, about=on.text("about")))
+    return on.doubt(symbol, *ways, unsure=formula("count>0", count=count))
 
 
 # --- what a search finds -------------------------------------------------------------------------------------------------

@@ -113,7 +113,7 @@ class Finding(ABC):
     key     the name of its cell, in every language
     placed  whether it says where in the motion it occurs: that cell is `key`_at
     by_rows whether it can be said of rows alone, so that a page has it, too
-    tells_place  whether its words say where it occurs; else those of a page do, which has no cell for that
+    tells_place  whether its words say where it occurs; else a page has a line of its own for that, below
     needs   keys of other sheets without which nothing can be said, beside those that its formulas read
     """
 
@@ -126,6 +126,16 @@ class Finding(ABC):
     def key_beside(self, plan: Plan) -> str:
         """The key of the line that a page has for what stands beside the number; "" where nothing does."""
         return ""
+
+    @property
+    def key_at(self) -> str:
+        """The key of the cell that says where it occurs."""
+        return f"{self.key}_at"
+
+    def keys_below(self, plan: Plan) -> list[str]:
+        """The keys of the lines that a page has below its own."""
+        place = self.key_at if self.placed and not self.tells_place else ""
+        return [key for key in (self.key_beside(plan), place) if key]
 
     @abstractmethod
     def line(self, on: Reading) -> Line:

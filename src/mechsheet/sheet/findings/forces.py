@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import CellRef, Node, Symbol
+from livesheet.formula.nodes import CellRef, Node, Symbol, Text
 from livesheet.workbook import Area, Conditional
 from mechsheet.model import ENERGY, Link, inertia_unit
 from mechsheet.sheet import styles
@@ -26,7 +26,6 @@ from mechsheet.sheet.quoted import ALL, formula, joined
 from mechsheet.sheet.shown import rich
 from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
 from mechsheet.words.equations import link_words
-from mechsheet.words.symbols import plain
 
 EVEN = 1e-9
 """An angular acceleration smaller than this part of the speed's square is rounding."""
@@ -83,14 +82,12 @@ class LargestForce(Finding):
     key, placed, needs = "largest_force", True, ("forces",)
 
     def line(self, on: Reading) -> Line:
-        plan, cell = on.plan, on.value(self.key)
-        names: list[Node | str] = [
-            formula('IF(COUNTIF(column,most)>0,name,"")', column=Symbol(ALL + name), most=cell, name=f" {plain(name)}")
-            for name in plan.equations.equations.forces("size")
-        ]
+        plan = on.plan
+        strongest = plan.checked.strongest
+        names = strongest.cell if strongest is not None else Text("")
         return Line(
             on.text(self.key), on.checks.worst_known("force"),
-            _of_a_number(on, self.key, joined(on.text(f"{self.key}.words"), *names)),
+            _of_a_number(on, self.key, joined(on.text(f"{self.key}.words"), names)),
             plan.mechanism.dynamics.force_unit if plan.mechanism.dynamics else "", decimals_of_kind(plan, "force"),
             occurs=_of_a_number(on, self.key, on.checks.worst_at("force")),
         )  # fmt: skip

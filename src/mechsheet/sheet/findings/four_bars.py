@@ -46,7 +46,7 @@ class FourBarType(Finding):
     def line(self, on: Reading) -> Line:
         plan, loop, said, excess = on.plan, self.loop, on.words(self.key), on.value(self.key)
         sides = on.sides(loop, names_of_sides(loop, plan))
-        shortest, most, total = (Call(name, sides.all) for name in ("MIN", "MAX", "SUM"))
+        shortest, (most, total) = sides.shortest, (Call(name, sides.all) for name in ("MAX", "SUM"))
 
         def text(word: str, **parts: object) -> str:
             return on.text(f"grashof.{word}", **parts)

@@ -1,27 +1,25 @@
 """Whether the yellow cells hold what a mechanism can have: no length is empty or below 0, no mode 0.5, no position 99.
 
-One cell, `inputs`, is the number of the first input that cannot be, in the order in which they stand, and 0 where all can;
-the words beside it name that input. While it is not 0 no row has a position: the constant that counts as zero is #N/A.
+Each has a cell of its own in its row, with its name where it cannot be (`marks_of`). One cell, `inputs`, says in which row,
+counted from the first input's, the first name stands, and 0 where none does; the words beside it read that name. While it is
+not 0 no row has a position: the constant that counts as zero is #N/A.
 Speeds, masses and loads decide no position: where one of them cannot be, the words only say that something does not fit.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Text
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
 from livesheet.workbook import Area, Conditional
 from mechsheet.sheet import styles
 from mechsheet.sheet.findings.finding import Finding, Line, bad, good
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.inputs import further_inputs, inputs_of
-from mechsheet.sheet.plan import SYMBOL, VALUE, Plan
+from mechsheet.sheet.plan import VALUE, Plan
 from mechsheet.sheet.quoted import formula, joined
-
-CHOICES = 29
-"""So many LibreOffice's CHOOSE takes beside the number; Excel takes more."""
 
 
 class Inputs(Finding):
@@ -39,7 +37,8 @@ class Inputs(Finding):
         nowhere = formula("said=words", said=said, words=no_position(plan)) if plan.places.position else None
         others = on.while_there("extremes", where_it_is(plan, position, fits))
         return Line(
-            on.text(self.key), first_wrong(plan), words(plan, on.value(self.key), others), itself=("words",),
+            on.text(self.key), first_wrong(plan, on.marks), words(plan, on.value(self.key), on.marks, others),
+            itself=("words",),
             levels=(bad("said<>fine", said=said, fine=fine), good("said=fine", said=said, fine=fine)),
             rules=red_where_wrong(plan, nowhere),
         )  # fmt: skip
@@ -58,48 +57,43 @@ class Inputs(Finding):
         return {self.key: Expected([0.0], told=False)}
 
 
-def first_wrong(plan: Plan) -> Node:
-    """The number of the first input that cannot be, 0 where all can: where the first 0 is in 111...10, a digit an input."""
-    found = inputs_of(plan)
-    each_can = (each.can_be(plan.at.bind(each.spot.cell, plan.main), plan) for each in found)
-    digits = joined(*(_digit(can_be) for can_be in each_can), "0")
-    return formula('MOD(FIND("0",digits),beyond)', digits=digits, beyond=len(found) + 1)
+def first_wrong(plan: Plan, marks: int) -> Node:
+    """In which row, counted from the first input's, the first stands that cannot be, 0 where all can; `marks`: the column
+    that says so."""
+    if not inputs_of(plan):
+        return al.ZERO
+    # as the first number of a column is found (`over_rows.ENDS`): so every program does it
+    return formula('IFERROR(SUMPRODUCT(MATCH(TRUE,marks<>"",0)),0)', marks=_beside_inputs(plan, marks))
 
 
-def _digit(holds: Node) -> Node:
-    """1 where it holds, else 0; a product is a number as it is."""
-    return holds if isinstance(holds, Binary) and holds.op == "*" else formula("holds*1", holds=holds)
+def marks_of(plan: Plan) -> dict[int, Node]:
+    """By row of an input a formula with its name where it cannot be: also where its cell holds an error."""
+    return {
+        each.row: formula('IFERROR(IF(can_be,"",name),name)', name=each.name,
+                          can_be=each.can_be(plan.at.bind(each.spot.cell, plan.main), plan))
+        for each in inputs_of(plan)
+    }  # fmt: skip
 
 
-def words(plan: Plan, wrong: Node, others: Node) -> Node:
+def _beside_inputs(plan: Plan, col: int) -> RangeRef:
+    """The cells of a column from the first input's row to the last one's."""
+    rows = [each.row for each in inputs_of(plan)]
+    return RangeRef(CellRef(min(rows), col, True, True), CellRef(max(rows), col, True, True))
+
+
+def words(plan: Plan, wrong: Node, marks: int, others: Node) -> Node:
     """What is said of the inputs: which one cannot be (`wrong` is the cell with its number), or something else."""
     before, after = plan.text("verdict.inputs.wrong", symbol="#").split("#")
-    which = joined(before, _named(plan, wrong), after) if inputs_of(plan) else Text("")
+    which: Node = Text("")
+    if inputs_of(plan):
+        name = formula("INDEX(marks,wrong)", marks=_beside_inputs(plan, marks), wrong=wrong)
+        which = joined(before, name, after)
     return formula("IF(wrong>0,which,others)", wrong=wrong, which=which, others=others)
 
 
 def where_it_is(plan: Plan, position: Node, otherwise: Node) -> Node:
     """What is said where the position that is drawn is one, or that it is none."""
     return formula("IF(position,otherwise,nowhere)", position=position, otherwise=otherwise, nowhere=no_position(plan))
-
-
-def _named(plan: Plan, wrong: Node) -> Node:
-    """What the input of that number is called: the symbol beside it where the inputs stand one below another."""
-    found = inputs_of(plan)
-    first, last = found[0].row, found[-1].row
-    if [each.row for each in found] == [*range(first, last + 1)] and found[-1].kind != "task":
-        symbols = RangeRef(CellRef(first, SYMBOL, True, True), CellRef(last, SYMBOL, True, True))
-        return formula("INDEX(symbols,wrong)", symbols=symbols, wrong=wrong)
-    return _choice(wrong, [Text(each.name) for each in found])
-
-
-def _choice(number: Node, texts: Sequence[Text]) -> Node:
-    """The text of that number, from 1."""
-    near = Call("CHOOSE", (number, *texts[:CHOICES]))
-    if len(texts) <= CHOICES:
-        return near
-    far = _choice(al.sub(number, al.number(CHOICES)), texts[CHOICES:])
-    return formula("IF(number>most,far,near)", number=number, most=CHOICES, far=far, near=near)
 
 
 def no_position(plan: Plan) -> str:

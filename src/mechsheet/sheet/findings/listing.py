@@ -84,11 +84,16 @@ def _effort(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
         yield from (forces.MeanTorque(), forces.EnergyChange(), forces.FlywheelInertia())
 
 
-def title_words(on: Reading, findings: Sequence[Finding]) -> Node:
-    """What each finding adds, in order; what the first of them overrules it by comes before all else."""
+def words_where_well(on: Reading, findings: Iterable[Finding]) -> Node:
+    """What the line under the title says where nothing is wrong: what each finding adds, in order."""
     parts = [finding.in_title(on) for finding in findings]
     first, last = [part.first for part in parts], [part.last for part in parts]
-    title = joined(*first, joined(*(part.here for part in parts)), *last)
+    return joined(*first, joined(*(part.here for part in parts)), *last)
+
+
+def title_words(on: Reading, findings: Sequence[Finding], well: Node) -> Node:
+    """The line under the title: what the first finding that overrules it says, else what is said where all is `well`."""
+    title = well
     for finding in reversed(findings):
         title = finding.overrules(on, title)
     return title

@@ -9,13 +9,13 @@ from dataclasses import replace
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, Text
 from mechsheet.model import Way
 from mechsheet.sheet.checks.checks import Checks
-from mechsheet.sheet.checks.extremes import NOTHING, Extremes, about
+from mechsheet.sheet.checks.extremes import BOUND, SHORTEST, WHICH, Extremes, about
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.deleted import are_there, missing_words
 from mechsheet.sheet.grashof import Sides
 from mechsheet.sheet.over_rows import LEAST, MOST, over_rows
 from mechsheet.sheet.places import Searched, there
-from mechsheet.sheet.plan import MEANING, SPARE, TOLERANCE, VALUE, Plan
+from mechsheet.sheet.plan import MARGIN, MEANING, SPARE, TOLERANCE, VALUE, Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.table.positions import decimals_of_kind
 from mechsheet.units import behind_number
@@ -46,6 +46,11 @@ class Reading(ABC):
     def found(self) -> Searched:
         """What the search beside the rows finds."""
         return self.plan.searched
+
+    @property
+    @abstractmethod
+    def marks(self) -> int:
+        """The column that marks the inputs that cannot be."""
 
     @property
     @abstractmethod
@@ -93,9 +98,12 @@ class Reading(ABC):
         value = over_rows(LEAST if way == "min" else MOST, column)
         return value, self.driver_in_row(formula("MATCH(value,all,0)", value=value, all=column))
 
-    def doubt(self, symbol: str, *ways: Way, sure: Node = NOTHING) -> Node:
-        """What is added where an extreme is to be doubted; `sure` where the search has no doubt."""
-        return about(self.plan, symbol, ways, sure) if symbol in self.plan.found.extremes else sure
+    def doubt(self, symbol: str, *ways: Way, unsure: Node) -> Node:
+        """What is added where an extreme is to be doubted: `unsure` where it is about right although the search has no
+        doubt."""
+        if symbol in self.plan.found.extremes:
+            return about(self.plan, symbol, ways, unsure)
+        return formula('IF(unsure,about,"")', unsure=unsure, about=self.text("about"))
 
     # --- cells of findings ------------------------------------------------------------------------------------
 
@@ -204,6 +212,10 @@ class SheetReading(Reading):
         self._checks, self._extremes = checks, extremes
 
     @property
+    def marks(self) -> int:
+        return MARGIN
+
+    @property
     def checks(self) -> Checks:
         return self._checks
 
@@ -234,7 +246,8 @@ class SheetReading(Reading):
     def sides(self, loop: FourBar, names: Sequence[str]) -> Sides:
         lengths = self._extremes.lengths_of(loop)
         cells = [replace(lengths.start, col=lengths.start.col + at) for at in range(4)]
-        return Sides(cells, (lengths,), names, decimals_of_kind(self.plan, "length"), self._extremes.bound_of(loop))
+        turns, shortest, which = (self._extremes.of_loop(loop, work) for work in (BOUND, SHORTEST, WHICH))
+        return Sides(cells, (lengths,), names, decimals_of_kind(self.plan, "length"), turns, shortest, which)
 
     @property
     def of_rows_only(self) -> Node | bool:

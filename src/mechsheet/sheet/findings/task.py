@@ -114,7 +114,7 @@ def _misses(plan: Plan, task: Synthesis, exact: bool) -> list[Node]:
     """How far each thing that is asked is missed, as people read it. `exact`: by the lengths before they are rounded."""
     naming, found = Naming(plan, task, exact), []
     for asked in kind_of(task).asked(task):
-        got, wanted = naming.tree(asked.got), naming.tree(asked.wanted)
+        got, wanted = naming.tree(asked.got_alone), naming.tree(asked.wanted)
         if asked.measure != "angle":
             found.append(formula("ABS(got-wanted)", got=got, wanted=wanted))
             continue

@@ -246,7 +246,8 @@ def write_below(writer: Writer) -> None:
             for row, words in enumerate(said, plan.blocks[key].row + 1):
                 writer.meaning(row, words)
     writer.heading("sheets")
-    writer.line(there(plan.places.left).row, plan.text("sheets.left"), "", None)
+    for key, place in (("well", plan.places.well), ("left", plan.places.left)):
+        writer.line(there(place).row, plan.text(f"sheets.{key}"), "", None)
     for key, spot in plan.places.sheets.items():
         title = plan.at.titles[key]
         writer.line(spot.row, title, "", plan.text("sheets.there"))

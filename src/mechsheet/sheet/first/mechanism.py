@@ -23,6 +23,7 @@ from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.columns.bands import tolerance_symbol
 from mechsheet.sheet.columns.lowering import in_pass
 from mechsheet.sheet.deleted import sheets_of
+from mechsheet.sheet.findings.inputs import marks_of
 from mechsheet.sheet.first.blocks import (
     MEANING_WIDTH,
     Writer,
@@ -89,6 +90,8 @@ def mechanism_sheet(
     _variables(writer)
     write_bands(writer, tolerance)
     write_verdicts(writer, checks, extremes)
+    for row, marked in marks_of(plan).items():
+        writer.formula(row, MARGIN, marked, styles.MARK)
     _derived(writer)
     write_below(writer)
     return Sheet(

@@ -6,18 +6,18 @@ as they stand there, rows that exist only; whether these make a whole turn is as
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Text, transform
 from livesheet.workbook import Area, Conditional, Merge
 from mechsheet.sheet import styles
-from mechsheet.sheet.cells import Cells
+from mechsheet.sheet.cells import Cells, height_of
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.deleted import missing_words
 from mechsheet.sheet.findings.finding import LEVELS, MARKS, Finding, Line
-from mechsheet.sheet.findings.listing import findings_of, left_words, title_levels, title_words
+from mechsheet.sheet.findings.listing import findings_of, left_words, title_levels, title_words, words_where_well
 from mechsheet.sheet.findings.reading import Reading, SheetReading
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.places import there
@@ -26,6 +26,9 @@ from mechsheet.sheet.quoted import formula, joined
 
 BESIDE = replace(styles.UNIT, name="", align="right")
 """What stands beside a number, and is no place in the motion."""
+
+WELL_LINES = 4
+"""What the line under the title says where nothing is wrong, two lines there, takes so many in the column of words."""
 
 
 def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> None:
@@ -37,14 +40,17 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> None:
     for row, line in lines.items():
         _write(writer, on, row, line)
     writer.needs |= {on.rows[finding.key]: {*finding.needs} for finding in findings}
+    well = there(plan.places.well)
+    writer.formula(well.row, MEANING, words_where_well(on, findings), styles.LABEL_LINES)
+    writer.heights[well.row] = height_of(WELL_LINES)
     writer.formula(there(plan.places.left).row, MEANING, left_words(on, findings), styles.LABEL_SAID)
     _write_marks(writer, on, lines)
-    write_title_line(writer, on, findings, lines.values(), MEANING)
+    write_title_line(writer, on, title_words(on, findings, well.cell), lines.values(), MEANING)
 
 
-def write_title_line(cells: Cells, on: Reading, findings: Sequence[Finding], lines: Iterable[Line], last: int) -> None:
+def write_title_line(cells: Cells, on: Reading, words: Node, lines: Iterable[Line], last: int) -> None:
     """The line under the title, as far as a column."""
-    cells.formula(VERDICT_ROW, SYMBOL, title_words(on, findings), styles.LINE)
+    cells.formula(VERDICT_ROW, SYMBOL, words, styles.LINE)
     area = Area(VERDICT_ROW, SYMBOL, VERDICT_ROW, last)
     cells.merges.append(Merge(area))
     for level in title_levels(on, lines):

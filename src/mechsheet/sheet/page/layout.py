@@ -60,11 +60,13 @@ TITLE_HEIGHT, HEAD_HEIGHT = 28.0, 24.0
 def lay_out_page(mechanism: Mechanism, equations: Equations) -> tuple[Workbook, PagePlan]:
     """The workbook of one visible sheet (its formulas have no values yet) and the plan that it follows."""
     plan = plan_page(mechanism, equations)
-    sheets = (_page(plan), *table_sheets(plan), description_sheet(plan))
+    page, plan = _page(plan)
+    sheets = (page, *table_sheets(plan), description_sheet(plan))
     return with_typed_constants(Workbook(sheets, tuple(plan.names), properties_of(plan))), plan
 
 
-def _page(plan: PagePlan) -> Sheet:
+def _page(plan: PagePlan) -> tuple[Sheet, PagePlan]:
+    """The sheet, and the plan with all that its layout decides."""
     table = Table(plan)
     widths, top = _with_top(plan, table, TOP_WIDTHS)
     if _lines(top, widths) > FEW_LINES:
@@ -83,6 +85,8 @@ def _page(plan: PagePlan) -> Sheet:
     above = math.ceil(sum(heights[row] for row in range(CHARTS_ROW))) + CHARTS_BELOW
     paper = on_paper(widths, down, above, _left(widths), len(own) + plan.drawn, len(requests))
     right = max(len(widths), _columns_to(widths, max((box.right for box in paper.charts), default=0)))
+    plan = replace(plan, marks=right)
+    top = Top(plan, top.room)
     drawing = PageDrawing(plan, right + 1, _charted(requests)) if plan.drawn else None
     framed = [drawing.square(request) for request in own] if drawing else []
     charts = _placed(plan, widths, heights, requests, drawing, framed, paper.charts)
@@ -91,7 +95,7 @@ def _page(plan: PagePlan) -> Sheet:
     starts = [len(widths), *(col for col in paper.begins if col > len(widths)), right + 1]
     columns += [Column(col, end - 1, NARROW) for col, end in pairwise(starts) if col < end]
     last = max(plan.status_column, right - 1)
-    return Sheet(
+    sheet = Sheet(
         plan.main,
         (*top.cells, *table.cells, *(drawing.cells if drawing else ())),
         (*top.fills, *table.fills, *(drawing.fills if drawing else ())),
@@ -118,6 +122,7 @@ def _page(plan: PagePlan) -> Sheet:
             row_at=paper.rows,
         ),
     )
+    return sheet, plan
 
 
 def _lines(top: Top, widths: list[float]) -> int:

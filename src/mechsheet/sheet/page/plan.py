@@ -49,11 +49,13 @@ class PagePlan(Plan):
     drawn     False without the drawing
     note_row  where it is said how exact the angles are
     lengths   sides of four-bar loops that are no dimensions, by the keys of their cells
+    marks     the column that marks the inputs that cannot be: the first to the right of table and charts
     """
 
     page: PageAssignments = field(kw_only=True)
     drawn: bool = field(kw_only=True)
     note_row: int = 0
+    marks: int = 0
     lengths: Mapping[str, Node] = field(default_factory=dict)
 
     @property
@@ -179,7 +181,7 @@ def _with_rows(plan: PagePlan) -> PagePlan:
     lengths = {key: tree for key, tree in sides if len(set(symbols(tree))) > 1}
     blocks.add("derived", [*(dim.symbol for dim in derived), *(f"length {key}" for key in lengths), *constants])
     findings = findings_of(mechanism, found, by_rows=True)
-    blocks.add("verdicts", [key for each in findings for key in (each.key, each.key_beside(plan)) if key])
+    blocks.add("verdicts", [key for each in findings for key in (each.key, *each.keys_below(plan))])
     blocks.add("summary", (each.symbol for each in mechanism.motion_numbers))
     blocks.add("variables", ())
     note_row = max(blocks.next_row, FIRST_ROW - 1 + CHART_ROWS) + 1
@@ -230,11 +232,22 @@ def _with_places(plan: PagePlan) -> PagePlan:
     start, step = named.sweep(rows)
     position = named.cell(rows["position"]["position"], plan.text("name.position")) if plan.drawn else None
     lines = {key: named.cell(row, key) for key, row in rows["verdicts"].items()}
+    found = findings_of(mechanism, plan.found, by_rows=True)
+    occurs = {each.key: lines[each.key_at] for each in found if each.key_at in lines}
     summaries = named.summaries(rows["summary"])
     verdict = named.cell(VERDICT_ROW, "verdict", 0)
     status = Spot(plan.main, plan.at.first, plan.columns[-1].col, plan.rows)
     count = Spot(plan.main, rows["verdicts"]["rows_closed"], UNIT)
     places = Places(
-        status, count, verdict, lines, summaries, position=position, start=start, step=step, lengths=lengths
+        status,
+        count,
+        verdict,
+        lines,
+        summaries,
+        position=position,
+        start=start,
+        step=step,
+        lengths=lengths,
+        occurs=occurs,
     )
     return replace(plan, at=plan.at.beside(spots), names=named.names, placed=places)

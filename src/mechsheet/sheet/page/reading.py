@@ -8,7 +8,6 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, Node, RangeRef, Symbol, Text, symbols
 from mechsheet.model import Way
 from mechsheet.sheet.checks.checks import Checks
-from mechsheet.sheet.checks.extremes import NOTHING
 from mechsheet.sheet.classification import FourBar
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.findings.reading import ALIKE, Folded, Reading
@@ -35,6 +34,10 @@ class PageReading(Reading):
             finding.key: finding.key_beside(plan) for finding in findings_of(plan.mechanism, plan.found, by_rows=True)
         }
         self._beside = {key: self.value(beside) for key, beside in keyed.items() if beside}
+
+    @property
+    def marks(self) -> int:
+        return self.page.marks
 
     @property
     def checks(self) -> Checks:
@@ -102,7 +105,8 @@ class PageReading(Reading):
 
     def sides(self, loop: FourBar, names: Sequence[str]) -> Sides:
         lengths = tuple(self._length(key, tree) for key, tree in sides_of(self.page, loop))
-        return Sides(lengths, lengths, names, decimals_of_kind(self.plan, "length"), turns_up_to(lengths))
+        turns, shortest = turns_up_to(lengths), Call("MIN", lengths)
+        return Sides(lengths, lengths, names, decimals_of_kind(self.plan, "length"), turns, shortest)
 
     def _length(self, key: str, length: Node) -> Node:
         """A length without the bars that its sign does not need; one that is no dimension has a cell."""
@@ -127,8 +131,10 @@ class PageReading(Reading):
                         column=self.column(symbol))  # fmt: skip
         return value, place
 
-    def doubt(self, symbol: str, *ways: Way, sure: Node = NOTHING) -> Node:
-        return Text(self.text("rows.only")) if symbol in self.plan.found.cam else sure
+    def doubt(self, symbol: str, *ways: Way, unsure: Node) -> Node:
+        if symbol in self.plan.found.cam:
+            return Text(self.text("rows.only"))
+        return super().doubt(symbol, *ways, unsure=unsure)
 
     def driver_in_row(self, row: Node) -> Node:
         return formula('IFERROR(INDEX(drivers,row),"")', drivers=self.drivers, row=row)

@@ -13,7 +13,8 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.as_typed import degrees_together, in_degrees
 from mechsheet.sheet.cells import Cells, height_of, label_lines, longest_said
 from mechsheet.sheet.findings.finding import Finding, Line
-from mechsheet.sheet.findings.listing import findings_of
+from mechsheet.sheet.findings.inputs import marks_of
+from mechsheet.sheet.findings.listing import findings_of, title_words, words_where_well
 from mechsheet.sheet.first.blocks import (
     output_words,
     over_summaries,
@@ -72,6 +73,8 @@ class Top(Cells):
         self._position()
         self._derived()
         self._findings()
+        for row, marked in marks_of(plan).items():
+            self.formula(row, plan.marks, marked, styles.MARK)
         self._summaries()
 
     # --- small things -----------------------------------------------------------------------------------------
@@ -193,21 +196,20 @@ class Top(Cells):
         lines = {finding: finding.line(on) for finding in findings}
         for finding, line in lines.items():
             row = on.rows[finding.key]
-            said = line.words
-            if line.occurs is not None and not finding.tells_place:
-                before, after = on.text("occurs", place="#").split("#")
-                place = joined(before, on.driver_text(line.occurs), after)
-                said = joined(said, formula('IFERROR(place,"")', place=place))
-            words = said.value if isinstance(said, Text) else said
+            words = line.words.value if isinstance(line.words, Text) else line.words
             self.line(row, line.symbol, line.unit if isinstance(line.unit, str) else None, words)
             write_value(self, row, line, Area(row, MEANING, row, LAST))
+            if line.occurs is not None and finding.key_at in on.rows:
+                below, driver = on.rows[finding.key_at], plan.mechanism.driver
+                self.line(below, rich(driver.symbol), driver.unit.text, plan.text("page.occurs"))
+                self.formula(below, VALUE, line.occurs, styles.decimals(styles.RESULT, on.driver_decimals()))
             if line.note:
                 self.comments.append(Comment(row, SYMBOL, line.note))
             if line.beside is not None:
                 below = on.rows[finding.key_beside(plan)]
                 self.line(below, line.beside.symbol, plan.mechanism.length_unit, line.beside.words)
                 self.formula(below, VALUE, line.beside.value, replace(styles.RESULT, name=""))
-        write_title_line(self, on, findings, lines.values(), LAST)
+        write_title_line(self, on, title_words(on, findings, words_where_well(on, findings)), lines.values(), LAST)
         self.longest_line = self._longest_line(lines)
 
     def _longest_line(self, lines: Mapping[Finding, Line]) -> str:

@@ -89,7 +89,7 @@ class Page(Cells):
         """An expression over names of the task, with some of its names standing for cells of this sheet."""
         return with_symbols(self.naming.tree(text), cells)
 
-    def exactly(self, text: str) -> Node:
+    def exactly(self, text: str | Node) -> Node:
         """The same expression of the results before they are rounded."""
         return self.exact_naming.tree(text)
 

@@ -19,7 +19,7 @@ from mechsheet.sheet import styles
 from mechsheet.sheet.quoted import formula
 from mechsheet.sheet.synthesis.page import Page
 from mechsheet.sheet.task_rows import MEANING, REMARK, ROUNDED, SYMBOL, UNIT, USED, VALUE
-from mechsheet.synthesis.four_bar import transmission_angle
+from mechsheet.synthesis.kind import MU as NAME_OF_MU
 from mechsheet.synthesis.kind import Requirement
 from mechsheet.synthesis.kinds import kind_of
 from mechsheet.synthesis.writing import says
@@ -149,7 +149,8 @@ def _asked(page: Page, row: int, number: int, asked: Requirement) -> None:
     page.put(row, SYMBOL, str(number), styles.SYMBOL)
     page.formula(row, VALUE, page.shown(page.tree(asked.wanted), asked.measure), style)
     page.put(row, UNIT, page.unit_text(asked.measure), styles.UNIT)
-    found: Node = page.tree(asked.got)
+    beside = {NAME_OF_MU: page.read(CellRef(row, MU), "angle")} if asked.mu else {}
+    found: Node = page.tree(asked.got, **beside)
     if asked.measure == "angle":
         raw = CellRef(row, REMARK)
         page.formula(row, REMARK, page.shown(found, "angle"), style)
@@ -160,14 +161,13 @@ def _asked(page: Page, row: int, number: int, asked: Requirement) -> None:
         page.put(row, REMARK, None, styles.LABEL)
     page.formula(row, USED, formula("got-wanted", got=got, wanted=wanted), styles.numbered(style, "0.0E+00"))
     if page.rounds:
-        exact, aim = page.exactly(asked.got), page.exactly(asked.wanted)
+        exact, aim = page.exactly(asked.got_alone), page.exactly(asked.wanted)
         off = apart(exact, aim) if asked.measure == "angle" else formula("exact-aim", exact=exact, aim=aim)
         page.formula(row, exact_column(page.given), page.shown(off, asked.measure), styles.numbered(style, "0.0E+00"))
     words = step_words(asked.key, **dict(asked.parts))
     page.put(row, MEANING, words.of(page.plan.language), styles.LABEL)
-    if asked.at:
-        mu = page.tree(transmission_angle(f"({asked.at} + theta_offset)"))
-        page.formula(row, MU, page.shown(mu, "angle"), style)
+    if asked.mu:
+        page.formula(row, MU, page.shown(page.tree(asked.mu), "angle"), style)
         page.formula(row, THETA, page.shown(page.tree(asked.at), "angle"), style)
 
 
