@@ -273,7 +273,7 @@ def test_a_row_that_does_not_exist_says_so_and_nothing_else_does():
 
 
 @pytest.mark.parametrize(
-    ("typed", "named"), [({"a3": 0}, "a3"), ({"a4": -5}, "a4"), ({"a2": None}, "a2"), ({"mode_1": 0.5}, "mode1")]
+    ("typed", "named"), [({"a3": 0}, "a₃"), ({"a4": -5}, "a₄"), ({"a2": None}, "a₂"), ({"mode_1": 0.5}, "mode₁")]
 )
 def test_an_input_that_is_none_shows_no_position(typed, named):
     page = Page(template_text("four-bar")).change(**typed)

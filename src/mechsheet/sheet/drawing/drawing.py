@@ -22,15 +22,16 @@ from mechsheet.shapes.names import POINTS
 from mechsheet.sheet import styles
 from mechsheet.sheet.deleted import gaps_where_deleted
 from mechsheet.sheet.drawing.frames import (
+    AT,
     CHART_X,
     CHART_Y,
     FIRST,
     HIDDEN_AXIS,
     NAME,
-    PART,
     SWEEP,
     Frame,
     Page,
+    beside,
     stride_of,
     write_frame,
 )
@@ -161,7 +162,7 @@ def chart_of(plan: Plan, series: Sequence[Series], size: int) -> Chart:
 
 
 def _sheet(page: Page) -> Sheet:
-    columns = [Column(NAME, NAME, 26.0), Column(FIRST, PART, 12.0), Column(PART + 1, PART + 1, 3.0)]
+    columns = [Column(NAME, NAME, 26.0), Column(FIRST, AT, 12.0), Column(AT + 1, AT + 1, 3.0)]
     if page.col > SWEEP:
         columns.append(Column(SWEEP, page.col - 1, 11.0))
     fills = gaps_where_deleted(page.plan, page.fills, page.title)
@@ -237,8 +238,7 @@ def _path_chart(page: Page, request: ChartRequest, cells: Mapping[str, PointCell
         series.append(Series(plain(point), x, y, line=styles.SERIES[index % len(styles.SERIES)], width=1.75))
     for index, point in enumerate(request.paths):
         page.put(NAME, rich(point), styles.SYMBOL)
-        page.formula(CHART_X, frame.chart_x(cells[point].x))
-        page.formula(CHART_Y, frame.chart_y(cells[point].y))
+        page.formula(CHART_X, frame.chart_x(beside(cells[point].x)), cols=2)
         color = styles.SERIES[index % len(styles.SERIES)]
         x, y = page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y)
         series.append(replace(marker(plain(point), x, y, color), show_name=True))

@@ -16,10 +16,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, symbols, transform, walk
+from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted, symbols, transform, walk
 from livesheet.workbook import Area, Axis, Cell, Content, Fill, Series, SeriesRef, Style
 from mechsheet.shapes.colors import INK
-from mechsheet.shapes.forms import BOTTOM, LEFT
+from mechsheet.shapes.forms import BAR_RISE, BAR_START, BOTTOM, LEFT, Scale
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.rows import chunks_of
@@ -28,10 +28,10 @@ from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
 
-NAME, FIRST, SECOND, CHART_X, CHART_Y, SIXTH, SEVENTH, EIGHTH, NINTH, NUMBER, PART = range(11)
+NAME, FIRST, SECOND, CHART_X, CHART_Y, SIXTH, SEVENTH, EIGHTH, NINTH, NUMBER, PART, AT = range(12)
 """Columns: what it is, its own numbers, and its place in the chart; six more where there is more to say."""
 
-SWEEP = PART + 2
+SWEEP = AT + 2
 """First of the columns that follow the table of positions."""
 
 SAMPLES = 721
@@ -77,24 +77,34 @@ class Page:
         if content != "":
             self.cells.append(Cell(self.row, self.left + col, content, style))
 
-    def formula(self, col: int, node: Node, style: Style = NUMBER_STYLE, rows: int = 1) -> CellRef:
-        """A formula in the present row, or filled down from there; the address of the first."""
-        self.fills.append(Fill(self.row, self.left + col, node, style, rows=rows))
+    def formula(self, col: int, node: Node, style: Style = NUMBER_STYLE, rows: int = 1, cols: int = 1) -> CellRef:
+        """A formula in the present row, or filled down and right from there; the address of the first."""
+        self.fills.append(Fill(self.row, self.left + col, node, style, rows=rows, cols=cols))
         return self.cell(col)
+
+    def both(self, col: int, x: Node, y: Node) -> None:
+        """The formulas of x and y side by side: one, filled right, where that of y reads beside what that of x reads."""
+        read = [{part for part in walk(node) if isinstance(part, CellRef)} for node in (x, y)]
+        free = [transform(node, lambda part: part if part in read[0] & read[1] else _free(part)) for node in (x, y)]
+        if shifted(free[0], 0, 1) == free[1]:
+            self.formula(col, free[0], cols=2)
+        else:
+            self.formula(col, x)
+            self.formula(col + 1, y)
 
     def cell(self, col: int, row: int | None = None, anchored: bool = True) -> CellRef:
         """The address of a cell of the left part, in the present row or another."""
         return CellRef(self.row if row is None else row, self.left + col, anchored, True)
 
-    def column_of(self, col: int, first: int, last: int) -> RangeRef:
-        """Cells of the left part below each other."""
-        return RangeRef(self.cell(col, first), self.cell(col, last))
+    def column_of(self, col: int, first: int, last: int, anchored: bool = True) -> RangeRef:
+        """Cells of the left part below each other; not anchored: filled right, of the column beside."""
+        return RangeRef(*(replace(self.cell(col, row), col_abs=anchored) for row in (first, last)))
 
     def section(self, title: str, heads: Sequence[str] = ()) -> None:
         """A heading across the columns, after an empty row."""
         self.row += 1
         self.put(NAME, title, styles.SECTION)
-        for col in range(FIRST, PART + 1):
+        for col in range(FIRST, AT + 1):
             head = heads[col - FIRST] if col - FIRST < len(heads) else ""
             self.put(col, head or None, styles.SECTION)
         self.row += 1
@@ -273,10 +283,13 @@ def stride_of(plan: Plan) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """The square window of a chart: its middle and half its side, and the scale bar in its lower left corner."""
+    """The square window of a chart: its middle and half its side, and the scale bar in its lower left corner.
 
-    x: Node
-    y: Node
+    A formula of `chart_x` that is filled right is that of `chart_y`.
+    """
+
+    x: CellRef
+    y: CellRef
     half: CellRef
     series: tuple[Series, ...]
 
@@ -309,28 +322,52 @@ def write_frame(
     text = page.plan.text
     above = 1 - 1 / margin
     raised = round(max(0.0, below - above) / 2, 3)
-    page.section(title, [text("drawing.from"), text("drawing.to"), "", text("drawing.middle")])
-    middles: list[Node] = []
-    sizes = []
-    for name, (low, high) in (("x", x), ("y", y)):
-        page.put(NAME, name)
-        a, b = near(page.formula(FIRST, low)), near(page.formula(SECOND, high))
-        middles.append(page.formula(CHART_Y, al.div(al.add(a, b), al.TWO)))
-        sizes.append(al.sub(b, a))
+    page.section(title, ["x", "y"])
+    ends: list[CellRef] = []
+    for key, both in (("drawing.from", (x[0], y[0])), ("drawing.to", (x[1], y[1]))):
+        page.put(NAME, text(key))
+        page.both(FIRST, *both)
+        ends.append(beside(near(page.cell(FIRST))))
         page.row += 1
+    middles = _middle(page, formula("(a+b)/2", a=ends[0], b=ends[1]))
+    sizes = [al.sub(replace(ends[1], col=ends[1].col + way), replace(ends[0], col=ends[0].col + way)) for way in (0, 1)]
     if raised:
         sizes[1] = al.mul(al.number(round((1 - above) / (1 - above - raised), 3)), sizes[1])
-    room = arrows((middles[0], middles[1]), raised) if arrows is not None else []
+    room = arrows(middles, raised) if arrows is not None else []
     page.put(NAME, text("drawing.half"))
     size = al.nested("MAX", sizes)
     least = formula("IF(size>0,part*size,1)", size=size, part=margin / 2)
     half = page.formula(FIRST, al.nested("MAX", [least, *room]) if room else least)
-    if raised:
-        lower = al.sub(middles[1], al.mul(al.number(raised), half))
-        middles[1] = page.formula(CHART_Y, lower)
     page.row += 1
+    if raised:
+        page.put(NAME, text("drawing.lowered"))
+        page.put(FIRST, 0.0, NUMBER_STYLE)
+        page.put(SECOND, raised, NUMBER_STYLE)
+        lowered = beside(near(page.cell(FIRST)))
+        page.row += 1
+        middles = _middle(
+            page, formula("middle-lowered*half", middle=near(middles[0]), lowered=lowered, half=near(half))
+        )
     series = _scale_bar(page, half, page.plan.mechanism.length_unit if unit is None else unit)
-    return Frame(middles[0], middles[1], half, series)
+    return Frame(*middles, half, series)
+
+
+def _middle(page: Page, node: Node) -> tuple[CellRef, CellRef]:
+    """The row of a middle, x and y: a formula filled right."""
+    page.put(NAME, page.plan.text("drawing.middle"))
+    page.formula(FIRST, node, cols=2)
+    x, y = (beside(page.cell(col)) for col in (FIRST, SECOND))
+    page.row += 1
+    return x, y
+
+
+def beside(cell: CellRef) -> CellRef:
+    """The cell as a formula reads it that is filled right: then the one beside it."""
+    return replace(cell, col_abs=False)
+
+
+def _free(part: Node) -> Node:
+    return beside(part) if isinstance(part, CellRef) else part
 
 
 def near(cell: CellRef) -> CellRef:
@@ -375,3 +412,29 @@ def _scale_bar(page: Page, half: CellRef, unit: str) -> tuple[Series, ...]:
         line=INK, width=2.0, in_legend=False,
     )  # fmt: skip
     return bar, name
+
+
+def arrow_bar(page: Page, scale: Scale, number: int, most: Node, switch: Node) -> list[Series]:
+    """The scale bar of a kind of arrows, the bar of this number from below: 1, 2 or 5 times a power of ten long.
+
+    most  the size of the longest arrow;  switch  1 where they are shown
+    """
+    text = page.plan.text
+    page.put(NAME, text("drawing.bar"))
+    room = longest_bar(most)
+    length = page.formula(FIRST, formula("IF(AND(switch=1,most>0),room,NA())", switch=switch, most=most, room=room))
+    height = BOTTOM + BAR_RISE * number
+    start = page.row
+    page.put(CHART_X, BAR_START, NUMBER_STYLE)
+    page.put(CHART_Y, height, NUMBER_STYLE)
+    page.row += 1
+    words = joined(formula("ROUND(length,12)", length=length), f" {scale.unit}" if scale.unit else "")
+    label = page.formula(FIRST, formula('IFERROR(words,"")', words=words), styles.INNER)
+    end = formula("start+length/most*longest", start=BAR_START, length=length, most=most, longest=scale.longest)
+    page.formula(CHART_X, end)
+    page.put(CHART_Y, height, NUMBER_STYLE)
+    page.row += 1
+    x, y = (page.reference(start, col, page.row - 1) for col in (CHART_X, CHART_Y))
+    bar = Series(text("drawing.bar"), x, y, line=scale.color, width=2.0, in_legend=False)
+    at = page.reference(page.row - 1, CHART_X), page.reference(page.row - 1, CHART_Y)
+    return [bar, Series(page.named(label), *at, show_name=True, label_side="right", in_legend=False)]

@@ -49,8 +49,8 @@ def as_described(plan: Plan, vectors: Collection[Kind]) -> Positions:
     return Positions(_Solved(plan.mechanism, plan.equations.equations, driver, plan.nominal), vectors)
 
 
-def ways_beside(page: Page, positions: Positions, letters: float, name: CellRef) -> tuple[Node, Node]:
-    """How far from its place the name with the number in a cell stands in x and in y [half windows].
+def ways_beside(page: Page, positions: Positions, letters: float, name: CellRef) -> Node:
+    """How far from its place the name with the number in a cell stands in x, filled right in y [half windows].
 
     The changes are sorted by  number rows + position,  so that one look-up finds the last before the position shown.
     """
@@ -63,13 +63,12 @@ def ways_beside(page: Page, positions: Positions, letters: float, name: CellRef)
         for col, way in enumerate(ways, left + 1):
             page.cells.append(Cell(row, col, NONE if math.isnan(way) else way, NUMBER_STYLE))
     page.col += len(heads)
-    keys, x, y = (
-        RangeRef(CellRef(first, col, True, True), CellRef(first + max(0, len(changes) - 1), col, True, True))
-        for col in range(left, page.col)
-    )
+    last = first + max(0, len(changes) - 1)
+    keys = RangeRef(CellRef(first, left, True, True), CellRef(last, left, True, True))
+    column = RangeRef(CellRef(first, left + 1, True), CellRef(last, left + 1, True))
     shown = plan.at.bind(there(plan.places.position).cell, page.title)
     found = formula("MATCH(name*rows+MIN(shown,rows-1),keys,1)", name=name, rows=plan.rows, shown=shown, keys=keys)
-    return formula("INDEX(column,found)", column=x, found=found), formula("INDEX(column,found)", column=y, found=found)
+    return formula("INDEX(column,found)", column=column, found=found)
 
 
 def _changes(plan: Plan, positions: Positions, letters: float) -> list[tuple[int, int, float, float]]:

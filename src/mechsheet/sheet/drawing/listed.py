@@ -18,15 +18,12 @@ from itertools import groupby
 import numpy as np
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, CellRef, Node, Symbol, Unary, symbols, transform, walk
+from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Symbol, Unary, symbols, transform, walk
 from livesheet.formula.vectors import NOWHERE, Vector, minus, plus, times, together
 from livesheet.workbook import Rich, Series, SeriesRef
 from mechsheet.shapes.colors import INK
 from mechsheet.shapes.forms import (
     ARROWS,
-    BAR_RISE,
-    BAR_START,
-    BOTTOM,
     EDGE,
     HALF,
     LEAST,
@@ -36,7 +33,6 @@ from mechsheet.shapes.forms import (
     Kind,
     Mark,
     Name,
-    Scale,
     Shape,
     place_of,
     room_of_bars,
@@ -48,6 +44,7 @@ from mechsheet.shapes.positions import rings_needed, ways_in
 from mechsheet.sheet import styles
 from mechsheet.sheet.checks.rows import chunks_of
 from mechsheet.sheet.drawing.frames import (
+    AT,
     CHART_X,
     CHART_Y,
     EIGHTH,
@@ -62,7 +59,8 @@ from mechsheet.sheet.drawing.frames import (
     SIXTH,
     Frame,
     Page,
-    longest_bar,
+    arrow_bar,
+    beside,
     write_frame,
 )
 from mechsheet.sheet.drawing.labels import as_described, ways_beside
@@ -144,7 +142,11 @@ class Listed:
         self._series = self._corners(corners)
         paths = self._paths()
         names = list(self._names(named))
-        bars = [each for number, scale in enumerate(found.scales) for each in self._bar(scale, number)]
+        bars = [
+            each
+            for number, scale in enumerate(found.scales)
+            for each in arrow_bar(page, scale, number, self.bound(scale.most), self.bound(scale.shown))
+        ]
         caption = besides()
         self.series = self._in_both_orders(paths, [*names, *self.frame.series, caption, *bars])
 
@@ -306,7 +308,7 @@ class Listed:
             "y",
             "X",
             "Y",
-            *(text(f"drawing.{key}") for key in ("along.x", "along.y", "across.x", "across.y", "number", "size")),
+            *(text(f"drawing.{key}") for key in ("along.x", "along.y", "across.x", "across.y", "number", "size", "at")),
         ]
         page.section(text("drawing.places"), heads)
         self.first_place = page.row
@@ -339,9 +341,8 @@ class Listed:
         for sized, run in groupby(enumerate(self._numbers, self.first_place), lambda each: each[1][-1] is not None):
             rows = [row for row, _ in run]
             part = page.cell(PART, rows[0], anchored=False) if sized else None
-            for col, own, chart in ((CHART_X, FIRST, self.frame.chart_x), (CHART_Y, SECOND, self.frame.chart_y)):
-                node = self._if_large(chart(page.cell(own, rows[0], anchored=False)), part)
-                self._filled(col, node, rows[0], rows[-1])
+            node = self.frame.chart_x(beside(page.cell(FIRST, rows[0], anchored=False)))
+            self._filled(CHART_X, self._if_large(node, part), rows[0], rows[-1], cols=2)
         return found, named
 
     def _rings(self, plate: Shape) -> Iterator[_Corner]:
@@ -375,25 +376,43 @@ class Listed:
         self._numbers[key] = number = len(self._numbers) + 1
         page.put(NAME, name, styles.LABEL if isinstance(name, str) else styles.SYMBOL)
         part = None if size is None else self._part(size)
-        shaft = self._ends.get(at)
-        for col, way, node in zip((FIRST, SECOND), (SIXTH, SEVENTH), at, strict=True):
-            if shaft is None:
-                place = _as_beside(self.bound(node), page.cell(col))
-            else:
-                place = al.add(*(_as_beside(page.cell(each, shaft, anchored=False)) for each in (col, way)))
-            cell = page.formula(col, place)
-            if isinstance(node, Symbol):
-                self.known.setdefault(node, replace(cell, row_abs=False))
-        for col, node in zip((SIXTH, SEVENTH, EIGHTH, NINTH), (*along, *across), strict=True):
-            if not al.is_zero(node):
-                cell = page.formula(col, self._if_large(self.bound(node), part))
-                if not isinstance(node, Symbol) and al.value_of(node) is None:
-                    self.known.setdefault(node, replace(cell, row_abs=False))
+        self._origin(at)
+        self._vector(SIXTH, along, part)
+        self._vector(EIGHTH, across, part)
         if size is not None and along != NOWHERE:
             self._ends.setdefault(plus(at, along), page.row)
         page.put(NUMBER, float(number), styles.decimals(styles.INNER, 0))
         page.row += 1
         return number
+
+    def _origin(self, at: Vector) -> None:
+        """x and y of a place: those of a point that has a row, of the end of the shaft above it, or its own."""
+        page, shaft, point = self.page, self._ends.get(at), _point_at(at)
+        if shaft is not None:
+            start, way = (beside(page.cell(col, shaft, anchored=False)) for col in (FIRST, SIXTH))
+            page.formula(FIRST, al.add(start, way), cols=2)
+        elif point in self.points:
+            number = self.points[point].x.row - self.first_place + 1
+            page.put(AT, float(number), styles.decimals(styles.INNER, 0))
+            points = page.column_of(FIRST, self.first_place, self.first_place + len(self._marked) - 1, anchored=False)
+            page.formula(FIRST, formula("INDEX(points,at)", points=points, at=page.cell(AT, anchored=False)), cols=2)
+        else:
+            page.both(FIRST, *map(self.bound, at))
+            for col, node in zip((FIRST, SECOND), at, strict=True):
+                if isinstance(node, Symbol):
+                    self.known.setdefault(node, replace(page.cell(col), row_abs=False))
+
+    def _vector(self, col: int, vector: Vector, part: Node | None) -> None:
+        """The two numbers of a vector; what is 0 has no cell."""
+        page, nodes = self.page, [self._if_large(self.bound(node), part) for node in vector]
+        written = [(each, node) for each, node in enumerate(vector, col) if not al.is_zero(node)]
+        if len(written) == 2:
+            page.both(col, *nodes)
+        for each, node in written:
+            if len(written) == 1:
+                page.formula(each, nodes[each - col])
+            if not isinstance(node, Symbol) and al.value_of(node) is None:
+                self.known.setdefault(node, replace(page.cell(each), row_abs=False))
 
     def _part(self, size: Node) -> CellRef:
         """The cell of a place that says which part an arrow is of the largest; the tip has that of its shaft, above it."""
@@ -408,9 +427,9 @@ class Listed:
         """What an arrow needs: #N/A while it is too small to be drawn."""
         return node if part is None else formula("IF(part<least,NA(),node)", part=part, least=LEAST, node=node)
 
-    def _filled(self, col: int, node: Node, first: int, last: int) -> None:
+    def _filled(self, col: int, node: Node, first: int, last: int, cols: int = 1) -> None:
         row, self.page.row = self.page.row, first
-        self.page.formula(col, node, rows=last - first + 1)
+        self.page.formula(col, node, rows=last - first + 1, cols=cols)
         self.page.row = row
 
     def _corners(self, corners: Sequence[_Corner]) -> dict[int, tuple[Series, ...]]:
@@ -428,19 +447,19 @@ class Listed:
             page.row += 1
         if not corners:
             return {}
-        holes = {key: page.cell(col, start, anchored=False) for key, col in
-                 (("a", FIRST), ("b", SECOND), ("number", NUMBER))}  # fmt: skip
-        for col, along, across in ((CHART_X, SIXTH, EIGHTH), (CHART_Y, SEVENTH, NINTH)):
-            columns = {
-                key: page.column_of(each, self.first_place, self.last_place)
-                for key, each in (("place", col), ("along", along), ("across", across))
-            }
-            node = formula(
-                "IFERROR(INDEX(place,number)+(a*INDEX(along,number)+b*INDEX(across,number))/half,NA())",
-                half=self.frame.half, **columns, **holes,
-            )  # fmt: skip
-            self._filled(col, node, start, page.row - 1)
+        own = {key: page.cell(col, start, anchored=False) for key, col in
+               (("a", FIRST), ("b", SECOND), ("number", NUMBER))}  # fmt: skip
+        places = {key: self._of_places(col) for key, col in (("place", CHART_X), ("along", SIXTH), ("across", EIGHTH))}
+        node = formula(
+            "IFERROR(INDEX(place,number)+(a*INDEX(along,number)+b*INDEX(across,number))/half,NA())",
+            half=self.frame.half, **places, **own,
+        )  # fmt: skip
+        self._filled(CHART_X, node, start, page.row - 1, cols=2)
         return self._lines(start)
+
+    def _of_places(self, col: int) -> RangeRef:
+        """A column of all places, for a formula that is filled right: that of x, beside it is that of y."""
+        return self.page.column_of(col, self.first_place, self.last_place, anchored=False)
 
     def _lines(self, start: int) -> dict[int, tuple[Series, ...]]:
         """A line for each shape; the tip of an arrow goes on from its shaft, the mark of a mass centre from its ring.
@@ -553,15 +572,14 @@ class Listed:
             x, y = page.reference(page.row, CHART_X), page.reference(page.row, CHART_Y)
             yield Series(words, x, y, show_name=True, label_side="center", in_legend=False)
             page.row += 1
-        ways = ways_beside(page, self._drawn, self._letters, page.cell(NINTH, start, anchored=False))
-        for col, chart_col, way in ((FIRST, CHART_X, ways[0]), (SECOND, CHART_Y, ways[1])):
-            self._filled(col, way, start, page.row - 1)
-            origins = page.column_of(chart_col, self.first_place, self.last_place)
-            node = formula(
-                "IFERROR(INDEX(origins,number)+beside,NA())", origins=origins,
-                number=page.cell(NUMBER, start, anchored=False), beside=page.cell(col, start, anchored=False),
-            )  # fmt: skip
-            self._filled(chart_col, node, start, page.row - 1)
+        way = ways_beside(page, self._drawn, self._letters, page.cell(NINTH, start, anchored=False))
+        self._filled(FIRST, way, start, page.row - 1, cols=2)
+        node = formula(
+            "IFERROR(INDEX(origins,number)+beside,NA())", origins=self._of_places(CHART_X),
+            number=page.cell(NUMBER, start, anchored=False),
+            beside=beside(page.cell(FIRST, start, anchored=False)),
+        )  # fmt: skip
+        self._filled(CHART_X, node, start, page.row - 1, cols=2)
 
     def _with_value(self, name: Name) -> Node:
         """`name = 12.3 N`."""
@@ -569,37 +587,6 @@ class Listed:
         rounded = formula("ROUND(value,digits-1-INT(LOG10(ABS(value))))", value=value, digits=DIGITS)
         words = joined(f"{name.text} = ", rounded, f" {name.unit}" if name.unit else "")
         return formula("IFERROR(words,name)", words=words, name=name.text)
-
-    def _bar(self, scale: Scale, number: int) -> list[Series]:
-        """A scale bar, 1, 2 or 5 times a power of ten long."""
-        page, text = self.page, self.page.plan.text
-        most, switch = self.bound(scale.most), self.bound(scale.shown)
-        page.put(NAME, text("drawing.bar"))
-        room = longest_bar(most)
-        length = page.formula(FIRST, formula("IF(AND(switch=1,most>0),room,NA())", switch=switch, most=most, room=room))
-        height = BOTTOM + BAR_RISE * number
-        start = page.row
-        page.put(CHART_X, BAR_START, NUMBER_STYLE)
-        page.put(CHART_Y, height, NUMBER_STYLE)
-        page.row += 1
-        words = joined(formula("ROUND(length,12)", length=length), f" {scale.unit}" if scale.unit else "")
-        label = page.formula(FIRST, formula('IFERROR(words,"")', words=words), styles.INNER)
-        end = formula("start+length/most*longest", start=BAR_START, length=length, most=most, longest=scale.longest)
-        page.formula(CHART_X, end)
-        page.put(CHART_Y, height, NUMBER_STYLE)
-        page.row += 1
-        x, y = (page.reference(start, col, page.row - 1) for col in (CHART_X, CHART_Y))
-        bar = Series(text("drawing.bar"), x, y, line=scale.color, width=2.0, in_legend=False)
-        at = page.reference(page.row - 1, CHART_X), page.reference(page.row - 1, CHART_Y)
-        return [bar, Series(page.named(label), *at, show_name=True, label_side="right", in_legend=False)]
-
-
-def _as_beside(node: Node, own: CellRef | None = None) -> Node:
-    """A reference as the column beside has it, where it is in the column of the formula's `own` cell, or the column is known
-    to go with it."""
-    if not isinstance(node, CellRef) or node.sheet is not None or node.row_abs or (own and own.col != node.col):
-        return node
-    return replace(node, col_abs=False)
 
 
 def _point_at(at: Vector) -> str:

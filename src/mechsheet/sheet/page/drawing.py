@@ -37,9 +37,9 @@ class _Beside(Page):
         if content is not None:
             super().put(col, content, style if isinstance(content, float) else WORDS)
 
-    def formula(self, col: int, node: Node, style: Style = NUMBER_STYLE, rows: int = 1) -> CellRef:
-        """A formula in the present row, or filled down from there; the address of the first."""
-        return super().formula(col, transform(node, degrees_together), WORDS if col == NAME else style, rows)
+    def formula(self, col: int, node: Node, style: Style = NUMBER_STYLE, rows: int = 1, cols: int = 1) -> CellRef:
+        """A formula in the present row, or filled down and right from there; the address of the first."""
+        return super().formula(col, transform(node, degrees_together), WORDS if col == NAME else style, rows, cols)
 
     @property
     def last_row(self) -> int:

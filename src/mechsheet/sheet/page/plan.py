@@ -49,7 +49,8 @@ class PagePlan(Plan):
     drawn     False without the drawing
     note_row  where it is said how exact the angles are
     lengths   sides of four-bar loops that are no dimensions, by the keys of their cells
-    marks     the column that marks the inputs that cannot be: the first to the right of table and charts
+    marks     the column that names the inputs that cannot be, and has the words where all is well: the first to the right
+              of table and charts
     """
 
     page: PageAssignments = field(kw_only=True)

@@ -209,7 +209,10 @@ class Top(Cells):
                 below = on.rows[finding.key_beside(plan)]
                 self.line(below, line.beside.symbol, plan.mechanism.length_unit, line.beside.words)
                 self.formula(below, VALUE, line.beside.value, replace(styles.RESULT, name=""))
-        write_title_line(self, on, title_words(on, findings, words_where_well(on, findings)), lines.values(), LAST)
+        # right of the charts: there it is not printed, and takes no row
+        self.formula(VERDICT_ROW, plan.marks, words_where_well(on, findings), styles.LABEL)
+        well = CellRef(VERDICT_ROW, plan.marks, True, True)
+        write_title_line(self, on, title_words(on, findings, well), lines.values(), LAST)
         self.longest_line = self._longest_line(lines)
 
     def _longest_line(self, lines: Mapping[Finding, Line]) -> str:
