@@ -46,6 +46,7 @@ def test_pull_to_standard_output(changed, yoke):
     assert "nothing was changed" in run("pull", yoke).stderr
 
 
+@pytest.mark.slow
 def test_pull_does_not_overwrite_but_what_it_pulls_into(changed, tmp_path):
     mine = tmp_path / "mine.toml"
     mine.write_bytes((TEMPLATES / "scotch-yoke.toml").read_bytes())

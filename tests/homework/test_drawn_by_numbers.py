@@ -76,6 +76,7 @@ def test_a_ram_put_together_the_other_way_is_drawn_where_the_sheet_has_it(tmp_pa
     assert found.picture.theirs["lever"]["B"] == pytest.approx(found.picture.right["lever"]["B"])
 
 
+@pytest.mark.slow
 def test_what_is_wrong_and_no_place_has_no_picture(tmp_path):
     """Two pictures that were the same told nothing."""
     found = shaped(tmp_path, reach="SQRT({s}^2-{h}^2/9)")

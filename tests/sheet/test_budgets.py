@@ -94,6 +94,7 @@ WRITTEN += [
 """Turkish words and titles of sheets are the longer ones."""
 
 
+@pytest.mark.slow
 @pytest.mark.cases(8)
 @pytest.mark.parametrize("name", TEMPLATE_NAMES)
 def test_no_formula_is_too_long_to_be_read(name):

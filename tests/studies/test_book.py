@@ -60,6 +60,7 @@ def test_the_counts_are_those_of_the_study(found):
         assert cells[text] == count
 
 
+@pytest.mark.slow
 def test_the_front_has_its_own_sheet_with_a_chart_of_its_cells(found):
     from mechsheet.studies.book import book_of
 

@@ -23,6 +23,7 @@ vary = { first = { values = [20, 37.5, 70] } }
 """
 
 
+@pytest.mark.slow
 @pytest.mark.cases(2)
 @pytest.mark.parametrize("laws", [("parabolic",), ("modified sine", "3-4-5"), ("modified trapezoid", "harmonic")])
 @pytest.mark.parametrize(("kind", "sharp", "way"), [("slide", "kappa", "max"), ("flat slide", "rho", "min")])
@@ -40,6 +41,7 @@ def test_summaries_are_those_of_the_workbook(kind, sharp, way, laws):
     assert np.all(np.isfinite(found.columns["sharpest"]))
 
 
+@pytest.mark.slow
 def test_designs_that_a_cam_cannot_have_are_none():
     """Where the workbook asks to look at a cell, no row of the study claims a position."""
     text = f"""{random_cams.cam(7, "flat slide", ("3-4-5",))}

@@ -63,6 +63,7 @@ def test_a_students_sheet_holds_the_task_and_no_answer(week):
     assert all(mode not in " ".join(map(str, cells)) for mode in ("mode_1", "[assembly]"))
 
 
+@pytest.mark.slow
 def test_dimensions_come_from_seed_and_id_alone(week):
     drawn = {one["id"]: one["dimensions"] for one in key_of(week)["students"]}
     assert len({tuple(one.values()) for one in drawn.values()}) == 3
@@ -313,6 +314,7 @@ def test_nothing_is_marked_where_a_path_holds_no_workbook(week, tmp_path):
     assert not (tmp_path / "pages").exists()
 
 
+@pytest.mark.slow
 def test_where_nothing_has_a_name_that_could_vary_no_empty_line_is_advised(tmp_path):
     (tmp_path / "class.csv").write_text("id\n1\n", encoding="utf-8")
     text = """format = 1
@@ -336,6 +338,7 @@ def test_a_folder_to_write_into_is_missed_before_anything_is_marked(week, tmp_pa
     assert output.count("there is no such folder") == 2
 
 
+@pytest.mark.slow
 def test_an_appeal_is_looked_at_by_the_key(week):
     """The description of an exercise stands in its key: no faults of a .json read as a description."""
     sheet = next((week / "week" / "student").glob("101*.xlsx"))

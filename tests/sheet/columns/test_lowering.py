@@ -141,6 +141,7 @@ def test_groups_that_always_close_ask_the_inputs_too():
     assert set(laid.column("s13")) == {NA}
 
 
+@pytest.mark.slow
 def test_a_row_without_a_position_keeps_what_does_not_depend_on_the_group():
     laid = Laid(FOUR_BAR).change(a1=110)
     exists = laid.exists

@@ -302,6 +302,7 @@ def test_a_page_says_the_same_of_its_rows():
     assert Book(text, "page").number("contact_force") == pytest.approx(np.min(rows["N"]))
 
 
+@pytest.mark.slow
 def test_an_empty_cell_is_called_by_its_own_name():
     """A cam's dimensions stand below its sweep where there are no others: the words named the cells between the two."""
     laid = Laid(NO_DIMENSIONS)

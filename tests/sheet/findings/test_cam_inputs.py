@@ -57,6 +57,7 @@ CAN_BE = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.cases(6)
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize(("text", "typed", "named"), CANNOT_BE)
@@ -72,6 +73,7 @@ def test_the_cell_is_named_and_red(text, typed, named, layout):
     assert (red, book.line_colour) == ([told], "red")
 
 
+@pytest.mark.slow
 @pytest.mark.cases(6)
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 @pytest.mark.parametrize(("text", "typed"), CAN_BE)
@@ -80,6 +82,7 @@ def test_what_a_description_takes_is_taken(text, typed, layout):
     assert (book.number("inputs"), book.words("inputs")) == (0, "all hold possible values")
 
 
+@pytest.mark.slow
 @pytest.mark.cases(7)
 @pytest.mark.parametrize(("text", "typed", "named"), CANNOT_BE)
 def test_check_refuses_it_at_its_cell(text, typed, named):
@@ -90,6 +93,7 @@ def test_check_refuses_it_at_its_cell(text, typed, named):
     assert [fault.key for fault in refused.value.faults] == [cell_address(spot.sheet, spot.row, spot.col)]
 
 
+@pytest.mark.slow
 def test_check_says_it_in_the_words_of_a_description():
     said = []
     out_of_reach = {"base_radius": 1, "roller_radius": 3}
@@ -115,6 +119,7 @@ def test_check_says_it_in_the_words_of_a_description():
     ]
 
 
+@pytest.mark.slow
 def test_sets_that_are_drawn_are_such_as_a_cam_can_have():
     """By far too large changes half the sets would leave the turn."""
     laid = Laid(CLOSED)
@@ -123,11 +128,13 @@ def test_sets_that_are_drawn_are_such_as_a_cam_can_have():
         assert laid.change(**typed).spot("inputs") == 0, typed
 
 
+@pytest.mark.slow
 def test_it_is_said_in_turkish_too():
     book = Book(CLOSED, "sheets", "tr").type(over_1=400)
     assert re.fullmatch("over.* hücresine bakın: boş ya da olamaz", book.line)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layout", ["sheets", "page"])
 def test_as_many_segments_as_may_be_fit_into_a_cell(layout):
     """40 segments are what a description takes at most; the last one is asked for the sum of all."""

@@ -18,6 +18,7 @@ def test_what_follows_from_them_and_is_no_number(layout):
     assert Book(FOUR_BAR, layout).type(b3=10).line == MISFIT
 
 
+@pytest.mark.slow
 @LAYOUTS
 @pytest.mark.parametrize("typed", [{"J_3": None}, {"m_3": -1}, {"omega12": None}, {"M": None}])
 def test_what_rates_and_forces_follow_from(typed, layout):
@@ -28,12 +29,14 @@ def test_what_rates_and_forces_follow_from(typed, layout):
     assert book.number("rows_closed") == 37
 
 
+@pytest.mark.slow
 def test_of_no_forces_nothing_is_said_to_agree():
     book = Book(FORCES, "sheets").type(J_3="x")
     for key in ("largest_effort", "largest_force", "effort_fits"):
         assert (str(book.number(key)), book.words(key)) == ("#N/A", ""), key
 
 
+@pytest.mark.slow
 @LAYOUTS
 @pytest.mark.parametrize("symbol", ["z2", "z5"])
 def test_a_wheel_without_teeth(symbol, layout):
@@ -51,6 +54,7 @@ def test_a_position_that_is_none_shows_no_other(number):
     assert book.line == "look at position: no value that it can have"
 
 
+@pytest.mark.slow
 def test_a_crank_that_turns_far_in_a_step():
     """At 1000° a row nobody knows what is between; it was said that no link turns far."""
     far = Book(FOUR_BAR, "sheets").type(step=1000)

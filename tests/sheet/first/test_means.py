@@ -97,6 +97,7 @@ def test_over_a_part_of_a_turn():
     assert means(laid) == pytest.approx([np.trapezoid(column) / 18 for column in rocker(crank)], rel=1e-12)
 
 
+@pytest.mark.slow
 def test_where_rows_are_missing():
     """Over the pairs of neighbouring rows that both exist, whatever stands between the stretches."""
     laid = Laid(FOUR_BAR).change(a1=110)

@@ -216,6 +216,7 @@ def test_check_agrees_with_it(tmp_path):
     assert mechsheet.check(book).agrees
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("layout", "words"), [("page", 3), ("sheets", 4)])
 def test_a_mean_says_why_it_is_not_there(layout, words):
     """A row that is inserted above the first of a table moves the ranges that begin there, not those of the rows before."""

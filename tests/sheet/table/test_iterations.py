@@ -64,6 +64,7 @@ def test_after_a_change_the_start_table_still_leads_to_the_position(sheet):
     assert sheet.spot("largest_gap") < 1e-12
 
 
+@pytest.mark.slow
 def test_where_the_links_do_not_meet_the_table_says_so(sheet):
     sheet.change(_start=9.4)
     assert not any(sheet.exists)
