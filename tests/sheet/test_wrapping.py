@@ -73,11 +73,11 @@ def test_the_row_of_a_long_label_is_higher(layout):
     ("ending", "part", "smaller"),
     [("xlsx", "xl/styles.xml", b'shrinkToFit="1"'), ("ods", "content.xml", b'style:shrink-to-fit="true"')],
 )
-def test_a_text_that_a_formula_writes_becomes_smaller_rather_than_wider(ending, part, smaller, tmp_path):
+def test_a_text_that_a_formula_writes_becomes_smaller_or_has_lines_and_is_not_wider(ending, part, smaller, tmp_path):
     """How long it will be depends on what is typed."""
     workbook = told(loads(CRANK.replace("LAYOUT", "sheets")))
     written = [fill.style for fill in workbook.workbook.sheets[0].fills if fill.col == MEANING]
-    assert written and set(written) == {styles.LABEL_SAID, styles.LEGEND}
-    assert all(style.shrink for style in written)
+    assert set(written) == {styles.LABEL_SAID, styles.LEGEND, styles.LABEL_LINES}
+    assert all(style.shrink or style.wrap for style in written)
     (path,) = write_all(workbook, [Target(tmp_path / f"x.{ending}", ending)])
     assert smaller in zipfile.ZipFile(path).read(part)
