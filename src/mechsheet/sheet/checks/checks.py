@@ -109,7 +109,7 @@ class Checks:
                 check.group: (Spot(title, self.most_row, col), Spot(title, self.at_row, col))
                 for col, check in checks if check.kind == "crossing"
             },
-            Spot(title, self.first + len(self.forces) - 1, self.forces_col + NAMED) if self.forces else None,
+            Spot(title, self.first_force + len(self.forces) - 1, self.forces_col + NAMED) if self.forces else None,
         )  # fmt: skip
 
     @property
@@ -121,6 +121,11 @@ class Checks:
     def forces_col(self) -> int:
         """The first column of their table, to the right of all others."""
         return DATA + len(self.checks) + 1
+
+    @property
+    def first_force(self) -> int:
+        """The first row of their table: below the rows of positions, among which people insert some."""
+        return self.last + 3
 
     def _next(self) -> CellRef:
         """The first cell of the column that comes next."""
@@ -281,11 +286,11 @@ class _Writer(Cells):
     def _forces(self) -> None:
         """Each joint force with its largest size; the names of those that are as large as any, one more in each row."""
         plan, at = self.plan, self.at
-        forces, col, row = at.forces, at.forces_col, at.first
+        forces, col, row = at.forces, at.forces_col, at.first_force
         if not forces:
             return
         for number, key in enumerate(("name", "most", "named")):
-            self.put(at.head_row, col + number, plan.text(f"checks.forces.{key}"), styles.HEAD)
+            self.put(row - 1, col + number, plan.text(f"checks.forces.{key}"), styles.HEAD)
         for number, name in enumerate(forces):
             self.put(row + number, col, plain(name), styles.LABEL)
             largest = over_rows(MOST, Symbol(ALL + name))

@@ -32,6 +32,7 @@ from mechsheet.sheet.findings.finding import Finding, Level, Line, bad, good, lo
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
 from mechsheet.sheet.over_rows import AS_LARGE, row_of_size
+from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.shown import rich, shown_unit, unit_of_column
 from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
@@ -81,6 +82,10 @@ class PressureAngle(Finding):
 
     def __init__(self, cam: Cam) -> None:
         self.cam = cam
+
+    def keys_below(self, plan: Plan) -> list[str]:
+        """None where the angle is the same everywhere: of a face that slides."""
+        return super().keys_below(plan) if any(column.symbol == "alpha" for column in plan.columns) else []
 
     def line(self, on: Reading) -> Line:
         value = on.value(self.key)

@@ -261,7 +261,8 @@ def while_sheets_are_there(writer: Writer) -> list[Fill]:
     """The sheet's formulas: those that need other sheets are empty where one of these was deleted, words say so."""
     needs, kept = _Needs(writer), []
     places = writer.plan.places
-    own = {*(spot.row for spot in places.sheets.values()), there(places.left).row, VERDICT_ROW, LEGEND_ROW}
+    own = {*(spot.row for spot in places.sheets.values()), places.lines["sheets"].row, there(places.left).row}
+    own |= {VERDICT_ROW, LEGEND_ROW}
     for fill in writer.fills:
         needed = needs.of(fill.row, fill.col)
         if fill.col == MEANING:
