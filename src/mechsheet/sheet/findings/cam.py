@@ -85,7 +85,8 @@ class PressureAngle(Finding):
 
     def keys_below(self, plan: Plan) -> list[str]:
         """None where the angle is the same everywhere: of a face that slides."""
-        return super().keys_below(plan) if any(column.symbol == "alpha" for column in plan.columns) else []
+        constant = any(each.symbol == "alpha" for each in plan.equations.constants)
+        return [] if constant else super().keys_below(plan)
 
     def line(self, on: Reading) -> Line:
         value = on.value(self.key)
