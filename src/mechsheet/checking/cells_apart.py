@@ -102,7 +102,7 @@ def difference(ours: Scalar, theirs: Scalar, scale: float = 1.0, period: float |
     if isinstance(ours, float | int) and isinstance(theirs, float | int):
         if period is not None:
             return abs(math.remainder(ours - theirs, period)) / period
-        return abs(ours - theirs) / max(scale, abs(ours), abs(theirs))
+        return abs(ours - theirs) / max(scale, abs(ours), abs(theirs)) if ours != theirs else 0.0
     if (ours or "") == (theirs or ""):
         return 0.0
     return texts_apart(ours, theirs) if isinstance(ours, str) and isinstance(theirs, str) else math.inf

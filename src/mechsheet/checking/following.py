@@ -30,9 +30,6 @@ SAMPLES = 4
 BEYOND = 4.0
 """And a value may lie so many times farther off than they have led: they are few, and moved each by its most."""
 
-NO_LENGTH = 1e-300
-"""Rows are equal to so many parts of themselves, however small they are; 0 has no parts."""
-
 BESIDE = "\u0001"
 """Added to a sheet's title: no program allows it there, so no other sheet is called so."""
 
@@ -66,7 +63,7 @@ def explained(
         return []
     sheets = [_as_stored(sheet, values) for sheet in book.sheets]
     found = _computed(book, sheets, suspects)
-    equal, rounding = EqualRows(found, scale=NO_LENGTH), Rounding(book, found)
+    equal, rounding = EqualRows(found, scale=0.0), Rounding(book, found)
     ours = [found.get(each.sheet + BESIDE, each.row, each.col) for each in suspects]
     follows = [
         not apart(mine, each.theirs)[0]

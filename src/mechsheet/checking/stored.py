@@ -330,10 +330,8 @@ class _Comparing:
         judged = [replace(item, follows=known) for (item, _), known in zip(self.found, follows, strict=True)]
         differences = [item for item in judged if not self.is_uncomputed(item)]
         uncomputed = tuple(item.address for item in judged if self.is_uncomputed(item))
-        if all(
-            item.follows for item in differences
-        ):  # nothing is at fault: what differs is rounding that grew on its way
-            differences = []
+        # where nothing is at fault, what differs is rounding that grew on its way
+        differences = [] if all(item.follows for item in differences) else differences
         counts = self.counts
         return Stored(
             counts["formulas"],

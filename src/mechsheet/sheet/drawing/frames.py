@@ -84,10 +84,14 @@ class Page:
 
     def both(self, col: int, x: Node, y: Node) -> None:
         """The formulas of x and y side by side: one, filled right, where that of y reads beside what that of x reads."""
-        read = [{part for part in walk(node) if isinstance(part, CellRef)} for node in (x, y)]
-        free = [transform(node, lambda part: part if part in read[0] & read[1] else _free(part)) for node in (x, y)]
-        if shifted(free[0], 0, 1) == free[1]:
-            self.formula(col, free[0], cols=2)
+        shared = {*walk(x)} & {*walk(y)}
+
+        def free(part: Node) -> Node:
+            return beside(part) if isinstance(part, CellRef) and part not in shared else part
+
+        filled = transform(x, free)
+        if shifted(filled, 0, 1) == transform(y, free):
+            self.formula(col, filled, cols=2)
         else:
             self.formula(col, x)
             self.formula(col + 1, y)
@@ -324,9 +328,9 @@ def write_frame(
     raised = round(max(0.0, below - above) / 2, 3)
     page.section(title, ["x", "y"])
     ends: list[CellRef] = []
-    for key, both in (("drawing.from", (x[0], y[0])), ("drawing.to", (x[1], y[1]))):
+    for key, of_x, of_y in zip(("drawing.from", "drawing.to"), x, y, strict=True):
         page.put(NAME, text(key))
-        page.both(FIRST, *both)
+        page.both(FIRST, of_x, of_y)
         ends.append(beside(near(page.cell(FIRST))))
         page.row += 1
     middles = _middle(page, formula("(a+b)/2", a=ends[0], b=ends[1]))
@@ -364,10 +368,6 @@ def _middle(page: Page, node: Node) -> tuple[CellRef, CellRef]:
 def beside(cell: CellRef) -> CellRef:
     """The cell as a formula reads it that is filled right: then the one beside it."""
     return replace(cell, col_abs=False)
-
-
-def _free(part: Node) -> Node:
-    return beside(part) if isinstance(part, CellRef) else part
 
 
 def near(cell: CellRef) -> CellRef:
