@@ -145,6 +145,7 @@ class Truth(Search):
         self.scale = math.degrees(1.0) if driver.unit.in_degrees else 1.0
         mechanism = replace(mechanism, dimensions=tuple(changed))
         dimensions = dimension_values(mechanism)
+        self._in_one_turn(mechanism.segments, dimensions)
         if driver.values:
             listed = np.array([number(value, dimensions) for value in driver.values])
         else:
@@ -157,6 +158,14 @@ class Truth(Search):
         if given:
             raise ValueError(f"unknown inputs: {given}")
         super().__init__(mechanism, replace(equations, groups=groups), {driver.symbol: listed})
+
+    @staticmethod
+    def _in_one_turn(motion, dimensions):
+        """A cam's segments that leave the turn are no motion."""
+        for part in motion.parts if motion is not None else ():
+            begins, over = number(part.begins, dimensions), number(part.over, dimensions)
+            if over <= 0 or begins + over > TURN + 1e-9:
+                raise ValueError("the segments leave the turn")
 
     @staticmethod
     def _as_typed(group, given, dimensions):

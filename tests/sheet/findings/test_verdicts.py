@@ -162,7 +162,7 @@ def test_what_became_amber_or_red_is_named_under_the_line_with_its_cell():
     def mark(key):
         return laid.values.get(laid.plan.main, rows[key], MEANING + 1)
 
-    assert (pointed(), mark("transmission_1")) == (f"▲ μ1: E{rows['transmission_1'] + 1}", "▲")
+    assert (pointed(), mark("transmission_1")) == (f"▲ μ1 (B): E{rows['transmission_1'] + 1}", "▲")
     laid.change(a2=90.0)
     assert (pointed(), mark("rows_closed")) == (f"▲ closes: E{rows['rows_closed'] + 1}", "▲")
     laid.change(a2=-1.0)

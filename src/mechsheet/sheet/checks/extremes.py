@@ -182,7 +182,7 @@ class Extremes:
         self._whole()
         table.work(self.whole_row, FINE, "fine", fine=self._inputs_are_fine())
         table.work(
-            self.whole_row, THERE, "SUMPRODUCT((numbers=position)*ISNUMBER(position))=1",
+            self.whole_row, THERE, "COUNTIF(numbers,position)*ISNUMBER(position)=1",
             numbers=there(plan.places.number).whole(), position=there(plan.places.position).cell,
         )  # fmt: skip
         if len(plan.found.transmission) > 1:

@@ -393,9 +393,14 @@ class LargestRate(Finding):
             if 0 < max(each) * (1 - EXACT) <= own
         ]  # fmt: skip
         words = names if evenly else []
-        return {
-            self.key: Expected([unit.to_shown(most)], max(EXACT * unit.to_shown(most), SAME), words=words)
-        } | motion.where(self.key, row, lambda rows: of_rows - np.abs(search.known(rows)[symbol]), EXACT * of_rows)
+        found = {self.key: Expected([unit.to_shown(most)], max(EXACT * unit.to_shown(most), SAME), words=words)}
+        if of_rows == 0:  # all rows are of a dwell, and none of them is the fastest
+            return found | {f"{self.key}_at": Expected([], told=False)}
+
+        def missed(rows: Array) -> Array:
+            return of_rows - np.abs(search.known(rows)[symbol])
+
+        return found | motion.where(self.key, row, missed, EXACT * of_rows)
 
     def _largest(self, part: Segment) -> Node:
         """The largest derivative by the cam's angle of a segment."""

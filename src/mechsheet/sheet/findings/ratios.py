@@ -175,8 +175,15 @@ class TimeRatio(Finding):
         return ratios
 
     def _ties(self, motion: SearchedMotion, best: float, span: float) -> Array:
-        near = motion.search.u[np.abs(motion.search.at[self.symbol] - best) < FLAT * span]
-        return near[:: max(1, len(near) // 20)]
+        """Where else the quantity is as extreme: some places of where it is flat, and wherever it turns back."""
+        u, values = motion.search.u, motion.search.at[self.symbol]
+        as_good = np.abs(values - best) < FLAT * span
+        flat = u[as_good]
+        before, after = values[1:-1] - values[:-2], values[2:] - values[1:-1]
+        turns = as_good[1:-1] & (before * after <= 0) & (before != after)
+        # between the places of the grid, at the vertex of the parabola through three of them
+        vertex = (u[1:-1] + 0.5 * (u[1] - u[0]) * (before + after) / np.where(turns, before - after, 1.0))[turns]
+        return np.concatenate((flat[:: max(1, len(flat) // 20)], vertex))
 
 
 class SlowWay(Finding):

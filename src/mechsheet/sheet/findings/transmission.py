@@ -61,7 +61,7 @@ class Transmission(Finding):
         if converted:
             least = formula("DEGREES(least)", least=least)
         return Line(
-            f"μ{group.number}", on.where_known(least), formula('IFERROR(said,"")', said=said), unit.text,
+            f"μ{group.number} ({group.pins[-1]})", on.where_known(least), formula('IFERROR(said,"")', said=said), unit.text,
             decimals_of_kind(plan, "angle"), occurs=formula("IFERROR(place,NA())", place=place), itself=("value", "words"),
             levels=(
                 look("AND(ISNUMBER(value),poor)", value=value, poor=poor),
