@@ -32,7 +32,6 @@ from mechsheet.sheet.findings.finding import Finding, Level, Line, bad, good, lo
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.findings.searched import EXACT, Expected, SearchedMotion
 from mechsheet.sheet.over_rows import AS_LARGE, row_of_size
-from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import ALL, SHOWN, formula, joined
 from mechsheet.sheet.shown import rich, shown_unit, unit_of_column
 from mechsheet.sheet.table.positions import decimals_of_kind, decimals_of_unit
@@ -75,18 +74,13 @@ FACTORS: dict[str, tuple[float, float, float]] = {
 
 
 class PressureAngle(Finding):
-    """The largest pressure angle, either way."""
+    """The largest pressure angle, either way; of a face that slides it is the same everywhere, and has no place."""
 
-    key, placed, by_rows = "pressure_angle", True, True
+    key, by_rows = "pressure_angle", True
     needs = ("rates",)
 
-    def __init__(self, cam: Cam) -> None:
-        self.cam = cam
-
-    def keys_below(self, plan: Plan) -> list[str]:
-        """None where the angle is the same everywhere: of a face that slides."""
-        constant = any(each.symbol == "alpha" for each in plan.equations.constants)
-        return [] if constant else super().keys_below(plan)
+    def __init__(self, cam: Cam, changes: bool) -> None:
+        self.cam, self.placed = cam, changes
 
     def line(self, on: Reading) -> Line:
         value = on.value(self.key)
@@ -111,7 +105,10 @@ class PressureAngle(Finding):
         most, place = (abs(high), at_high) if abs(high) >= abs(low) else (abs(low), at_low)
         scale, limit = motion.angle_scale, _number(motion, self.cam.pressure_angle)
         words = _either(motion, most, limit, f"{self.key}.fine", f"{self.key}.much")
-        return {self.key: Expected([most * scale], allowed * scale, words=words)} | motion.where(
+        expected = {self.key: Expected([most * scale], allowed * scale, words=words)}
+        if not self.placed:
+            return expected
+        return expected | motion.where(
             self.key, place, lambda rows: most - np.abs(motion.search.known(rows)["alpha"]), allowed
         )
 
@@ -226,9 +223,9 @@ class FaceLength(Finding):
         return {} if found is None else {self.key: Expected([found[2] - found[0]], 2 * allowed)}
 
 
-def profile_findings(cam: Cam) -> Iterator[Finding]:
-    """How a cam presses, and whether its profile can be made."""
-    yield PressureAngle(cam)
+def profile_findings(cam: Cam, found: Collection[str]) -> Iterator[Finding]:
+    """How a cam presses, and whether its profile can be made; `found`: symbols of columns that change."""
+    yield PressureAngle(cam, "alpha" in found)
     if cam.offset is not None:
         yield NeededBase()
     yield LeastRadius(cam)
@@ -327,7 +324,7 @@ class HoldingSpring(Finding):
 
 
 def contact_findings(mechanism: Mechanism, found: Collection[str]) -> Iterator[Finding]:
-    """Where there are forces; `found`: symbols of columns that change."""
+    """Where there are forces; `found` as above."""
     yield ContactForce()
     dynamics = mechanism.dynamics
     for spring in dynamics.springs if dynamics is not None else ():

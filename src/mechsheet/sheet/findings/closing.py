@@ -15,10 +15,11 @@ from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Node
 from mechsheet.kinematics.points_in_link import number_points
 from mechsheet.sheet import styles
+from mechsheet.sheet.checks.checks import LEAP
 from mechsheet.sheet.checks.rows import misfits_of
 from mechsheet.sheet.findings.finding import Finding, InTitle, Level, Line, bad, good, look
 from mechsheet.sheet.findings.reading import Reading
-from mechsheet.sheet.findings.searched import LEAP, Expected, SearchedMotion
+from mechsheet.sheet.findings.searched import Expected, SearchedMotion
 from mechsheet.sheet.grashof import why_nowhere
 from mechsheet.sheet.plan import Plan
 from mechsheet.sheet.quoted import formula, joined
@@ -140,7 +141,7 @@ class Leaps(Finding):
         followers, step = on.checks.worst("leap"), on.plan.places.step
         if step is None or on.plan.mechanism.driver.unit.kind != "angle":
             return followers
-        most = math.degrees(LEAP) if on.plan.mechanism.driver.unit.in_degrees else round(LEAP, 4)
+        most = LEAP if on.plan.mechanism.driver.unit.in_degrees else round(math.radians(LEAP), 4)
         far = formula("IFERROR(IF(ABS(step)>most,rows-1,0),0)", step=step.cell, most=most, rows=on.of_rows)
         return al.add(followers, far)
 

@@ -76,7 +76,7 @@ def _effort(mechanism: Mechanism, found: Classification) -> Iterator[Finding]:
         if mechanism.assumed_inertia:
             yield forces.AssumedInertia()
     if mechanism.cam is not None:
-        yield from cam.profile_findings(mechanism.cam)
+        yield from cam.profile_findings(mechanism.cam, found.cam)
         if found.forces:
             yield from cam.contact_findings(mechanism, found.cam)
     yield from cam.motion_findings(mechanism)

@@ -180,11 +180,11 @@ class Reading(ABC):
         """The driver's value where what follows from a quantity is `least`: the smaller of two, of which the first, of the
         quantity's smallest value, is taken where the other, of its largest, is as small."""
 
-    def largest_size(self, finding: str, symbol: str) -> tuple[Node, Node]:
+    def largest_size(self, finding: str, symbol: str) -> tuple[Node, Node | None]:
         """The largest size of a quantity of either sign, as people read it, which the finding's cell shows; and where it
-        occurs."""
-        if not self.plan.at.spots[symbol].column:  # it is one number
-            return formula("ABS(x)", x=Symbol(SHOWN + symbol)), Text("")
+        occurs, None of one number."""
+        if not self.plan.at.spots[symbol].column:
+            return formula("ABS(x)", x=Symbol(SHOWN + symbol)), None
         (high, at_high), (low, at_low) = (self.extreme_of_column(way, symbol) for way in ("max", "min"))
         place = formula("IF(ABS(high)>=ABS(low),place,other)", high=high, low=low, place=at_high, other=at_low)
         return formula("MAX(ABS(high),ABS(low))", high=high, low=low), place

@@ -17,6 +17,7 @@ import numpy as np
 from livesheet.formula.nodes import Scalar
 from mechsheet.kinematics.numeric import Array
 from mechsheet.kinematics.search import Search
+from mechsheet.sheet.checks.checks import LEAP
 from mechsheet.sheet.checks.search_rules import STRETCHES
 from mechsheet.sheet.plan import Plan
 
@@ -25,9 +26,6 @@ EXACT = 1e-4
 
 ABOUT = 5e-2
 """The same where the sheet says "about", or a group nearly comes apart; then a limit need only lie in its step."""
-
-LEAP = math.radians(90.0)
-"""A link that turns by more between two rows leaps."""
 
 STEPPED = 9
 """To so many decimals [rad]: a step of 90 degrees is no larger one."""
@@ -55,7 +53,7 @@ class SearchedMotion:
     """A search, in the units in which people read a workbook.
 
     `sure` is False where the mechanism nearly comes apart, or a link turns far between two rows: then nothing is to be said
-    of what hangs on it. `leaps`: a link turns by more than 90 degrees between two rows. `too_many`: more stretches than
+    of what hangs on it. `leaps`: a link turns by more than `LEAP` between two rows. `too_many`: more stretches than
     extremes are looked for in.
     """
 
@@ -69,7 +67,7 @@ class SearchedMotion:
         turned = [column[both] for column in search.turns_between_rows().values()]
         if mechanism.driver.unit.kind == "angle" and search.stepped:
             turned.append(np.abs(np.diff(search.driver(np.arange(1.0, search.rows + 1)))))
-        self.leaps = any(np.any(np.round(column, STEPPED) > np.round(LEAP, STEPPED)) for column in turned)
+        self.leaps = any(np.any(np.round(column, STEPPED) > np.round(math.radians(LEAP), STEPPED)) for column in turned)
         self.too_many = not self.page and len(search.row_stretches) > STRETCHES
         self.sure = not (search.holes or search.doubtful or self.leaps)
 

@@ -150,9 +150,9 @@ class PageReading(Reading):
         )  # fmt: skip
         return formula("INDEX(drivers,IFERROR(one,other))", drivers=self.drivers, one=one, other=other)
 
-    def largest_size(self, finding: str, symbol: str) -> tuple[Node, Node]:
+    def largest_size(self, finding: str, symbol: str) -> tuple[Node, Node | None]:
         size, place = super().largest_size(finding, symbol)
-        if not isinstance(place, Text):
+        if place is not None:
             place = self.driver_in_row(row_of_size(self.column(symbol), self.value(finding)))
         return size, place
 
