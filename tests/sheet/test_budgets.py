@@ -77,6 +77,7 @@ def test_no_heading_stands_over_two_columns(name):
 
 
 @pytest.mark.slow
+@pytest.mark.cases(12)
 @pytest.mark.parametrize(
     ("name", "layout"), [*((name, "sheets") for name in TEMPLATE_NAMES), *((name, "page") for name in PAGES)]
 )
@@ -123,6 +124,7 @@ FORMS = [(name, "names") for name in TEMPLATE_NAMES] + [(name, "anchors") for na
 """Pages: see page/test_page.py."""
 
 
+@pytest.mark.cases(10)
 @pytest.mark.parametrize(("name", "references"), FORMS)
 def test_formulas_are_short(name, references):
     size = size_of(compiled(name, "sheets", references))
