@@ -68,6 +68,12 @@ def rich(symbol: str, after: str = "") -> Rich | str:
     return Rich(tuple(part for part in ((letter, "italic"), (subscript, "sub"), (after, "")) if part[0]))
 
 
+def rich_both(first: str, second: str) -> Rich:
+    """Two symbols, for a row that has both: those of x and y of a force."""
+    ways = [rich(first), ", ", rich(second)]
+    return Rich(tuple(part for each in ways for part in ([(each, "")] if isinstance(each, str) else each.parts)))
+
+
 _WORD = re.compile(r"[^\W\d_]{3,}")
 """A word by which a person would call a length: letters only, and more than a pin's name has."""
 

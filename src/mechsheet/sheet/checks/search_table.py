@@ -175,7 +175,8 @@ class SearchTable:
         columns |= {name: col for col, name in enumerate((*names, *probing), KNOWN)}
 
         def at(number: int, anchored: bool = True) -> dict[str, CellRef]:
-            return {name: CellRef(row + number, col, False, anchored) for name, col in columns.items()}
+            """Its cells in a row; not anchored, to be filled right: those of what is known and probed."""
+            return {name: CellRef(row + number, col, False, anchored or col < KNOWN) for name, col in columns.items()}
 
         style = styles.decimals(styles.INNER, DECIMALS)
         for name in names:

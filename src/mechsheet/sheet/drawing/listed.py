@@ -11,18 +11,31 @@ What the formulas of places have in common, and what they read of the tables, st
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 
 import numpy as np
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import Binary, Call, CellRef, Node, RangeRef, Symbol, Unary, symbols, transform, walk
+from livesheet.formula.nodes import (
+    Binary,
+    Call,
+    CellRef,
+    Node,
+    RangeRef,
+    Symbol,
+    Unary,
+    renamed,
+    symbols,
+    transform,
+    walk,
+)
 from livesheet.formula.vectors import NOWHERE, Vector, minus, plus, times, together
 from livesheet.workbook import Rich, Series, SeriesRef
 from mechsheet.shapes.colors import INK
 from mechsheet.shapes.forms import (
+    ARROW_HEAD,
     ARROWS,
     EDGE,
     HALF,
@@ -39,9 +52,11 @@ from mechsheet.shapes.forms import (
     shown,
 )
 from mechsheet.shapes.listing import shapes_of
+from mechsheet.shapes.loads import HEAD, LONGEST
 from mechsheet.shapes.names import POINTS
 from mechsheet.shapes.positions import rings_needed, ways_in
 from mechsheet.sheet import styles
+from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.rows import chunks_of
 from mechsheet.sheet.drawing.frames import (
     AT,
@@ -68,7 +83,7 @@ from mechsheet.sheet.over_rows import LEAST as SMALLEST
 from mechsheet.sheet.over_rows import MOST
 from mechsheet.sheet.plan import ArrowKind
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.shown import rich
+from mechsheet.sheet.shown import rich, rich_both
 
 KINDS: dict[ArrowKind, Kind] = {"velocity": "velocity", "acceleration": "acceleration", "forces": "force"}
 """What the list of shapes calls the arrows that a cell of the first sheet hides."""
@@ -128,6 +143,7 @@ class Listed:
         self.known: dict[Node, Node] = {}
         self._numbers: dict[tuple[Vector, Vector, Vector, Node | None], int] = {}
         self._ends: dict[Vector, int] = {}
+        self._origins: dict[Vector, int] = {}
         self.points: dict[str, PointCells] = {}
         self._rows: dict[int, tuple[int, int]] = {}
         self._inside: dict[int, int] = {}
@@ -227,24 +243,43 @@ class Listed:
         """What the formulas read of the tables, and what several of them have in common."""
         page, nodes = self.page, list(dict.fromkeys(self._nodes()))
         page.section(title)
-        start = page.row
+        start, pairs = page.row, self._pairs()
         for name in dict.fromkeys(name for node in nodes for name in symbols(node)):
-            self._need(name)
-        sized = [each for each in (*self.found.shapes, *self.found.names) if not isinstance(each, Mark)]
-        sizes = {each.size for each in sized if each.size is not None}
+            self._need(name, pairs)
+        sizes, mosts = set(self._sizes()), {scale.most for scale in self.found.scales}
         counts = Counter(
-            part for node in nodes for part in dict.fromkeys(walk(node)) if _is_costly(part) or part in sizes
+            part for node in nodes for part in dict.fromkeys(walk(node)) if _is_costly(part) and part not in sizes
         )
-        parts = [part for part, count in counts.items() if count > 1 or part in sizes]
+        parts = [part for part, count in counts.items() if count > 1]
         for part in sorted(parts, key=lambda each: sum(1 for _ in walk(each))):
-            page.put(NAME, page.plan.text("drawing.size" if part in sizes else "drawing.part"))
-            bound = self.bound(part)
-            cell = page.formula(FIRST, formula("IFERROR(part,0)", part=bound) if part in sizes else bound)
-            self.known[part] = replace(cell, row_abs=False)
+            page.put(NAME, page.plan.text("drawing.part"))
+            cell = page.formula(FIRST, self.bound(part))
+            # the longest of a kind is the same for all arrows
+            self.known[part] = replace(cell, row_abs=part in mosts)
             page.row += 1
         if page.row == start:  # nothing below the heading
             page.put(NAME, page.plan.text("drawing.only_points"))
             page.row += 1
+
+    def _sizes(self) -> Iterator[Node]:
+        """Which part arrows are of the largest: each has its cell beside its place."""
+        for each in (*self.found.shapes, *self.found.names):
+            if not isinstance(each, Mark) and each.size is not None:
+                yield each.size
+
+    def _pairs(self) -> dict[str, str]:
+        """The components of vectors that stand side by side in a table, as those of a force do: by that of x that of y."""
+        spots, found = self.page.plan.at.spots, dict[str, str]()
+        for shape in self.found.shapes:
+            for x, y in () if isinstance(shape, Mark) or shape.kind == "path" else shape.vectors:
+                both = dict(zip(symbols(x), symbols(y), strict=False))
+                if renamed(x, both) != y:
+                    continue
+                for of_x, of_y in both.items():
+                    here, right = spots.get(of_x), spots.get(of_y)
+                    if here is not None and right is not None and beside_each_other(here, right):
+                        found[of_x] = of_y
+        return found
 
     def _nodes(self) -> Iterator[Node]:
         for shape in self.found.shapes:
@@ -259,20 +294,28 @@ class Listed:
         for scale in self.found.scales:
             yield scale.most
 
-    def _need(self, name: str) -> None:
-        """A row for a quantity of the table, and for those that one without a cell is found from; points have rows below."""
+    def _need(self, name: str, pairs: Mapping[str, str]) -> None:
+        """A row for a quantity of the table, and for those that one without a cell is found from; points have rows below.
+        The two of a pair share one."""
         page, spots = self.page, self.page.plan.at.spots
         symbol = Symbol(name)
         if symbol in self.known or name in page.known:
             return
         if name not in spots:
             for below in symbols(page.plan.plain[name]):
-                self._need(below)
+                self._need(below, pairs)
             return
         point, _, axis = name.rpartition(".")
         if spots[name].column and not (axis in ("x", "y") and point in self._marked):
-            page.put(NAME, rich(name), styles.SYMBOL)
-            self.known[symbol] = replace(page.formula(FIRST, page.at_position(name)), row_abs=False)
+            right = pairs.get(name)
+            if right is None or Symbol(right) in self.known:
+                page.put(NAME, rich(name), styles.SYMBOL)
+                page.formula(FIRST, page.at_position(name))
+            else:
+                page.put(NAME, rich_both(name, right), styles.SYMBOL)
+                page.both(FIRST, page.at_position(name), page.at_position(right))
+                self.known[Symbol(right)] = replace(page.cell(SECOND), row_abs=False)
+            self.known[symbol] = replace(page.cell(FIRST), row_abs=False)
             page.row += 1
 
     def bound(self, node: Node) -> Node:
@@ -331,7 +374,8 @@ class Listed:
                     self._inside[index] = len(found) - 1
                     found += self._rings(shape)
             else:
-                number = self._place(shape.frame.origin, shape.name, shape.vectors[1:], shape.size)
+                head = shape.path == ARROW_HEAD
+                number = self._place(shape.frame.origin, shape.name, shape.vectors[1:], shape.size, head)
                 found += [_Corner(shape.name, a, b, number) for a, b in shape.path]
             self._rows[index] = start, len(found) - 1
         by_origin = {(at, size): number for (at, _, _, size), number in reversed(self._numbers.items())}
@@ -362,11 +406,12 @@ class Listed:
             yield from (_Corner(plate.name, way, 0.0, number) for number in numbers)
 
     def _place(
-        self, at: Vector, name: Rich | str, vectors: Sequence[Vector] = (NOWHERE, NOWHERE), size: Node | None = None
+        self, at: Vector, name: Rich | str, vectors: Sequence[Vector] = (NOWHERE, NOWHERE), size: Node | None = None,
+        head: bool = False,
     ) -> int:  # fmt: skip
         """The number of a place, in a row of its own where there is none yet.
 
-        Where the tip of an arrow begins at the end of its shaft, it is found from the row of that.
+        The `head` of an arrow, which begins at the end of its shaft, is found from the row of that.
         """
         page = self.page
         along, across = vectors
@@ -377,8 +422,11 @@ class Listed:
         page.put(NAME, name, styles.LABEL if isinstance(name, str) else styles.SYMBOL)
         part = None if size is None else self._part(size)
         self._origin(at)
-        self._vector(SIXTH, along, part)
-        self._vector(EIGHTH, across, part)
+        if head and part is not None:
+            self._head(along, part, self._ends[at])
+        else:
+            self._vector(SIXTH, along, part)
+            self._vector(EIGHTH, across, part)
         if size is not None and along != NOWHERE:
             self._ends.setdefault(plus(at, along), page.row)
         page.put(NUMBER, float(number), styles.decimals(styles.INNER, 0))
@@ -386,7 +434,7 @@ class Listed:
         return number
 
     def _origin(self, at: Vector) -> None:
-        """x and y of a place: those of a point that has a row, of the end of the shaft above it, or its own."""
+        """x and y of a place: those of the end of the shaft above it, of a point or another place there, or its own."""
         page, shaft, point = self.page, self._ends.get(at), _point_at(at)
         if shaft is not None:
             start, way = (beside(page.cell(col, shaft, anchored=False)) for col in (FIRST, SIXTH))
@@ -396,7 +444,11 @@ class Listed:
             page.put(AT, float(number), styles.decimals(styles.INNER, 0))
             points = page.column_of(FIRST, self.first_place, self.first_place + len(self._marked) - 1, anchored=False)
             page.formula(FIRST, formula("INDEX(points,at)", points=points, at=page.cell(AT, anchored=False)), cols=2)
+        elif at in self._origins:
+            page.formula(FIRST, beside(page.cell(FIRST, self._origins[at], anchored=False)), cols=2)
         else:
+            if any(map(symbols, at)):
+                self._origins[at] = page.row
             page.both(FIRST, *map(self.bound, at))
             for col, node in zip((FIRST, SECOND), at, strict=True):
                 if isinstance(node, Symbol):
@@ -414,13 +466,28 @@ class Listed:
             if not isinstance(node, Symbol) and al.value_of(node) is None:
                 self.known.setdefault(node, replace(page.cell(each), row_abs=False))
 
-    def _part(self, size: Node) -> CellRef:
-        """The cell of a place that says which part an arrow is of the largest; the tip has that of its shaft, above it."""
+    def _head(self, along: Vector, part: CellRef, shaft: int) -> None:
+        """The two vectors of an arrow's head: that along its shaft, which is `part` of the longest there may be, and the one
+        across, a quarter turn from it; what is 0 has no cell."""
         page = self.page
-        part = self.bound(size)
-        if len(self._numbers) > 1 and [*self._numbers][-2][-1] == size:
-            part = page.cell(PART, page.row - 1, anchored=False)
-        return replace(page.formula(PART, part), row_abs=False)
+        for component, col, aside in zip(along, (SIXTH, SEVENTH), (NINTH, EIGHTH), strict=True):
+            if al.is_zero(component):
+                continue
+            way = beside(page.cell(col, shaft, anchored=False))
+            node = formula("head/longest*way/part", head=HEAD, longest=LONGEST, way=way, part=part)
+            own = replace(page.formula(col, self._if_large(node, part)), row_abs=False)
+            page.formula(aside, self._if_large(al.neg(own) if aside == EIGHTH else own, part))
+
+    def _part(self, size: Node) -> CellRef:
+        """The cell of a place that says which part an arrow is of the largest: its own, or what is beside the first place
+        of that size, as its shaft's."""
+        page, known = self.page, self.known.get(size)
+        if known is None:
+            cell = page.formula(PART, formula("IFERROR(part,0)", part=self.bound(size)))
+            self.known[size] = replace(cell, row_abs=False)
+        else:
+            cell = page.formula(PART, known)
+        return replace(cell, row_abs=False)
 
     @staticmethod
     def _if_large(node: Node, part: Node | None) -> Node:
@@ -592,6 +659,11 @@ class Listed:
 def _point_at(at: Vector) -> str:
     """The point whose place is at."""
     return at[0].name.rpartition(".")[0] if isinstance(at[0], Symbol) else ""
+
+
+def beside_each_other(here: Spot, right: Spot) -> bool:
+    """Whether two columns of one table are neighbours, and read alike."""
+    return replace(here, col=here.col + 1, name="") == replace(right, name="")
 
 
 def _is_costly(node: Node) -> bool:
