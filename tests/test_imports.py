@@ -3,7 +3,7 @@
 import ast
 import re
 from functools import cache
-from graphlib import TopologicalSorter
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -145,7 +145,7 @@ ALLOWED["studies"] = {
     "compiled",
     "livesheet.formats",
     "words",
-    "__version__",
+    "version",
 }
 # the page shows what the library builds and what checking says of it
 ALLOWED["drawing_page"] = {
@@ -350,3 +350,53 @@ def test_folders_of_sheet_import_downwards():
     assert wrong == []
     assert members.keys() <= rank.keys()
     assert [*TopologicalSorter(members).static_order()]  # no circle within a line either: CycleError names it
+
+
+UPWARDS = {("mechsheet.studies.motion", "mechsheet.studies.designs")}
+"""The one arrow that closes a circle: a motion names the type of the designs that it is found for."""
+
+
+def circle_in(sources):
+    """Modules that import each other in a ring, [] if none do; module -> its text, that of a package ends in __init__.
+
+    Every import counts, wherever it stands: inside functions, and of types alone.
+    """
+    arrows = {}
+    for name, text in sources.items():
+        named = set()
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, ast.Import):
+                named |= {alias.name for alias in node.names}
+            elif isinstance(node, ast.ImportFrom):
+                base = name.split(".")[: -node.level] if node.level else []
+                module = ".".join([*base, *filter(None, [node.module])])
+                below = {f"{module}.{alias.name}" for alias in node.names}
+                named |= {one if {one, f"{one}.__init__"} & sources.keys() else module for one in below}
+        found = {one if one in sources else f"{one}.__init__" for one in named} & sources.keys()
+        arrows[name] = {one for one in found - {name} if (name, one) not in UPWARDS}
+    try:
+        TopologicalSorter(arrows).prepare()
+    except CycleError as circle:
+        return circle.args[1]
+    return []
+
+
+def test_no_modules_import_each_other_in_a_circle():
+    files = [*SOURCE.rglob("*.py"), *LIBRARY.rglob("*.py")]
+    named = {".".join(path.relative_to(SOURCE.parent).with_suffix("").parts): path for path in files}
+    assert circle_in({name: path.read_text(encoding="utf-8") for name, path in named.items()}) == []
+
+
+@pytest.mark.parametrize(
+    "upwards",
+    [
+        "from ..a import one",
+        "def late():\n    from p.a import one",
+        "if TYPE_CHECKING:\n    from p import a",
+        "import p.a",
+    ],
+)
+def test_a_circle_is_found_wherever_its_imports_stand(upwards):
+    sources = {"p.__init__": "", "p.a": "from p.q import b", "p.q.__init__": "", "p.q.b": upwards}
+    assert {"p.a", "p.q.b"} == set(circle_in(sources))
+    assert circle_in(sources | {"p.q.b": "from p import c"}) == []

@@ -12,8 +12,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from livesheet.on_demand import listed, names_of
-
-__version__ = "1.0.0"
+from mechsheet.version import __version__
 
 if TYPE_CHECKING:
     from mechsheet.checking import Comparison, Report, check

@@ -11,18 +11,20 @@ import numpy as np
 from ..diagnostics import Fault
 from ..formula.book import Block, Book, BookSheet, CellStore
 from ..formula.nodes import Missing, Node, Scalar
+from ..said import say
 from ..time_limit import check_time
 from .graph import dependents, producers_read
 from .interpreter.environment import Environment
 from .interpreter.evaluator import Evaluator
 from .kernels.math import FAST, Arithmetic
 from .layout import Area, make_layout
-from .ordering.dynamic_order import Sizes, settled, sizes_of, with_sizes
+from .ordering.dynamic_order import Sizes, TangledError, drive, fitting, sizes_of, with_sizes
 from .ordering.schedule import Special, Step, schedule
 from .resolve import Resolver
 from .results import Marks, Values, marks_of_constants
 from .values.cells import Texts, error_code
 
+_MOST_PASSES = 64
 _MOST_RESIZED = 16
 """Plans with other sizes of dynamic arrays that are kept."""
 
@@ -167,7 +169,7 @@ class Plan:
         if structural:
             return self.with_constants_in(frozenset(structural)).evaluate(overrides)
         if self.complete().settles:
-            return settled(self, overrides or {})
+            return _settled(self, overrides or {})
         ev, marks = self.begin(overrides or {})
         with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
             for step in self.steps:
@@ -257,6 +259,44 @@ class Plan:
             book.sheets = sheets
             self._replaced[cells] = Plan(book, self.once, steady=self.steady, arithmetic=self.arithmetic).complete()
         return self._replaced[cells]
+
+
+def _settled(plan: Plan, overrides: Overrides) -> Values:
+    """All values, when all steps had what they need and all dynamic arrays have their sizes."""
+    first = plan
+    for _ in range(_MOST_PASSES):
+        ev = _driven(plan, overrides)
+        sizes = fitting(ev)
+        if sizes == plan.sizes:
+            return plan.values_of(ev)
+        plan = first.resized(sizes)
+    ev = _driven(plan, overrides)
+    number = plan.sizes[0][0]
+    block = plan.layout.blocks[number]
+    ev.around.remark(
+        say("dynamic arrays whose sizes do not settle"), plan.layout.block_sheets[number], block.row, block.col
+    )
+    return plan.values_of(ev)
+
+
+def _driven(plan: Plan, overrides: Overrides) -> Evaluator:
+    """An evaluator that has run all steps. The plan learns of blocks that turn out to need each other: finitely many."""
+    while True:
+        ev, marks = plan.begin(_present(plan, overrides))
+        try:
+            with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
+                drive(plan.steps, plan.reads, ev, marks)
+        except TangledError as tangle:
+            plan.learn(tangle.reads)
+        else:
+            return ev
+
+
+def _present(plan: Plan, overrides: Overrides) -> Overrides:
+    """Without the cells that were emptied and are no constants here: a dynamic array has grown over them."""
+    if all(value is not None for value in overrides.values()):
+        return overrides
+    return {cell: value for cell, value in overrides.items() if value is not None or plan.is_constant(cell)}
 
 
 def _replaced(sheet: BookSheet, cells: Sequence[tuple[int, int]]) -> BookSheet:

@@ -13,7 +13,8 @@ if TYPE_CHECKING:
     from mechsheet.checking.judging import check, judge
     from mechsheet.checking.mutation import Mutation, mutate
     from mechsheet.checking.perturbation import Perturbation, perturb
-    from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Report, Tally
+    from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Tally
+    from mechsheet.checking.report_lines import Report
     from mechsheet.checking.stored import Stored
 
 _HOMES = {
@@ -28,7 +29,7 @@ _HOMES = {
     "TOLERANCE": "report",
     "Comparison": "report",
     "Edit": "report",
-    "Report": "report",
+    "Report": "report_lines",
     "Tally": "report",
     "difference": "cells_apart",
     "Rules": "cells_apart",

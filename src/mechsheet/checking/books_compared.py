@@ -31,7 +31,8 @@ from livesheet.formula.references import cell_address
 from livesheet.said import say
 from mechsheet.checking.cells_apart import column_scale, difference
 from mechsheet.checking.inputs import description_in
-from mechsheet.checking.report import Comparison, Report, Tally
+from mechsheet.checking.report import Comparison, Tally
+from mechsheet.checking.report_lines import Report
 
 DIGITS = 1e-12
 """Numbers in formulas that differ by less, relatively, are one number in two spellings."""

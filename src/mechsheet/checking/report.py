@@ -5,17 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from livesheet.formula.nodes import Scalar
-from livesheet.said import say, say_count
-
-if TYPE_CHECKING:
-    from livesheet.diagnostics import Fault
-    from mechsheet.checking.stored import Stored
 
 Array = NDArray[np.float64]
 
@@ -62,95 +56,6 @@ class Edit:
     was: str
     now: str
     note: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Report:
-    """What `check` found in one file.
-
-    edits    what somebody changed that is not there to be changed
-    remarks  what a person should know (an input that was changed, a mode that was flipped …)
-    stored   the stored values, cell by cell
-    missing  programs that were asked for and are not there, with what to install: the check is not what was asked for
-    red_line   what the line under the title of a workbook of ours says where it is red
-    nameless   whether it is a workbook of ours without its description: there is nothing to compare it with
-    stale      what the description file of its name says otherwise than the description it was built from
-    """
-
-    file: str
-    comparisons: tuple[Comparison, ...]
-    remarks: tuple[str, ...] = ()
-    edits: tuple[Edit, ...] = ()
-    stored: Stored | None = None
-    missing: tuple[Fault, ...] = ()
-    red_line: str = ""
-    nameless: bool = False
-    stale: str = ""
-
-    @property
-    def values_agree(self) -> bool:
-        """True when all judges agree."""
-        return all(comparison.agrees for comparison in self.comparisons)
-
-    @property
-    def agrees(self) -> bool:
-        """True when all judges agree, nothing was edited but inputs, the workbook itself calls nothing wrong, and it
-        is the one that its description builds."""
-        return self.values_agree and not (self.edits or self.red_line or self.stale)
-
-    @property
-    def compared(self) -> bool:
-        """Whether any judge has compared anything."""
-        return any(comparison.cells for comparison in self.comparisons)
-
-    @property
-    def unjudged(self) -> list[str]:
-        """What keeps an agreement from being one of the whole workbook."""
-        found: list[str] = [
-            say("no value is stored") if comparison.judge == "stored values" else
-            say("nothing was compared: {judge}", judge=say(comparison.judge))
-            for comparison in self.comparisons
-            if not comparison.cells
-        ]  # fmt: skip
-        if self.stored is not None and (count := self.stored.not_computed):
-            found.append(say_count("{count} cell was not computed", "{count} cells were not computed", count))
-        if self.nameless:
-            found.append(say("it carries no description"))
-        return found
-
-    def _repr_pretty_(self, printer: Any, _cycle: bool) -> None:
-        """Its lines, for notebooks: what `mechsheet check` prints."""
-        from mechsheet.checking.report_lines import report_lines
-
-        printer.text("\n".join(report_lines(self)))
-
-    def as_dict(self) -> dict[str, Any]:
-        """The report as JSON data."""
-        return {
-            "file": self.file,
-            "agrees": self.agrees,
-            "unjudged": list(map(str, self.unjudged)),
-            "red line": self.red_line,
-            "stale": self.stale,
-            "remarks": list(self.remarks),
-            "edits": [
-                {"kind": edit.kind, "where": edit.where, "was": edit.was, "now": edit.now} for edit in self.edits
-            ],
-            "comparisons": [
-                {
-                    "judge": item.judge,
-                    "cells": item.cells,
-                    "worst": item.worst,
-                    "where": item.where,
-                    "ours": item.ours,
-                    "theirs": item.theirs,
-                    "agrees": item.agrees,
-                }
-                for item in self.comparisons
-            ],
-            "stored": self.stored.as_dict() if self.stored is not None else None,
-            "missing": [fault.message for fault in self.missing],
-        }
 
 
 @dataclass

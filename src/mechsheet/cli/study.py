@@ -18,7 +18,8 @@ from .common import FILE, FORMATS_COMPLETED, Explained, at_lines_of, bar_of, cha
 from .speaking import told
 
 if TYPE_CHECKING:
-    from mechsheet.studies.run import Progress, Studied
+    from mechsheet.studies.ranking import Studied
+from mechsheet.studies.run import Progress
 
 
 @click.command(cls=Explained, short_help="Try millions of designs and keep the good ones.")

@@ -8,7 +8,7 @@ import itertools
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Literal, TypeAlias
+from typing import Literal, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,9 +19,6 @@ from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.solve import solve
 from mechsheet.kinematics.sweep import rough_poses
 from mechsheet.model import Mechanism, Summary
-
-if TYPE_CHECKING:
-    from mechsheet.homework.summaries import Span
 
 TOLERANCE = 1e-4
 NOT_LIVE = 0.5
@@ -85,6 +82,26 @@ class Quantity:
         if self.kind == "length":
             return self.spread > STILL * size
         return self.spread > STILL * max(1.0, float(np.nan_to_num(np.abs(self.values)).max(initial=0.0)))
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """What a summary may be, in internal units: from the rows alone, to the extreme between the rows.
+
+    own  the same where the sheet counts the column that it is taken from otherwise;  rows  what the rows alone give, as the
+         sheet counts: what is told to be wanted
+    """
+
+    kind: Kind
+    low: float
+    high: float
+    rows: float
+    own: tuple[float, float] | None = None
+
+    @property
+    def quantity(self) -> Quantity:
+        """What it is as a quantity, what the rows alone give last: what units and how much of a difference are allowed."""
+        return Quantity("", self.kind, np.array([self.low, self.high, *(self.own or ()), self.rows]))
 
 
 @dataclass(frozen=True, slots=True)

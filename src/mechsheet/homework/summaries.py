@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from livesheet.formula.nodes import Symbol
 from mechsheet.homework.agreement import Reading, allowance, units_of
-from mechsheet.homework.expected_values import Array, Kind, Quantity, Truth, truth_of
+from mechsheet.homework.expected_values import Array, Kind, Span, Truth, truth_of
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.whole_turns import mean_of_motion
 from mechsheet.model import Summary, Take
@@ -22,32 +21,6 @@ MOST_ROWS = 5000
 """With more rows an extreme between two of them is no other number."""
 CLOSED = 1e-6
 """So much of a turn the rows may lack that go around."""
-
-
-@dataclass(frozen=True, slots=True)
-class Span:
-    """What a summary may be, in internal units: from the rows alone, to the extreme between the rows.
-
-    own  the same where the sheet counts the column that it is taken from otherwise;  rows  what the rows alone give, as the
-         sheet counts: what is told to be wanted
-    """
-
-    kind: Kind
-    low: float
-    high: float
-    rows: float
-    own: tuple[float, float] | None = None
-
-    def holds(self, numbers: Array, reading: Reading, allowed: float) -> NDArray[np.bool_]:
-        """Which numbers are it."""
-        values = reading.unit * numbers
-        ends = [(self.low, self.high), *([self.own] if self.own else [])]
-        return np.asarray(sum((low - allowed <= values) & (values <= high + allowed) for low, high in ends), bool)
-
-    @property
-    def quantity(self) -> Quantity:
-        """What it is as a quantity, what the rows alone give last: what units and how much of a difference are allowed."""
-        return Quantity("", self.kind, np.array([self.low, self.high, *(self.own or ()), self.rows]))
 
 
 def taken(column: Array, take: Take, kind: Kind, alike: bool = False) -> float:
@@ -107,9 +80,16 @@ def reading_of_number(number: float, span: Span, size: float, tolerance: float) 
     """The unit in which a number is a summary."""
     for unit in units_of(span.quantity):
         reading = Reading(unit)
-        if span.holds(np.array(number), reading, allowance(span.quantity, size, tolerance)):
+        if holds(span, np.array(number), reading, allowance(span.quantity, size, tolerance)):
             return reading
     return None
+
+
+def holds(span: Span, numbers: Array, reading: Reading, allowed: float) -> NDArray[np.bool_]:
+    """Which numbers are it."""
+    values = reading.unit * numbers
+    ends = [(span.low, span.high), *([span.own] if span.own else [])]
+    return np.asarray(sum((low - allowed <= values) & (values <= high + allowed) for low, high in ends), bool)
 
 
 def holding(numbers: Array, span: Span, size: float, tolerance: float) -> NDArray[np.bool_]:
@@ -117,5 +97,5 @@ def holding(numbers: Array, span: Span, size: float, tolerance: float) -> NDArra
     allowed = allowance(span.quantity, size, tolerance)
     found = np.zeros(numbers.shape, bool)
     for unit in units_of(span.quantity):
-        found |= span.holds(numbers, Reading(unit), allowed)
+        found |= holds(span, numbers, Reading(unit), allowed)
     return found

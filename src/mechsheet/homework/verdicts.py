@@ -24,7 +24,7 @@ from mechsheet.homework.formula_strips import Place, Stretch, Strip
 from mechsheet.homework.headings import around, contains, labels, labels_of, names_over, says
 from mechsheet.homework.inputs import MOST_UNREAD, is_length, single_cells, typed_numbers
 from mechsheet.homework.series import Series
-from mechsheet.homework.summaries import reading_of_number, span_of
+from mechsheet.homework.summaries import holds, reading_of_number, span_of
 from mechsheet.homework.understanding import SMALL, Understanding, anything, as_counted, retyped
 from mechsheet.model import Mechanism, Summary
 
@@ -337,7 +337,7 @@ def _summary_follows(found: Understanding, finding: Finding, after: Retyped) -> 
     before, now = span_of(found.truth, finding.symbol), span_of(after.truth, finding.symbol)
     number = found.work.number(finding.series.cells.places()[0], after.values)
     allowed = SHARE * abs(now.low - before.low) + 10 * found.tolerance * abs(now.high)
-    return bool(now.holds(np.array(number), finding.reading, allowed))
+    return bool(holds(now, np.array(number), finding.reading, allowed))
 
 
 def with_liveness(found: Understanding, results: Mapping[str, Finding]) -> dict[str, Finding]:

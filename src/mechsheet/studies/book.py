@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import reduce
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from livesheet.evaluation import computed
 from livesheet.formula.nodes import Binary, CellRef, Node, Text
@@ -32,10 +32,8 @@ from mechsheet.model import Objective, Range
 from mechsheet.sheet import styles
 from mechsheet.studies.designs import DESIGN
 from mechsheet.studies.parts import heads_of, told_of
+from mechsheet.studies.ranking import Studied
 from mechsheet.words.catalogue import words, words_of_count
-
-if TYPE_CHECKING:
-    from mechsheet.studies.run import Studied
 
 MOST_FRONT = 2_000
 """Designs of the front that a sheet holds: a chart of more is a blot."""

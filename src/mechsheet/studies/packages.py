@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from mechsheet import __version__
 from mechsheet.extras import missing_package
+from mechsheet.version import __version__
 
 
 def arrow() -> Any:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +14,8 @@ from mechsheet.plotting.axes import scale_of, tick_text
 from mechsheet.studies.designs import APART
 from mechsheet.studies.packages import arrow
 from mechsheet.studies.parts import heads_of
+from mechsheet.studies.ranking import Studied
 from mechsheet.words.catalogue import words
-
-if TYPE_CHECKING:
-    from mechsheet.studies.run import Studied
 
 Array = NDArray[np.float64]
 

@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from mechsheet.model import Objective
-from mechsheet.studies.designs import APART, DESIGN
+from mechsheet.studies.designs import APART, DESIGN, Designs
+from mechsheet.studies.folder import Folder, Result
 from mechsheet.studies.packages import arrow
 from mechsheet.studies.parts import Order
 
@@ -147,3 +148,20 @@ def rows_of(paths: Sequence[Any], order: Order, numbers: Numbers) -> Any:
     table = pa.concat_tables(tables)
     there = {number: place for place, number in enumerate(table.column(DESIGN).to_pylist())}
     return table.take([there[number] for number in numbers.tolist()])
+
+
+@dataclass(frozen=True, slots=True)
+class Studied:
+    """A study that has come to its end.
+
+    best, front, apart  tables of designs, every column of the parts;  ranked  their numbers
+    """
+
+    designs: Designs
+    order: Order
+    folder: Folder
+    result: Result
+    ranked: Ranked
+    best: Any
+    front: Any
+    apart: Any

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from livesheet.diagnostics import Fault
 from livesheet.formats import write
@@ -15,11 +14,11 @@ from mechsheet.diagnostics import MechsheetError
 from mechsheet.model import Mechanism
 from mechsheet.studies.book import book_of
 from mechsheet.studies.designs import Designs
-from mechsheet.studies.folder import Folder, Result, locked
+from mechsheet.studies.folder import Folder, locked
 from mechsheet.studies.packages import arrow
 from mechsheet.studies.parts import Counted, Order, counted, order_of
 from mechsheet.studies.picture import picture_of
-from mechsheet.studies.ranking import Ranked, ranked, rows_of
+from mechsheet.studies.ranking import Studied, ranked, rows_of
 from mechsheet.studies.workers import here, workers_within
 
 BOOK = "study"
@@ -34,23 +33,6 @@ class Progress:
     kept: int
     all: int
     earlier: int
-
-
-@dataclass(frozen=True, slots=True)
-class Studied:
-    """A study that has come to its end.
-
-    best, front, apart  tables of designs, every column of the parts;  ranked  their numbers
-    """
-
-    designs: Designs
-    order: Order
-    folder: Folder
-    result: Result
-    ranked: Ranked
-    best: Any
-    front: Any
-    apart: Any
 
 
 def studied(

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -31,7 +31,6 @@ from ...formula.nodes import (
     Node,
     Number,
     RangeRef,
-    Scalar,
     Text,
     Unary,
     shifted,
@@ -42,28 +41,13 @@ from ..interpreter.evaluator import Evaluator
 from ..kernels.math import Arithmetic
 from ..layout import Layout
 from ..values.cells import BLANK, BOOLEAN, ERROR, NA, TEXT, Frame, error_code
-from .cell_functions import COMPARED, EXACT, MOST, NAMES, Memory, direction, guarded, power_of, raised
+from .cell_functions import COMPARED, EXACT, MOST, NAMES, CellCode, Memory, direction, guarded, power_of, raised
 from .lowered_functions import MOST_SUMMED, UFUNCS
 from .scalars import scalar, scalar_power
 from .scalars import sign as sign_of
 
 _DEEPEST = 60
 """Calls inside one another in one expression: Python's parser takes some ninety."""
-
-
-class CellCode(NamedTuple):
-    """How the cells of a column are computed.
-
-    leading  the places of cells that are read before anything is computed, and how much further each is in the next row: the
-             first error among them is the value; of IFERROR it decides about the next of such lists, or
-    instead  the number that is the value then
-    value    a cell's value as a function of (what is computed so far, the row: 0 is the block's first); None where only the
-             interpreter knows it, or nobody has asked for code
-    """
-
-    leading: tuple[tuple[tuple[int, int], ...], ...]
-    instead: float | None
-    value: Callable[[Memory, int], Scalar] | None
 
 
 def cell_code(

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,13 +18,9 @@ from ...time_limit import TimeLimitError
 from ..interpreter.evaluator import Evaluator
 from ..kernels.math import BELOW_HALF, rounded_one
 from ..kernels.table import KERNELS
-from ..values.calling import Problem, to_number, to_truth
 from ..values.cells import BLANK, ERROR, ERROR_NAMES, NEAR, TEXT, Cells, Frame, NotReadyError, error_code
-from ..values.coerce import MOST_CHARACTERS, Serial, number_shown, text_to_number, to_text
+from ..values.coerce import MOST_CHARACTERS, Problem, Serial, number_shown, text_to_number, to_number, to_text, to_truth
 from .scalars import snap, trunc
-
-if TYPE_CHECKING:
-    from .cell_code import CellCode
 
 COMPARED = {"=": "equal", "<>": "unequal", "<": "less", "<=": "at_most", ">": "more", ">=": "at_least"}
 
@@ -263,6 +259,21 @@ _ANYWHERE = Frame(0, 0, 0, 1, 1)
 
 Places = Sequence[int]
 """Where the cells of a line, a short row or column, lie: a range where they lie side by side; -1 for an empty cell."""
+
+
+class CellCode(NamedTuple):
+    """How the cells of a column are computed.
+
+    leading  the places of cells that are read before anything is computed, and how much further each is in the next row: the
+             first error among them is the value; of IFERROR it decides about the next of such lists, or
+    instead  the number that is the value then
+    value    a cell's value as a function of (what is computed so far, the row: 0 is the block's first); None where only the
+             interpreter knows it, or nobody has asked for code
+    """
+
+    leading: tuple[tuple[tuple[int, int], ...], ...]
+    instead: float | None
+    value: Callable[[Memory, int], Scalar] | None
 
 
 class Memory:

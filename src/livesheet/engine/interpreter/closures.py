@@ -1,4 +1,4 @@
-"""What the names of LET and LAMBDA stand for while a formula is evaluated.
+"""What the parts of a formula ask of whoever evaluates it, and what the names of LET and LAMBDA stand for then.
 
 A name stands for a tree in the scope in which it was given, evaluated when it is first needed (`Bound`), for cells that are
 known, or for nothing: an argument that was left out. A function (`Closure`) is a LAMBDA with the scope it was written in.
@@ -6,49 +6,45 @@ known, or for nothing: an argument that was left out. A function (`Closure`) is 
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from ...formula.functions import FUNCTIONS
 from ...formula.nodes import Apply, Call, FunctionRef, Local, Missing, Node
-from ..values.cells import NAME, NUM, VALUE, Cells, Frame, error
+from ..values.cells import NAME, NUM, VALUE, Bound, Cells, Frame, Scope, Span, error
 from ..values.coerce import truths_of
 from .environment import CELLS_A_STEP, Budget
-from .regions import Regions, regions
-
-if TYPE_CHECKING:
-    from .evaluator import Evaluator
+from .reading import Reading
 
 MOST_CALLS = 1024
 """How deep functions may call one another: #NUM! beyond."""
 
-Scope: TypeAlias = "Mapping[str, Bound]"
 Reader: TypeAlias = Callable[[str, bool, str, int, int], "Node | None"]
-_Place: TypeAlias = tuple[int, int, int, int, bool]
 
 
-@dataclass(slots=True)
-class Bound:
-    """What a name stands for: a tree with its scope, or cells; `omitted` when it stands for an argument left out."""
+class Evaluation(Reading, ABC):
+    """All that functions and references know of the evaluator that calls them."""
 
-    node: Node = field(default_factory=Missing)
-    scope: Scope | None = None
-    cells: Cells | None = None
-    omitted: bool = False
-    _known: dict[_Place, Cells] = field(default_factory=dict)
+    scopes: Scopes
 
-    def value(self, ev: Evaluator, frame: Frame, spread: bool) -> Cells:
-        """The value over a frame."""
-        if self.cells is not None:
-            return self.cells
-        place = frame.row, frame.col, frame.rows, frame.cols, spread
-        found = self._known.get(place)
-        if found is None:
-            found = self._known[place] = ev.value(self.node, frame.within(self.scope), spread)
-        return found
+    @abstractmethod
+    def value(self, node: Node, frame: Frame, spread: bool = False) -> Cells:
+        """The value of a tree over a frame. `spread`: a range is an array there; else the cell of it beside the formula."""
+
+    @abstractmethod
+    def mapped(self, function: Callable[..., Any], args: tuple[Cells, ...]) -> Cells:
+        """A function of numbers over values: errors of arguments first, from the left, then the function's own."""
+
+    @abstractmethod
+    def span(self, node: Node, frame: Frame) -> Span | None:
+        """The one rectangle that a reference means over the frame, None where it leaves the sheet or is no reference."""
+
+    @abstractmethod
+    def region(self, node: Node, frame: Frame, spread: bool) -> Cells:
+        """The cells that an expression means which gives a reference: as an array, or the one beside the formula."""
 
 
 class Closure(NamedTuple):
@@ -88,24 +84,17 @@ class Scopes:
                 scope = {**scope, name.name: Bound(value, scope)}
         return args[-1], frame.within(scope)
 
-    def local(self, ev: Evaluator, name: str, frame: Frame, spread: bool) -> Cells:
+    def local(self, ev: Evaluation, name: str, frame: Frame, spread: bool) -> Cells:
         """The value of a name."""
         bound = (frame.names or {}).get(name)
         if bound is None:
             return error(NAME)
         if bound.omitted:
             return ev.texts.constant(None)
-        found = bound.value(ev, frame, spread)
+        found = bound_value(ev, bound, frame, spread)
         if self.budget.depth:
             self.budget.spend(1 + np.size(found.numbers) // CELLS_A_STEP)
         return found
-
-    def regions(self, ev: Evaluator, name: str, frame: Frame) -> Regions:
-        """The reference that a name stands for."""
-        bound = (frame.names or {}).get(name)
-        if bound is None or bound.cells is not None or bound.omitted:
-            return None
-        return regions(ev, bound.node, frame.within(bound.scope))
 
     def is_omitted(self, node: Node, frame: Frame) -> bool:
         """Whether a name stands for an argument that was left out."""
@@ -114,12 +103,12 @@ class Scopes:
 
     # functions
 
-    def call(self, ev: Evaluator, node: Apply, frame: Frame, spread: bool) -> Cells:
+    def call(self, ev: Evaluation, node: Apply, frame: Frame, spread: bool) -> Cells:
         """The value of a call."""
         found = self.applied(ev, node, frame)
         return found if isinstance(found, Cells) else self.body_value(ev, *found, spread)
 
-    def body_value(self, ev: Evaluator, body: Node, frame: Frame, spread: bool) -> Cells:
+    def body_value(self, ev: Evaluation, body: Node, frame: Frame, spread: bool) -> Cells:
         """The value of a function's body, #NUM! when functions call each other too deep."""
         budget = self.budget
         if budget.depth >= MOST_CALLS:
@@ -131,7 +120,7 @@ class Scopes:
         finally:
             budget.depth -= 1
 
-    def applied(self, ev: Evaluator, node: Apply, frame: Frame) -> tuple[Node, Frame] | Cells:
+    def applied(self, ev: Evaluation, node: Apply, frame: Frame) -> tuple[Node, Frame] | Cells:
         """The body of the function that is called, in the frame with its arguments; or why it cannot be called."""
         self.budget.spend(1)
         closure = self.function(ev, node.function, frame, len(node.args))
@@ -140,7 +129,7 @@ class Scopes:
         scope = closure.given([_argument(arg, frame.names) for arg in node.args])
         return error(VALUE) if scope is None else (closure.body, frame.within(scope))
 
-    def function(self, ev: Evaluator, node: Node, frame: Frame, count: int) -> Closure | None:
+    def function(self, ev: Evaluation, node: Node, frame: Frame, count: int) -> Closure | None:
         """The function that a tree stands for, None when it stands for none; `count`: how many arguments it will get."""
         match node:
             case Call("LAMBDA", args) if args:
@@ -169,10 +158,21 @@ class Scopes:
             case _:
                 return None
 
-    def called(self, ev: Evaluator, closure: Closure, args: Sequence[Bound], frame: Frame, spread: bool) -> Cells:
+    def called(self, ev: Evaluation, closure: Closure, args: Sequence[Bound], frame: Frame, spread: bool) -> Cells:
         """The value of a function for arguments at hand."""
         scope = closure.given(args)
         return error(VALUE) if scope is None else self.body_value(ev, closure.body, frame.within(scope), spread)
+
+
+def bound_value(ev: Evaluation, bound: Bound, frame: Frame, spread: bool) -> Cells:
+    """The value of what a name stands for."""
+    if bound.cells is not None:
+        return bound.cells
+    place = frame.row, frame.col, frame.rows, frame.cols, spread
+    found = bound.known.get(place)
+    if found is None:
+        found = bound.known[place] = ev.value(bound.node, frame.within(bound.scope), spread)
+    return found
 
 
 def _argument(node: Node, scope: Scope | None) -> Bound:

@@ -43,6 +43,7 @@ from ..values.cells import (
     CALC,
     VALUE,
     ArrayArgumentError,
+    Bound,
     Cells,
     Codes,
     Frame,
@@ -60,9 +61,9 @@ from ..values.cells import (
     fitted,
 )
 from ..values.coerce import compared, each, joined, numbers_of
-from .closures import Bound, Scopes
+from .closures import Evaluation, Scopes
 from .environment import CELLS_A_STEP, LIFTED_STEPS, Environment, deeply
-from .reading import Reading, codes_of_all
+from .reading import codes_of_all
 from .regions import gives_region, regions
 from .rewriting import REFERENCES
 
@@ -73,7 +74,7 @@ _OVER_REFERENCES = frozenset(
 _COMPARISONS = frozenset(("=", "<>", "<", "<=", ">", ">="))
 
 
-class Evaluator(Reading):
+class Evaluator(Evaluation):
     """Evaluates formulas over the flat array of one evaluation. `singly`: how often a frame was taken cell by cell."""
 
     def __init__(

@@ -7,7 +7,7 @@ cells (`Span`). What gives a value instead gives None here; a reference that can
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
@@ -40,9 +40,7 @@ from ..values.cells import (
     error_code,
 )
 from ..values.coerce import numbers_of, text_of, truths_of
-
-if TYPE_CHECKING:
-    from .evaluator import Evaluator
+from .closures import Evaluation
 
 Regions: TypeAlias = "list[Span] | Cells | None"
 
@@ -55,7 +53,7 @@ class ReferenceFault(Exception):  # noqa: N818 - an error value on its way to th
         self.found = found
 
 
-def regions(ev: Evaluator, node: Node, frame: Frame) -> Regions:
+def regions(ev: Evaluation, node: Node, frame: Frame) -> Regions:
     """The rectangles that a tree means, from the left; None when it means a value, the error when there is one."""
     try:
         return _regions(ev, node, frame)
@@ -63,7 +61,7 @@ def regions(ev: Evaluator, node: Node, frame: Frame) -> Regions:
         return fault.found
 
 
-def _regions(ev: Evaluator, node: Node, frame: Frame) -> Regions:
+def _regions(ev: Evaluation, node: Node, frame: Frame) -> Regions:
     match node:
         case CellRef() | RangeRef():
             span = ev.corners(node, frame)
@@ -78,7 +76,10 @@ def _regions(ev: Evaluator, node: Node, frame: Frame) -> Regions:
         case ErrorValue(code):
             return error(error_code(code))
         case Local(name):
-            return ev.scopes.regions(ev, name, frame)
+            bound = (frame.names or {}).get(name)
+            if bound is None or bound.cells is not None or bound.omitted:
+                return None
+            return regions(ev, bound.node, frame.within(bound.scope))
         case Apply():
             body = ev.scopes.applied(ev, node, frame)
             return body if isinstance(body, Cells) else _regions(ev, *body)
@@ -131,7 +132,7 @@ _OPERATORS: dict[str, Callable[[list[Span], list[Span]], Regions]] = {",": _unio
 
 
 def _number(
-    ev: Evaluator, args: Args, place: int, frame: Frame, default: float = 0.0, of_fraction: float = 0.0
+    ev: Evaluation, args: Args, place: int, frame: Frame, default: float = 0.0, of_fraction: float = 0.0
 ) -> float:
     """A whole number among the arguments; `of_fraction` is what a number between 0 and 1 means.
 
@@ -146,7 +147,7 @@ def _number(
     return of_fraction if 0 < number < 1 else float(np.trunc(number))
 
 
-def _one_value(ev: Evaluator, node: Node, frame: Frame) -> Cells:
+def _one_value(ev: Evaluation, node: Node, frame: Frame) -> Cells:
     """A single value. Raises ArrayArgumentError for an array, VaryingSizeError for values that differ over the frame."""
     found = ev.value(node, frame, spread=True)
     if np.size(found.numbers) != 1:
@@ -154,7 +155,7 @@ def _one_value(ev: Evaluator, node: Node, frame: Frame) -> Cells:
     return found
 
 
-def _one(ev: Evaluator, node: Node, frame: Frame) -> Span | Cells | None:
+def _one(ev: Evaluation, node: Node, frame: Frame) -> Span | Cells | None:
     """The single rectangle that an argument means."""
     found = regions(ev, node, frame)
     if not isinstance(found, list):
@@ -162,7 +163,7 @@ def _one(ev: Evaluator, node: Node, frame: Frame) -> Span | Cells | None:
     return found[0] if len(found) == 1 else error(VALUE)
 
 
-def offset(ev: Evaluator, args: Args, frame: Frame) -> Regions:
+def offset(ev: Evaluation, args: Args, frame: Frame) -> Regions:
     """OFFSET(reference, rows, columns, height, width): a negative height counts upwards; #REF! outside the sheet."""
     base = _one(ev, args[0], frame)
     if not isinstance(base, Span):
@@ -180,7 +181,7 @@ def offset(ev: Evaluator, args: Args, frame: Frame) -> Regions:
     return [Span(base.sheet, int(row), int(col), int(height), int(width), False, False)]
 
 
-def indirect(ev: Evaluator, args: Args, frame: Frame) -> Regions:
+def indirect(ev: Evaluation, args: Args, frame: Frame) -> Regions:
     """INDIRECT(text, in A1 form): the reference that a text says; #REF! when it says none."""
     if frame.rows > 1 or frame.cols > 1:
         raise VaryingSizeError
@@ -193,7 +194,7 @@ def indirect(ev: Evaluator, args: Args, frame: Frame) -> Regions:
     return error(REF) if found is None else found
 
 
-def index(ev: Evaluator, args: Args, frame: Frame) -> Regions:
+def index(ev: Evaluation, args: Args, frame: Frame) -> Regions:
     """INDEX of a reference: one of its cells, a row or a column of it (0), or all of it."""
     found = regions(ev, args[0], frame)
     if not isinstance(found, list):
@@ -215,7 +216,7 @@ def index(ev: Evaluator, args: Args, frame: Frame) -> Regions:
     return [Span(span.sheet, first, left, height, width, False, False)]
 
 
-def if_(ev: Evaluator, args: Args, frame: Frame) -> Regions:
+def if_(ev: Evaluation, args: Args, frame: Frame) -> Regions:
     """IF: the reference of the branch that is taken."""
     mask, errors = truths_of(ev.value(args[0], frame), ev.texts)
     if np.size(mask) != 1:
@@ -228,7 +229,7 @@ def if_(ev: Evaluator, args: Args, frame: Frame) -> Regions:
     return regions(ev, args[place], frame) if place < len(args) else None
 
 
-def choose(ev: Evaluator, args: Args, frame: Frame) -> Regions:
+def choose(ev: Evaluation, args: Args, frame: Frame) -> Regions:
     """CHOOSE: the reference that is chosen."""
     cells = ev.value(args[0], frame)
     if np.size(cells.numbers) != 1:
@@ -241,12 +242,12 @@ def choose(ev: Evaluator, args: Args, frame: Frame) -> Regions:
     return regions(ev, args[int(place)], frame) if 1 <= place < len(args) else error(VALUE)
 
 
-def let(ev: Evaluator, args: Args, frame: Frame) -> Regions:
+def let(ev: Evaluation, args: Args, frame: Frame) -> Regions:
     """LET: the reference that its last argument means."""
     return _regions(ev, *ev.scopes.let(args, frame))
 
 
-def spilled(ev: Evaluator, args: Args, frame: Frame) -> Regions:
+def spilled(ev: Evaluation, args: Args, frame: Frame) -> Regions:
     """`A1#`: the cells of the array whose formula stands in A1; #REF! when there is none."""
     anchor = _one(ev, args[0], frame)
     if not isinstance(anchor, Span):
@@ -256,7 +257,7 @@ def spilled(ev: Evaluator, args: Args, frame: Frame) -> Regions:
     return error(REF) if area is None else [Span(*area, False, False)]
 
 
-def xlookup(ev: Evaluator, args: Args, frame: Frame) -> Regions:
+def xlookup(ev: Evaluation, args: Args, frame: Frame) -> Regions:
     """XLOOKUP: the row or column of the array of results; None where it must be a value."""
     if frame.rows > 1 or frame.cols > 1:
         raise VaryingSizeError
@@ -276,7 +277,7 @@ def xlookup(ev: Evaluator, args: Args, frame: Frame) -> Regions:
     return [Span(results.sheet, results.row, results.col + step, results.height, 1, False, False)]
 
 
-_FUNCTIONS: dict[str, Callable[[Evaluator, Args, Frame], Regions]] = {
+_FUNCTIONS: dict[str, Callable[[Evaluation, Args, Frame], Regions]] = {
     "OFFSET": offset, "INDIRECT": indirect, "INDEX": index, "IF": if_, "CHOOSE": choose, "LET": let,
     "ANCHORARRAY": spilled, "XLOOKUP": xlookup,
 }  # fmt: skip

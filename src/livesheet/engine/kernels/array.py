@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
-from ..values.calling import Problem, to_number, to_truth
 from ..values.cells import MOST_CELLS, MOST_LISTED, Cells, Numbers, error_code, too_large
+from ..values.coerce import Problem, to_number, to_truth
 
 _MOST_EXACT = 100
 """Rows of a matrix whose determinant is found in whole numbers: their time grows with the cube, a second for 150."""

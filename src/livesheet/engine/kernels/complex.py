@@ -9,8 +9,7 @@ from collections.abc import Callable, Iterable
 from typing import Any, NamedTuple
 
 from ...formula.nodes import ErrorValue, Scalar
-from ..values.calling import Problem
-from ..values.coerce import number_to_text, text_to_number
+from ..values.coerce import Problem, number_to_text, text_to_number
 
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _COMPLEX = re.compile(rf"(?P<real>[-+]?{_NUMBER})?(?:(?P<imaginary>[-+]?(?:{_NUMBER})?)(?P<unit>[ij]))?")

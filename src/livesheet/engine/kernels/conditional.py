@@ -4,19 +4,17 @@ criteria is tried once."""
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, Node, RangeRef
+from ..interpreter.closures import Evaluation
 from ..texts.searching import Test, criterion
 from ..values.calling import Args, table_of
 from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, VALUE, ArrayArgumentError, Cells, Frame, codes_of, error
 from ..values.coerce import once_each, shaped
 from .fold import greatest, least, total
-
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
 
 _BLANK_CELL = Cells(np.zeros((1, 1)), np.full((1, 1), BLANK, np.uint8))
 
@@ -38,7 +36,7 @@ class Range(NamedTuple):
         return self.height, self.width
 
 
-def _range(ev: Evaluator, node: Node, frame: Frame) -> Range:
+def _range(ev: Evaluation, node: Node, frame: Frame) -> Range:
     table = table_of(ev, node, frame)
     span = ev.span(node, frame)
     if span is not None:
@@ -62,7 +60,7 @@ class Selection:
         lost = next((part.lost for part in (*further, *self.ranges) if part.lost), 0)
         return lost or (VALUE if len({part.size for part in self.ranges}) > 1 else 0)
 
-    def mask(self, place: int, key: tuple[float, int], ev: Evaluator) -> Any:
+    def mask(self, place: int, key: tuple[float, int], ev: Evaluation) -> Any:
         """(mask, beyond) of one criterion."""
         found = self._known.get((place, *key))
         if found is None:
@@ -78,7 +76,7 @@ class Selection:
             mask = whole
         return mask, beyond
 
-    def all(self, keys: tuple[tuple[float, int], ...], ev: Evaluator) -> tuple[Any, bool]:
+    def all(self, keys: tuple[tuple[float, int], ...], ev: Evaluation) -> tuple[Any, bool]:
         """(mask, beyond) of all criteria."""
         parts = [self.mask(place, key, ev) for place, key in enumerate(keys)]
         mask = parts[0][0]
@@ -87,7 +85,7 @@ class Selection:
         return mask, all(beyond for _, beyond in parts)
 
 
-def _stretched(values: Node, like: Node, ev: Evaluator, frame: Frame) -> Node:
+def _stretched(values: Node, like: Node, ev: Evaluation, frame: Frame) -> Node:
     """SUMIF's third argument, as large as the first: from its first cell on."""
     if not isinstance(values, CellRef | RangeRef):
         return values
@@ -101,7 +99,9 @@ def _stretched(values: Node, like: Node, ev: Evaluator, frame: Frame) -> Node:
     return RangeRef(start, CellRef(row, col, start.row_abs, start.col_abs, start.sheet))
 
 
-def _keyed(ev: Evaluator, criteria: Args, frame: Frame, spread: bool, one: Callable[[Any], tuple[float, int]]) -> Cells:
+def _keyed(
+    ev: Evaluation, criteria: Args, frame: Frame, spread: bool, one: Callable[[Any], tuple[float, int]]
+) -> Cells:
     """The result for every cell of the frame, from `one(keys of its criteria)`."""
     cells = [ev.value(arg, frame, spread) for arg in criteria]
     if any(np.size(cell.numbers) > 1 and len(cell.shape) > 2 for cell in cells):
@@ -114,7 +114,7 @@ def _keyed(ev: Evaluator, criteria: Args, frame: Frame, spread: bool, one: Calla
 
 
 def _conditional(result: Callable[[Any, Any], tuple[float, int]], values_first: bool) -> Any:
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         if values_first:
             values, pairs = args[0], args[1:]
         else:
@@ -144,7 +144,7 @@ def _conditional(result: Callable[[Any, Any], tuple[float, int]], values_first: 
     return kernel
 
 
-def counting(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def counting(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """COUNTIF, COUNTIFS: blank cells beyond the sheet's data count where they fit."""
     if len(args) % 2:
         return error(VALUE)

@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...formula.nodes import Missing, Scalar
+from ..interpreter.closures import Evaluation
 from ..texts.searching import criterion
-from ..values.calling import Args, Problem, caught, table_of, to_number
+from ..values.calling import Args, table_of
 from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, Frame, Texts, VaryingSizeError, error
-from ..values.coerce import to_text
+from ..values.coerce import Problem, caught, to_number, to_text
 from .fold import count, folded, greatest, least, mean, product, total
 from .statistics import SPREADS
-
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
 
 
 def _headings(table: Cells, texts: Texts) -> list[str]:
@@ -61,7 +59,7 @@ def _chosen(table: Cells, criteria: Cells, headings: list[str], texts: Texts) ->
     return found
 
 
-def _picked(ev: Evaluator, args: Args, frame: Frame) -> tuple[Any, Any]:
+def _picked(ev: Evaluation, args: Args, frame: Frame) -> tuple[Any, Any]:
     """(numbers, codes) of the field in the rows that fit; without a field, a number for each of them."""
     table, criteria = table_of(ev, args[0], frame), table_of(ev, args[2], frame)
     headings = _headings(table, ev.texts)
@@ -83,7 +81,7 @@ def _picked(ev: Evaluator, args: Args, frame: Frame) -> tuple[Any, Any]:
 def _database(function: Callable[[Any, Any], Cells], counting: bool = False) -> Any:
     """A kernel; only those that count may do without a field."""
 
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         del spread
         if isinstance(args[1], Missing) and not counting:
             return error(VALUE)

@@ -21,8 +21,7 @@ from ..texts.calendar import (
     weekday,
     whole_day,
 )
-from ..values.calling import Problem, to_number
-from ..values.coerce import Serial, day_and_time
+from ..values.coerce import Problem, Serial, day_and_time, to_number
 
 
 def date_(year: float, month: float, day: float) -> Serial:

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from scipy.special import betainccinv, betaincinv, erf, ndtri
 
-from ..values.calling import Problem, need, raise_first
 from ..values.cells import NUMBER, Cells, Numbers
+from ..values.coerce import Problem, need, raise_first
 from .math import paired
 from .special import (
     beta_below,

@@ -8,8 +8,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from ...formula.nodes import Scalar
-from ..values.calling import Problem, to_strict_number
-from ..values.coerce import to_text
+from ..values.coerce import Problem, to_strict_number, to_text
 
 _FOOT, _INCH, _YARD, _MILE, _SEA_MILE = 0.3048, 0.0254, 0.9144, 1609.344, 1852.0
 _LIGHT_YEAR, _POINT = 9460730472580800.0, 0.0254 / 72

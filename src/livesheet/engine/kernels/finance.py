@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..values.calling import Problem, need, raise_first
 from ..values.cells import NUMBER, Cells, Numbers
+from ..values.coerce import Problem, need, raise_first
 from .math import paired
 
 MOST_PERIODS = 1e6

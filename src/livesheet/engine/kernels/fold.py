@@ -6,11 +6,12 @@ In cells only numbers count; an argument written out counts by what it shows.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ...formula.nodes import Binary, Missing, Node, RangeRef
+from ..interpreter.closures import Evaluation
 from ..values.calling import Args, is_reference
 from ..values.cells import (
     BLANK,
@@ -30,9 +31,6 @@ from ..values.cells import (
 )
 from ..values.coerce import numbers_of
 from .logic import _first_of, _flat
-
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
 
 
 class Gathered(NamedTuple):
@@ -59,7 +57,7 @@ def united(args: Args) -> list[Node]:
     return found
 
 
-def gather(ev: Evaluator, args: Args, frame: Frame) -> Gathered:
+def gather(ev: Evaluation, args: Args, frame: Frame) -> Gathered:
     """The values of all arguments in one array."""
     parts = [_part(ev, arg, frame) for arg in united(args)]
     if len(parts) == 1:
@@ -83,7 +81,7 @@ def _with_axes(array: Any, count: int) -> Any:
     return np.reshape(array, (len(array), *(1,) * (count + 1 - array.ndim), *array.shape[1:]))
 
 
-def _part(ev: Evaluator, arg: Node, frame: Frame) -> Gathered:
+def _part(ev: Evaluation, arg: Node, frame: Frame) -> Gathered:
     cells = ev.value(arg, frame, spread=True)
     if is_reference(arg) or np.ndim(cells.numbers) > 2:
         numbers = _flat(cells.numbers)
@@ -100,7 +98,7 @@ def _part(ev: Evaluator, arg: Node, frame: Frame) -> Gathered:
 def fold(function: Callable[[Any, Any], Any]) -> Any:
     """A kernel from `function(numbers, counts)` over the first axis; the first error among the values wins."""
 
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         del spread
         numbers, counts, errors = gather(ev, args, frame)
         return folded(function, numbers, counts, None if errors is None else _first_of(errors))
@@ -188,7 +186,7 @@ def ranked(numbers: Any, counts: Any, place: Any, from_top: bool) -> Any:
 
 
 def _by_rank(from_top: bool) -> Any:
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         numbers, counts, errors = gather(ev, args[:1], frame)
         place, place_errors = numbers_of(ev.value(args[1], frame, spread), ev.texts)
         found, own = ranked(numbers, counts, place, from_top)
@@ -197,7 +195,7 @@ def _by_rank(from_top: bool) -> Any:
     return kernel
 
 
-def counta(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def counta(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """COUNTA: everything but blanks, errors and empty texts too; nothing between two commas is a value, as for COUNT."""
     del spread
     number: Any = np.float64(0)
@@ -211,7 +209,7 @@ def counta(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return Cells(number)
 
 
-def countblank(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def countblank(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """COUNTBLANK: blanks and empty texts."""
     del spread
     cells = ev.value(args[0], frame, spread=True)
@@ -224,7 +222,7 @@ def countblank(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return Cells(number)
 
 
-def sumproduct(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def sumproduct(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """SUMPRODUCT: products of cells in the same places, summed; #VALUE! when sizes differ."""
     del spread
     product_of: Any = None
@@ -246,7 +244,7 @@ def sumproduct(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return finished(np.add.reduce(product_of), errors)
 
 
-def count_numbers(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def count_numbers(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """COUNT: numbers in cells, and arguments that show a number; errors do not count and do not matter."""
     del spread
     numbers, counts, errors = gather(ev, args, frame)

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...formula.nodes import CellRef, Local, Missing, Node, RangeRef
-from ..interpreter.closures import Bound, Closure
+from ..interpreter.closures import Closure, Evaluation, bound_value
 from ..interpreter.regions import gives_region, regions
 from ..layout import Area
 from ..values.calling import Args
@@ -17,6 +17,7 @@ from ..values.cells import (
     MOST_LISTED,
     NA,
     VALUE,
+    Bound,
     Cells,
     Frame,
     Span,
@@ -28,11 +29,8 @@ from ..values.cells import (
 )
 from ..values.coerce import numbers_of
 
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
 
-
-def let(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def let(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """LET(name, value, …, result)."""
     if len(args) % 2 == 0 or not all(isinstance(name, Local) for name in args[:-1:2]):
         return error(VALUE)
@@ -40,13 +38,13 @@ def let(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return ev.value(node, there, spread)
 
 
-def lambda_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def lambda_(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """LAMBDA that nobody calls: a cell cannot show a function."""
     del ev, args, frame, spread
     return error(CALC)
 
 
-def isomitted(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def isomitted(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """ISOMITTED: whether an argument of the function was left out."""
     del spread
     return boolean(np.bool_(ev.scopes.is_omitted(args[0], frame)))
@@ -60,7 +58,7 @@ def _by_itself(frame: Frame) -> None:
 class Table:
     """An array whose parts are handed to a function: as references when it is one, else as cells."""
 
-    def __init__(self, ev: Evaluator, node: Node, frame: Frame) -> None:
+    def __init__(self, ev: Evaluation, node: Node, frame: Frame) -> None:
         self.ev = ev
         found = regions(ev, node, frame) if gives_region(node) else None
         self.span: Span | None = found[0] if isinstance(found, list) and len(found) == 1 else None
@@ -97,7 +95,7 @@ class Table:
         return self.part(down, right, 1, 1)
 
 
-def _value(ev: Evaluator, closure: Closure, args: Sequence[Bound], frame: Frame, spread: bool) -> Cells:
+def _value(ev: Evaluation, closure: Closure, args: Sequence[Bound], frame: Frame, spread: bool) -> Cells:
     """The single value that a function gives, #CALC! when it gives an array."""
     found = ev.scopes.called(ev, closure, args, frame, spread)
     if np.size(found.numbers) > 1:
@@ -123,7 +121,7 @@ class Collected:
         return Cells(self.numbers, self.codes if self.codes.any() else None)
 
 
-def map_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def map_(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """MAP(array, …, function of a cell of each)."""
     _by_itself(frame)
     closure = ev.scopes.function(ev, args[-1], frame, len(args) - 1)
@@ -140,7 +138,7 @@ def map_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
 
 
 def _by(rows: bool) -> Any:
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         _by_itself(frame)
         closure = ev.scopes.function(ev, args[1], frame, 1)
         if closure is None:
@@ -158,7 +156,7 @@ def _by(rows: bool) -> Any:
 def _along(keep: bool) -> Any:
     """REDUCE, and SCAN which keeps what comes up on the way."""
 
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         _by_itself(frame)
         closure = ev.scopes.function(ev, args[2], frame, 2)
         if closure is None:
@@ -169,7 +167,7 @@ def _along(keep: bool) -> Any:
         for down in range(table.height):
             for right in range(table.width):
                 if total is None:  # without a start, the first cell is it
-                    total = table.cell(down, right).value(ev, frame, spread)
+                    total = bound_value(ev, table.cell(down, right), frame, spread)
                 else:
                     given = [Bound(cells=total), table.cell(down, right)]
                     if keep:
@@ -183,7 +181,7 @@ def _along(keep: bool) -> Any:
     return kernel
 
 
-def makearray(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def makearray(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """MAKEARRAY(rows, columns, function of row and column)."""
     _by_itself(frame)
     sizes = []

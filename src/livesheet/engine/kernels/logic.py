@@ -5,12 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...formula.nodes import CellRef, ErrorValue, Missing, Node, Scalar
-from ..values.calling import Args, Problem, given, to_number
+from ..interpreter.closures import Evaluation
+from ..values.calling import Args, given
 from ..values.cells import (
     BLANK,
     BOOLEAN,
@@ -31,13 +32,10 @@ from ..values.cells import (
     first_error,
     fitted,
 )
-from ..values.coerce import compared, truths_of
-
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
+from ..values.coerce import Problem, compared, to_number, truths_of
 
 
-def if_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def if_(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """IF: an error of the condition, else the branch taken; the other branch matters nowhere."""
     condition = ev.value(args[0], frame, spread)
     mask, errors = truths_of(condition, ev.texts)
@@ -52,7 +50,7 @@ def if_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)
 
 
-def _if_of_array(ev: Evaluator, args: Args, frame: Frame, spread: bool, condition: Cells) -> Cells:
+def _if_of_array(ev: Evaluation, args: Args, frame: Frame, spread: bool, condition: Cells) -> Cells:
     """IF with an array for its condition: as large as the largest of condition and branches."""
     mask, errors = truths_of(condition, ev.texts)
     then = _branch(ev, args, 1, frame, spread) if np.count_nonzero(mask) else Cells(np.float64(0))
@@ -63,7 +61,7 @@ def _if_of_array(ev: Evaluator, args: Args, frame: Frame, spread: bool, conditio
     return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)
 
 
-def _branch(ev: Evaluator, args: Args, index: int, frame: Frame, spread: bool) -> Cells:
+def _branch(ev: Evaluation, args: Args, index: int, frame: Frame, spread: bool) -> Cells:
     """A branch left out is the condition's truth value; an empty one (`IF(a,,b)`) is 0."""
     if index >= len(args):
         return boolean(np.float64(index == 1))
@@ -71,7 +69,7 @@ def _branch(ev: Evaluator, args: Args, index: int, frame: Frame, spread: bool) -
 
 
 def _instead(caught: Callable[[Any], Any]) -> Any:
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         first = ev.value(args[0], frame, spread)
         if first.codes is None:
             return first
@@ -98,7 +96,7 @@ _JOINS: dict[str, tuple[Any, bool]] = {
 def _joined(name: str) -> Any:
     join, neutral = _JOINS[name]
 
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         del spread
         masks: list[Any] = []
         counted: list[Any] = []
@@ -156,21 +154,21 @@ def _first_of(errors: Any) -> Any:
 and_, or_, xor = _joined("AND"), _joined("OR"), _joined("XOR")
 
 
-def not_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def not_(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """NOT."""
     mask, errors = truths_of(ev.value(args[0], frame, spread), ev.texts)
     result = boolean(~mask)
     return result if errors is None else choose(errors != 0, Cells(np.nan, errors), result)
 
 
-def na(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def na(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """NA: the error #N/A."""
     del ev, args, frame, spread
     return error(NA)
 
 
 def _asks(question: Callable[[Any], Any]) -> Any:
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         return boolean(question(codes_of(ev.value(args[0], frame, spread))))
 
     return kernel
@@ -185,7 +183,7 @@ iserror = _asks(lambda codes: codes >= ERROR)
 iserr = _asks(lambda codes: (codes >= ERROR) & (codes != NA))
 
 
-def n(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def n(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """N: numbers and truth values as numbers, texts as 0, errors as they are."""
     cells = ev.value(args[0], frame, spread)
     if cells.codes is None:
@@ -195,7 +193,7 @@ def n(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return Cells(numbers, errors)
 
 
-def t(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def t(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """T: texts and errors as they are, all else as the empty text."""
     cells = ev.value(args[0], frame, spread)
     codes = codes_of(cells)
@@ -203,7 +201,7 @@ def t(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return choose(kept, Cells(cells.numbers, codes), ev.texts.constant(""))
 
 
-def pi(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def pi(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """PI."""
     del ev, args, frame, spread
     return Cells(np.float64(np.pi))
@@ -219,7 +217,7 @@ def column_of(span: Span) -> Any:
     return span.col + 1.0 + np.arange(span.width)
 
 
-def _no_reference(ev: Evaluator, node: Node, frame: Frame) -> Cells:
+def _no_reference(ev: Evaluation, node: Node, frame: Frame) -> Cells:
     """The error that stands in the place of a reference, #VALUE! for any other value."""
     found = ev.value(node, frame, spread=True)
     code = int(np.ravel(codes_of(found))[0])
@@ -227,7 +225,7 @@ def _no_reference(ev: Evaluator, node: Node, frame: Frame) -> Cells:
 
 
 def _where(name: str) -> Any:
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         row, col = float(frame.row + 1), float(frame.col + 1)
         moves_down, moves_right = frame.rows > 1, frame.cols > 1
         if args:
@@ -252,7 +250,7 @@ row, column = _where("ROW"), _where("COLUMN")
 
 
 def _size(axis: int) -> Any:
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         span = ev.span(args[0], frame)
         if span is not None:
             return Cells(np.float64((span.height, span.width)[axis]))
@@ -303,12 +301,12 @@ def _merged(mask: Any, value: Cells, before: Cells | None) -> Cells:
     return choose(mask, value, before)
 
 
-def _truth(ev: Evaluator, arg: Node, frame: Frame, spread: bool) -> Cells:
+def _truth(ev: Evaluation, arg: Node, frame: Frame, spread: bool) -> Cells:
     mask, errors = truths_of(given(ev, arg, frame, spread), ev.texts)
     return Cells(np.asarray(mask, np.float64), errors)
 
 
-def ifs(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def ifs(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """IFS(condition, value, ...): #N/A when no condition holds."""
     if len(args) % 2:
         return error(VALUE)
@@ -317,7 +315,7 @@ def ifs(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return _first_true(conditions, values, partial(error, NA))
 
 
-def switch(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def switch(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """SWITCH(value, case, result, ..., default)."""
     wanted = given(ev, args[0], frame, spread)
     cases = args[1:]
@@ -334,7 +332,7 @@ def switch(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return _first_true(conditions, values, otherwise)
 
 
-def type_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def type_(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """TYPE: 1 number, 2 text, 4 truth value, 16 error, 64 array."""
     del spread
     cells = ev.value(args[0], frame, spread=True)

@@ -3,11 +3,12 @@ and is searched for all cells of the frame at once; where it moves, each cell is
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...formula.nodes import Call, CellRef, Local, Missing, RangeRef
+from ..interpreter.closures import Evaluation
 from ..interpreter.regions import gives_region, regions
 from ..texts.searching import CRITERION, EXACT, EXPRESSION, LARGER, SMALLER, WILDCARD, Line
 from ..values.calling import Args, given, spread_cells, table_of
@@ -28,11 +29,8 @@ from ..values.cells import (
 )
 from ..values.coerce import numbers_of, once_each, truths_of
 
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
 
-
-def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def index(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """INDEX(range, row, column): 0 or nothing for the only row or column; #REF! outside."""
     row, row_errors = _argument(ev, args, 1, frame, spread)
     col, col_errors = _argument(ev, args, 2, frame, spread)
@@ -67,7 +65,7 @@ def index(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return _or_error(found, first_error(row_errors, col_errors, own))
 
 
-def _part(ev: Evaluator, args: Args, frame: Frame, spread: bool, whole: bool) -> Cells | None:
+def _part(ev: Evaluation, args: Args, frame: Frame, spread: bool, whole: bool) -> Cells | None:
     """What INDEX means of a reference, or a whole row or column of an array; None for single cells of anything."""
     single = frame.rows == frame.cols == 1
     if not (single and spread) and not whole and len(args) < 4 and not isinstance(args[0], Call | Local):
@@ -93,7 +91,7 @@ def _part(ev: Evaluator, args: Args, frame: Frame, spread: bool, whole: bool) ->
     return spread_cells(Cells(table.numbers[place], table.codes[place]))
 
 
-def _indexed(ev: Evaluator, args: Args, frame: Frame, row: float, col: float) -> Cells | None:
+def _indexed(ev: Evaluation, args: Args, frame: Frame, row: float, col: float) -> Cells | None:
     """The one cell of a fixed range that INDEX means everywhere in the frame; None in all less plain cases."""
     span = ev.span(args[0], frame)
     if span is None or span.moves_down or span.moves_right:
@@ -111,7 +109,7 @@ def _or_error(found: Cells, errors: Any) -> Cells:
     return choose(errors != 0, Cells(np.nan, errors), found)
 
 
-def _argument(ev: Evaluator, args: Args, place: int, frame: Frame, spread: bool, default: float = 1.0) -> Any:
+def _argument(ev: Evaluation, args: Args, place: int, frame: Frame, spread: bool, default: float = 1.0) -> Any:
     """(numbers, error codes or None) of an argument that may be left out."""
     if place >= len(args):
         return np.float64(default), None
@@ -120,7 +118,7 @@ def _argument(ev: Evaluator, args: Args, place: int, frame: Frame, spread: bool,
     return numbers_of(ev.value(args[place], frame, spread), ev.texts)
 
 
-def match(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def match(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """MATCH(value, range, type): 1 the last not above (ascending), 0 the first equal, -1 the last not below (descending)."""
     kind, kind_errors = _argument(ev, args, 2, frame, spread)
     if np.ndim(kind):
@@ -134,7 +132,7 @@ def match(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return _or_error(found, kind_errors)
 
 
-def positions(ev: Evaluator, wanted: Cells, line: Cells, kind: float) -> Cells:
+def positions(ev: Evaluation, wanted: Cells, line: Cells, kind: float) -> Cells:
     """Where each wanted value stands in `line` (from 0), #N/A where it stands nowhere; errors of `wanted` first.
 
     kind  0 the first equal one, texts with wildcards; 1 the last not above, in ascending order; -1 the last not below, in
@@ -154,7 +152,7 @@ def _place(search: Line, number: float, code: int, kind: float) -> int:
     return -1 if code == BLANK else search.place(number, code, CRITERION)  # a blank cell equals nothing here
 
 
-def choose_(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def choose_(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """CHOOSE(number, first, second, …): #VALUE! outside; only the values chosen matter."""
     number, errors = numbers_of(ev.value(args[0], frame, spread), ev.texts)
     number = np.trunc(number)
@@ -176,7 +174,7 @@ def _line(cells: Cells, by_rows: bool, place: int) -> Cells:
 
 
 def _table_lookup(by_rows: bool) -> Any:
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         table = table_of(ev, args[1], frame)
         if table.codes.shape == (1, 1) and table.codes[0, 0] == TEXT and not isinstance(args[1], CellRef | RangeRef):
             return error(VALUE)
@@ -202,7 +200,7 @@ def _table_lookup(by_rows: bool) -> Any:
     return kernel
 
 
-def lookup(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def lookup(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """LOOKUP(value, ascending line, line of results); with one table, its first and last row or column."""
     table = table_of(ev, args[1], frame)
     if len(args) > 2 and 1 not in table.numbers.shape:
@@ -220,7 +218,7 @@ def lookup(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
 # --- XMATCH and XLOOKUP ----------------------------------------------------------------------------------------------
 
 
-def _mode(ev: Evaluator, args: Args, place: int, frame: Frame, allowed: tuple[int, ...]) -> tuple[int, int]:
+def _mode(ev: Evaluation, args: Args, place: int, frame: Frame, allowed: tuple[int, ...]) -> tuple[int, int]:
     """(a mode, the code of the error that is in its place or 0)."""
     if place >= len(args) or isinstance(args[place], Missing):
         return allowed[0], 0
@@ -231,7 +229,7 @@ def _mode(ev: Evaluator, args: Args, place: int, frame: Frame, allowed: tuple[in
     return mode, 0 if mode in allowed else VALUE
 
 
-def _places(ev: Evaluator, args: Args, modes: int, frame: Frame, spread: bool) -> tuple[Any, Any, Any] | Cells:
+def _places(ev: Evaluation, args: Args, modes: int, frame: Frame, spread: bool) -> tuple[Any, Any, Any] | Cells:
     """(places with -1 for nowhere, errors or None, the array searched), or the error instead."""
     table = table_of(ev, args[1], frame)
     mode, fault = _mode(ev, args, modes, frame, (EXACT, SMALLER, LARGER, WILDCARD, EXPRESSION))
@@ -248,7 +246,7 @@ def _places(ev: Evaluator, args: Args, modes: int, frame: Frame, spread: bool) -
     return np.array(places, np.intp).reshape(shape), errors_of(wanted), table
 
 
-def xmatch(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def xmatch(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """XMATCH(value, array, match mode, search mode)."""
     found = _places(ev, args, 2, frame, spread)
     if isinstance(found, Cells):
@@ -259,7 +257,7 @@ def xmatch(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return Cells(np.where(places < 0, np.nan, places + 1.0), codes)
 
 
-def xlookup(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def xlookup(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """XLOOKUP(value, array, results, if not found, match mode, search mode): a whole row or column of the results."""
     found = _places(ev, args, 4, frame, spread)
     if isinstance(found, Cells):

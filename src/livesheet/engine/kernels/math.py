@@ -16,8 +16,8 @@ import numpy as np
 
 from ... import portable
 from ...formula.nodes import Scalar
-from ..values.calling import Problem, raise_first, to_number
 from ..values.cells import DIV0, NEAR, NUM, NUMBER, Cells, Numbers
+from ..values.coerce import Problem, raise_first, to_number
 
 Result: TypeAlias = Any
 """Values, or (values, error codes with 0 where there is none)."""

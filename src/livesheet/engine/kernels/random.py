@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...formula.nodes import Missing
+from ..interpreter.closures import Evaluation
 from ..values.calling import Args
 from ..values.cells import (
     MOST_LISTED,
@@ -23,19 +24,16 @@ from ..values.cells import (
 )
 from ..values.coerce import numbers_of, truths_of
 
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
-
 _GENERATOR = np.random.default_rng(1900)
 
 
-def rand(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def rand(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """RAND: a number in 0 to below 1 for every cell."""
     del ev, args, spread
     return Cells(_GENERATOR.random(frame.shape))
 
 
-def randbetween(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def randbetween(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """RANDBETWEEN: a whole number between two bounds, both included."""
     parts = [numbers_of(ev.value(arg, frame, spread), ev.texts) for arg in args]
     low, high = np.ceil(parts[0][0]), np.floor(parts[1][0])
@@ -46,7 +44,7 @@ def randbetween(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     )
 
 
-def randarray(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def randarray(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """RANDARRAY(rows, columns, least, most, whole numbers)."""
     del spread
     if frame.rows > 1 or frame.cols > 1:

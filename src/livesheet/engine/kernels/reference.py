@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from ...formula.nodes import Call, CellRef, Node, RangeRef, shifted
 from ...formula.printer import print_formula, quote_sheet
 from ...formula.references import column_letters
 from ...said import reason, say
+from ..interpreter.closures import Evaluation
 from ..interpreter.regions import gives_region, regions
 from ..layout import Area
 from ..values.calling import Args
@@ -32,14 +33,11 @@ from ..values.cells import (
 )
 from ..values.coerce import text_of
 
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
 
-
-def _cell_by_cell(kernel: Callable[[Evaluator, Args, Frame], Cells]) -> Any:
+def _cell_by_cell(kernel: Callable[[Evaluation, Args, Frame], Cells]) -> Any:
     """A kernel that computes one cell at a time."""
 
-    def each(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def each(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         del spread
         if frame.rows > 1 or frame.cols > 1:
             raise VaryingSizeError
@@ -51,13 +49,13 @@ def _cell_by_cell(kernel: Callable[[Evaluator, Args, Frame], Cells]) -> Any:
 def _region(name: str) -> Any:
     """A function that gives a reference, as a value."""
 
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         return ev.region(Call(name, args), frame, spread)
 
     return kernel
 
 
-def single(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def single(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """`@`: of a reference the cell beside the formula, of an array its first cell."""
     del spread
     if isinstance(args[0], RangeRef | CellRef) or gives_region(args[0]):
@@ -75,7 +73,7 @@ def single(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return Cells(numbers, codes if np.count_nonzero(codes) else None)
 
 
-def areas(ev: Evaluator, args: Args, frame: Frame) -> Cells:
+def areas(ev: Evaluation, args: Args, frame: Frame) -> Cells:
     """AREAS: how many rectangles a reference has."""
     found = regions(ev, args[0], frame)
     if isinstance(found, Cells):
@@ -83,12 +81,12 @@ def areas(ev: Evaluator, args: Args, frame: Frame) -> Cells:
     return error(VALUE) if found is None else Cells(np.float64(len(found)))
 
 
-def isref(ev: Evaluator, args: Args, frame: Frame) -> Cells:
+def isref(ev: Evaluation, args: Args, frame: Frame) -> Cells:
     """ISREF: whether the argument is a reference."""
     return boolean(np.bool_(isinstance(regions(ev, args[0], frame), list)))
 
 
-def _first(ev: Evaluator, node: Node, frame: Frame) -> Span | Cells:
+def _first(ev: Evaluation, node: Node, frame: Frame) -> Span | Cells:
     """The first cell of a reference."""
     found = regions(ev, node, frame)
     if isinstance(found, list):
@@ -96,7 +94,7 @@ def _first(ev: Evaluator, node: Node, frame: Frame) -> Span | Cells:
     return error(VALUE) if found is None else found
 
 
-def _formula_at(ev: Evaluator, span: Span) -> tuple[Node, bool] | None:
+def _formula_at(ev: Evaluation, span: Span) -> tuple[Node, bool] | None:
     """The formula of a cell as it stands there, and whether it is an array formula; None where there is none."""
     sheet = ev.around.book.sheets[span.sheet]
     block = sheet.formula_at(span.row, span.col)
@@ -108,7 +106,7 @@ def _formula_at(ev: Evaluator, span: Span) -> tuple[Node, bool] | None:
     return shifted(block.formula, span.row - block.row, span.col - block.col), False
 
 
-def isformula(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def isformula(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """ISFORMULA: whether a cell holds a formula; where arrays are taken, of each cell of a range."""
     if frame.rows > 1 or frame.cols > 1:
         raise VaryingSizeError
@@ -126,7 +124,7 @@ def isformula(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return boolean(found[:, :, np.newaxis, np.newaxis])
 
 
-def formulatext(ev: Evaluator, args: Args, frame: Frame) -> Cells:
+def formulatext(ev: Evaluation, args: Args, frame: Frame) -> Cells:
     """FORMULATEXT: the formula of a cell as text, #N/A where there is none."""
     span = _first(ev, args[0], frame)
     if not isinstance(span, Span):
@@ -143,7 +141,7 @@ def formulatext(ev: Evaluator, args: Args, frame: Frame) -> Cells:
     return ev.texts.constant(f"{{{text}}}" if found[1] else text)
 
 
-def sheet(ev: Evaluator, args: Args, frame: Frame) -> Cells:
+def sheet(ev: Evaluation, args: Args, frame: Frame) -> Cells:
     """SHEET: the number of a sheet, by a reference or a title; without an argument the formula's own."""
     if not args:
         return Cells(np.float64(frame.sheet + 1))
@@ -157,7 +155,7 @@ def sheet(ev: Evaluator, args: Args, frame: Frame) -> Cells:
     return Cells(np.float64(titles.index(title.casefold()) + 1)) if title.casefold() in titles else error(NA)
 
 
-def sheets(ev: Evaluator, args: Args, frame: Frame) -> Cells:
+def sheets(ev: Evaluation, args: Args, frame: Frame) -> Cells:
     """SHEETS: how many sheets a reference has cells of; without an argument how many there are."""
     if not args:
         return Cells(np.float64(len(ev.layout.titles)))
@@ -167,7 +165,7 @@ def sheets(ev: Evaluator, args: Args, frame: Frame) -> Cells:
     return error(REF) if found is None else found
 
 
-def cell(ev: Evaluator, args: Args, frame: Frame) -> Cells:
+def cell(ev: Evaluation, args: Args, frame: Frame) -> Cells:
     """CELL: address, row, col, contents or type of a reference's first cell, or "filename": [book.xlsx]Sheet, without the
     folder. Other information is not known here."""
     what = text_of(ev.value(args[0], frame), ev.texts)
@@ -205,7 +203,7 @@ def cell(ev: Evaluator, args: Args, frame: Frame) -> Cells:
 _INFORMATION = {"recalc": "Automatic", "origin": "$A:$A$1"}
 
 
-def info(ev: Evaluator, args: Args, frame: Frame) -> Cells:
+def info(ev: Evaluation, args: Args, frame: Frame) -> Cells:
     """INFO: "recalc", "origin", "numfile"; what is said of the machine is not known here."""
     what = text_of(ev.value(args[0], frame), ev.texts)
     if isinstance(what, Cells):

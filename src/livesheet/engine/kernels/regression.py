@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..values.calling import Problem, to_truth
 from ..values.cells import NA, NUM, Cells, Numbers
+from ..values.coerce import Problem, to_truth
 from .math import paired
 
 _DEPENDENT = 1e-11

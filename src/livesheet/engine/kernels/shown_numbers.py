@@ -5,17 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from decimal import ROUND_HALF_UP, Decimal
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ...formula.nodes import Scalar
+from ..interpreter.closures import Evaluation
 from ..texts.number_formats import WIDE, formatted
-from ..values.calling import Args, Problem, since_epoch
+from ..values.calling import Args
 from ..values.cells import Cells, Frame
-from ..values.coerce import Serial, to_text
+from ..values.coerce import Problem, Serial, since_epoch, to_text
 from .text import VALUE, _each, number_or_none
-
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
 
 
 def text(value: Scalar, pattern: Scalar, epochs: float = 0.0) -> Scalar:
@@ -30,7 +28,7 @@ def text(value: Scalar, pattern: Scalar, epochs: float = 0.0) -> Scalar:
     return VALUE if found is None else found
 
 
-def _text(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def _text(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     epochs = ev.texts.epochs
     kernel: Callable[..., Cells] = _each(lambda value, pattern: text(value, pattern, epochs))
     return kernel(ev, args, frame, spread)

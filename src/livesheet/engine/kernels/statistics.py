@@ -4,18 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from ..values.calling import Args, Problem, is_reference, need, raise_first
+from ..interpreter.closures import Evaluation
+from ..values.calling import Args, is_reference
 from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, TEXT, Cells, Frame, Numbers, codes_of
-from ..values.coerce import numbers_of
+from ..values.coerce import Problem, need, numbers_of, raise_first
 from .fold import count, fold, folded, mean, total, united
 from .logic import _first_of, _flat
-
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
 
 
 def _deviations(numbers: Any, counts: Any) -> tuple[Any, Any]:
@@ -53,7 +51,7 @@ def _extreme(largest: bool) -> Callable[[Any, Any], Any]:
 def _counting_all(function: Callable[[Any, Any], Any]) -> Any:
     """The functions that end in A: in cells, truth values count as 0 and 1, and texts as 0."""
 
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         del spread
         numbers, counts, errors = [], [], []
         for arg in united(args):

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...formula.nodes import Call, Node, walk
+from ..interpreter.closures import Evaluation
 from ..layout import Area
-from ..values.calling import Args, caught, raise_first, table_of
+from ..values.calling import Args, table_of
 from ..values.cells import (
     BLANK,
     ERROR,
@@ -23,13 +24,9 @@ from ..values.cells import (
     error,
     finished,
 )
-from ..values.coerce import numbers_of
+from ..values.coerce import caught, numbers_of, raise_first
 from .fold import folded, greatest, least, mean, median, product, ranked, total, united
 from .statistics import MODES, SPREADS, percentile, quartile
-
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
-
 
 COUNT, COUNTA = 2, 3
 _FOLDS: dict[int, Callable[[Any, Any], Any]] = {
@@ -44,7 +41,7 @@ def _is_total(formula: Node) -> bool:
     return any(isinstance(part, Call) and part.name in _TOTALS for part in walk(formula))
 
 
-def _without_totals(ev: Evaluator, node: Node, table: Cells, frame: Frame) -> Cells:
+def _without_totals(ev: Evaluation, node: Node, table: Cells, frame: Frame) -> Cells:
     """A range without the cells that are themselves totals."""
     span = ev.span(node, frame)
     if span is None:
@@ -61,7 +58,7 @@ def _without_totals(ev: Evaluator, node: Node, table: Cells, frame: Frame) -> Ce
     return Cells(table.numbers, codes)
 
 
-def _without_rows(ev: Evaluator, node: Node, table: Cells, frame: Frame, filtered_only: bool) -> Cells:
+def _without_rows(ev: Evaluation, node: Node, table: Cells, frame: Frame, filtered_only: bool) -> Cells:
     """A range without the cells of rows that are hidden, or hidden by a filter."""
     span = ev.span(node, frame)
     sheets = ev.around.book.sheets
@@ -77,7 +74,7 @@ def _without_rows(ev: Evaluator, node: Node, table: Cells, frame: Frame, filtere
     return Cells(table.numbers, codes)
 
 
-def _number(ev: Evaluator, node: Node, frame: Frame) -> int:
+def _number(ev: Evaluation, node: Node, frame: Frame) -> int:
     numbers, errors = numbers_of(ev.value(node, frame), ev.texts)
     if np.ndim(numbers) > 2:
         raise ArrayArgumentError
@@ -88,7 +85,7 @@ def _number(ev: Evaluator, node: Node, frame: Frame) -> int:
     return int(np.trunc(numbers))
 
 
-def _together(ev: Evaluator, args: list[Node], frame: Frame, nested: bool, rows: str) -> tuple[Any, Any]:
+def _together(ev: Evaluation, args: list[Node], frame: Frame, nested: bool, rows: str) -> tuple[Any, Any]:
     """(numbers, codes) of all arguments in one line, without other totals unless `nested`.
 
     rows  which rows count: "all", "unfiltered" ones, or those "shown"
@@ -118,7 +115,7 @@ def _total(function: int, numbers: Any, codes: Any, ignore_errors: bool) -> Cell
     return folded(_FOLDS[function], values, counts, None)
 
 
-def subtotal(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def subtotal(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """SUBTOTAL(function, ranges...): other totals inside the ranges do not count.
 
     1 to 11 leave out the rows that a filter hides, 101 to 111 all hidden rows.
@@ -133,7 +130,7 @@ def subtotal(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
     return _total(function, numbers, codes, ignore_errors=False)
 
 
-def aggregate(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def aggregate(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """AGGREGATE(function, option, values...): options 2, 3, 6, 7 leave errors out, 0 to 3 totals, odd ones hidden rows."""
     function, option = _number(ev, args[0], frame), _number(ev, args[1], frame)
     if not (1 <= function <= 19 and 0 <= option <= 7):

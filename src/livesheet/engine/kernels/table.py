@@ -11,20 +11,18 @@ from collections.abc import Callable
 from functools import cache
 from importlib import import_module
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ...formula.functions import FUNCTIONS, Function
 from ...formula.nodes import Node
+from ..interpreter.closures import Evaluation
 from ..values.calling import called
 from ..values.cells import BOOLEAN, VALUE, Cells, Frame
 from ..values.coerce import truths_of
 
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
-
-Kernel: TypeAlias = Callable[["Evaluator", tuple[Node, ...], "Frame", bool], Cells]
+Kernel: TypeAlias = Callable[[Evaluation, tuple[Node, ...], Frame, bool], Cells]
 
 
 def _without_flags(cells: Cells) -> Cells:
@@ -37,7 +35,7 @@ def _without_flags(cells: Cells) -> Cells:
 def _mapped(row: Function, function: Callable[..., Any]) -> Kernel:
     """A function of numbers and truth values (1 and 0), cell by cell; an argument left empty is 0."""
 
-    def kernel(ev: Evaluator, args: tuple[Node, ...], frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: tuple[Node, ...], frame: Frame, spread: bool) -> Cells:
         cells = [ev.value(arg, frame, spread) for arg in args]
         for place, kind in enumerate(row.kinds_of(len(args))):
             if kind == "p":

@@ -6,7 +6,7 @@ import math
 import re
 from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -15,13 +15,21 @@ from ...formula.functions import FUNCTIONS
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from ...formula.printer import quote_sheet
 from ...formula.references import column_letters
+from ..interpreter.closures import Evaluation
 from ..texts.patterns import expression, pattern_of
-from ..values.calling import Args, Problem, called, since_epoch, to_number
+from ..values.calling import Args, called
 from ..values.cells import Cells, Frame, codes_of
-from ..values.coerce import MOST_CHARACTERS, Serial, each, joined, text_to_number, to_text
-
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
+from ..values.coerce import (
+    MOST_CHARACTERS,
+    Problem,
+    Serial,
+    each,
+    joined,
+    since_epoch,
+    text_to_number,
+    to_number,
+    to_text,
+)
 
 VALUE = ErrorValue("#VALUE!")
 
@@ -63,20 +71,20 @@ def value_(shown: Scalar, epochs: float = 0.0) -> Scalar:
     return VALUE if number is None else number
 
 
-def _value(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def _value(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     kernel: Callable[..., Cells] = _each(lambda shown: value_(shown, ev.texts.epochs))
     return kernel(ev, args, frame, spread)
 
 
 def _each(function: Callable[..., Scalar]) -> Any:
-    def kernel(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         cells = tuple(ev.value(arg, frame, spread) for arg in args)
         return each(function, cells, ev.texts, ev.around.budget.spend)
 
     return kernel
 
 
-def concat(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def concat(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """CONCAT: like CONCATENATE, but takes ranges too, row by row."""
     del spread
     parts: list[Cells] = []
@@ -167,7 +175,7 @@ def search(settings: Settings, wanted: str, within: str, start: float = 1.0) -> 
     return place + 1.0
 
 
-def _search(ev: Evaluator, args: Args, frame: Frame, spread: bool) -> Cells:
+def _search(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     kernel: Callable[..., Cells] = called(FUNCTIONS["SEARCH"], partial(search, ev.texts.settings))
     return kernel(ev, args, frame, spread)
 

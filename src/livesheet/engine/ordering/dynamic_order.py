@@ -8,22 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
-
-import numpy as np
 
 from ...formula.book import Block, BookSheet, CellStore
-from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, Scalar
-from ...said import say
+from ...formula.nodes import MAX_COLUMNS, MAX_ROWS
 from ..interpreter.evaluator import Evaluator
 from ..layout import Area, Layout
-from ..results import Marks, Values
+from ..results import Marks
 from ..values.cells import BLANK, NotReadyError
+from .schedule import Step
 
-if TYPE_CHECKING:
-    from ..plan import Plan
-
-_MOST_PASSES = 64
 Sizes = tuple[tuple[int, int, int, bool], ...]
 """Of every dynamic array: (block, rows, columns, whether there is something in its way)."""
 
@@ -36,50 +29,12 @@ class TangledError(Exception):
         self.reads = reads
 
 
-def settled(plan: Plan, overrides: Mapping[tuple[str, int, int], Scalar]) -> Values:
-    """All values, when all steps had what they need and all dynamic arrays have their sizes."""
-    first = plan
-    for _ in range(_MOST_PASSES):
-        ev = _driven(plan, overrides)
-        sizes = _fitting(plan, ev)
-        if sizes == plan.sizes:
-            return plan.values_of(ev)
-        plan = first.resized(sizes)
-    ev = _driven(plan, overrides)
-    number = plan.sizes[0][0]
-    block = plan.layout.blocks[number]
-    ev.around.remark(
-        say("dynamic arrays whose sizes do not settle"), plan.layout.block_sheets[number], block.row, block.col
-    )
-    return plan.values_of(ev)
-
-
-def _driven(plan: Plan, overrides: Mapping[tuple[str, int, int], Scalar]) -> Evaluator:
-    """An evaluator that has run all steps. The plan learns of blocks that turn out to need each other: finitely many."""
-    while True:
-        ev, marks = plan.begin(_present(plan, overrides))
-        try:
-            with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
-                drive(plan, ev, marks)
-        except TangledError as tangle:
-            plan.learn(tangle.reads)
-        else:
-            return ev
-
-
-def _present(plan: Plan, overrides: Mapping[tuple[str, int, int], Scalar]) -> Mapping[tuple[str, int, int], Scalar]:
-    """Without the cells that were emptied and are no constants here: a dynamic array has grown over them."""
-    if all(value is not None for value in overrides.values()):
-        return overrides
-    return {cell: value for cell, value in overrides.items() if value is not None or plan.is_constant(cell)}
-
-
-def drive(plan: Plan, ev: Evaluator, marks: Marks) -> None:
-    """Run all steps, each after what it needs. Raises TangledError when steps need each other."""
-    steps, layout = plan.steps, plan.layout
+def drive(steps: Sequence[Step], reads: Sequence[Collection[int]], ev: Evaluator, marks: Marks) -> None:
+    """Run all steps, each after what it needs: `reads` of each block. Raises TangledError when steps need each other."""
+    layout = ev.layout
     step_of = {number: index for index, step in enumerate(steps) for number in step.producers}
     needs = [
-        sorted({step_of[read] for number in step.producers for read in plan.reads[number] if read in step_of} - {index})
+        sorted({step_of[read] for number in step.producers for read in reads[number] if read in step_of} - {index})
         for index, step in enumerate(steps)
     ]
     finished = [False] * len(steps)
@@ -114,12 +69,11 @@ def drive(plan: Plan, ev: Evaluator, marks: Marks) -> None:
             path.append(missing)
 
 
-def _reads_of(circle: Sequence[int], steps: Sequence[object], late: Mapping[int, int]) -> list[tuple[int, int]]:
+def _reads_of(circle: Sequence[int], steps: Sequence[Step], late: Mapping[int, int]) -> list[tuple[int, int]]:
     found = []
     for at in circle:
         if at in late:
-            producers: Sequence[int] = steps[at].producers  # type: ignore[attr-defined]
-            found += [(number, late[at]) for number in producers]
+            found += [(number, late[at]) for number in steps[at].producers]
     return found
 
 
@@ -135,9 +89,9 @@ def sizes_of(layout: Layout, blocked: frozenset[int]) -> Sizes:
     )
 
 
-def _fitting(plan: Plan, ev: Evaluator) -> Sizes:
+def fitting(ev: Evaluator) -> Sizes:
     """The sizes that dynamic arrays want, 1 x 1 where something is in the way; what stands first in the book has its way."""
-    layout = plan.layout
+    layout = ev.layout
     spills = {number for number, block in enumerate(layout.blocks) if block.kind == "spill"}
     taken: list[Area] = []
     found = []

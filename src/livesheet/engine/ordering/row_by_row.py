@@ -21,8 +21,8 @@ import numpy as np
 
 from ...formula.book import Block
 from ...formula.nodes import Apply, CellRef, FunctionRef, Local, Node, RangeRef, Text, shifted, walk
-from ..fast.cell_code import CellCode, CellCodes
-from ..fast.cell_functions import Memory
+from ..fast.cell_code import CellCodes
+from ..fast.cell_functions import CellCode, Memory
 from ..fast.lowered_functions import FUNCTIONS
 from ..fast.lowering import UnsuitableError
 from ..fast.row_loop import RowBlock, RowCode, RowLowering, above_order, row_code

@@ -6,8 +6,7 @@ import math
 from datetime import date, timedelta
 from typing import NamedTuple
 
-from ..values.calling import Problem
-from ..values.coerce import Serial
+from ..values.coerce import Problem, Serial
 
 LAST_DAY = 2958465
 """31 December 9999."""

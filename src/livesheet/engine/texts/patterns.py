@@ -12,8 +12,8 @@ from typing import Protocol
 
 from ...formula.book import Settings
 from ...said import say
-from ..values.calling import Problem
 from ..values.cells import UnsupportedError
+from ..values.coerce import Problem
 
 _LONGEST_PATTERN = 1000
 _MOST_STEPS = 1e8

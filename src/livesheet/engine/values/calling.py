@@ -8,17 +8,16 @@ combination of arguments that differs.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ...formula.functions import Function
 from ...formula.nodes import ArrayLiteral, CellRef, ErrorValue, Missing, Node, RangeRef, Scalar
+from ..interpreter.closures import Evaluation
 from .cells import (
     BLANK,
     EPOCHS,
-    ERROR,
-    ERROR_NAMES,
     MOST_LISTED,
     NUMBER,
     Cells,
@@ -27,15 +26,23 @@ from .cells import (
     Texts,
     VaryingSizeError,
     codes_of,
-    error,
     error_code,
     fitted,
     too_large,
 )
-from .coerce import Serial, numbers_of, once_each, shaped, text_to_number, to_text
-
-if TYPE_CHECKING:
-    from ..interpreter.evaluator import Evaluator
+from .coerce import (
+    Problem,
+    Serial,
+    numbers_of,
+    once_each,
+    raise_first,
+    shaped,
+    since_epoch,
+    to_number,
+    to_strict_number,
+    to_text,
+    to_truth,
+)
 
 Args: TypeAlias = tuple[Node, ...]
 """The arguments of a call, as trees."""
@@ -47,71 +54,9 @@ LISTED_A_STEP = 16
 """Cells of an array that are handed to a function one by one in the time of a step."""
 
 
-class Problem(Exception):  # noqa: N818 - an error value on its way to the cell, not a failure of the program
-    """An error value as a function's result."""
-
-    def __init__(self, code: str) -> None:
-        super().__init__(code)
-        self.code = code
-
-
-def caught(kernel: Callable[..., Cells]) -> Callable[..., Cells]:
-    """The kernel with the error value in place of a `Problem`."""
-
-    def catching(*args: Any) -> Cells:
-        try:
-            return kernel(*args)
-        except Problem as problem:
-            return error(error_code(problem.code))
-
-    return catching
-
-
-def need(*conditions: bool) -> None:
-    """#NUM! unless all conditions hold."""
-    if not all(conditions):
-        raise Problem("#NUM!")
-
-
-def to_number(value: Scalar) -> float:
-    """A scalar as a number; a text that shows none is #VALUE!."""
-    if isinstance(value, str):
-        number = text_to_number(value)
-        if number is None:
-            raise Problem("#VALUE!")
-        return number
-    if isinstance(value, ErrorValue):
-        raise Problem(value.code)
-    return 0.0 if value is None else float(value)
-
-
-def since_epoch(day: float, epochs: float) -> float:
-    """A day that a text shows as the workbook counts days; #VALUE! for one before its calendar begins."""
-    if day < epochs:
-        raise Problem("#VALUE!")
-    return float(day) - epochs
-
-
-def to_truth(value: Scalar) -> bool:
-    """A scalar as a truth value: TRUE and FALSE also as texts."""
-    if isinstance(value, str):
-        word = value.strip().upper()
-        if word not in ("TRUE", "FALSE"):
-            raise Problem("#VALUE!")
-        return word == "TRUE"
-    return to_number(value) != 0
-
-
 def _to_day(value: Scalar) -> float:
     if isinstance(value, bool):
         return float(value)
-    return to_number(value)
-
-
-def to_strict_number(value: Scalar) -> float:
-    """A number, or a text that is one; a truth value is none."""
-    if isinstance(value, bool):
-        raise Problem("#VALUE!")
     return to_number(value)
 
 
@@ -127,12 +72,12 @@ _CONVERSIONS: dict[str, Callable[[Scalar], Any]] = {
 }
 
 
-def given(ev: Evaluator, arg: Node, frame: Frame, spread: bool) -> Cells:
+def given(ev: Evaluation, arg: Node, frame: Frame, spread: bool) -> Cells:
     """An argument's value as it is handed on: nothing between two commas is 0."""
     return Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread)
 
 
-def table_of(ev: Evaluator, node: Node, frame: Frame) -> Cells:
+def table_of(ev: Evaluation, node: Node, frame: Frame) -> Cells:
     """An array value that is the same all over the frame: two axes, always with codes."""
     cells = ev.value(node, frame, spread=True)
     shape = cells.shape
@@ -146,19 +91,12 @@ def table_of(ev: Evaluator, node: Node, frame: Frame) -> Cells:
     return Cells(numbers, np.broadcast_to(codes_of(cells), shape)[:, :, 0, 0])
 
 
-def raise_first(codes: Any) -> None:
-    """Raise the first error among codes, row by row."""
-    bad = np.flatnonzero(codes >= ERROR)
-    if len(bad):
-        raise Problem(ERROR_NAMES[int(codes.flat[bad[0]]) - ERROR])
-
-
 def is_reference(node: Node) -> bool:
     """Whether values come out of cells (or an array), where texts and truth values do not count."""
     return isinstance(node, CellRef | RangeRef | ArrayLiteral)
 
 
-def values_of(ev: Evaluator, node: Node, frame: Frame) -> Numbers:
+def values_of(ev: Evaluation, node: Node, frame: Frame) -> Numbers:
     """The numbers of an argument: those among the cells of a range; a value written out counts by what it shows."""
     single = np.ndim(ev.value(node, frame, spread=True).numbers) <= 2 and not is_reference(node)
     table = table_of(ev, node, frame)
@@ -191,7 +129,7 @@ def grid_of(table: Cells, texts: Texts) -> list[list[Scalar]]:
     return [values[start : start + width] for start in range(0, len(values), width)]
 
 
-def _fixed(ev: Evaluator, node: Node, kind: str, frame: Frame, needed: bool) -> Any:
+def _fixed(ev: Evaluation, node: Node, kind: str, frame: Frame, needed: bool) -> Any:
     """An argument that is no single value, or the problem with it; one left out is a blank where it is `needed`."""
     try:
         if kind == "v":
@@ -220,7 +158,7 @@ def _fixed(ev: Evaluator, node: Node, kind: str, frame: Frame, needed: bool) -> 
 def called(row: Function, function: Callable[..., Any]) -> Any:
     """The kernel of a plain function whose arguments are of the row's kinds."""
 
-    def kernel(ev: Evaluator, args: tuple[Node, ...], frame: Frame, spread: bool) -> Cells:
+    def kernel(ev: Evaluation, args: tuple[Node, ...], frame: Frame, spread: bool) -> Cells:
         kinds = row.kinds_of(len(args))
         fixed = [
             None if kind in SINGLES else _fixed(ev, arg, kind, frame, row.needs(place))

@@ -12,17 +12,15 @@ more in front: (height, width, cols or 1, rows or 1).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...formula.book import Settings
-from ...formula.nodes import ErrorValue, Scalar
+from ...formula.nodes import ErrorValue, Missing, Node, Scalar
 from ...said import say
-
-if TYPE_CHECKING:
-    from ..interpreter.closures import Bound
 
 
 class Frame(NamedTuple):
@@ -38,7 +36,7 @@ class Frame(NamedTuple):
     cols: int
     down: int = 0
     right: int = 0
-    names: Mapping[str, Bound] | None = None
+    names: Scope | None = None
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -52,9 +50,27 @@ class Frame(NamedTuple):
         down_there, right_there = self.down + down, self.right + right
         return Frame(self.sheet, self.row + down, self.col + right, 1, 1, down_there, right_there, self.names)
 
-    def within(self, names: Mapping[str, Bound] | None) -> Frame:
+    def within(self, names: Scope | None) -> Frame:
         """The same cells with other names."""
         return self if names is self.names else self._replace(names=names)
+
+
+@dataclass(slots=True)
+class Bound:
+    """What a name stands for: a tree with its scope, or cells; `omitted` when it stands for an argument left out.
+
+    known  the values of the tree so far, by the frame and whether a range is an array there
+    """
+
+    node: Node = field(default_factory=Missing)
+    scope: Scope | None = None
+    cells: Cells | None = None
+    omitted: bool = False
+    known: dict[tuple[int, int, int, int, bool], Cells] = field(default_factory=dict)
+
+
+Scope: TypeAlias = Mapping[str, Bound]
+"""What names stand for."""
 
 
 class Span(NamedTuple):

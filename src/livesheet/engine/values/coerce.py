@@ -18,6 +18,7 @@ from .cells import (
     BLANK,
     BOOLEAN,
     ERROR,
+    ERROR_NAMES,
     NEAR,
     TEXT,
     VALUE,
@@ -26,6 +27,8 @@ from .cells import (
     boolean,
     codes_of,
     different,
+    error,
+    error_code,
     errors_of,
     first_error,
     fitted,
@@ -404,3 +407,75 @@ def _keys(numbers: Any, codes: Any, texts: Texts, places: dict[tuple[str, str], 
     for key in different(numbers[is_text]):
         keys = np.where(is_text & (numbers == key), places[texts.key(texts.text(key))], keys)
     return keys
+
+
+# one value at a time, for plain functions
+
+
+class Problem(Exception):  # noqa: N818 - an error value on its way to the cell, not a failure of the program
+    """An error value as a function's result."""
+
+    def __init__(self, code: str) -> None:
+        super().__init__(code)
+        self.code = code
+
+
+def caught(kernel: Callable[..., Cells]) -> Callable[..., Cells]:
+    """The kernel with the error value in place of a `Problem`."""
+
+    def catching(*args: Any) -> Cells:
+        try:
+            return kernel(*args)
+        except Problem as problem:
+            return error(error_code(problem.code))
+
+    return catching
+
+
+def need(*conditions: bool) -> None:
+    """#NUM! unless all conditions hold."""
+    if not all(conditions):
+        raise Problem("#NUM!")
+
+
+def to_number(value: Scalar) -> float:
+    """A scalar as a number; a text that shows none is #VALUE!."""
+    if isinstance(value, str):
+        number = text_to_number(value)
+        if number is None:
+            raise Problem("#VALUE!")
+        return number
+    if isinstance(value, ErrorValue):
+        raise Problem(value.code)
+    return 0.0 if value is None else float(value)
+
+
+def since_epoch(day: float, epochs: float) -> float:
+    """A day that a text shows as the workbook counts days; #VALUE! for one before its calendar begins."""
+    if day < epochs:
+        raise Problem("#VALUE!")
+    return float(day) - epochs
+
+
+def to_truth(value: Scalar) -> bool:
+    """A scalar as a truth value: TRUE and FALSE also as texts."""
+    if isinstance(value, str):
+        word = value.strip().upper()
+        if word not in ("TRUE", "FALSE"):
+            raise Problem("#VALUE!")
+        return word == "TRUE"
+    return to_number(value) != 0
+
+
+def to_strict_number(value: Scalar) -> float:
+    """A number, or a text that is one; a truth value is none."""
+    if isinstance(value, bool):
+        raise Problem("#VALUE!")
+    return to_number(value)
+
+
+def raise_first(codes: Any) -> None:
+    """Raise the first error among codes, row by row."""
+    bad = np.flatnonzero(codes >= ERROR)
+    if len(bad):
+        raise Problem(ERROR_NAMES[int(codes.flat[bad[0]]) - ERROR])

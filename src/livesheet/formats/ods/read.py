@@ -12,6 +12,7 @@ from livesheet.said import say
 
 from ..reading.package import Package, local_name, open_package, part_key, protected, saved_by, settings_remarks
 from ..xml_text import NULL_DATE, NULL_DATE_1904
+from .row_pattern import rows_of
 from .scan import CONTENT, ContentScan, NameText
 from .text import SHEET_TYPE
 
@@ -34,7 +35,7 @@ def read_ods(path: Path) -> Book:
 def _read(package: Package) -> Book:
     _check_parts(package)
     scan = ContentScan(package)
-    scan.run()
+    scan.run(rows_of(scan))
     if scan.kind != "spreadsheet":
         raise package.fault(say("an OpenDocument {kind}, not a spreadsheet", kind=scan.kind or "file"), CONTENT)
     if scan.null_date not in (NULL_DATE, NULL_DATE_1904):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from livesheet.formula.nodes import MAX_COLUMNS, Scalar
 
@@ -16,13 +16,12 @@ from ..reading.repeated_rows import (
     TEXT,
     Groups,
     Pattern,
+    RepeatedRows,
     RowExpression,
     give_numbers,
     give_values,
 )
-
-if TYPE_CHECKING:
-    from .scan import ContentScan, Table
+from .scan import ContentScan, Table
 
 ROW = b"table:table-row"
 """The element of rows; files with other prefixes are left to the parser."""
@@ -96,6 +95,11 @@ class RowPattern(Pattern):
         if cell.attribute is None:
             return self._scan.value(table, row, cell.col, cell.about, shown or None)
         return self._scan.value(table, row, cell.col, {**cell.about, cell.attribute: shown}, None)
+
+
+def rows_of(scan: ContentScan) -> RepeatedRows:
+    """What spares the parser of a scan the rows that are like one above."""
+    return RepeatedRows(b"</%s>" % ROW, lambda row: row_pattern(scan, row), lambda: scan.rows_ended)
 
 
 def row_pattern(scan: ContentScan, data: bytes) -> RowPattern | None:

@@ -19,7 +19,6 @@ from ..reading.formulas import ArrayText, CellFaults, FormulaRuns, give_arrays
 from ..reading.package import MAX_SHEETS, Package
 from ..reading.repeated_rows import RepeatedRows
 from ..xml_text import NULL_DATE, day_number, finite
-from .row_pattern import ROW, row_pattern
 from .values import ParagraphText, error_of, error_shown, time_number
 from .words import Words, words_of
 
@@ -81,8 +80,8 @@ class ContentScan:
     rows_ended: int = 0
     words: Words = field(init=False)
 
-    def run(self) -> None:
-        """Read the part. Faults of cells are gathered, everything else that is wrong raises WorkbookError at once."""
+    def run(self, rows: RepeatedRows) -> None:
+        """Read the part, `rows` apart. Faults of cells are gathered, all else that is wrong raises WorkbookError at once."""
         parser = expat.ParserCreate()
         parser.buffer_text = True
         parser.buffer_size = 1 << 16
@@ -95,11 +94,7 @@ class ContentScan:
             _handlers(self, parser, texts)
 
         parser.StartElementHandler = root
-        rows = RepeatedRows(b"</%s>" % ROW, lambda row: row_pattern(self, row), self._rows_ended)
         self.package.parse(CONTENT, parser, texts, rows)
-
-    def _rows_ended(self) -> int:
-        return self.rows_ended
 
     def fault(self, message: str) -> Exception:
         """The error that refuses the file."""

@@ -25,6 +25,7 @@ from ..reading.package import (
     settings_remarks,
     unescaped,
 )
+from .row_pattern import rows_of
 from .scan import SheetScan
 
 _OTHERS = (
@@ -71,7 +72,7 @@ def _read(package: Package) -> Book:
         book.sheets.append(sheet)
         scan = SheetScan(package, target, sheet, strings, contents.date1904, dynamic)
         book.tables += _tables_of(package, target, title, scan.filters)
-        faults += scan.run()
+        faults += scan.run(rows_of(scan))
         book.remarks += scan.faults.remarks
     if faults:
         raise WorkbookError(faults)

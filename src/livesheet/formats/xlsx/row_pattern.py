@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from livesheet.formula.nodes import MAX_COLUMNS, Scalar
 from livesheet.formula.references import column_index
@@ -17,13 +17,12 @@ from ..reading.repeated_rows import (
     TEXT,
     Groups,
     Pattern,
+    RepeatedRows,
     RowExpression,
     give_numbers,
     give_values,
 )
-
-if TYPE_CHECKING:
-    from .scan import SheetScan
+from .scan import SheetScan
 
 _ROW = re.compile(rb'<row r="([1-9][0-9]{0,6})"[^<>]*(?<!/)>')
 _HIDDEN = re.compile(rb' hidden="(?:1|true)"')
@@ -81,6 +80,11 @@ class RowPattern(Pattern):
 
     def _value(self, kind: str, col: int, text: bytes, row: int) -> Scalar:
         return self._scan.value(kind, self._scan.package.decoded(text, self._scan.part), row, col)
+
+
+def rows_of(scan: SheetScan) -> RepeatedRows:
+    """What spares the parser of a scan the rows that are like one above."""
+    return RepeatedRows(b"</row>", lambda row: row_pattern(scan, row), lambda: scan.rows_begun)
 
 
 def row_pattern(scan: SheetScan, data: bytes) -> RowPattern | None:

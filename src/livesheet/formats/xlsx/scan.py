@@ -16,7 +16,6 @@ from ..reading.formulas import Area, ArrayText, CellFaults, FormulaRuns, array_t
 from ..reading.package import Package, local_name, unescaped
 from ..reading.repeated_rows import RepeatedRows
 from ..xml_text import NULL_DATE, NULL_DATE_1904, day_number, finite
-from .row_pattern import row_pattern
 
 
 class SheetScan:
@@ -46,13 +45,12 @@ class SheetScan:
         self.told = 0
         self.rows_begun = 0
 
-    def run(self) -> list[Fault]:
-        """Read the part into the sheet; the faults found, one for each cell that cannot be understood."""
+    def run(self, rows: RepeatedRows) -> list[Fault]:
+        """Read the part, `rows` apart, into the sheet; the faults found, one for each cell that cannot be understood."""
         parser = expat.ParserCreate()
         parser.buffer_text = True
         parser.buffer_size = 1 << 16
         texts = _handlers(self, parser)
-        rows = RepeatedRows(b"</row>", lambda row: row_pattern(self, row), lambda: self.rows_begun)
         self.package.parse(self.part, parser, texts, rows)
         self.sheet.blocks.extend(self.runs.blocks())
         self.sheet.keep(self.runs.kept)
