@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-LINE = {"arguments", "cli", "diagnostics", "on_demand", "replacing", "said", "time_limit", "words"}
+LINE = {"arguments", "cli", "diagnostics", "on_demand", "replacing", "said", "time_limit", "version", "words"}
 """What the command line itself is made of; of `words` only which languages there are."""
 
 DESCRIPTIONS = LINE | {"description", "formula", "model", "portable", "synthesis", "units", "words"}

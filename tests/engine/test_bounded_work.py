@@ -71,7 +71,7 @@ def test_a_formula_without_end(formula, little_patience):
 
 @pytest.mark.parametrize("formula", LARGE)
 def test_an_array_that_fills_the_memory(formula, monkeypatch):
-    for module in ("values.cells", "values.calling", "kernels.array", "kernels.lambdas", "kernels.random"):
+    for module in ("values.cells", "interpreter.calling", "kernels.array", "kernels.lambdas", "kernels.random"):
         monkeypatch.setattr(f"livesheet.engine.{module}.MOST_LISTED", 1 << 12)
     monkeypatch.setattr("livesheet.engine.values.cells.MOST_LETTERS", 1 << 22)
     start = time.process_time()

@@ -19,7 +19,7 @@ from .speaking import told
 
 if TYPE_CHECKING:
     from mechsheet.studies.ranking import Studied
-from mechsheet.studies.run import Progress
+    from mechsheet.studies.run import Progress
 
 
 @click.command(cls=Explained, short_help="Try millions of designs and keep the good ones.")

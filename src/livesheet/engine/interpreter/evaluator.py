@@ -37,7 +37,6 @@ from ...time_limit import TimeLimitError
 from ..kernels.math import OPERATORS, snapped
 from ..kernels.table import KERNELS
 from ..layout import Layout
-from ..values.calling import SINGLES
 from ..values.cells import (
     BLANK,
     CALC,
@@ -61,6 +60,7 @@ from ..values.cells import (
     fitted,
 )
 from ..values.coerce import compared, each, joined, numbers_of
+from .calling import SINGLES
 from .closures import Evaluation, Scopes
 from .environment import CELLS_A_STEP, LIFTED_STEPS, Environment, deeply
 from .reading import codes_of_all

@@ -24,7 +24,6 @@ from ...formula.nodes import (
     Node,
     RangeRef,
 )
-from ..values.calling import Args
 from ..values.cells import (
     ERROR,
     NA,
@@ -40,6 +39,7 @@ from ..values.cells import (
     error_code,
 )
 from ..values.coerce import numbers_of, text_of, truths_of
+from .calling import Args
 from .closures import Evaluation
 
 Regions: TypeAlias = "list[Span] | Cells | None"

@@ -28,7 +28,7 @@ from ...formula.nodes import (
     rebuilt,
     walk,
 )
-from ..values.calling import SINGLES
+from .calling import SINGLES
 
 _SCOPES = ("LET", "LAMBDA")
 

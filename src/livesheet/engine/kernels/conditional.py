@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, CellRef, Node, RangeRef
+from ..interpreter.calling import Args, table_of
 from ..interpreter.closures import Evaluation
 from ..texts.searching import Test, criterion
-from ..values.calling import Args, table_of
 from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, VALUE, ArrayArgumentError, Cells, Frame, codes_of, error
 from ..values.coerce import once_each, shaped
 from .fold import greatest, least, total

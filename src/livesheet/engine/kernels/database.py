@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import Missing, Scalar
+from ..interpreter.calling import Args, table_of
 from ..interpreter.closures import Evaluation
 from ..texts.searching import criterion
-from ..values.calling import Args, table_of
 from ..values.cells import BLANK, ERROR, NUMBER, VALUE, Cells, Frame, Texts, VaryingSizeError, error
 from ..values.coerce import Problem, caught, to_number, to_text
 from .fold import count, folded, greatest, least, mean, product, total

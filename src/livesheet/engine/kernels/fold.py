@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...formula.nodes import Binary, Missing, Node, RangeRef
+from ..interpreter.calling import Args, is_reference
 from ..interpreter.closures import Evaluation
-from ..values.calling import Args, is_reference
 from ..values.cells import (
     BLANK,
     DIV0,

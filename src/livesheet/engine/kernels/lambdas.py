@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import CellRef, Local, Missing, Node, RangeRef
+from ..interpreter.calling import Args
 from ..interpreter.closures import Closure, Evaluation, bound_value
 from ..interpreter.regions import gives_region, regions
 from ..layout import Area
-from ..values.calling import Args
 from ..values.cells import (
     CALC,
     MOST_LISTED,

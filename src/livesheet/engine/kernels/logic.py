@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import CellRef, ErrorValue, Missing, Node, Scalar
+from ..interpreter.calling import Args, given
 from ..interpreter.closures import Evaluation
-from ..values.calling import Args, given
 from ..values.cells import (
     BLANK,
     BOOLEAN,

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import Call, CellRef, Local, Missing, RangeRef
+from ..interpreter.calling import Args, given, spread_cells, table_of
 from ..interpreter.closures import Evaluation
 from ..interpreter.regions import gives_region, regions
 from ..texts.searching import CRITERION, EXACT, EXPRESSION, LARGER, SMALLER, WILDCARD, Line
-from ..values.calling import Args, given, spread_cells, table_of
 from ..values.cells import (
     BLANK,
     NA,

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import Missing
+from ..interpreter.calling import Args
 from ..interpreter.closures import Evaluation
-from ..values.calling import Args
 from ..values.cells import (
     MOST_LISTED,
     NUM,

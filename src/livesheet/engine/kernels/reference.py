@@ -12,10 +12,10 @@ from ...formula.nodes import Call, CellRef, Node, RangeRef, shifted
 from ...formula.printer import print_formula, quote_sheet
 from ...formula.references import column_letters
 from ...said import reason, say
+from ..interpreter.calling import Args
 from ..interpreter.closures import Evaluation
 from ..interpreter.regions import gives_region, regions
 from ..layout import Area
-from ..values.calling import Args
 from ..values.cells import (
     BLANK,
     NA,

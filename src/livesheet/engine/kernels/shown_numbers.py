@@ -8,9 +8,9 @@ from decimal import ROUND_HALF_UP, Decimal
 from typing import Any
 
 from ...formula.nodes import Scalar
+from ..interpreter.calling import Args
 from ..interpreter.closures import Evaluation
 from ..texts.number_formats import WIDE, formatted
-from ..values.calling import Args
 from ..values.cells import Cells, Frame
 from ..values.coerce import Problem, Serial, since_epoch, to_text
 from .text import VALUE, _each, number_or_none

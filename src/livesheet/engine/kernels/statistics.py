@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
+from ..interpreter.calling import Args, is_reference
 from ..interpreter.closures import Evaluation
-from ..values.calling import Args, is_reference
 from ..values.cells import BLANK, DIV0, ERROR, NUM, NUMBER, TEXT, Cells, Frame, Numbers, codes_of
 from ..values.coerce import Problem, need, numbers_of, raise_first
 from .fold import count, fold, folded, mean, total, united

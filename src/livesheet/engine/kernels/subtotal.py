@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import Call, Node, walk
+from ..interpreter.calling import Args, table_of
 from ..interpreter.closures import Evaluation
 from ..layout import Area
-from ..values.calling import Args, table_of
 from ..values.cells import (
     BLANK,
     ERROR,

@@ -2,7 +2,7 @@
 
 A kernel takes (evaluator, argument trees, frame, spread) and returns cells; see `interpreter/evaluator.py` for the words. A
 module may hold three tables: KERNELS; MAPS, functions of numbers and truth values over arrays; PLAIN, functions of Python
-values (`values/calling.py`). What SciPy computes stands in modules of their own, for it is not always installed.
+values (`interpreter/calling.py`). What SciPy computes stands in modules of their own, for it is not always installed.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ import numpy as np
 
 from ...formula.functions import FUNCTIONS, Function
 from ...formula.nodes import Node
+from ..interpreter.calling import called
 from ..interpreter.closures import Evaluation
-from ..values.calling import called
 from ..values.cells import BOOLEAN, VALUE, Cells, Frame
 from ..values.coerce import truths_of
 

@@ -15,9 +15,9 @@ from ...formula.functions import FUNCTIONS
 from ...formula.nodes import MAX_COLUMNS, MAX_ROWS, ErrorValue, Scalar
 from ...formula.printer import quote_sheet
 from ...formula.references import column_letters
+from ..interpreter.calling import Args, called
 from ..interpreter.closures import Evaluation
 from ..texts.patterns import expression, pattern_of
-from ..values.calling import Args, called
 from ..values.cells import Cells, Frame, codes_of
 from ..values.coerce import (
     MOST_CHARACTERS,

@@ -14,8 +14,7 @@ import numpy as np
 
 from ...formula.functions import Function
 from ...formula.nodes import ArrayLiteral, CellRef, ErrorValue, Missing, Node, RangeRef, Scalar
-from ..interpreter.closures import Evaluation
-from .cells import (
+from ..values.cells import (
     BLANK,
     EPOCHS,
     MOST_LISTED,
@@ -30,7 +29,7 @@ from .cells import (
     fitted,
     too_large,
 )
-from .coerce import (
+from ..values.coerce import (
     Problem,
     Serial,
     numbers_of,
@@ -43,6 +42,7 @@ from .coerce import (
     to_text,
     to_truth,
 )
+from .closures import Evaluation
 
 Args: TypeAlias = tuple[Node, ...]
 """The arguments of a call, as trees."""
