@@ -146,7 +146,7 @@ def test_a_line_says_what_is_of_the_motion():
     rows = {name: value for name, value, _ in first.rows("verdicts")}
     assert rows["Grashof"] == "80 mm"
     assert "slow way" not in rows  # which needs a whole turn
-    assert rows["μ1"].endswith("@ −12°")
+    assert rows["μ1 (B)"].endswith("@ −12°")
     assert "sheets" not in rows
 
 
