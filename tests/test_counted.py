@@ -2,8 +2,8 @@
 
 import pytest
 
-from mechsheet.checking.report_lines import stored_lines
 from mechsheet.checking.stored import Stored
+from mechsheet.checking.stored_lines import stored_lines
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
 from mechsheet.diagnostics import DescriptionError

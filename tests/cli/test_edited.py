@@ -6,7 +6,7 @@ import pytest
 
 from command_line import run
 from folders import TEMPLATES
-from mechsheet.checking.report_lines import focused
+from mechsheet.checking.report import focused
 from mechsheet.description.templates import template_text
 
 

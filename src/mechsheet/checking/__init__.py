@@ -10,11 +10,11 @@ if TYPE_CHECKING:
     from mechsheet.checking.baseline import Baseline, read_baseline
     from mechsheet.checking.books_compared import with_twins
     from mechsheet.checking.cells_apart import Rules, difference
+    from mechsheet.checking.comparison import TOLERANCE, Comparison, Tally
     from mechsheet.checking.judging import check, judge
     from mechsheet.checking.mutation import Mutation, mutate
     from mechsheet.checking.perturbation import Perturbation, perturb
-    from mechsheet.checking.report import TOLERANCE, Comparison, Edit, Tally
-    from mechsheet.checking.report_lines import Report
+    from mechsheet.checking.report import Edit, Report
     from mechsheet.checking.stored import Stored
 
 _HOMES = {
@@ -26,11 +26,11 @@ _HOMES = {
     "mutate": "mutation",
     "Perturbation": "perturbation",
     "perturb": "perturbation",
-    "TOLERANCE": "report",
-    "Comparison": "report",
+    "TOLERANCE": "comparison",
+    "Comparison": "comparison",
     "Edit": "report",
-    "Report": "report_lines",
-    "Tally": "report",
+    "Report": "report",
+    "Tally": "comparison",
     "difference": "cells_apart",
     "Rules": "cells_apart",
     "Stored": "stored",

@@ -18,6 +18,7 @@ from livesheet.said import say
 from mechsheet import reference
 from mechsheet.checking.bands import compare_bands
 from mechsheet.checking.columns_apart import DEAD_CENTRE, EDGE, Rows, Steepness, apart_from, apart_of, closed_rows
+from mechsheet.checking.comparison import Array, Comparison, Tally
 from mechsheet.checking.driver_tables import compare_tables
 from mechsheet.checking.inputs import (
     Inputs,
@@ -31,7 +32,6 @@ from mechsheet.checking.inputs import (
     typed,
     with_listed_rates,
 )
-from mechsheet.checking.report import Array, Comparison, Tally
 from mechsheet.diagnostics import MechanismError
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.newton.changed_dimensions import LEAP

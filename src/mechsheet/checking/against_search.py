@@ -19,8 +19,8 @@ from livesheet.formula.book import Book
 from livesheet.formula.nodes import Scalar, Symbol
 from livesheet.formula.references import cell_address
 from livesheet.formula.scalar import evaluate
+from mechsheet.checking.comparison import Comparison, Tally
 from mechsheet.checking.inputs import Inputs, OfTheLast, equations_as_typed, inputs_in, missing_dimensions, with_numbers
-from mechsheet.checking.report import Comparison, Tally
 from mechsheet.kinematics.numeric import value
 from mechsheet.kinematics.search import TURN, Search
 from mechsheet.kinematics.whole_turns import mean_of_motion

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from livesheet.formula.references import cell_address
 from mechsheet import reference
-from mechsheet.checking.report import Array, Tally
+from mechsheet.checking.comparison import Array, Tally
 from mechsheet.kinematics.numeric import value as number_of
 from mechsheet.kinematics.rates.sensitivity import by_symbol, toleranced
 from mechsheet.model import WAYS

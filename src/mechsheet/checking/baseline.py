@@ -19,7 +19,7 @@ from livesheet.diagnostics import Fault, WorkbookError, readable_name
 from livesheet.formula.nodes import ErrorValue, Scalar
 from livesheet.formula.references import parse_reference
 from livesheet.said import say
-from mechsheet.checking.report import TOLERANCE
+from mechsheet.checking.comparison import TOLERANCE
 from mechsheet.checking.stored import Difference, Stored
 
 HEAD = "# Differences accepted by mechsheet --baseline; --update-baseline writes this file anew."

@@ -30,9 +30,9 @@ from livesheet.formula.printer import print_formula
 from livesheet.formula.references import cell_address
 from livesheet.said import say
 from mechsheet.checking.cells_apart import column_scale, difference
+from mechsheet.checking.comparison import Comparison, Tally
 from mechsheet.checking.inputs import description_in
-from mechsheet.checking.report import Comparison, Tally
-from mechsheet.checking.report_lines import Report
+from mechsheet.checking.report import Report
 
 DIGITS = 1e-12
 """Numbers in formulas that differ by less, relatively, are one number in two spellings."""

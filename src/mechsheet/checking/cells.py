@@ -17,8 +17,8 @@ from livesheet.formula.nodes import Direction, ErrorValue, Scalar, Symbol, shift
 from livesheet.formula.references import cell_address
 from mechsheet.checking.against_search import against_search
 from mechsheet.checking.cells_apart import EqualRows, Rules, column_scale, difference, ignored_in
+from mechsheet.checking.comparison import Comparison, Tally
 from mechsheet.checking.edited.inserted_rows import Move, MovedValues, Moves
-from mechsheet.checking.report import Comparison, Tally
 from mechsheet.kinematics.dimensions import is_length
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.asked.requested import tables_of

@@ -32,7 +32,7 @@ from livesheet.formula.nodes import (
 )
 from livesheet.said import say
 from mechsheet.arguments.values import Area, area_of
-from mechsheet.checking.report import TOLERANCE
+from mechsheet.checking.comparison import TOLERANCE
 
 
 @dataclass(frozen=True, slots=True)

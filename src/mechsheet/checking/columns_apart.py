@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from livesheet.formula.nodes import Call, Node, symbols, walk
 from mechsheet import reference
-from mechsheet.checking.report import TOLERANCE, Array
+from mechsheet.checking.comparison import TOLERANCE, Array
 from mechsheet.kinematics.dyads.solved import DEAD
 from mechsheet.kinematics.equations import CAM, FORCES, INNER, RATES
 from mechsheet.kinematics.numeric import value

@@ -18,6 +18,7 @@ from livesheet.formula.book import Book
 from livesheet.formula.references import cell_address
 from mechsheet import reference
 from mechsheet.checking.columns_apart import Mask, Rows, apart_from, apart_of, closed_rows, scale_of
+from mechsheet.checking.comparison import Array, Tally
 from mechsheet.checking.inputs import (
     Inputs,
     OfTheLast,
@@ -29,7 +30,6 @@ from mechsheet.checking.inputs import (
     readers,
     typed,
 )
-from mechsheet.checking.report import Array, Tally
 from mechsheet.kinematics.equations import Equations
 from mechsheet.kinematics.numeric import runs_of, without_jumps
 from mechsheet.kinematics.sweep import DISTINCT, distinct, poses_in, sweep

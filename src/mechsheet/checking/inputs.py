@@ -24,7 +24,7 @@ from livesheet.formula.references import cell_address
 from livesheet.formula.scalar import evaluate
 from livesheet.said import reason, say
 from livesheet.workbook import Workbook
-from mechsheet.checking.report import Array, text_of
+from mechsheet.checking.comparison import Array, text_of
 from mechsheet.compiled import Compiled
 from mechsheet.description import loads
 from mechsheet.description.report import located

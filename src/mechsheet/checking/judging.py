@@ -15,13 +15,13 @@ from mechsheet.checking.against_search import against_search
 from mechsheet.checking.baseline import Baseline
 from mechsheet.checking.cells import compare_cells, compare_program
 from mechsheet.checking.cells_apart import Rules
+from mechsheet.checking.comparison import Comparison
 from mechsheet.checking.edited.edits import compared
 from mechsheet.checking.edited.inserted_rows import MovedValues
 from mechsheet.checking.inputs import description_in, expected_for, functions_in, inside, workbook_of
 from mechsheet.checking.of_itself import description_of, first_sheet, red_line, stale
 from mechsheet.checking.programs import answers, cannot_judge, names_of, refuse_unknown
-from mechsheet.checking.report import Comparison, Edit
-from mechsheet.checking.report_lines import Report
+from mechsheet.checking.report import Edit, Report
 from mechsheet.checking.stored import judge_stored
 from mechsheet.diagnostics import MissingProgramError
 from mechsheet.library.routines import with_routines

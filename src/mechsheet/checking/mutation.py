@@ -21,9 +21,9 @@ from livesheet.formula.slips import Damage, damages
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.books_compared import printed
 from mechsheet.checking.cells import Angles, angles_in
+from mechsheet.checking.comparison import TOLERANCE
 from mechsheet.checking.edited.edits import edits_of
 from mechsheet.checking.inputs import Expected, description_or_fault, expected_for, inside, workbook_of
-from mechsheet.checking.report import TOLERANCE
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.rows import AGREES
 

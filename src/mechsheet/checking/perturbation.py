@@ -22,9 +22,9 @@ from livesheet.formula.book import Book
 from livesheet.formula.nodes import Scalar, symbols
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.checking.cells import compare_program
+from mechsheet.checking.comparison import Comparison
 from mechsheet.checking.inputs import description_or_fault, plan_inside, workbook_of
 from mechsheet.checking.programs import Answers, answers_to_all, names_of, refuse_unknown
-from mechsheet.checking.report import Comparison
 from mechsheet.diagnostics import MissingProgramError
 from mechsheet.kinematics.inputs import asked_of, refused_of
 from mechsheet.sheet.plan import Plan

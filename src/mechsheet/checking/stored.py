@@ -33,8 +33,8 @@ from livesheet.formula.printer import print_formula
 from livesheet.formula.references import cell_address
 from livesheet.said import say
 from mechsheet.checking.cells_apart import Ignored, Rounding, Rules, ignored_in, texts_apart, unmeant
+from mechsheet.checking.comparison import Comparison, text_of
 from mechsheet.checking.following import Suspect, explained
-from mechsheet.checking.report import Comparison, text_of
 
 JUDGE = "stored values"
 """What the stored values are called among the judges."""

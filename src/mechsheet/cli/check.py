@@ -106,7 +106,7 @@ def _check(
     """The plain check."""
     from mechsheet.checking import judge, with_twins
     from mechsheet.checking.programs import names_of, refuse_unknown
-    from mechsheet.checking.report_lines import report_lines
+    from mechsheet.checking.report import report_lines
 
     asked = names_of(programs)
     refuse_unknown(asked)
@@ -173,7 +173,7 @@ SURVIVORS = 20
 
 def _print_line(report: Any) -> None:
     """A check of many: all in one line."""
-    from mechsheet.checking.report_lines import grouped
+    from mechsheet.checking.stored_lines import grouped
 
     worst = max((item.worst for item in report.comparisons), default=0.0)
     count = len(report.remarks) + (len(grouped(report.stored.remarks)) if report.stored is not None else 0)
@@ -220,7 +220,7 @@ def _print_perturbation(found: Any) -> None:
 def _print_mutation(found: Any) -> None:
     """Damages: how many are caught by whom, and those that the sheet's own checks do not catch."""
     from mechsheet.checking.mutation import by_kind, by_sheet
-    from mechsheet.checking.report_lines import focused
+    from mechsheet.checking.report import focused
 
     lines = [
         say("{file}: check catches all damages", file=found.file) if found.agrees else

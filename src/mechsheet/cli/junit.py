@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from xml.etree.ElementTree import Element, SubElement, indent, tostring
 
 from livesheet.formats.xml_text import legal
-from mechsheet.checking.report_lines import cell_text, grouped, remark_line
+from mechsheet.checking.stored_lines import cell_text, grouped, remark_line
 
 if TYPE_CHECKING:
     from livesheet.diagnostics import Fault

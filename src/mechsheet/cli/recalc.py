@@ -129,7 +129,7 @@ def _recalculate(
 
 def _check(files: Sequence[Path], gate: Gate, modules: Sequence[Path], seconds: float | None, as_json: bool) -> None:
     """The stored values of each file."""
-    from mechsheet.checking.report_lines import stored_lines
+    from mechsheet.checking.stored_lines import stored_lines
 
     rules, baseline = gate.rules(), gate.accepted()
     faults: list[Fault] = []
@@ -163,7 +163,7 @@ def _judged(
 
 def _print_notes(head: str, remarks: Iterable[Fault]) -> None:
     """What cannot be computed as it is meant: a line for each function, not for each cell."""
-    from mechsheet.checking.report_lines import remark_lines
+    from mechsheet.checking.stored_lines import remark_lines
 
     for line in remark_lines(remarks):
         note(say("{head}{line}", head=head, line=line))
@@ -172,7 +172,7 @@ def _print_notes(head: str, remarks: Iterable[Fault]) -> None:
 def _print_areas(result: Result, areas: Iterable[Any], as_json: bool) -> None:
     """The cells of some ranges: JSON as for the whole workbook, or tables with an empty line between them."""
     from livesheet.formula.references import cell_name
-    from mechsheet.checking.report_lines import cell_text
+    from mechsheet.checking.stored_lines import cell_text
     from mechsheet.library.recalculation import json_value
 
     if as_json:

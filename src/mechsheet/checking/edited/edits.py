@@ -33,6 +33,7 @@ from livesheet.formula.nodes import (
 )
 from livesheet.said import say
 from mechsheet.checking.books_compared import Formulas, alike, formula_of, neutral, printed, stretches
+from mechsheet.checking.comparison import text_of
 from mechsheet.checking.edited.inserted_rows import (
     Move,
     Moves,
@@ -44,7 +45,7 @@ from mechsheet.checking.edited.inserted_rows import (
     undone,
 )
 from mechsheet.checking.inputs import Expected, InputCells
-from mechsheet.checking.report import Edit, text_of
+from mechsheet.checking.report import Edit
 from mechsheet.compiled import Compiled
 from mechsheet.model import Mechanism, Quantity
 from mechsheet.sheet.deleted import FIRST_OF_ALL

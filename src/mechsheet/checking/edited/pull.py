@@ -13,10 +13,10 @@ from livesheet.formula.book import Book
 from livesheet.formula.nodes import Scalar
 from livesheet.formula.references import cell_address
 from livesheet.said import say
+from mechsheet.checking.comparison import text_of
 from mechsheet.checking.edited.edits import same
 from mechsheet.checking.edited.inserted_rows import moves_between, undone
 from mechsheet.checking.inputs import Expected, description_or_fault, expected_for, inside
-from mechsheet.checking.report import text_of
 from mechsheet.description import loads
 from mechsheet.description.driving.driver import LANDS
 from mechsheet.description.report import located
