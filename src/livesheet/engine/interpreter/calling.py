@@ -19,6 +19,7 @@ from ..values.cells import (
     EPOCHS,
     MOST_LISTED,
     NUMBER,
+    ArrayArgumentError,
     Cells,
     Frame,
     Numbers,
@@ -75,6 +76,29 @@ _CONVERSIONS: dict[str, Callable[[Scalar], Any]] = {
 def given(ev: Evaluation, arg: Node, frame: Frame, spread: bool) -> Cells:
     """An argument's value as it is handed on: nothing between two commas is 0."""
     return Cells(np.float64(0)) if isinstance(arg, Missing) else ev.value(arg, frame, spread)
+
+
+def need_one(cells: Cells) -> None:
+    """Refuse what is not one value for all cells of a frame.
+
+    Raises VaryingSizeError where each cell has its own, and ArrayArgumentError for an array: then the function is computed
+    once for each cell, or for each value.
+    """
+    if len(cells.shape) > 2:
+        raise ArrayArgumentError
+    if cells.shape != ():
+        raise VaryingSizeError
+
+
+def one_number(ev: Evaluation, arg: Node, frame: Frame, spread: bool) -> float:
+    """The number of an argument that says what is done in all cells of a frame, and not with what. Raises as `need_one`
+    does, and Problem for an error."""
+    cells = given(ev, arg, frame, spread)
+    need_one(cells)
+    number, errors = numbers_of(cells, ev.texts)
+    if errors is not None:
+        raise_first(np.atleast_1d(errors))
+    return float(number)
 
 
 def table_of(ev: Evaluation, node: Node, frame: Frame) -> Cells:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import CellRef, Local, Missing, Node, RangeRef
-from ..interpreter.calling import Args
+from ..interpreter.calling import Args, one_number
 from ..interpreter.closures import Closure, Evaluation, bound_value
 from ..interpreter.regions import gives_region, regions
 from ..layout import Area
@@ -27,7 +27,7 @@ from ..values.cells import (
     error,
     too_large,
 )
-from ..values.coerce import numbers_of
+from ..values.coerce import caught
 
 
 def let(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
@@ -184,12 +184,7 @@ def _along(keep: bool) -> Any:
 def makearray(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """MAKEARRAY(rows, columns, function of row and column)."""
     _by_itself(frame)
-    sizes = []
-    for arg in args[:2]:
-        number, errors = numbers_of(ev.value(arg, frame, spread), ev.texts)
-        if errors is not None:
-            return error(int(np.ravel(errors)[0]))
-        sizes.append(int(np.ravel(number)[0]))
+    sizes = [int(one_number(ev, arg, frame, spread)) for arg in args[:2]]
     closure = ev.scopes.function(ev, args[2], frame, 2)
     if closure is None or min(sizes) < 1:
         return error(VALUE)
@@ -205,5 +200,5 @@ def makearray(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
 
 KERNELS: dict[str, Any] = {
     "LET": let, "LAMBDA": lambda_, "ISOMITTED": isomitted, "MAP": map_, "BYROW": _by(True), "BYCOL": _by(False),
-    "REDUCE": _along(False), "SCAN": _along(True), "MAKEARRAY": makearray,
+    "REDUCE": _along(False), "SCAN": _along(True), "MAKEARRAY": caught(makearray),
 }  # fmt: skip

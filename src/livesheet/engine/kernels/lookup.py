@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import Call, CellRef, Local, Missing, RangeRef
-from ..interpreter.calling import Args, given, spread_cells, table_of
+from ..interpreter.calling import Args, given, need_one, one_number, spread_cells, table_of
 from ..interpreter.closures import Evaluation
 from ..interpreter.regions import gives_region, regions
 from ..texts.searching import CRITERION, EXACT, EXPRESSION, LARGER, SMALLER, WILDCARD, Line
@@ -27,7 +27,7 @@ from ..values.cells import (
     first_error,
     fitted,
 )
-from ..values.coerce import numbers_of, once_each, truths_of
+from ..values.coerce import Problem, caught, numbers_of, once_each, truths_of
 
 
 def index(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
@@ -120,16 +120,13 @@ def _argument(ev: Evaluation, args: Args, place: int, frame: Frame, spread: bool
 
 def match(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """MATCH(value, range, type): 1 the last not above (ascending), 0 the first equal, -1 the last not below (descending)."""
-    kind, kind_errors = _argument(ev, args, 2, frame, spread)
-    if np.ndim(kind):
-        kind = kind.flat[0]
     table = table_of(ev, args[1], frame)
     if 1 not in table.numbers.shape:
         return error(NA)
+    kind = one_number(ev, args[2], frame, spread) if len(args) > 2 else 1.0
     line = Cells(table.numbers.ravel(), table.codes.ravel())
     places = positions(ev, ev.value(args[0], frame, spread), line, float(np.sign(kind)))
-    found = Cells(places.numbers + 1.0, places.codes)
-    return _or_error(found, kind_errors)
+    return _or_error(Cells(places.numbers + 1.0, places.codes), None)
 
 
 def positions(ev: Evaluation, wanted: Cells, line: Cells, kind: float) -> Cells:
@@ -183,8 +180,10 @@ def _table_lookup(by_rows: bool) -> Any:
         near: Any = np.True_
         near_errors: Any = None
         if len(args) > 3:
-            near, near_errors = truths_of(ev.value(args[3], frame, spread), ev.texts)
-        found = positions(ev, wanted, _line(table, by_rows, 0), 1.0 if np.all(near) else 0.0)
+            how = ev.value(args[3], frame, spread)
+            need_one(how)
+            near, near_errors = truths_of(how, ev.texts)
+        found = positions(ev, wanted, _line(table, by_rows, 0), 1.0 if near else 0.0)
         found, (place, place_errors) = fitted(found, Cells(place, place_errors))
         across = np.trunc(place)
         width = table.numbers.shape[1 if by_rows else 0]
@@ -218,28 +217,22 @@ def lookup(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
 # --- XMATCH and XLOOKUP ----------------------------------------------------------------------------------------------
 
 
-def _mode(ev: Evaluation, args: Args, place: int, frame: Frame, allowed: tuple[int, ...]) -> tuple[int, int]:
-    """(a mode, the code of the error that is in its place or 0)."""
+def _mode(ev: Evaluation, args: Args, place: int, frame: Frame, spread: bool, allowed: tuple[int, ...]) -> int:
     if place >= len(args) or isinstance(args[place], Missing):
-        return allowed[0], 0
-    numbers, errors = numbers_of(ev.value(args[place], frame), ev.texts)
-    if errors is not None and np.count_nonzero(errors):
-        return 0, int(np.ravel(errors)[0])
-    mode = int(np.trunc(np.ravel(numbers)[0]))
-    return mode, 0 if mode in allowed else VALUE
+        return allowed[0]
+    mode = int(one_number(ev, args[place], frame, spread))
+    if mode not in allowed:
+        raise Problem("#VALUE!")
+    return mode
 
 
-def _places(ev: Evaluation, args: Args, modes: int, frame: Frame, spread: bool) -> tuple[Any, Any, Any] | Cells:
-    """(places with -1 for nowhere, errors or None, the array searched), or the error instead."""
+def _places(ev: Evaluation, args: Args, modes: int, frame: Frame, spread: bool) -> tuple[Any, Any, Any]:
+    """(places with -1 for nowhere, errors or None, the array searched)."""
     table = table_of(ev, args[1], frame)
-    mode, fault = _mode(ev, args, modes, frame, (EXACT, SMALLER, LARGER, WILDCARD, EXPRESSION))
-    direction, other = _mode(ev, args, modes + 1, frame, (1, -1, 2, -2))
-    if mode == WILDCARD and direction in (2, -2):
-        other = VALUE
-    if fault or other:
-        return error(fault or other)
-    if 1 not in table.numbers.shape:
-        return error(VALUE)
+    mode = _mode(ev, args, modes, frame, spread, (EXACT, SMALLER, LARGER, WILDCARD, EXPRESSION))
+    direction = _mode(ev, args, modes + 1, frame, spread, (1, -1, 2, -2))
+    if (mode == WILDCARD and direction in (2, -2)) or 1 not in table.numbers.shape:
+        raise Problem("#VALUE!")
     line = Line(table, ev.texts, backwards=direction in (-1, -2))
     wanted = ev.value(args[0], frame, spread)
     places, shape = once_each(lambda key: line.place(*key[0], mode), (wanted,))
@@ -248,10 +241,7 @@ def _places(ev: Evaluation, args: Args, modes: int, frame: Frame, spread: bool) 
 
 def xmatch(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """XMATCH(value, array, match mode, search mode)."""
-    found = _places(ev, args, 2, frame, spread)
-    if isinstance(found, Cells):
-        return found
-    places, errors, _ = found
+    places, errors, _ = _places(ev, args, 2, frame, spread)
     missing = np.where(places < 0, np.uint8(NA), np.uint8(0))
     codes = first_error(errors, missing if np.count_nonzero(missing) else None)
     return Cells(np.where(places < 0, np.nan, places + 1.0), codes)
@@ -259,10 +249,7 @@ def xmatch(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
 
 def xlookup(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """XLOOKUP(value, array, results, if not found, match mode, search mode): a whole row or column of the results."""
-    found = _places(ev, args, 4, frame, spread)
-    if isinstance(found, Cells):
-        return found
-    places, errors, searched = found
+    places, errors, searched = _places(ev, args, 4, frame, spread)
     results = table_of(ev, args[2], frame)
     down = searched.numbers.shape[1] == 1 and (searched.numbers.shape[0] > 1 or results.numbers.shape[0] == 1)
     if results.numbers.shape[0 if down else 1] != searched.numbers.size:
@@ -291,7 +278,7 @@ def _picked(lines: Cells, places: Any, down: bool) -> Cells:
 
 
 KERNELS: dict[str, Any] = {
-    "XMATCH": xmatch, "XLOOKUP": xlookup,
-    "INDEX": index, "MATCH": match, "CHOOSE": choose_, "LOOKUP": lookup,
+    "XMATCH": caught(xmatch), "XLOOKUP": caught(xlookup),
+    "INDEX": index, "MATCH": caught(match), "CHOOSE": choose_, "LOOKUP": lookup,
     "VLOOKUP": _table_lookup(True), "HLOOKUP": _table_lookup(False),
 }  # fmt: skip

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import Missing
-from ..interpreter.calling import Args
+from ..interpreter.calling import Args, one_number
 from ..interpreter.closures import Evaluation
 from ..values.cells import (
     MOST_LISTED,
@@ -22,7 +22,7 @@ from ..values.cells import (
     first_error,
     too_large,
 )
-from ..values.coerce import numbers_of, truths_of
+from ..values.coerce import caught, numbers_of, truths_of
 
 _GENERATOR = np.random.default_rng(1900)
 
@@ -51,12 +51,8 @@ def randarray(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
         raise VaryingSizeError
     found = []
     for place, default in enumerate((1.0, 1.0, 0.0, 1.0)):
-        number: Any = np.float64(default)
-        if place < len(args) and not isinstance(args[place], Missing):
-            number, faults = numbers_of(ev.value(args[place], frame), ev.texts)
-            if faults is not None or np.ndim(number):
-                return error(VALUE)
-        found.append(float(number))
+        left_out = place >= len(args) or isinstance(args[place], Missing)
+        found.append(default if left_out else one_number(ev, args[place], frame, spread=False))
     whole = len(args) > 4 and bool(np.all(truths_of(ev.value(args[4], frame), ev.texts)[0]))
     height, width, low, high = math.trunc(found[0]), math.trunc(found[1]), found[2], found[3]
     if height < 1 or width < 1 or low > high:
@@ -67,4 +63,4 @@ def randarray(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     return Cells(np.floor(numbers * (high - low + 1)) + low if whole else numbers * (high - low) + low)
 
 
-KERNELS: dict[str, Any] = {"RAND": rand, "RANDBETWEEN": randbetween, "RANDARRAY": randarray}
+KERNELS: dict[str, Any] = {"RAND": rand, "RANDBETWEEN": randbetween, "RANDARRAY": caught(randarray)}

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ...formula.nodes import Call, Node, walk
-from ..interpreter.calling import Args, table_of
+from ..interpreter.calling import Args, one_number, table_of
 from ..interpreter.closures import Evaluation
 from ..layout import Area
 from ..values.cells import (
@@ -17,14 +17,12 @@ from ..values.cells import (
     ERROR,
     NUMBER,
     VALUE,
-    ArrayArgumentError,
     Cells,
     Frame,
-    VaryingSizeError,
     error,
     finished,
 )
-from ..values.coerce import caught, numbers_of, raise_first
+from ..values.coerce import caught, numbers_of
 from .fold import folded, greatest, least, mean, median, product, ranked, total, united
 from .statistics import MODES, SPREADS, percentile, quartile
 
@@ -74,17 +72,6 @@ def _without_rows(ev: Evaluation, node: Node, table: Cells, frame: Frame, filter
     return Cells(table.numbers, codes)
 
 
-def _number(ev: Evaluation, node: Node, frame: Frame) -> int:
-    numbers, errors = numbers_of(ev.value(node, frame), ev.texts)
-    if np.ndim(numbers) > 2:
-        raise ArrayArgumentError
-    if np.ndim(numbers):
-        raise VaryingSizeError
-    if errors is not None:
-        raise_first(np.atleast_1d(errors))
-    return int(np.trunc(numbers))
-
-
 def _together(ev: Evaluation, args: list[Node], frame: Frame, nested: bool, rows: str) -> tuple[Any, Any]:
     """(numbers, codes) of all arguments in one line, without other totals unless `nested`.
 
@@ -121,7 +108,7 @@ def subtotal(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     1 to 11 leave out the rows that a filter hides, 101 to 111 all hidden rows.
     """
     del spread
-    function = _number(ev, args[0], frame)
+    function = int(one_number(ev, args[0], frame, spread=False))
     rows = "shown" if function > 100 else "unfiltered"
     function = function - 100 if function > 100 else function
     if not 1 <= function <= 11:
@@ -132,7 +119,7 @@ def subtotal(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
 
 def aggregate(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     """AGGREGATE(function, option, values...): options 2, 3, 6, 7 leave errors out, 0 to 3 totals, odd ones hidden rows."""
-    function, option = _number(ev, args[0], frame), _number(ev, args[1], frame)
+    function, option = (int(one_number(ev, arg, frame, spread=False)) for arg in args[:2])
     if not (1 <= function <= 19 and 0 <= option <= 7):
         return error(VALUE)
     ignore_errors = option in (2, 3, 6, 7)
@@ -146,16 +133,13 @@ def aggregate(ev: Evaluation, args: Args, frame: Frame, spread: bool) -> Cells:
     bad = codes >= ERROR
     if np.any(bad) and not ignore_errors:
         return error(int(codes[np.argmax(bad)]))
-    place, faults = numbers_of(ev.value(args[3], frame, spread), ev.texts)
     if function <= 15:
+        place, faults = numbers_of(ev.value(args[3], frame, spread), ev.texts)
         found, own = ranked(np.where(bad, 0.0, numbers), codes == NUMBER, place, function == 14)
         return finished(found, own if faults is None else np.where(faults != 0, faults, own))
-    if np.ndim(place):
-        raise ArrayArgumentError if np.ndim(place) > 2 else VaryingSizeError
-    if faults is not None:
-        raise_first(np.atleast_1d(faults))
+    share = one_number(ev, args[3], frame, spread)
     rank = percentile if function in (16, 18) else quartile
-    return finished(np.float64(rank(numbers[codes == NUMBER], float(place), function >= 18)))
+    return finished(np.float64(rank(numbers[codes == NUMBER], share, function >= 18)))
 
 
 KERNELS: dict[str, Any] = {"SUBTOTAL": caught(subtotal), "AGGREGATE": caught(aggregate)}
