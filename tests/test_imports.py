@@ -352,10 +352,6 @@ def test_folders_of_sheet_import_downwards():
     assert [*TopologicalSorter(members).static_order()]  # no circle within a line either: CycleError names it
 
 
-UPWARDS = {("mechsheet.studies.motion", "mechsheet.studies.designs")}
-"""The one arrow that closes a circle: a motion names the type of the designs that it is found for."""
-
-
 def circle_in(sources):
     """Modules that import each other in a ring, [] if none do; module -> its text, that of a package ends in __init__.
 
@@ -373,7 +369,7 @@ def circle_in(sources):
                 below = {f"{module}.{alias.name}" for alias in node.names}
                 named |= {one if {one, f"{one}.__init__"} & sources.keys() else module for one in below}
         found = {one if one in sources else f"{one}.__init__" for one in named} & sources.keys()
-        arrows[name] = {one for one in found - {name} if (name, one) not in UPWARDS}
+        arrows[name] = found - {name}
     try:
         TopologicalSorter(arrows).prepare()
     except CycleError as circle:

@@ -12,6 +12,7 @@ from mechsheet.diagnostics import DescriptionError
 from mechsheet.homework.summaries import taken
 from mechsheet.library.changed import loads
 from mechsheet.model import TAKES
+from mechsheet.studies.chunk import kept_of
 from mechsheet.studies.designs import Designs
 from studying import in_workbook
 
@@ -48,7 +49,7 @@ def test_a_study_says_what_the_workbook_says():
     grid = "\n[study]\nvary = { a = { values = [2.0, 1.9] }, c = { values = [9.5, 9.0] } }\n"
     mechanism = loads(TEXT.replace("[summary]\n", f"[summary]\n{asked}") + grid)
     designs = Designs(mechanism)
-    found = designs.kept(0, designs.sampling.total)
+    found = kept_of(designs, 0, designs.sampling.total)
     assert len(found.numbers) == 4
     for number in range(4):
         values = {name: float(found.columns[name][number]) for name in ("a", "c")}

@@ -8,6 +8,7 @@ from laid import Laid
 
 import random_cams
 from mechsheet.description import loads
+from mechsheet.studies.chunk import kept_of
 from mechsheet.studies.designs import Designs
 from studying import in_workbook
 
@@ -32,7 +33,7 @@ def test_summaries_are_those_of_the_workbook(kind, sharp, way, laws):
     study = STUDY.replace("SHARP", sharp).replace("WAY", way)
     mechanism = loads(f'{head}over = "first"\n{tail.partition(chr(10))[2]}{study}')
     designs = Designs(mechanism)
-    found = designs.kept(0, designs.sampling.total)
+    found = kept_of(designs, 0, designs.sampling.total)
     assert len(found.numbers) == 3
     for number, first in enumerate(found.columns["first"]):
         book = in_workbook(mechanism, {"first": float(first)}, designs.modes)
@@ -56,7 +57,7 @@ def test_designs_that_a_cam_cannot_have_are_none():
     text = re.sub(r"over = \S+", 'over = "first"', text, count=1)
     text = re.sub(r"base_radius = \S+", 'base_radius = "base"', text)
     designs = Designs(loads(text))
-    found = designs.kept(0, designs.sampling.total)
+    found = kept_of(designs, 0, designs.sampling.total)
     there = np.isfinite(found.columns["highest"])
     assert list(zip(found.columns["base"][there], np.round(found.columns["first"][there]), strict=True)) == [(20, 40)]
     laid = Laid(text)

@@ -8,6 +8,7 @@ from mechsheet.description import loads
 from mechsheet.description.templates import template_names
 from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.homework.expected_values import truth_of
+from mechsheet.studies.chunk import kept_of
 from mechsheet.studies.designs import Designs
 from studying import in_workbook, study_of, template_text
 
@@ -16,7 +17,7 @@ GRID = "vary = { a2 = [10, 80, 5], a3 = [10, 80, 5], a4 = [10, 80, 5] }"
 
 def kept(mechanism):
     designs = Designs(mechanism)
-    return designs, designs.kept(0, designs.sampling.total)
+    return designs, kept_of(designs, 0, designs.sampling.total)
 
 
 # --- against the workbook --------------------------------------------------------------------------------------------------
@@ -201,8 +202,8 @@ def test_designs_are_the_same_whatever_block_they_are_in():
     """A chunk of designs gives what its halves give: the bytes of a part do not hang on what was computed beside it."""
     mechanism = study_of('[study]\nvary = { a2 = [20, 60, 1], a3 = [46, 118, 4] }\nkeep = ["mu_min > 10"]')
     designs = Designs(mechanism)
-    whole = designs.kept(0, 700)
-    halves = [designs.kept(0, 333), designs.kept(333, 367)]
+    whole = kept_of(designs, 0, 700)
+    halves = [kept_of(designs, 0, 333), kept_of(designs, 333, 367)]
     for name in designs.names:
         assert np.allclose(
             whole.columns[name], np.concatenate([half.columns[name] for half in halves]), rtol=1e-14, equal_nan=True

@@ -15,6 +15,7 @@ from mechsheet.diagnostics import MechanismError, MechsheetError
 from mechsheet.library.changed import loads
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.plan import MEANING, VALUE
+from mechsheet.studies.chunk import kept_of
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.run import studied
 from studying import study_of, template_text
@@ -79,7 +80,7 @@ def test_a_study_marks_what_the_workbook_marks(case):
     part = f'[study]\nsample = "sobol"\ncount = {count}\nseed = 5\nvary = {{ {vary} }}'
     mechanism = with_parts(template, parts, part, rows)
     designs = Designs(mechanism)
-    found = designs.kept(0, count)
+    found = kept_of(designs, 0, count)
     seen: Counter[str] = Counter()
     for place in range(count):
         values = {one: float(found.columns[one][place]) for one in designs.varied}
@@ -108,7 +109,7 @@ def test_designs_that_close_in_two_stretches_are_kept_but_not_ranked(tmp_path):
     pytest.importorskip("pyarrow")
     mechanism = study_of(TWO_STRETCHES + 'maximize = ["mu_min"]\nbest = 400')
     designs = Designs(mechanism)
-    kept = designs.kept(0, designs.sampling.total)
+    kept = kept_of(designs, 0, designs.sampling.total)
     assert 0 < kept.apart.sum() < len(kept.numbers)
     assert all("mu_min (rows only)" in text for text in kept.remarks[kept.apart])
     swings = kept.columns["swing"]
@@ -132,7 +133,7 @@ def test_designs_that_close_in_two_stretches_are_kept_but_not_ranked(tmp_path):
 def test_a_summary_that_nothing_decides_by_is_marked_and_its_design_is_compared():
     part = '[study]\nvary = { a2 = [15, 60, 5], a3 = [40, 60, 4], a4 = [40, 60, 4] }\nkeep = ["a2 > 12"]\n'
     designs = Designs(study_of(part + 'minimize = ["a3"]'))
-    kept = designs.kept(0, designs.sampling.total)
+    kept = kept_of(designs, 0, designs.sampling.total)
     assert any(kept.remarks)
     assert not kept.apart.any()
 
@@ -144,11 +145,11 @@ def test_a_quantity_without_bound_has_no_number_and_meets_no_condition():
         Designs(with_parts("four-bar", FOUR_BAR, f"[study]\nvary = {{ {vary} }}\n{more}"))
         for more in ("", 'keep = ["w_max < 1e9"]')
     )
-    found = every.kept(0, every.sampling.total)
+    found = kept_of(every, 0, every.sampling.total)
     without = np.array(["w_max (grows without bound)" in (text or "") for text in found.remarks])
     assert without.sum() > 20
     assert np.isnan(found.columns["w_max"][without]).all()
-    kept = some.kept(0, some.sampling.total)
+    kept = kept_of(some, 0, some.sampling.total)
     assert not {*found.numbers[without]} & {*kept.numbers}
 
 

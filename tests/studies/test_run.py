@@ -16,6 +16,7 @@ from livesheet.diagnostics import OutputError
 from mechsheet.diagnostics import MechsheetError, MissingProgramError
 from mechsheet.studies import folder as folders
 from mechsheet.studies import packages, parts, workers
+from mechsheet.studies.chunk import kept_of
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.run import studied
 from mechsheet.studies.workers import OF_A_PROCESS, memory_there, workers_within
@@ -272,10 +273,10 @@ def test_a_process_has_as_much_memory_as_is_counted_with(tmp_path):
 def test_a_chunk_takes_no_more_memory_for_a_long_table():
     """2,048 designs over 1,801 rows: a column of all of them would take 28 MiB."""
     designs = Designs(study_of("[study]\nvary = { a2 = [10, 30, 0.25], a3 = [55, 65, 0.25] }", rows=1_801))
-    designs.kept(0, 16)
+    kept_of(designs, 0, 16)
     tracemalloc.start()
     try:
-        designs.kept(0, 2_048)
+        kept_of(designs, 0, 2_048)
         most = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()

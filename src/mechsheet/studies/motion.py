@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +20,7 @@ from mechsheet.model import WAYS, Condition, Take
 from mechsheet.sheet.checks.boundless import BEYOND_ROWS
 from mechsheet.sheet.checks.search_rules import ONLY_ROWS, SPIKES, least_margin
 from mechsheet.sheet.transmission import acute
+from mechsheet.studies.designs import DIVISOR, Called, Designs
 from mechsheet.studies.extremes import (
     BEYOND,
     BOUNDLESS,
@@ -40,16 +40,10 @@ from mechsheet.studies.extremes import (
     stretches_of,
 )
 from mechsheet.studies.lowering import ANCHOR, THERE
-
-if TYPE_CHECKING:
-    from mechsheet.studies.designs import Called, Designs
-    from mechsheet.studies.questions import Quantity
+from mechsheet.studies.questions import Quantity
 
 BLOCK = 65_536
 """Numbers in an array of a block of designs: with a quarter of it 25 rows take a fifth longer, 361 rows twice as long."""
-
-DIVISOR = "divisor of {symbol}"
-"""The column of what a quantity is divided by only as an absolute value."""
 
 Mask = NDArray[np.bool_]
 Extreme = tuple[str, Way]

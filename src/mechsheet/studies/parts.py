@@ -13,7 +13,8 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 from mechsheet import description
-from mechsheet.studies.designs import APART, DESIGN, REMARKS, Designs, Kept
+from mechsheet.studies.chunk import Kept, kept_of
+from mechsheet.studies.designs import APART, DESIGN, REMARKS, Designs
 from mechsheet.studies.packages import arrow, versions
 
 CHUNK = 4_096
@@ -90,7 +91,7 @@ def compute(order: Order, part: int) -> Done:
     with arrow().parquet.ParquetWriter(file, schema_of(designs), compression="zstd") as writer:
         waiting: list[Any] = []
         for first in range(span.start, span.stop, CHUNK):
-            found = designs.kept(first, min(CHUNK, span.stop - first))
+            found = kept_of(designs, first, min(CHUNK, span.stop - first))
             failed = [count + int(more) for count, more in zip(failed, found.failed, strict=True)]
             kept += len(found.numbers)
             apart += int(found.apart.sum())

@@ -9,6 +9,7 @@ from mechsheet.compiled import compiled_of
 from mechsheet.description.templates import template_text
 from mechsheet.library.changed import loads
 from mechsheet.sheet.plan import VALUE
+from mechsheet.studies.chunk import kept_of
 from mechsheet.studies.designs import Designs
 from studying import in_workbook
 
@@ -66,7 +67,7 @@ def test_a_load_that_grows_with_the_angle(rows):
 def test_a_study_finds_the_same(formula, rows):
     mechanism = loads(swept(f"{four_bar(formula)}{STUDY}", rows))
     designs = Designs(mechanism)
-    found = designs.kept(0, designs.sampling.total)
+    found = kept_of(designs, 0, designs.sampling.total)
     for number, a2 in enumerate(found.columns["a2"]):
         book = in_workbook(mechanism, {"a2": a2}, designs.modes)
         assert {name: found.columns[name][number] for name in book} == pytest.approx(book, rel=1e-12)

@@ -19,6 +19,7 @@ from mechsheet.library.changed import loads
 from mechsheet.sheet.asked.requested import tables_of
 from mechsheet.sheet.checks.search_rules import BEYOND
 from mechsheet.sheet.plan import MEANING
+from mechsheet.studies.chunk import kept_of
 from mechsheet.studies.designs import Designs
 
 pytestmark = pytest.mark.slow
@@ -120,7 +121,7 @@ def test_a_study_says_the_same(rows, more):
         text = text.replace("\n[assembly]", f"{more}\n[assembly]").partition("[outputs]")[0] + asked("alpha14", "C.v")
     mechanism = loads(text + STUDY)
     designs = Designs(mechanism)
-    found = designs.kept(0, designs.sampling.total)
+    found = kept_of(designs, 0, designs.sampling.total)
     remarks = found.remarks
     assert any("(or beyond)" in str(each) for each in remarks)
     for number in range(0, len(found.numbers), 5):
@@ -139,7 +140,7 @@ def test_a_study_begins_from_the_other_end_once():
     designs = Designs(
         loads(text + "[study]\nvary = { a2 = { values = [28] }, a3 = { values = [104] }, a4 = { values = [80] } }\n")
     )
-    found = designs.kept(0, 1).columns["high"][0]
+    found = kept_of(designs, 0, 1).columns["high"][0]
     assert found == pytest.approx(shown(changed(text, a2=28.0, a3=104.0, a4=80.0), "high")[0], rel=1e-12)
 
 

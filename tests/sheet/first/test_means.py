@@ -14,6 +14,7 @@ from mechsheet.dynamics.solve import solve
 from mechsheet.sheet.asked.two_way import FIRST
 from mechsheet.sheet.page.layout import lay_out_page
 from mechsheet.sheet.plan import VALUE
+from mechsheet.studies.chunk import kept_of
 from mechsheet.studies.designs import Designs
 
 FOUR_BAR = """
@@ -149,7 +150,7 @@ def test_page_table_and_study_say_the_same(stop):
     title = next(sheet.title for sheet in table.workbook.sheets if sheet.title.startswith("Table"))
     assert table.values.get(title, FIRST, 1) == pytest.approx(wanted[1], rel=1e-9)
     designs = Designs(loads(text + "[study]\nvary = { a2 = [30, 35, 5] }\n"))
-    studied = designs.kept(0, 2).columns
+    studied = kept_of(designs, 0, 2).columns
     assert [studied[name][1] for name in ("angle", "place")] == pytest.approx(wanted, rel=1e-9)
 
 

@@ -12,6 +12,7 @@ from mechsheet.diagnostics import DescriptionError
 from mechsheet.dynamics.solve import solve
 from mechsheet.model import takes
 from mechsheet.sheet.page.layout import lay_out_page
+from mechsheet.studies.chunk import kept_of
 from mechsheet.studies.designs import Designs
 
 TAKES = tuple(takes.TAKES)
@@ -66,7 +67,7 @@ def test_on_a_page_in_a_table_and_in_a_study(name, value):
     searched = against_search(book_of(laid.workbook), laid.values, laid.plan, "case")
     assert searched.agrees, searched
     designs = Designs(loads(asked(FOUR_BAR, name) + "[study]\nvary = { a2 = [30, 35, 5] }\n"))
-    found = designs.kept(0, 2).columns
+    found = kept_of(designs, 0, 2).columns
     assert all(found[f"z_{take}"] == pytest.approx(0.0 if take == "range" else value) for take in TAKES)
 
 
@@ -82,7 +83,7 @@ def test_on_a_page_in_a_table_and_in_a_study(name, value):
 def test_the_drivers_speed_in_a_study(speed, name, values):
     """It is no column: it cannot grow between the rows. Once this was a traceback."""
     part = '[study]\nvary = { a2 = [30, 35, 5] }\nkeep = ["z_max > -1000"]\nmaximize = ["z_mean"]\n'
-    found = Designs(loads(asked(with_speed(speed), name) + part)).kept(0, 2).columns
+    found = kept_of(Designs(loads(asked(with_speed(speed), name) + part)), 0, 2).columns
     for take in TAKES:
         assert list(found[f"z_{take}"]) == pytest.approx([0.0, 0.0] if take == "range" else values)
 
