@@ -352,8 +352,8 @@ def test_a_whole_column_that_index_gives_in_a_filled_block():
     """In some rows only: each cell takes the one beside it, as it does alone, and as LibreOffice has it."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [10.0, 20.0, 30.0, 40.0, 50.0, 60.0])
-    sheet.column_constants(0, 1, [0.0, 0.0, 2.0, 0.0, 3.0, 0.0, 0.0])
+    sheet.constants.extend(0, 0, [10.0, 20.0, 30.0, 40.0, 50.0, 60.0])
+    sheet.constants.extend(0, 1, [0.0, 0.0, 2.0, 0.0, 3.0, 0.0, 0.0])
     sheet.block(0, 2, 7, 1, parse_formula("INDEX($A$1:$A$6,$B1)"))
     sheet.block(0, 3, 7, 1, parse_formula("SUM(INDEX($A$1:$A$6,$B1))"))
     for row in range(7):
@@ -492,7 +492,7 @@ def test_long_columns_of_a_book_that_settles():
     rows = 40_000
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [float(row % 7) for row in range(rows)])
+    sheet.constants.extend(0, 0, [float(row % 7) for row in range(rows)])
     sheet.block(0, 1, rows, 1, parse_formula("1/A1+OFFSET($D$1,0,0)*0"))
     sheet.block(0, 2, rows, 1, parse_formula("SQRT(A1-1)"))
     sheet.block(0, 3, 1, 1, parse_formula('SUM(INDIRECT("A1:A7"))'))
@@ -511,7 +511,7 @@ def test_a_range_with_many_ends_is_no_value():
     """It was told as a fault of this program."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [1.0, 2.0, 3.0])
+    sheet.constants.extend(0, 0, [1.0, 2.0, 3.0])
     for row, text in enumerate(("MAX(A1:INDEX(A1:A3,A1:A3))", "SUM(INDEX(A1:A3,A1:A3):A2)")):
         sheet.block(row, 1, 1, 1, parse_formula(text))
     values = compile_book(builder.build()).evaluate()

@@ -81,7 +81,7 @@ def test_ranges_that_move_with_the_cell(formula):
     sheets = [builder.sheet("S") for builder in (together, alone)]
     for sheet in sheets:
         for col, column in enumerate([[3, 5, 5, 9, 2], [1, 9, 3, 7, 3], [4, 2, 5, 9, 8], [1, 6, 8, 3, 4]]):
-            sheet.column_constants(0, col, [float(value) for value in column])
+            sheet.constants.extend(0, col, [float(value) for value in column])
     sheets[0].block(0, 10, 4, 2, node)
     for row in range(4):
         for col in range(2):

@@ -21,7 +21,7 @@ def book(columns, blocks, names=()):
     builder = BookBuilder("book.xlsx")
     sheet = builder.sheet("S")
     for letter, values in columns.items():
-        sheet.column_constants(0, ord(letter) - 65, values)
+        sheet.constants.extend(0, ord(letter) - 65, values)
     for area, text in blocks.items():
         first, _, last = area.partition(":")
         last = last or first
@@ -236,7 +236,7 @@ def test_thousands_of_formulas_that_stand_alone():
     """Segments have an end, so that one change does not mean all of them."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [float(row) for row in range(1000)])
+    sheet.constants.extend(0, 0, [float(row) for row in range(1000)])
     for row in range(1000):
         above = f"+B{row}" if row % 10 else ""
         sheet.block(row, 1, 1, 1, parse_formula(f"A{row + 1}*{row % 7}{above}"))

@@ -69,7 +69,7 @@ def newton(mechanism: Mechanism) -> Book:
     wanted = {start: _numbers(exact, sheet.title, starts[start], start) for start, _ in ways}
     for start, angles in wanted.items():
         typed = [round(value, 1) or 0.1 if value == value else 1.0 for value in angles.tolist()]
-        sheet.column_constants(starts[start].row, start, typed)
+        sheet.constants.extend(starts[start].row, start, typed)
     found = evaluate(book)
     for start, end in ways:
         apart = np.abs(_numbers(found, sheet.title, starts[start], end) - wanted[start])

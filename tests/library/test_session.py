@@ -36,7 +36,7 @@ def sheet_of_everything():
         sheet.constant(row, 1, value)
         builder.name(f"in_{row + 1}", parse_formula(f"S!$B${row + 1}"))
     builder.name("curve", parse_formula(f"S!$F$6:$F${ROWS + 5}"))
-    sheet.column_constants(5, 3, [0.1 * row for row in range(ROWS)])
+    sheet.constants.extend(5, 3, [0.1 * row for row in range(ROWS)])
     fills = [
         "D6*in_1", "SIN(E6)+in_2", "1/(F6-in_4)", 'IF(in_3="text",D6,-D6)', "IF(ISNUMBER(G6),H6,in_1)", "D6&in_3",
         "SUM(D$6:D6)*in_2", 'IF(F6>0,"up","down")',
@@ -48,9 +48,9 @@ def sheet_of_everything():
     sheet.block(5, 12, ROWS, 1, parse_formula("M5+E6"))
     sheet.block(5, 13, ROWS, 1, parse_formula("IF(F6>in_2,F6,N5)"))
     sheet.block(5, 14, ROWS, 3, parse_formula("$D6*O$5+$B$1"))
-    sheet.column_constants(4, 14, [1.0])
-    sheet.column_constants(4, 15, [-2.0])
-    sheet.column_constants(4, 16, [0.25])
+    sheet.constants.extend(4, 14, [1.0])
+    sheet.constants.extend(4, 15, [-2.0])
+    sheet.constants.extend(4, 16, [0.25])
     sheet.block(0, 18, 1, 1, parse_formula("SUM(E6:E45)+COUNT(S!$D$1:$D$99)"))
     sheet.block(1, 18, 1, 1, parse_formula("S1&in_3"))
     sheet.block(2, 18, 1, 1, parse_formula("MATCH(in_1,D6:D45,1)+IF(ISBLANK(in_4),100,0)"))
@@ -205,7 +205,7 @@ def columns(*texts, rows=3):
     """A1:A3 and B1 hold numbers; each text fills a column from D on, alone in its step by its height."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [1.0, 2.0, 3.0])
+    sheet.constants.extend(0, 0, [1.0, 2.0, 3.0])
     sheet.constant(0, 1, 5.0)
     for index, text in enumerate(texts):
         sheet.block(0, 3 + index, rows + index, 1, parse_formula(text))
@@ -264,7 +264,7 @@ def test_what_was_not_finished_is_computed_the_next_time(monkeypatch):
 def test_values_of_every_kind():
     builder = BookBuilder()
     sheet = builder.sheet("My sheet")
-    sheet.column_constants(0, 0, [1.5, "x", True, NA, None])
+    sheet.constants.extend(0, 0, [1.5, "x", True, NA, None])
     sheet.block(0, 1, 5, 1, parse_formula("A1"))
     builder.name("a_1", parse_formula("'My sheet'!$A$1"))
     builder.name("all", parse_formula("'My sheet'!$A$1:$B$2"))

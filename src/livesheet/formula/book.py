@@ -226,10 +226,6 @@ class BookSheet:
         """A cell that holds a value."""
         self.constants.put(row, col, value)
 
-    def column_constants(self, row: int, col: int, values: Sequence[Scalar]) -> None:
-        """Cells that hold values, from (row, col) down."""
-        self.constants.extend(row, col, values)
-
     def block(self, row: int, col: int, rows: int, cols: int, formula: Node, kind: Kind = "fill") -> None:
         """A rectangle filled with one formula, written as seen from its first cell; or an array formula over it."""
         self.blocks.append(Block(row, col, rows, cols, formula, kind))
@@ -359,7 +355,7 @@ class Book:
 
 
 class BookBuilder:
-    """Fills a book sheet by sheet: `sheet(title).constant(...)`, `.column_constants(...)`, `.block(...)`, then `build()`."""
+    """Fills a book sheet by sheet: `sheet(title).constant(...)`, `.block(...)`, then `build()`."""
 
     def __init__(self, source: str = "") -> None:
         self._book = Book([], source=source)

@@ -117,7 +117,7 @@ def _described(parts: Parts, reading: Reading, language: Language) -> dict[str, 
         "dimensions": _dimensions(parts, language),
         "cells": _cells(reading, language),
         "units": _units(parts, reading),
-        "undrawn": _undrawn(reading, parts),
+        "undrawn": _undrawn(reading),
     }
 
 
@@ -217,7 +217,7 @@ _EDITED_AS_TEXT = {
 }  # fmt: skip
 
 
-def _undrawn(reading: Reading, parts: Parts) -> list[str]:
+def _undrawn(reading: Reading) -> list[str]:
     """What the description has that the drawing does not show or change: keys of the page's words."""
     data = reading.source.data if reading.source is not None else {}
     found = [word for key, word in _EDITED_AS_TEXT.items() if key in data]

@@ -27,7 +27,7 @@ from mechsheet.drawing_page.answers import Studio
 from mechsheet.drawing_page.questions import Impossible, Refusal
 from mechsheet.words.catalogue import LANGUAGES, in_language, texts
 
-ADDRESS = "127.0.0.1"
+ADDRESS, ANY_PORT = "127.0.0.1", 0
 LARGEST_QUESTION = 4_000_000
 """Bytes of a question: a description is smaller than 1,000,000."""
 
@@ -69,11 +69,11 @@ class _Quiet(WSGIRequestHandler):
 class DrawingServer:
     """The page of one description, from `start` until `stop`, or until no page has been open for `patience` seconds.
 
-    studio    what the page may ask;  port: 0 for any that is free
+    studio    what the page may ask
     patience  seconds without an open page after which it stops; reloading a page takes less
     """
 
-    def __init__(self, studio: Studio, port: int = 0, patience: float = 3.0) -> None:
+    def __init__(self, studio: Studio, patience: float = 3.0) -> None:
         self.studio = studio
         self.token = secrets.token_urlsafe(24)
         self.patience = patience
@@ -81,7 +81,7 @@ class DrawingServer:
         self._left = 0.0
         self._lock = threading.Lock()
         self._stopped = threading.Event()
-        self._server = make_server(ADDRESS, port, self._guarded(self._app()), _Threads, _Quiet)
+        self._server = make_server(ADDRESS, ANY_PORT, self._guarded(self._app()), _Threads, _Quiet)
         self._thread = threading.Thread(target=self._server.serve_forever, args=(0.1,), daemon=True)
 
     @property

@@ -75,7 +75,7 @@ def _ratio(w: Writer) -> None:
         w.step("b_cubic", "2 + 0*t_squared", plain, "cubic_b")
         w.step("c_cubic", "-t_squared", plain, "cubic_c")
         w.step("d_cubic", "-t_squared*(1 + t_squared)/u_squared", plain, "cubic_d")
-        root(w, "Q", "b_cubic", "c_cubic", "d_cubic")
+        root(w, "Q")
         w.step("lam_squared", "t_squared/Q", plain, "lam_squared", "Q")
         w.result("lam", "sqrt(lam_squared)", plain, "best_lam", f"min(lam_squared - 1, {LAST_RATIO}^2 - lam_squared)")
 

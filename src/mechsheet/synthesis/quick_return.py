@@ -131,7 +131,7 @@ def _slider_ratio(w: Writer) -> None:
         w.step("b_cubic", "-q/(4*p)*(4 + p)^2", plain, "cubic_b", needs)
         w.step("c_cubic", "2*q^2/p*(4 + p)", plain, "cubic_c", needs)
         w.step("d_cubic", "-4*q^3/p", plain, "cubic_d", needs)
-        root(w, "K", "b_cubic", "c_cubic", "d_cubic", middle=True)
+        root(w, "K", middle=True)
         w.step("lam_squared", "(K - q)/p", plain, "lam_squared")
     w.result("lam", "sqrt(lam_squared)", plain, words, "lam_squared - 1")
 

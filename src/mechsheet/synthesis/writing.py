@@ -177,14 +177,14 @@ def says(value: Node) -> Node:
     return value
 
 
-def root(w: Writer, name: str, b: str, c: str, d: str, middle: bool = False) -> None:
-    """Steps for a real root of  x^3 + b x^2 + c x + d = 0, whose last is `name`; b, c, d are names of steps.
+def root(w: Writer, name: str, middle: bool = False) -> None:
+    """Steps for a real root of  x^3 + b_cubic x^2 + c_cubic x + d_cubic = 0, whose last is `name`.
 
     The largest where there are three; `middle`: the one between the others, where there are three.
     """
     plain = w.units.number
-    w.step("p_cubic", f"{c} - {b}^2/3", plain, "depressed")
-    w.step("q_cubic", f"2*{b}^3/27 - {b}*{c}/3 + {d}", plain, "depressed")
+    w.step("p_cubic", "c_cubic - b_cubic^2/3", plain, "depressed")
+    w.step("q_cubic", "2*b_cubic^3/27 - b_cubic*c_cubic/3 + d_cubic", plain, "depressed")
     w.step("disc", "(q_cubic/2)^2 + (p_cubic/3)^3", plain, "discriminant")
     turn = " - 2*pi/3" if middle else ""
     cosine = "max(-1, min(1, 3*q_cubic/(2*p_cubic)*sqrt(-3/p_cubic)))"
@@ -194,7 +194,8 @@ def root(w: Writer, name: str, b: str, c: str, d: str, middle: bool = False) -> 
     else:
         w.step("w_cubic", "where(disc, -sign(q_cubic)*(abs(q_cubic)/2 + sqrt(disc))^(1/3), 0)", plain, "cardano")
         w.step("y_cubic", f"where(disc, w_cubic - p_cubic/(3*w_cubic), {three})", plain, "depressed_root")
-    w.step("x_cubic", f"y_cubic - {b}/3", plain, "cubic_root")
-    value, slope = f"(((x_cubic + {b})*x_cubic + {c})*x_cubic + {d})", f"((3*x_cubic + 2*{b})*x_cubic + {c})"
+    w.step("x_cubic", "y_cubic - b_cubic/3", plain, "cubic_root")
+    value = "(((x_cubic + b_cubic)*x_cubic + c_cubic)*x_cubic + d_cubic)"
+    slope = "((3*x_cubic + 2*b_cubic)*x_cubic + c_cubic)"
     w.step(name, f"x_cubic - {value}/{slope}", plain, "cubic_newton")
-    w.roots[w.names[name]] = (w.names[b], w.names[c], w.names[d])
+    w.roots[w.names[name]] = (w.names["b_cubic"], w.names["c_cubic"], w.names["d_cubic"])

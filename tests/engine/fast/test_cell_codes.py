@@ -92,7 +92,7 @@ def test_code_gives_what_the_interpreter_gives(data, singles, first, second, lon
     builder = BookBuilder()
     sheet = builder.sheet("S")
     for col, column in enumerate(data):
-        sheet.column_constants(FIRST - 1, col, column)
+        sheet.constants.extend(FIRST - 1, col, column)
     for row, value in enumerate(singles):
         sheet.constant(row, 7, value)
     sheet.block(FIRST, 3, ROWS, 1, first)
@@ -140,8 +140,8 @@ def counted(*texts):
     """A session of single cells in column C, computed often enough, and how often the interpreter is asked since."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [1.0, 2.0, ErrorValue("#N/A"), "ok", "no", 6.0])
-    sheet.column_constants(0, 1, [3.0, "ok", 3.5, 4.0, "OK", 6.0])
+    sheet.constants.extend(0, 0, [1.0, 2.0, ErrorValue("#N/A"), "ok", "no", 6.0])
+    sheet.constants.extend(0, 1, [3.0, "ok", 3.5, 4.0, "OK", 6.0])
     for row, text in enumerate(texts):
         sheet.block(row, 2, 1, 1, parse_formula(text))
     session = Session(builder.build())
@@ -181,9 +181,9 @@ def test_edges():
     """With texts, blanks, both zeros, numbers as texts, what is outside and what is a pattern."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [1.0, 2.0, ErrorValue("#N/A"), "ok", "no", 6.0])
-    sheet.column_constants(0, 1, [0.0, "ok", 3.5, "3", True, 3.0])
-    sheet.column_constants(0, 2, [-0.0, 0.0])
+    sheet.constants.extend(0, 0, [1.0, 2.0, ErrorValue("#N/A"), "ok", "no", 6.0])
+    sheet.constants.extend(0, 1, [0.0, "ok", 3.5, "3", True, 3.0])
+    sheet.constants.extend(0, 2, [-0.0, 0.0])
     for row, text in enumerate(EDGES):
         sheet.block(row, 5, 1, 1, parse_formula(text))
     plan = compile_book(builder.build())

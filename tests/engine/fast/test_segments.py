@@ -44,7 +44,7 @@ def test_fast_equals_the_interpreter(data, singles, first, second, third, recurr
     builder = BookBuilder()
     sheet = builder.sheet("S")
     for col, column in enumerate(data):
-        sheet.column_constants(FIRST - 1, col, column)
+        sheet.constants.extend(FIRST - 1, col, column)
     for row, value in enumerate(singles):
         sheet.constant(row, 7, value)
     sheet.block(FIRST, 3, ROWS, 1, first)
@@ -57,8 +57,8 @@ def test_fast_equals_the_interpreter(data, singles, first, second, third, recurr
     sheet.block(0, 10, 1, 3, parse_formula("INDEX($K$4:$K$10,ABS(A3)+1)"))
     sheet.block(1, 10, 1, 3, parse_formula("MAX(A$4:A$10)+$H$1"))
     sheet.block(FIRST, 6, ROWS, 3, parse_formula("$D4*G$3-$E4"))
-    sheet.column_constants(2, 6, [1.5])
-    sheet.column_constants(2, 8, [2.5])
+    sheet.constants.extend(2, 6, [1.5])
+    sheet.constants.extend(2, 8, [2.5])
     sheet.constant(2, 5, 1.0)
     above = CellRef(FIRST - 1, 5)
     formula = {
@@ -80,7 +80,7 @@ def four_columns(rows, extra=()):
     """start + n*step, a sine, a running sum and a held value; `extra` are further columns."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [0.25, 0.125])
+    sheet.constants.extend(0, 0, [0.25, 0.125])
     texts = ["$A$1+ROW()*$A$2", "SIN(B5)", "D4+ROUND(C5*3,0)", "IF(C5>0.5,B5,E4)", *extra]
     sheet.constant(3, 3, 0.0)
     sheet.constant(3, 4, 0.0)

@@ -86,7 +86,7 @@ def test_interpreted_and_generated_code_are_the_portable_functions(rows):
     numbers = np.random.default_rng(rows).uniform(0.1, 8, rows)
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, numbers.tolist())
+    sheet.constants.extend(0, 0, numbers.tolist())
     texts = [text for text in TEXTS if rows < 1000 or "LOG10" not in text]  # which takes its time for each number
     for col, text in enumerate(texts, 1):
         sheet.block(0, col, rows, 1, parse_formula(text))
@@ -102,8 +102,8 @@ def test_row_loops_are_the_portable_functions():
     rows = 60
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [0.3])
-    sheet.column_constants(0, 1, [0.4])
+    sheet.constants.extend(0, 0, [0.3])
+    sheet.constants.extend(0, 1, [0.4])
     sheet.block(1, 0, rows, 1, parse_formula("SIN(B1)+ATAN2(A1,B1)"))
     sheet.block(1, 1, rows, 1, parse_formula("COS(A2)*(1+B1^2)^0.7"))
     values = evaluate(builder.build(), arithmetic=PORTABLE)
@@ -118,7 +118,7 @@ def test_a_changed_plan_keeps_its_arithmetic():
     """A constant typed over a formula makes another plan."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [0.1 * n for n in range(200)])
+    sheet.constants.extend(0, 0, [0.1 * n for n in range(200)])
     sheet.block(0, 1, 200, 1, parse_formula("ATAN2(A1,SIN(A1)+2)"))
     values = compile_book(builder.build(), PORTABLE).evaluate({("S", 3, 1): 7.0})
     numbers = np.array([0.1 * n for n in range(200)])

@@ -44,7 +44,7 @@ def _filled_down(formula, rows):
     """The values of a formula beside `rows` numbers between 0 and 1 in column A."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [(row + 1) / (rows + 1) for row in range(rows)])
+    sheet.constants.extend(0, 0, [(row + 1) / (rows + 1) for row in range(rows)])
     sheet.block(0, 1, rows, 1, parse_formula(formula))
     return evaluate(builder.build()).column("S", 1, 0, rows - 1)
 
@@ -63,9 +63,9 @@ def test_wrong_cells_of_a_column_leave_the_others_alone():
     builder = BookBuilder()
     sheet = builder.sheet("S")
     column = [0.5, "x", True, -1.0, "0.5", None, 2.0, 0.975]
-    sheet.column_constants(0, 0, column)
+    sheet.constants.extend(0, 0, column)
     flags = [True, "x", "FALSE", 0.0, 1.0, None, "true", False]
-    sheet.column_constants(0, 1, flags)
+    sheet.constants.extend(0, 1, flags)
     sheet.block(0, 2, len(column), 1, parse_formula("T.INV(A1,1)"))
     sheet.block(0, 3, len(column), 1, parse_formula("EXPON.DIST(1,1,B1)"))
     values = evaluate(builder.build())

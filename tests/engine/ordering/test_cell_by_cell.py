@@ -11,7 +11,7 @@ def to_and_fro(*formulas):
     """B2:B4 reads C one row above, C1:C3 reads B beside; what a LET names keeps them from being columns in a row's order."""
     builder = BookBuilder()
     sheet = builder.sheet("S")
-    sheet.column_constants(0, 0, [1.0, 2.0, 3.0])
+    sheet.constants.extend(0, 0, [1.0, 2.0, 3.0])
     sheet.constant(0, 1, 5.0)
     sheet.block(1, 1, 3, 1, parse_formula("LET(x,C1,x+1)"))
     sheet.block(0, 2, 3, 1, parse_formula("MAX(INDEX(B1:B1,1):INDEX(B1:B1,1))+A1"))

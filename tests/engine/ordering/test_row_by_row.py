@@ -69,8 +69,8 @@ columns = st.lists(plain, min_size=ROWS + 1, max_size=ROWS + 1) | st.lists(value
 def book_of(four, column, other, start, single, short):
     builder = BookBuilder()
     sheet, there = builder.sheet("S"), builder.sheet("T")
-    sheet.column_constants(FIRST, 0, column[:ROWS])
-    there.column_constants(ELSEWHERE - 1, 0, other)
+    sheet.constants.extend(FIRST, 0, column[:ROWS])
+    there.constants.extend(ELSEWHERE - 1, 0, other)
     for row, value in enumerate(single):
         sheet.constant(row, 7, value)
     for place, (where, row, col) in zip(start, ((sheet, FIRST, 1), (there, ELSEWHERE, 1), (sheet, FIRST, 2),
@@ -144,7 +144,7 @@ def test_sheets_that_read_each_other_row_by_row_and_start_in_different_rows():
     """Iterations start from the positions of the row above, which follow from the iterations of that row."""
     builder = BookBuilder()
     positions, steps = builder.sheet("Positions"), builder.sheet("Iterations")
-    positions.column_constants(8, 0, [0.01 * n for n in range(60)])
+    positions.constants.extend(8, 0, [0.01 * n for n in range(60)])
     positions.constant(7, 1, 0.739)
     positions.block(8, 1, 60, 1, parse_formula("Iterations!B5+0"))
     steps.block(
@@ -162,8 +162,8 @@ def test_a_field_whose_rows_follow_from_the_row_above():
     sheet = builder.sheet("S")
     for col in range(12):
         sheet.constant(0, col, float(col == 6))
-    sheet.column_constants(1, 0, [0.0] * 30)
-    sheet.column_constants(1, 11, [0.0] * 30)
+    sheet.constants.extend(1, 0, [0.0] * 30)
+    sheet.constants.extend(1, 11, [0.0] * 30)
     sheet.block(1, 1, 30, 10, parse_formula("B1+(A1+C1-2*B1)/4"))
     taken(builder.build())
 

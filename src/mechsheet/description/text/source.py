@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 MAX_BYTES = 1_000_000
 """A description is written by hand; a larger file is something else."""
 
+MOST_SHOWN = 160
+"""Characters of a line, or of a key, that a message shows."""
+
 MOST_TOLD = 100
 """Typing mistakes that are told of one text; with more it is something else than a description."""
 
@@ -75,8 +78,8 @@ def dotted(path: Path) -> str:
     return text
 
 
-def _shortened(text: str, most: int = 160) -> str:
-    return printable(text.expandtabs(4)) if len(text) <= most else printable(text[: most - 1]) + "…"
+def _shortened(text: str) -> str:
+    return printable(text.expandtabs(4)) if len(text) <= MOST_SHOWN else printable(text[: MOST_SHOWN - 1]) + "…"
 
 
 def read_text(path: str | FilePath) -> str:

@@ -181,12 +181,12 @@ class _Writer:
             "@at_home": _indented(
                 1, [
                     *(f"here({self.still + at}) = {home}" for at, home in enumerate(homes)),
-                    *self._earlier(homes, others, "Exit Function"),
+                    *self._earlier(homes, others),
                 ],
             ),
             "@way": _indented(2, self._way(others)),
             "@trends": _indented(3, [trend.format(at, _number(TREND * scale)) for at, scale in enumerate(solver.scales)]),
-            "@on_the_way": _indented(1, self._earlier(_places("place", self.drives), behind, "Exit Function")),
+            "@on_the_way": _indented(1, self._earlier(_places("place", self.drives), behind)),
             "@leaps": _indented(1, [leap.format(at, _number(radians * scale)) for at, scale in enumerate(solver.scales)]),
         }  # fmt: skip
 
@@ -198,7 +198,7 @@ class _Writer:
             lines += _indented(2, [f"x({at}) = {_said(node)}" for at, node in enumerate(start)])
         return lines
 
-    def _earlier(self, places: Sequence[str], targets: Sequence[str], leave: str) -> list[str]:
+    def _earlier(self, places: Sequence[str], targets: Sequence[str]) -> list[str]:
         """Unknowns of groups before, with the drivers at these places."""
         solver = self.solver
         arguments = [f"asked({at})" for at in range(len(solver.asked))]
@@ -206,7 +206,7 @@ class _Writer:
         lines = []
         for symbol, target in zip(solver.earlier, targets, strict=True):
             called = self.calls[unknown_key(symbol)].format(*arguments)
-            lines += [f"found = {called}", f"If IsError(found) Then {leave}", f"{target} = found"]
+            lines += [f"found = {called}", "If IsError(found) Then Exit Function", f"{target} = found"]
         return lines
 
     def _way(self, others: Sequence[str]) -> list[str]:

@@ -286,9 +286,7 @@ class Search:
 
     # --- one formula --------------------------------------------------------------------------------------------------
 
-    def _of_strip(
-        self, number: int, tried: Sequence[Candidate], ways: Sequence[int] = (0, 1, FROM_ELSEWHERE)
-    ) -> Mend | None:
+    def _of_strip(self, number: int, tried: Sequence[Candidate], ways: Sequence[int] = WAYS) -> Mend | None:
         """The best of some changes of one formula. `ways`: as `way` of a mend."""
         strip = self.graph.work.strips[number]
         goals = list({series.key: series for _, series in self.goals}.values())

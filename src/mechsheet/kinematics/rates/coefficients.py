@@ -365,7 +365,7 @@ class _Writer:
         det = self._determinant(solved.determinant)
         self.determinants[self.ledger.group] = det.node
         names = meeting.unknowns
-        u = self._short(once, "u", det)
+        u = self._short(once, det)
         for name, node in zip(names, once.solved(u, det), strict=True):
             self.columns.coefficient(name, 1, node)
         k = self._hoisted(twice.right, "k", 2)
@@ -384,10 +384,10 @@ class _Writer:
         )
         return replace(given, node=column)
 
-    def _short(self, once: _Cramer, base: str, det: Determinant) -> Vector:
+    def _short(self, once: _Cramer, det: Determinant) -> Vector:
         """The right side where it is read, as columns where the formulas would become long."""
         longest = max(self.columns.length(node) for node in once.solved(once.right, det))
-        return once.right if longest <= LONGEST else self._hoisted(once.right, base, 1)
+        return once.right if longest <= LONGEST else self._hoisted(once.right, "u", 1)
 
     def _hoisted(self, right: Vector, base: str, order: int) -> Vector:
         words = order_words(order)

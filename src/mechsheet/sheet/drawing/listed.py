@@ -386,7 +386,7 @@ class Listed:
             rows = [row for row, _ in run]
             part = page.cell(PART, rows[0], anchored=False) if sized else None
             node = self.frame.chart_x(beside(page.cell(FIRST, rows[0], anchored=False)))
-            self._filled(CHART_X, self._if_large(node, part), rows[0], rows[-1], cols=2)
+            self._filled(CHART_X, self._if_large(node, part), rows[0], rows[-1])
         return found, named
 
     def _rings(self, plate: Shape) -> Iterator[_Corner]:
@@ -494,9 +494,10 @@ class Listed:
         """What an arrow needs: #N/A while it is too small to be drawn."""
         return node if part is None else formula("IF(part<least,NA(),node)", part=part, least=LEAST, node=node)
 
-    def _filled(self, col: int, node: Node, first: int, last: int, cols: int = 1) -> None:
+    def _filled(self, col: int, node: Node, first: int, last: int) -> None:
+        """Fill rows of a column and of the one beside it, x and y, with one formula."""
         row, self.page.row = self.page.row, first
-        self.page.formula(col, node, rows=last - first + 1, cols=cols)
+        self.page.formula(col, node, rows=last - first + 1, cols=2)
         self.page.row = row
 
     def _corners(self, corners: Sequence[_Corner]) -> dict[int, tuple[Series, ...]]:
@@ -521,7 +522,7 @@ class Listed:
             "IFERROR(INDEX(place,number)+(a*INDEX(along,number)+b*INDEX(across,number))/half,NA())",
             half=self.frame.half, **places, **own,
         )  # fmt: skip
-        self._filled(CHART_X, node, start, page.row - 1, cols=2)
+        self._filled(CHART_X, node, start, page.row - 1)
         return self._lines(start)
 
     def _of_places(self, col: int) -> RangeRef:
@@ -640,13 +641,13 @@ class Listed:
             yield Series(words, x, y, show_name=True, label_side="center", in_legend=False)
             page.row += 1
         way = ways_beside(page, self._drawn, self._letters, page.cell(NINTH, start, anchored=False))
-        self._filled(FIRST, way, start, page.row - 1, cols=2)
+        self._filled(FIRST, way, start, page.row - 1)
         node = formula(
             "IFERROR(INDEX(origins,number)+beside,NA())", origins=self._of_places(CHART_X),
             number=page.cell(NUMBER, start, anchored=False),
             beside=beside(page.cell(FIRST, start, anchored=False)),
         )  # fmt: skip
-        self._filled(CHART_X, node, start, page.row - 1, cols=2)
+        self._filled(CHART_X, node, start, page.row - 1)
 
     def _with_value(self, name: Name) -> Node:
         """`name = 12.3 N`."""

@@ -44,7 +44,7 @@ def write_verdicts(writer: Writer, checks: Checks, extremes: Extremes) -> None:
     writer.formula(well.row, MEANING, words_where_well(on, findings), styles.LABEL_LINES)
     writer.heights[well.row] = height_of(WELL_LINES)
     writer.formula(there(plan.places.left).row, MEANING, left_words(on, findings), styles.LABEL_SAID)
-    _write_marks(writer, on, lines)
+    _write_marks(writer, lines)
     write_title_line(writer, on, title_words(on, findings, well.cell), lines.values(), MEANING)
 
 
@@ -103,7 +103,7 @@ def _beside(node: Node, row: int, sheet: str) -> Node:
     return transform(node, change)
 
 
-def _write_marks(writer: Writer, on: Reading, lines: dict[int, Line]) -> None:
+def _write_marks(writer: Writer, lines: dict[int, Line]) -> None:
     """Beside each line that is red or amber a mark; under the line under the title which the first of them is, and
     where: it may be far below."""
     for row, line in lines.items():
