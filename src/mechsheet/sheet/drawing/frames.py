@@ -17,9 +17,23 @@ from dataclasses import dataclass, replace
 
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted, symbols, transform, walk
+from livesheet.formula.vectors import Vector
 from livesheet.workbook import Area, Axis, Cell, Content, Fill, Series, SeriesRef, Style
 from mechsheet.shapes.colors import INK
-from mechsheet.shapes.forms import BAR_RISE, BAR_START, BOTTOM, LEFT, Scale
+from mechsheet.shapes.forms import (
+    BAR_RISE,
+    BAR_START,
+    BOTTOM,
+    EDGE,
+    HALF,
+    LEFT,
+    MARGIN,
+    SHAFT,
+    Scale,
+    Shape,
+    Shapes,
+    room_of_bars,
+)
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.checks.rows import chunks_of
@@ -354,6 +368,61 @@ def write_frame(
         )
     series = _scale_bar(page, half, page.plan.mechanism.length_unit if unit is None else unit)
     return Frame(*middles, half, series)
+
+
+def write_window(page: Page, shapes: Shapes) -> Frame:
+    """The frame around all shapes in all positions; larger where arrows that are shown would leave it."""
+    ends = []
+    for axis in (0, 1):
+        both = []
+        for function, way in ((LEAST, al.sub), (MOST, al.add)):
+            radii = dict.fromkeys(radius for _, radius in shapes.around)
+            parts = [
+                way(
+                    page.over_motion("xy"[axis], function, [p[axis] for p, r in shapes.around if r == radius]),
+                    page.over_motion("r", MOST, [radius]) if page.moves(radius) else page.in_row(radius),
+                )
+                for radius in radii
+            ]
+            both.append(page.together("xy"[axis], function.removesuffix("IFS"), parts) if parts else al.ZERO)
+        ends.append((both[0], both[1]))
+
+    def arrows(middle: Vector, raised: float) -> list[Node]:
+        return _tips(page, shapes, middle, raised)
+
+    low = room_of_bars(len(shapes.scales))
+    frame = write_frame(page, page.plan.text("drawing.frame"), ends[0], ends[1], MARGIN, below=low, arrows=arrows)
+    page.known[HALF.name] = frame.half
+    return frame
+
+
+def _tips(page: Page, shapes: Shapes, middle: Vector, raised: float) -> list[Node]:
+    """How large half the side must be so that no arrow ends beyond EDGE: the tip of one at (x, y) lies at
+    x + half p, so  half >= (x - xm) / (EDGE - p)  and  half >= (xm - x) / (EDGE + p).
+
+    middle  of the window, were it not moved down by `raised` half sides
+    """
+    page.apart()
+    kinds: dict[str, list[Node]] = {}
+    for shape in shapes.shapes:
+        if not isinstance(shape, Shape) or shape.path != SHAFT or shape.frame is None:
+            continue
+        for axis, (at, way, centre) in enumerate(zip(shape.frame.origin, shape.frame.along, middle, strict=True)):
+            part = transform(way, lambda node: al.ONE if node == HALF else al.tidied(node))
+            part = al.add(part, al.number(raised * axis))
+            holes = {"at": at, "centre": centre, "part": part, "edge": EDGE}
+            parts = kinds.setdefault(shape.kind, [])
+            parts += [formula("(at-centre)/(edge-part)", **holes), formula("(centre-at)/(edge+part)", **holes)]
+    found = []
+    for kind, parts in kinds.items():
+        nodes = [al.nested("MAX", chunk) for chunk in chunks_of([page.in_row(part) for part in parts])]
+        most = page.over_motion(page.plan.text("arrows.room"), MOST, nodes)
+        switch = page.known.get(f"#shown {kind}")
+        page.put(NAME, page.plan.text("arrows.room"))
+        cell = page.formula(FIRST, formula("IFERROR(most,0)", most=most))
+        page.row += 1
+        found.append(cell if switch is None else formula("IF(switch=1,cell,0)", switch=switch, cell=cell))
+    return found
 
 
 def _middle(page: Page, node: Node) -> tuple[CellRef, CellRef]:

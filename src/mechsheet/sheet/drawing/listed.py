@@ -5,59 +5,29 @@ down.
     corners   of every shape, one a row: a of the first vector and b of the second from the origin of the place with that
               number,  X = X(place) + (a along.x + b across.x) / half
 
-What the formulas of places have in common, and what they read of the tables, stands above them in cells of its own.
+What the formulas of places have in common, and what they read of the tables, stands above them in cells of its own
+(`quantities`).
 """
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import groupby
 
 import numpy as np
 
 from livesheet.formula import algebra as al
-from livesheet.formula.nodes import (
-    Binary,
-    Call,
-    CellRef,
-    Node,
-    RangeRef,
-    Symbol,
-    Unary,
-    renamed,
-    symbols,
-    transform,
-    walk,
-)
+from livesheet.formula.nodes import CellRef, Node, RangeRef, Symbol, symbols
 from livesheet.formula.vectors import NOWHERE, Vector, minus, plus, times, together
 from livesheet.workbook import Rich, Series, SeriesRef
 from mechsheet.shapes.colors import INK
-from mechsheet.shapes.forms import (
-    ARROW_HEAD,
-    ARROWS,
-    EDGE,
-    HALF,
-    LEAST,
-    LETTERS,
-    MARGIN,
-    SHAFT,
-    Kind,
-    Mark,
-    Name,
-    Shape,
-    place_of,
-    room_of_bars,
-    shown,
-)
+from mechsheet.shapes.forms import ARROW_HEAD, ARROWS, LEAST, LETTERS, Mark, Name, Shape, place_of
 from mechsheet.shapes.listing import shapes_of
 from mechsheet.shapes.loads import HEAD, LONGEST
 from mechsheet.shapes.names import POINTS
 from mechsheet.shapes.positions import rings_needed, ways_in
 from mechsheet.sheet import styles
-from mechsheet.sheet.addresses import Spot
-from mechsheet.sheet.checks.rows import chunks_of
 from mechsheet.sheet.drawing.frames import (
     AT,
     CHART_X,
@@ -72,24 +42,15 @@ from mechsheet.sheet.drawing.frames import (
     SECOND,
     SEVENTH,
     SIXTH,
-    Frame,
     Page,
     arrow_bar,
     beside,
-    write_frame,
+    near,
 )
 from mechsheet.sheet.drawing.labels import as_described, ways_beside
-from mechsheet.sheet.over_rows import LEAST as SMALLEST
-from mechsheet.sheet.over_rows import MOST
-from mechsheet.sheet.plan import ArrowKind
+from mechsheet.sheet.drawing.quantities import KINDS, Quantities
 from mechsheet.sheet.quoted import formula, joined
-from mechsheet.sheet.shown import rich, rich_both
-
-KINDS: dict[ArrowKind, Kind] = {"velocity": "velocity", "acceleration": "acceleration", "forces": "force"}
-"""What the list of shapes calls the arrows that a cell of the first sheet hides."""
-
-COSTLY = ("SQRT", "COS", "SIN", "ABS", "MAX")
-"""Functions whose values have a cell of their own where several formulas read them."""
+from mechsheet.sheet.shown import rich
 
 DIGITS = 3
 """Of a value beside the name of a force."""
@@ -137,23 +98,20 @@ class Listed:
 
     def __init__(self, page: Page, letters: float, besides: Callable[[], Series]) -> None:
         plan = page.plan
-        self._vectors: list[Kind] = [KINDS[kind] for kind in plan.arrows]
-        found = shapes_of(plan.mechanism, plan.equations.equations, self._vectors)
+        vectors = [KINDS[kind] for kind in plan.arrows]
+        found = shapes_of(plan.mechanism, plan.equations.equations, vectors)
         self.page, self.found, self._letters = page, found, letters
-        self.known: dict[Node, Node] = {}
         self._numbers: dict[tuple[Vector, Vector, Vector, Node | None], int] = {}
         self._ends: dict[Vector, int] = {}
         self._origins: dict[Vector, int] = {}
         self.points: dict[str, PointCells] = {}
         self._rows: dict[int, tuple[int, int]] = {}
         self._inside: dict[int, int] = {}
-        self._drawn = as_described(plan, self._vectors)
+        self._drawn = as_described(plan, vectors)
         self._curves: dict[int, int] = {}
         self._marked = [_point_at(shape.at) for shape in found.shapes if isinstance(shape, Mark)]
-        self._switches()
-        self._extremes()
-        self.frame = self._window()
-        self._quantities(page.plan.text("drawing.quantities"))
+        self._quantities = quantities = Quantities(page, found, self._marked)
+        self.frame = quantities.frame
         corners, named = self._places()
         self._series = self._corners(corners)
         paths = self._paths()
@@ -161,185 +119,10 @@ class Listed:
         bars = [
             each
             for number, scale in enumerate(found.scales)
-            for each in arrow_bar(page, scale, number, self.bound(scale.most), self.bound(scale.shown))
+            for each in arrow_bar(page, scale, number, quantities.bound(scale.most), quantities.bound(scale.shown))
         ]
         caption = besides()
         self.series = self._in_both_orders(paths, [*names, *self.frame.series, caption, *bars])
-
-    # --- what formulas read --------------------------------------------------------------------------------------
-
-    def _switches(self) -> None:
-        plan = self.page.plan
-        for kind in plan.arrows:
-            self.page.known[shown(KINDS[kind]).name] = plan.at.bind(plan.places.arrows[kind].cell, self.page.title)
-
-    def _extremes(self) -> None:
-        """The least and the largest of the motion, each in a cell."""
-        page = self.page
-        if self.found.extremes:
-            page.section(page.plan.text("drawing.over_motion"))
-        for extreme in self.found.extremes:
-            function = SMALLEST if extreme.take == "min" else MOST
-            name = page.plan.text(f"drawing.{extreme.take}", number=len(page.known) + 1)
-            node = page.over_motion(name, function, extreme.of)
-            page.put(NAME, name)
-            page.known[extreme.symbol] = page.formula(FIRST, node)
-            page.row += 1
-
-    def _window(self) -> Frame:
-        """Around everything in all positions; larger where arrows that are shown would leave it."""
-        page, text = self.page, self.page.plan.text
-        ends = []
-        for axis in (0, 1):
-            both = []
-            for function, way in ((SMALLEST, al.sub), (MOST, al.add)):
-                radii = dict.fromkeys(radius for _, radius in self.found.around)
-                parts = [
-                    way(
-                        page.over_motion("xy"[axis], function, [p[axis] for p, r in self.found.around if r == radius]),
-                        page.over_motion("r", MOST, [radius]) if page.moves(radius) else page.in_row(radius),
-                    )
-                    for radius in radii
-                ]
-                both.append(page.together("xy"[axis], function.removesuffix("IFS"), parts) if parts else al.ZERO)
-            ends.append((both[0], both[1]))
-        low = room_of_bars(len(self.found.scales))
-        frame = write_frame(page, text("drawing.frame"), ends[0], ends[1], MARGIN, below=low, arrows=self._tips)
-        page.known[HALF.name] = frame.half
-        return frame
-
-    def _tips(self, middle: Vector, raised: float) -> list[Node]:
-        """How large half the side must be so that no arrow ends beyond EDGE: the tip of one at (x, y) lies at
-        x + half p, so  half >= (x - xm) / (EDGE - p)  and  half >= (xm - x) / (EDGE + p).
-
-        middle  of the window, were it not moved down by `raised` half sides
-        """
-        page = self.page
-        page.apart()
-        kinds: dict[str, list[Node]] = {}
-        for shape in self.found.shapes:
-            if not isinstance(shape, Shape) or shape.path != SHAFT or shape.frame is None:
-                continue
-            for axis, (at, way, centre) in enumerate(zip(shape.frame.origin, shape.frame.along, middle, strict=True)):
-                part = transform(way, lambda node: al.ONE if node == HALF else al.tidied(node))
-                part = al.add(part, al.number(raised * axis))
-                holes = {"at": at, "centre": centre, "part": part, "edge": EDGE}
-                parts = kinds.setdefault(shape.kind, [])
-                parts += [formula("(at-centre)/(edge-part)", **holes), formula("(centre-at)/(edge+part)", **holes)]
-        found = []
-        for kind, parts in kinds.items():
-            nodes = [al.nested("MAX", chunk) for chunk in chunks_of([page.in_row(part) for part in parts])]
-            most = page.over_motion(page.plan.text("arrows.room"), MOST, nodes)
-            switch = page.known.get(f"#shown {kind}")
-            page.put(NAME, page.plan.text("arrows.room"))
-            cell = page.formula(FIRST, formula("IFERROR(most,0)", most=most))
-            page.row += 1
-            found.append(cell if switch is None else formula("IF(switch=1,cell,0)", switch=switch, cell=cell))
-        return found
-
-    # --- quantities ----------------------------------------------------------------------------------------------
-
-    def _quantities(self, title: str) -> None:
-        """What the formulas read of the tables, and what several of them have in common."""
-        page, nodes = self.page, list(dict.fromkeys(self._nodes()))
-        page.section(title)
-        start, pairs = page.row, self._pairs()
-        for name in dict.fromkeys(name for node in nodes for name in symbols(node)):
-            self._need(name, pairs)
-        sizes, mosts = set(self._sizes()), {scale.most for scale in self.found.scales}
-        counts = Counter(
-            part for node in nodes for part in dict.fromkeys(walk(node)) if _is_costly(part) and part not in sizes
-        )
-        parts = [part for part, count in counts.items() if count > 1]
-        for part in sorted(parts, key=lambda each: sum(1 for _ in walk(each))):
-            page.put(NAME, page.plan.text("drawing.part"))
-            cell = page.formula(FIRST, self.bound(part))
-            # the longest of a kind is the same for all arrows
-            self.known[part] = replace(cell, row_abs=part in mosts)
-            page.row += 1
-        if page.row == start:  # nothing below the heading
-            page.put(NAME, page.plan.text("drawing.only_points"))
-            page.row += 1
-
-    def _sizes(self) -> Iterator[Node]:
-        """Which part arrows are of the largest: each has its cell beside its place."""
-        for each in (*self.found.shapes, *self.found.names):
-            if not isinstance(each, Mark) and each.size is not None:
-                yield each.size
-
-    def _pairs(self) -> dict[str, str]:
-        """The components of vectors that stand side by side in a table, as those of a force do: by that of x that of y."""
-        spots, found = self.page.plan.at.spots, dict[str, str]()
-        for shape in self.found.shapes:
-            for x, y in () if isinstance(shape, Mark) or shape.kind == "path" else shape.vectors:
-                both = dict(zip(symbols(x), symbols(y), strict=False))
-                if renamed(x, both) != y:
-                    continue
-                for of_x, of_y in both.items():
-                    here, right = spots.get(of_x), spots.get(of_y)
-                    if here is not None and right is not None and beside_each_other(here, right):
-                        found[of_x] = of_y
-        return found
-
-    def _nodes(self) -> Iterator[Node]:
-        for shape in self.found.shapes:
-            if isinstance(shape, Mark):
-                yield from shape.at
-            elif shape.kind != "path":
-                yield from (node for vector in shape.vectors for node in vector)
-                if shape.size is not None:
-                    yield shape.size
-        for name in self.found.names:
-            yield from (*name.at, *(node for node in (name.value, name.size) if node is not None))
-        for scale in self.found.scales:
-            yield scale.most
-
-    def _need(self, name: str, pairs: Mapping[str, str]) -> None:
-        """A row for a quantity of the table, and for those that one without a cell is found from; points have rows below.
-        The two of a pair share one."""
-        page, spots = self.page, self.page.plan.at.spots
-        symbol = Symbol(name)
-        if symbol in self.known or name in page.known:
-            return
-        if name not in spots:
-            for below in symbols(page.plan.plain[name]):
-                self._need(below, pairs)
-            return
-        point, _, axis = name.rpartition(".")
-        if spots[name].column and not (axis in ("x", "y") and point in self._marked):
-            right = pairs.get(name)
-            if right is None or Symbol(right) in self.known:
-                page.put(NAME, rich(name), styles.SYMBOL)
-                page.formula(FIRST, page.at_position(name))
-            else:
-                page.put(NAME, rich_both(name, right), styles.SYMBOL)
-                page.both(FIRST, page.at_position(name), page.at_position(right))
-                self.known[Symbol(right)] = replace(page.cell(SECOND), row_abs=False)
-            self.known[symbol] = replace(page.cell(FIRST), row_abs=False)
-            page.row += 1
-
-    def bound(self, node: Node) -> Node:
-        """A tree over symbols as a formula at the position shown."""
-        if node in self.known:
-            return self.known[node]
-        match node:
-            case Symbol():
-                return self._bound_symbol(node)
-            case Call(name, args):
-                return Call(name, tuple(map(self.bound, args)))
-            case Unary(op, operand):
-                return Unary(op, self.bound(operand))
-            case Binary(op, left, right):
-                return Binary(op, self.bound(left), self.bound(right))
-        return node
-
-    def _bound_symbol(self, symbol: Symbol) -> Node:
-        page = self.page
-        if symbol.name in page.known:
-            return page.known[symbol.name]
-        if symbol.name not in page.plan.at.spots:
-            return self.bound(page.plan.plain[symbol.name])
-        return page.at_position(symbol.name)
 
     # --- places and corners --------------------------------------------------------------------------------------
 
@@ -400,7 +183,8 @@ class Listed:
             return
         middle = times(al.number(1 / count), together(plate.corners[:-1]))
         row = self.first_place + self._place(middle, plate.name) - 1
-        self.known |= {part: self.page.cell(col, row) for part, col in zip(middle, (FIRST, SECOND), strict=True)}
+        for part, col in zip(middle, (FIRST, SECOND), strict=True):
+            self._quantities.stands(part, self.page.cell(col, row))
         numbers = [self._place(at, plate.name, (minus(middle, at), NOWHERE)) for at in plate.corners]
         for way in ways_in(rings_needed(GROWN * outline, width)):
             yield from (_Corner(plate.name, way, 0.0, number) for number in numbers)
@@ -449,14 +233,14 @@ class Listed:
         else:
             if any(map(symbols, at)):
                 self._origins[at] = page.row
-            page.both(FIRST, *map(self.bound, at))
+            page.both(FIRST, *map(self._quantities.bound, at))
             for col, node in zip((FIRST, SECOND), at, strict=True):
                 if isinstance(node, Symbol):
-                    self.known.setdefault(node, replace(page.cell(col), row_abs=False))
+                    self._quantities.stands(node, near(page.cell(col)))
 
     def _vector(self, col: int, vector: Vector, part: Node | None) -> None:
         """The two numbers of a vector; what is 0 has no cell."""
-        page, nodes = self.page, [self._if_large(self.bound(node), part) for node in vector]
+        page, nodes = self.page, [self._if_large(self._quantities.bound(node), part) for node in vector]
         written = [(each, node) for each, node in enumerate(vector, col) if not al.is_zero(node)]
         if len(written) == 2:
             page.both(col, *nodes)
@@ -464,7 +248,7 @@ class Listed:
             if len(written) == 1:
                 page.formula(each, nodes[each - col])
             if not isinstance(node, Symbol) and al.value_of(node) is None:
-                self.known.setdefault(node, replace(page.cell(each), row_abs=False))
+                self._quantities.stands(node, near(page.cell(each)))
 
     def _head(self, along: Vector, part: CellRef, shaft: int) -> None:
         """The two vectors of an arrow's head: that along its shaft, which is `part` of the longest there may be, and the one
@@ -475,19 +259,19 @@ class Listed:
                 continue
             way = beside(page.cell(col, shaft, anchored=False))
             node = formula("head/longest*way/part", head=HEAD, longest=LONGEST, way=way, part=part)
-            own = replace(page.formula(col, self._if_large(node, part)), row_abs=False)
+            own = near(page.formula(col, self._if_large(node, part)))
             page.formula(aside, self._if_large(al.neg(own) if aside == EIGHTH else own, part))
 
     def _part(self, size: Node) -> CellRef:
         """The cell of a place that says which part an arrow is of the largest: its own, or what is beside the first place
         of that size, as its shaft's."""
-        page, known = self.page, self.known.get(size)
+        page, known = self.page, self._quantities.known.get(size)
         if known is None:
-            cell = page.formula(PART, formula("IFERROR(part,0)", part=self.bound(size)))
-            self.known[size] = replace(cell, row_abs=False)
+            cell = page.formula(PART, formula("IFERROR(part,0)", part=self._quantities.bound(size)))
+            self._quantities.stands(size, near(cell))
         else:
             cell = page.formula(PART, known)
-        return replace(cell, row_abs=False)
+        return near(cell)
 
     @staticmethod
     def _if_large(node: Node, part: Node | None) -> Node:
@@ -651,7 +435,7 @@ class Listed:
 
     def _with_value(self, name: Name) -> Node:
         """`name = 12.3 N`."""
-        value = self.bound(name.value or al.ZERO)
+        value = self._quantities.bound(name.value or al.ZERO)
         rounded = formula("ROUND(value,digits-1-INT(LOG10(ABS(value))))", value=value, digits=DIGITS)
         words = joined(f"{name.text} = ", rounded, f" {name.unit}" if name.unit else "")
         return formula("IFERROR(words,name)", words=words, name=name.text)
@@ -660,12 +444,3 @@ class Listed:
 def _point_at(at: Vector) -> str:
     """The point whose place is at."""
     return at[0].name.rpartition(".")[0] if isinstance(at[0], Symbol) else ""
-
-
-def beside_each_other(here: Spot, right: Spot) -> bool:
-    """Whether two columns of one table are neighbours, and read alike."""
-    return replace(here, col=here.col + 1, name="") == replace(right, name="")
-
-
-def _is_costly(node: Node) -> bool:
-    return isinstance(node, Call) and node.name in COSTLY and any(True for _ in symbols(node))
