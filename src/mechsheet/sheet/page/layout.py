@@ -85,6 +85,8 @@ def _page(plan: PagePlan) -> tuple[Sheet, PagePlan]:
     above = math.ceil(sum(heights[row] for row in range(CHARTS_ROW))) + CHARTS_BELOW
     paper = on_paper(widths, down, above, _left(widths), len(own) + plan.drawn, len(requests))
     right = max(len(widths), _columns_to(widths, max((box.right for box in paper.charts), default=0)))
+    # Until here the top was only measured: formulas that it holds read the column right of the charts, and where these end
+    # follows from the heights of its rows.
     plan = replace(plan, marks=right)
     top = Top(plan, top.room)
     drawing = PageDrawing(plan, right + 1, _charted(requests)) if plan.drawn else None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -19,6 +19,7 @@ from mechsheet.shapes.described import remarkable_points
 from mechsheet.sheet.addresses import Addresses, Spot
 from mechsheet.sheet.classification import FourBar, classification
 from mechsheet.sheet.columns.added import with_averaged
+from mechsheet.sheet.findings.finding import Finding
 from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.geometry import length_in_cells
 from mechsheet.sheet.page.lowering import PageAssignments, lowered
@@ -78,6 +79,11 @@ class PagePlan(Plan):
         """The cells of a column of the table, and those below that a person may fill."""
         rows = (self.at.first, self.last_looked_at)
         return RangeRef(*(CellRef(row, spot.col, True, True) for row in rows))
+
+    @cached_property
+    def findings(self) -> Sequence[Finding]:
+        """What can be said of the rows, in the order in which it stands."""
+        return findings_of(self.mechanism, self.found, by_rows=True)
 
     @property
     def plain(self) -> Mapping[str, Node]:
@@ -181,8 +187,7 @@ def _with_rows(plan: PagePlan) -> PagePlan:
     sides = (side for loop in found.four_bars for side in sides_of(plan, loop))
     lengths = {key: tree for key, tree in sides if len(set(symbols(tree))) > 1}
     blocks.add("derived", [*(dim.symbol for dim in derived), *(f"length {key}" for key in lengths), *constants])
-    findings = findings_of(mechanism, found, by_rows=True)
-    blocks.add("verdicts", [key for each in findings for key in (each.key, *each.keys_below(plan))])
+    blocks.add("verdicts", [key for each in plan.findings for key in (each.key, *each.keys_below(plan))])
     blocks.add("summary", (each.symbol for each in mechanism.motion_numbers))
     blocks.add("variables", ())
     note_row = max(blocks.next_row, FIRST_ROW - 1 + CHART_ROWS) + 1
@@ -233,8 +238,7 @@ def _with_places(plan: PagePlan) -> PagePlan:
     start, step = named.sweep(rows)
     position = named.cell(rows["position"]["position"], plan.text("name.position")) if plan.drawn else None
     lines = {key: named.cell(row, key) for key, row in rows["verdicts"].items()}
-    found = findings_of(mechanism, plan.found, by_rows=True)
-    occurs = {each.key: lines[each.key_at] for each in found if each.key_at in lines}
+    occurs = {each.key: lines[each.key_at] for each in plan.findings if each.key_at in lines}
     summaries = named.summaries(rows["summary"])
     verdict = named.cell(VERDICT_ROW, "verdict", 0)
     status = Spot(plan.main, plan.at.first, plan.columns[-1].col, plan.rows)

@@ -9,7 +9,6 @@ from livesheet.formula.nodes import Call, Node, RangeRef, Symbol, Text, symbols
 from mechsheet.model import Way
 from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.classification import FourBar
-from mechsheet.sheet.findings.listing import findings_of
 from mechsheet.sheet.findings.reading import ALIKE, Folded, Reading
 from mechsheet.sheet.grashof import Sides, turns_up_to
 from mechsheet.sheet.inputs import rest_fits
@@ -30,9 +29,7 @@ class PageReading(Reading):
     def __init__(self, plan: PagePlan) -> None:
         super().__init__(plan)
         self.page = plan
-        keyed = {
-            finding.key: finding.key_beside(plan) for finding in findings_of(plan.mechanism, plan.found, by_rows=True)
-        }
+        keyed = {finding.key: finding.key_beside(plan) for finding in plan.findings}
         self._beside = {key: self.value(beside) for key, beside in keyed.items() if beside}
 
     @property

@@ -14,7 +14,7 @@ from mechsheet.sheet.as_typed import degrees_together, in_degrees
 from mechsheet.sheet.cells import Cells, height_of, label_lines, longest_said
 from mechsheet.sheet.findings.finding import Finding, Line
 from mechsheet.sheet.findings.inputs import marks_of
-from mechsheet.sheet.findings.listing import findings_of, title_words, words_where_well
+from mechsheet.sheet.findings.listing import title_words, words_where_well
 from mechsheet.sheet.first.blocks import (
     output_words,
     over_summaries,
@@ -192,8 +192,7 @@ class Top(Cells):
     def _findings(self) -> None:
         """What can be said of the rows below, and the line under the title."""
         plan, on = self.plan, self.on
-        findings = findings_of(plan.mechanism, plan.found, by_rows=True)
-        lines = {finding: finding.line(on) for finding in findings}
+        lines = {finding: finding.line(on) for finding in plan.findings}
         for finding, line in lines.items():
             row = on.rows[finding.key]
             words = line.words.value if isinstance(line.words, Text) else line.words
@@ -210,9 +209,9 @@ class Top(Cells):
                 self.line(below, line.beside.symbol, plan.mechanism.length_unit, line.beside.words)
                 self.formula(below, VALUE, line.beside.value, replace(styles.RESULT, name=""))
         # right of the charts: there it is not printed, and takes no row
-        self.formula(VERDICT_ROW, plan.marks, words_where_well(on, findings), styles.LABEL)
+        self.formula(VERDICT_ROW, plan.marks, words_where_well(on, plan.findings), styles.LABEL)
         well = CellRef(VERDICT_ROW, plan.marks, True, True)
-        write_title_line(self, on, title_words(on, findings, well), lines.values(), LAST)
+        write_title_line(self, on, title_words(on, plan.findings, well), lines.values(), LAST)
         self.longest_line = self._longest_line(lines)
 
     def _longest_line(self, lines: Mapping[Finding, Line]) -> str:
