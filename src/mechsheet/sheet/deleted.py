@@ -20,6 +20,10 @@ FIRST_OF_ALL = ("synthesis", "iterations")
 READS = {"extremes": ("checks",), "forces": ("rates",), "tolerance": ("rates", "checks", "extremes")}
 """What further sheets a sheet needs."""
 
+TELLS_OF_ROWS = "checks"
+"""The sheet that counts from row to row: where rows of it were deleted, it counts no further. So the cell that says
+whether it is there says of the rows of all sheets, too, whether some were deleted."""
+
 
 def missing_words(plan: Plan) -> CellRef:
     """The cell that says which sheets were deleted."""

@@ -24,7 +24,7 @@ OPEN = "a joint is open: see the hidden sheet Checks"
 def columns(laid, kind):
     """What the columns of a kind hold, row by row."""
     checks = Checks(laid.plan)
-    cols = [2 + index for index, check in enumerate(checks.checks) if check.kind == kind]
+    cols = [2 + index for index, check in enumerate(checks.columns) if check.kind == kind]
     rows = range(checks.first, checks.last + 1)
     return [[laid.values.get(checks.title, row, col) for row in rows] for col in cols]
 
@@ -46,7 +46,7 @@ def places(laid):
     """By kind, where the columns have their worst values."""
     checks = Checks(laid.plan)
     return [
-        (check.kind, laid.values.get(checks.title, checks.at_row, 2 + at)) for at, check in enumerate(checks.checks)
+        (check.kind, laid.values.get(checks.title, checks.at_row, 2 + at)) for at, check in enumerate(checks.columns)
     ]
 
 
@@ -66,7 +66,7 @@ def test_of_rounding_no_place_is_said(name):
 def test_of_gaps_the_largest_is_shown_and_leaps_are_counted():
     """Gaps added up, or the largest of 0 and 1 for two leaps, would be other numbers on the first sheet."""
     checks = Checks(Laid(template_text("watt-ii")).plan)
-    found = {kind: [check.kind for check in checks.checks].count(kind) for kind in ("gap", "leap")}
+    found = {kind: [check.kind for check in checks.columns].count(kind) for kind in ("gap", "leap")}
     assert found == {"gap": 3, "leap": 1}
     for kind, name in (("gap", "MAX"), ("leap", "SUM")):
         worst = checks.worst(kind)

@@ -13,7 +13,7 @@ def test_a_dwell_is_a_row_with_velocities():
     """Where all velocities of a group were 0 there was no number, and where they were rounding one in some programs only."""
     laid = Laid(template_text("cam-linkage"))
     checks = Checks(laid.plan)
-    cols = [2 + at for at, check in enumerate(checks.checks) if check.kind in ("velocity", "acceleration")]
+    cols = [2 + at for at, check in enumerate(checks.columns) if check.kind in ("velocity", "acceleration")]
     assert len(cols) > 1
     phi = np.linspace(0, 360, checks.last + 1 - checks.first)
     for col in cols:

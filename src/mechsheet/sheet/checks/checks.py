@@ -77,7 +77,7 @@ class Check:
 
 
 class Checks:
-    """The sheet, planned before any formula that reads it is written."""
+    """The sheet, planned before any formula that reads it is written; `columns`: its checks, one a column."""
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
@@ -85,29 +85,29 @@ class Checks:
         self.group_row, self.head_row, self.most_row, self.at_row, self.first = range(GROUP_ROW, GROUP_ROW + 5)
         self.last = self.first + plan.rows - 1
         first = plan.at.first
-        self.checks = [Check("gap", number, node) for number, node in gap_columns(plan, self.title, first)]
-        self.checks += [
+        self.columns = [Check("gap", number, node) for number, node in gap_columns(plan, self.title, first)]
+        self.columns += [
             Check("margin", number, plan.at.bind(_least_nearby(symbol, plan), self.title, first))
             for number, symbol in plan.equations.margins.items()
         ]
-        self.checks += [
+        self.columns += [
             Check("crossing", number, self._crossed(symbol)) for number, symbol in plan.equations.crossings.items()
         ]
-        self.checks += [Check("leap", 0, node) for node in _leaps(plan, self.title)]
-        self.checks += [Check(*found) for found in assembly_columns(plan, self.title, CellRef(self.first, COUNT_COL))]
-        self.checks += [Check(*found) for found in fit_columns(plan, self.title, first, self._next())]
-        self.checks += [Check(*found) for found in effort_columns(plan, self.title, first)]
+        self.columns += [Check("leap", 0, node) for node in _leaps(plan, self.title)]
+        self.columns += [Check(*found) for found in assembly_columns(plan, self.title, CellRef(self.first, COUNT_COL))]
+        self.columns += [Check(*found) for found in fit_columns(plan, self.title, first, self._next())]
+        self.columns += [Check(*found) for found in effort_columns(plan, self.title, first)]
 
     @property
     def places(self) -> Checked:
         """Where other sheets find what is here."""
-        title, rows, checks = self.title, self.plan.rows, [*enumerate(self.checks, DATA)]
+        title, rows, columns = self.title, self.plan.rows, [*enumerate(self.columns, DATA)]
         return Checked(
             Spot(title, self.first, COUNT_COL, rows), Spot(title, TYPED_ROW, VALUE), Spot(title, ROUNDING_ROW, VALUE),
-            {check.group: Spot(title, self.first, col, rows) for col, check in checks if check.kind == "margin"},
+            {check.group: Spot(title, self.first, col, rows) for col, check in columns if check.kind == "margin"},
             {
                 check.group: (Spot(title, self.most_row, col), Spot(title, self.at_row, col))
-                for col, check in checks if check.kind == "crossing"
+                for col, check in columns if check.kind == "crossing"
             },
             Spot(title, self.first_force + len(self.forces) - 1, self.forces_col + NAMED) if self.forces else None,
         )  # fmt: skip
@@ -120,7 +120,7 @@ class Checks:
     @property
     def forces_col(self) -> int:
         """The first column of their table, to the right of all others."""
-        return DATA + len(self.checks) + 1
+        return DATA + len(self.columns) + 1
 
     @property
     def first_force(self) -> int:
@@ -129,7 +129,7 @@ class Checks:
 
     def _next(self) -> CellRef:
         """The first cell of the column that comes next."""
-        return CellRef(self.first, DATA + len(self.checks))
+        return CellRef(self.first, DATA + len(self.columns))
 
     def _crossed(self, sine: str) -> Node:
         """The sine of the angle between two lines, times that of the row before, where both rows exist: below 0 the lines
@@ -160,14 +160,14 @@ class Checks:
     def _parts(self, kind: Kind, group: int | None = None) -> list[Node]:
         """The cells with the largest values of such columns."""
         parts: list[Node] = []
-        for first, beyond in runs_of([check.kind == kind and group in (None, check.group) for check in self.checks]):
+        for first, beyond in runs_of([check.kind == kind and group in (None, check.group) for check in self.columns]):
             start, end = (CellRef(self.most_row, DATA + at, True, True, self.title) for at in (first, beyond - 1))
             parts.append(start if start == end else RangeRef(start, end))
         return parts
 
     def worst_at(self, kind: Kind) -> Node:
         """The driver's value where the first column of a kind with the worst value has it."""
-        cols = [DATA + index for index, check in enumerate(self.checks) if check.kind == kind]
+        cols = [DATA + index for index, check in enumerate(self.columns) if check.kind == kind]
         if not cols:
             return Call("NA")
         most, places = (
@@ -194,11 +194,11 @@ class _Writer(Cells):
         plan, at = self.plan, self.at
         self.put(TITLE_ROW, 0, plan.text("checks.title"), styles.TITLE)
         self.put(ABOUT_ROW, 0, plan.text("checks.about"), styles.NOTE_TEXT)
-        last_col = max(DATA + len(at.checks) - 1, WORDS + 4)
+        last_col = max(DATA + len(at.columns) - 1, WORDS + 4)
         self.merge(ABOUT_ROW, 0, last_col)
         self._whole()
         self._table()
-        for index, check in enumerate(at.checks):
+        for index, check in enumerate(at.columns):
             self._column(DATA + index, check)
         self._forces()
         self._grey_where_missing()
@@ -254,7 +254,7 @@ class _Writer(Cells):
         for col, head in enumerate(heads):
             self.put(at.head_row, col, head, styles.HEAD)
         self.put(at.group_row, 0, plan.text("checks.rows"), styles.SECTION)
-        for col in range(1, DATA + len(at.checks)):
+        for col in range(1, DATA + len(at.columns)):
             self.put(at.group_row, col, None, styles.SECTION)
         for row, key in ((at.most_row, "most"), (at.at_row, "at")):
             self.put(row, 0, plan.text(f"checks.{key}"), styles.LABEL)
@@ -316,10 +316,10 @@ class _Writer(Cells):
 
     def _grey_where_missing(self) -> None:
         """Rows that do not exist: their gaps are no numbers."""
-        gaps = [DATA + index for index, check in enumerate(self.at.checks) if check.kind == "gap"]
+        gaps = [DATA + index for index, check in enumerate(self.at.columns) if check.kind == "gap"]
         if gaps:
             missing = formula("ISTEXT(gap)", gap=CellRef(self.at.first, gaps[-1], col_abs=True))
-            area = Area(self.at.first, 0, self.at.last, DATA + len(self.at.checks) - 1)
+            area = Area(self.at.first, 0, self.at.last, DATA + len(self.at.columns) - 1)
             self.colour(area, missing, styles.MISSING)
 
 

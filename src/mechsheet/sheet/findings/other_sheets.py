@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
-from mechsheet.sheet.deleted import readers_of
+from mechsheet.sheet.deleted import TELLS_OF_ROWS, readers_of
 from mechsheet.sheet.findings.finding import Finding, Line, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.places import there
@@ -38,12 +38,12 @@ class OtherSheets(Finding):
 
 
 def _gone(on: Reading, key: str) -> Node:
-    """That a sheet was deleted, and which ones have no numbers without it; of the checks, that rows of theirs were."""
+    """That a sheet was deleted, and which ones have no numbers without it; or, of the one that tells it, that rows were."""
     title, readers = on.plan.at.titles[key], readers_of(on.plan, key)
     said = on.text("sheets.deleted", sheet=title)
     if readers:
         said = on.text("sheets.deleted.read", sheet=title, readers=", ".join(readers))
-    if key != "checks":
+    if key != TELLS_OF_ROWS:
         return Text(f"; {said}")
     return formula("IF(ISREF(cell),torn,gone)", cell=CellRef(0, 0, True, True, title), gone=f"; {said}",
                    torn=f"; {on.text('sheets.torn')}")  # fmt: skip

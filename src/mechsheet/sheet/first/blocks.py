@@ -17,7 +17,7 @@ from mechsheet.sheet.cells import Cells, height_of, label_lines
 from mechsheet.sheet.checks.boundless import may_grow
 from mechsheet.sheet.checks.extremes import about, has_column, where_bounded
 from mechsheet.sheet.columns.bands import ROOT, WORST, part_of
-from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there, cells_read, missing_words, sheets_of
+from mechsheet.sheet.deleted import FIRST_OF_ALL, TELLS_OF_ROWS, are_there, cells_read, missing_words, sheets_of
 from mechsheet.sheet.over_rows import END_ROWS, mean_of_rows, with_torn
 from mechsheet.sheet.places import there
 from mechsheet.sheet.plan import LEGEND_ROW, MARGIN, MEANING, SYMBOL, TOLERANCE, UNIT, VALUE, VERDICT_ROW, Plan
@@ -252,7 +252,7 @@ def write_below(writer: Writer) -> None:
         title = plan.at.titles[key]
         writer.line(spot.row, title, "", plan.text("sheets.there"))
         found = formula("ISREF(cell)*1", cell=CellRef(0, 0, True, True, title))
-        if key == "checks":  # or rows inside it were deleted: it counts from row to row
+        if key == TELLS_OF_ROWS:
             found = formula("ISNUMBER(MAX(begun))*1", begun=plan.checked.begun.whole())
         writer.formula(spot.row, VALUE, found, styles.decimals(styles.RESULT, 0))
 
