@@ -11,7 +11,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from livesheet.formula.nodes import Call, Node
 from mechsheet.model import Mechanism
 from mechsheet.sheet.classification import Classification
-from mechsheet.sheet.deleted import FIRST_OF_ALL, are_there
 from mechsheet.sheet.findings import cam, closing, forces, limits, ratios
 from mechsheet.sheet.findings.finding import Finding, Level, Line, good
 from mechsheet.sheet.findings.four_bars import FourBarType
@@ -97,14 +96,6 @@ def title_words(on: Reading, findings: Sequence[Finding], well: Node) -> Node:
     for finding in reversed(findings):
         title = finding.overrules(on, title)
     return title
-
-
-def left_words(on: Reading, findings: Iterable[Finding]) -> Node:
-    """What can be said where other sheets were deleted, and which these are."""
-    said, present = joined(*(finding.left(on) for finding in findings)), are_there(on.plan, FIRST_OF_ALL)
-    if present is not None:
-        said = formula('IF(present,said,"")', present=present, said=said)
-    return formula('IF(count=0,"",said&words)', count=on.value("sheets"), said=said, words=on.words("sheets"))
 
 
 def title_levels(on: Reading, lines: Iterable[Line]) -> list[Level]:

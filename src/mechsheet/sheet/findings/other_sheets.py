@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from livesheet.formula.nodes import CellRef, Node, RangeRef, Text
-from mechsheet.sheet.deleted import TELLS_OF_ROWS, readers_of
+from mechsheet.sheet.deleted import FIRST_OF_ALL, TELLS_OF_ROWS, are_there, readers_of
 from mechsheet.sheet.findings.finding import Finding, Line, look
 from mechsheet.sheet.findings.reading import Reading
 from mechsheet.sheet.places import there
@@ -47,3 +49,11 @@ def _gone(on: Reading, key: str) -> Node:
         return Text(f"; {said}")
     return formula("IF(ISREF(cell),torn,gone)", cell=CellRef(0, 0, True, True, title), gone=f"; {said}",
                    torn=f"; {on.text('sheets.torn')}")  # fmt: skip
+
+
+def left_words(on: Reading, findings: Iterable[Finding]) -> Node:
+    """What can be said where other sheets were deleted, and which these are."""
+    said, present = joined(*(finding.left(on) for finding in findings)), are_there(on.plan, FIRST_OF_ALL)
+    if present is not None:
+        said = formula('IF(present,said,"")', present=present, said=said)
+    return formula('IF(count=0,"",said&words)', count=on.value("sheets"), said=said, words=on.words("sheets"))

@@ -17,7 +17,8 @@ from mechsheet.sheet.checks.checks import Checks
 from mechsheet.sheet.checks.extremes import Extremes
 from mechsheet.sheet.deleted import missing_words
 from mechsheet.sheet.findings.finding import LEVELS, MARKS, Finding, Line
-from mechsheet.sheet.findings.listing import findings_of, left_words, title_levels, title_words, words_where_well
+from mechsheet.sheet.findings.listing import findings_of, title_levels, title_words, words_where_well
+from mechsheet.sheet.findings.other_sheets import left_words
 from mechsheet.sheet.findings.reading import Reading, SheetReading
 from mechsheet.sheet.first.blocks import Writer
 from mechsheet.sheet.places import there
