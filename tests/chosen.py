@@ -1,4 +1,4 @@
-"""Which of many alike cases run: all of them on `make full`, a part in CI, a smaller one elsewhere.
+"""Which of many alike cases run: all of them on `make full`, a part elsewhere.
 
 The part is another one from module to module, so that together they see every template and every kind of case.
 """
@@ -10,9 +10,6 @@ from typing import TypeVar
 
 ALL = bool(os.environ.get("MECHSHEET_ALL"))
 IN_CI = ALL or bool(os.environ.get("MECHSHEET_CI"))
-
-MORE = 2
-"""So many times more cases run in CI than elsewhere."""
 
 ALWAYS = ("adjustable-pump", "fivelink", "four-bar")
 """A two-way table, Turkish, the plain one."""
@@ -59,15 +56,14 @@ def some(cases: Iterable[Case], turn: int, every: int = EVERY) -> list[Case]:
 def part(cases: Iterable[object], of: int, turn: int = 0) -> list:
     """Cases of any kind: every so-manieth, from `turn` on."""
     found = list(cases)
-    of = 1 if ALL else -(-of // MORE) if IN_CI else of
-    return found[turn % of :: of]
+    return found if ALL else found[turn % of :: of]
 
 
 def first(cases: Sequence, count: int) -> Sequence:
     """The first of them."""
-    return cases if ALL else cases[: count * MORE if IN_CI else count]
+    return cases if ALL else cases[:count]
 
 
 def examples(count: int) -> int:
     """How many examples hypothesis draws, of `count` that it draws in a full run."""
-    return count if ALL else -(-count // (3 if IN_CI else 6))
+    return count if ALL else -(-count // 6)

@@ -26,10 +26,6 @@ gc.set_threshold(100_000, 50, 50)
 """Trees of formulas are many small objects without circles: to look for circles in them took a tenth of the time."""
 
 
-MORE_CASES_IN_CI = 2
-"""So many times the cases that `make test` takes of a test marked `cases` run in CI, where it runs elsewhere, too."""
-
-
 CASES_ON_QUICK = 2
 """No test runs with more cases on `make quick`: there are thousands of small ones."""
 
@@ -40,7 +36,7 @@ def left_to_longer_runs(items, quick):
     slow      not in `make quick`
     ci        in CI and full runs only
     full      in full runs only
-    cases(n)  n of its cases, evenly spread, where it is not a full run: no more than two on `make quick`, more in CI
+    cases(n)  n of its cases, evenly spread, where it is not a full run: no more than two on `make quick`
     """
     without = set() if ALL else {"full"} if IN_CI else {"full", "ci"}
     if quick:
@@ -53,8 +49,7 @@ def left_to_longer_runs(items, quick):
     for found in cases.values():
         mark = found[0].get_closest_marker("cases")
         count = mark.args[0] if mark else CASES_ON_QUICK
-        more = IN_CI and not found[0].get_closest_marker("ci")
-        kept = min(count, CASES_ON_QUICK) if quick else count * MORE_CASES_IN_CI if more else count
+        kept = min(count, CASES_ON_QUICK) if quick else count
         left_out.update(set(found) - set(found[:: -(-len(found) // kept)]))
     return left_out
 
@@ -77,7 +72,7 @@ def pytest_terminal_summary(terminalreporter):
     if terminalreporter.config.getoption("--quick"):
         terminalreporter.write_line("left to `make test`: what is marked slow or needs another program")
     if not IN_CI:
-        terminalreporter.write_line("left to CI (.ci/run): tests marked ci, and more cases where a part ran here")
+        terminalreporter.write_line("left to CI (.ci/run): tests marked ci")
     if not ALL:
         terminalreporter.write_line("left to `make full`: tests marked full, and every case where a part ran here")
 

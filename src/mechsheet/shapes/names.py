@@ -11,6 +11,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from livesheet import portable
 from mechsheet.kinematics.numeric import Array
@@ -120,22 +121,23 @@ class Sheet:
         """Nothing else stands in this box."""
         self.taken = Boxes(np.vstack([self.taken.middles, at]), np.vstack([self.taken.halves, half]))
 
-    def place(
-        self, texts: tuple[str, ...], size: float, at: Array, beside: float, needed: bool, before: Array | None = None
-    ) -> tuple[str, Array] | None:
-        """Which of the texts, longer ones first, has room, and where its middle is; None where none has.
+    def on_no_line(self, boxes: Boxes) -> NDArray[np.bool_]:
+        """Which boxes lie in the window and meet no line; none whose middle is NaN."""
+        inside: NDArray[np.bool_] = (np.abs(boxes.middles) + boxes.halves <= 1.0).all(axis=1)
+        return inside & (crossed(boxes, self.lines) == 0)
 
-        before  how far from its place the first text stood a moment ago: it stays there where that is free
-        """
+    def takes(self, at: Array, half: Array) -> bool:
+        """Take this box where it meets no other one."""
+        free = not covered(Boxes(at[None], half[None]), self.taken).any()
+        if free:
+            self.take(at, half)
+        return free
+
+    def place(
+        self, texts: tuple[str, ...], size: float, at: Array, beside: float, needed: bool
+    ) -> tuple[str, Array] | None:
+        """Which of the texts, longer ones first, has room, and where its middle is; None where none has."""
         least, best = math.inf, (texts[0], at, np.zeros(2))
-        if before is not None and np.isfinite(before).all():
-            middle, half = at + before, half_box(texts[0], size)
-            box = Boxes(middle[None], half[None])
-            inside = bool((np.abs(middle) + half <= 1.0).all())
-            taken, lines = self.taken.near(middle, half), self.lines.near(middle, half)
-            if inside and not covered(box, taken).any() and not crossed(box, lines).any():
-                self.take(middle, half)
-                return texts[0], middle
         for text in texts:
             half = half_box(text, size)
             for ring in RINGS:  # farther ones only where no near one is free

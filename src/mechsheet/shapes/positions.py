@@ -349,20 +349,33 @@ class Positions:
         self, row: int, drawn: Sequence[Item], fixed: Sequence[Label], letters: float = LETTERS,
         before: Array | None = None,
     ) -> Iterator[tuple[str, Array] | None]:  # fmt: skip
-        """What each name says and how far from its place its middle is; with places `before`, each says all or nothing."""
+        """What each name says and how far from its place its middle is, None for one that is not there or has no room.
+
+        before  how far from its place each stood a moment ago: it stays there where that is free, and says all or nothing
+        """
         sheet = self.sheet(drawn)
         for label in fixed:
             half = half_box(label.text, label.size * letters / LETTERS)
             sheet.take(self._of_window(label) + np.array([0.0 if label.middle else half[0], 0.0]), half)
-        for index, (name, (at, size, amount)) in enumerate(zip(self.list.names, self._named, strict=True)):
+        places = [(at[row] - (self.window.x, self.window.y)) / self.window.half for at, *_ in self._named]
+        wholes = [
+            name.text if amount is None else f"{name.text} = {in_digits(amount[row])} {name.unit}".rstrip()
+            for name, (_, _, amount) in zip(self.list.names, self._named, strict=True)
+        ]
+        stay = None
+        if before is not None and places:  # all of them at once: one after another took a third of laying a workbook out
+            stay = Boxes(np.array(places) + before, np.array([half_box(whole, letters) for whole in wholes]))
+            stays = sheet.on_no_line(stay)
+        for index, (name, (at, size, _)) in enumerate(zip(self.list.names, self._named, strict=True)):
             if not np.isfinite(at[row]).all() or (size is not None and not size[row] >= LEAST):
                 yield None
                 continue
-            whole = name.text if amount is None else f"{name.text} = {in_digits(amount[row])} {name.unit}".rstrip()
+            whole, place = wholes[index], places[index]
+            if stay is not None and stays[index] and sheet.takes(stay.middles[index], stay.halves[index]):
+                yield whole, stay.middles[index] - place
+                continue
             texts = (whole,) if before is not None else tuple(dict.fromkeys((whole, name.text)))
-            place = (at[row] - (self.window.x, self.window.y)) / self.window.half
-            was = None if before is None else before[index]
-            found = sheet.place(texts, letters, place, name.beside, name.needed, was)
+            found = sheet.place(texts, letters, place, name.beside, name.needed)
             yield None if found is None else (found[0], found[1] - place)
 
     def beside(self, rows: Sequence[int], letters: float = LETTERS) -> Array:

@@ -100,7 +100,9 @@ class Addresses:
                     return self.reference(name, sheet, row)
                 case Previous(name):
                     return self.reference(name, sheet, row, above=None if row is None else row - 1)
-            return at_home(part, sheet)
+                case CellRef():
+                    return at_home(part, sheet)
+            return part
 
         return transform(node, change)
 
@@ -111,4 +113,6 @@ class Addresses:
 
 def at_home(part: Node, sheet: str) -> Node:
     """A reference as a formula on `sheet` has it: to a cell of this sheet without the title."""
-    return replace(part, sheet=None) if isinstance(part, CellRef) and part.sheet == sheet else part
+    if not isinstance(part, CellRef) or part.sheet != sheet:
+        return part
+    return CellRef(part.row, part.col, part.row_abs, part.col_abs)  # `replace` takes four times as long
