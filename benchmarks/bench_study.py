@@ -19,7 +19,8 @@ import numpy as np
 
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
-from mechsheet.studies.designs import Designs, Kept
+from mechsheet.studies.chunk import Kept
+from mechsheet.studies.designs import Designs
 from mechsheet.studies.parts import CHUNK
 
 RATIO = 1.3

@@ -363,7 +363,9 @@ class Positions:
             for name, (_, _, amount) in zip(self.list.names, self._named, strict=True)
         ]
         stay = None
-        if before is not None and places:  # all of them at once: one after another took a third of laying a workbook out
+        if (
+            before is not None and places
+        ):  # all of them at once: one after another took a third of laying a workbook out
             stay = Boxes(np.array(places) + before, np.array([half_box(whole, letters) for whole in wholes]))
             stays = sheet.on_no_line(stay)
         for index, (name, (at, size, _)) in enumerate(zip(self.list.names, self._named, strict=True)):
