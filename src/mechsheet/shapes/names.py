@@ -123,12 +123,12 @@ class Sheet:
 
     def on_no_line(self, boxes: Boxes) -> NDArray[np.bool_]:
         """Which boxes lie in the window and meet no line; none whose middle is NaN."""
-        inside: NDArray[np.bool_] = (np.abs(boxes.middles) + boxes.halves <= 1.0).all(axis=1)
-        return inside & (crossed(boxes, self.lines) == 0)
+        inside = (np.abs(boxes.middles) + boxes.halves <= 1.0).all(axis=1)
+        return np.asarray(inside & (crossed(boxes, self.lines) == 0))
 
     def takes(self, at: Array, half: Array) -> bool:
         """Take this box where it meets no other one."""
-        free = not covered(Boxes(at[None], half[None]), self.taken).any()
+        free = not bool(covered(Boxes(at[None], half[None]), self.taken).any())
         if free:
             self.take(at, half)
         return free
