@@ -75,7 +75,13 @@ def seen_from(block: Block) -> Block:
 
 def area_read(reference: CellRef | RangeRef, block: Block, sheets: dict[str, int]) -> Area | None:
     """All cells that a reference means anywhere in a block, None where it means none."""
-    corners = (reference.start, reference.end) if isinstance(reference, RangeRef) else (reference,)
+    if isinstance(reference, CellRef):  # most references are
+        if reference.sheet is None or reference.row < 0 or reference.col < 0:
+            return None
+        rows_down = 1 if reference.row_abs else block.rows
+        cols_right = 1 if reference.col_abs else block.cols
+        return Area(sheets[reference.sheet], reference.row, reference.col, rows_down, cols_right)
+    corners = (reference.start, reference.end)
     rows: list[int] = []
     cols: list[int] = []
     for ref in corners:

@@ -13,6 +13,7 @@ from mechsheet import loads
 from mechsheet.checking import check
 from mechsheet.checking.against_reference import against_plan
 from mechsheet.description.templates import template_text
+from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.library.building import build
 from mechsheet.library.show import overview_text
 
@@ -103,6 +104,16 @@ def test_masses_loads_and_gravity_are_inputs():
     laid.change(**doubled)
     for name, column in before.items():
         assert np.array(laid.column(name)) == pytest.approx(2 * column, rel=1e-12)
+
+
+@pytest.mark.parametrize(("force", "names"), [("[0, 50000]", ": F₁₄ₙ"), ("[-50000, 0]", ": F₃₄ F₂₃ F₁₂")])
+def test_the_largest_joint_force_may_be_that_of_a_guide(force, names):
+    """A piston that is pressed against its cylinder: who sizes the guide must not read a pin's name beside the force."""
+    text = template_text("slider-crank") + f'[[loads]]\nlink = "piston"\npoint = "B"\nforce = {force}\n'
+    laid = Laid(text)
+    sizes = {name: np.abs(laid.column(name)).max() for name in laid.plan.equations.equations.forces(*JOINT_FORCES)}
+    assert laid.spot("largest_force") == pytest.approx(max(sizes.values()), rel=1e-12)
+    assert laid.words("largest_force").endswith(names)
 
 
 ARM = """

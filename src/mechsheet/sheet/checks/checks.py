@@ -12,13 +12,14 @@ from typing import Literal
 from livesheet.formula import algebra as al
 from livesheet.formula.nodes import Call, CellRef, Node, RangeRef, Symbol, shifted, with_symbols
 from livesheet.workbook import Area, Column, PrintSetup, Sheet
+from mechsheet.kinematics.equations import JOINT_FORCES
 from mechsheet.kinematics.numeric import runs_of
 from mechsheet.sheet import styles
 from mechsheet.sheet.addresses import Spot
 from mechsheet.sheet.cells import Cells
 from mechsheet.sheet.checks.rows import AGREES, assembly_columns, chunks_of, effort_columns, fit_columns, gap_columns
 from mechsheet.sheet.checks.search_rules import DIP
-from mechsheet.sheet.over_rows import MOST, over_rows
+from mechsheet.sheet.over_rows import AS_LARGE, LEAST, MOST, over_rows
 from mechsheet.sheet.places import Checked
 from mechsheet.sheet.plan import DRIVER, RATES_DRIVER, STATUS, Plan
 from mechsheet.sheet.quoted import ALL, formula
@@ -115,7 +116,7 @@ class Checks:
     @property
     def forces(self) -> tuple[str, ...]:
         """The joint forces of which the largest is named."""
-        return self.plan.equations.equations.forces("size")
+        return self.plan.equations.equations.forces(*JOINT_FORCES)
 
     @property
     def forces_col(self) -> int:
@@ -284,8 +285,12 @@ class _Writer(Cells):
         self.formula(at.at_row, col, where, styles.numbered(styles.RESULT, "0.00"))
 
     def _forces(self) -> None:
-        """Each joint force with its largest size; the names of those that are as large as any, one more in each row."""
+        """Each joint force with its largest size; the names of those that are as large as any, one more in each row.
+
+        A force normal to a guide has a sign, that in a pin is a size.
+        """
         plan, at = self.plan, self.at
+        normal = plan.equations.equations.forces("normal")
         forces, col, row = at.forces, at.forces_col, at.first_force
         if not forces:
             return
@@ -293,12 +298,15 @@ class _Writer(Cells):
             self.put(row - 1, col + number, plan.text(f"checks.forces.{key}"), styles.HEAD)
         for number, name in enumerate(forces):
             self.put(row + number, col, plain(name), styles.LABEL)
-            largest = over_rows(MOST, Symbol(ALL + name))
+            column = Symbol(ALL + name)
+            largest = over_rows(MOST, column)
+            if name in normal:
+                largest = formula("MAX(most,-(least))", most=largest, least=over_rows(LEAST, column))
             self.formula(row + number, col + LARGEST, largest, styles.decimals(styles.COLUMN, 4))
         ends = (CellRef(each, col + LARGEST, True, True) for each in (row, row + len(forces) - 1))
         most = formula("MAX(sizes)", sizes=RangeRef(*ends))
-        own = formula('IF(size=most," "&name,"")', size=CellRef(row, col + LARGEST, False, True), most=most,
-                      name=CellRef(row, col, False, True))  # fmt: skip
+        own = formula('IF(size>=least," "&name,"")', size=CellRef(row, col + LARGEST, False, True),
+                      least=al.mul(most, al.number(1 - AS_LARGE)), name=CellRef(row, col, False, True))  # fmt: skip
         self.formula(row, col + NAMED, own, styles.LABEL_SAID)
         if len(forces) > 1:
             further = formula("before&own", before=CellRef(row, col + NAMED, False, True), own=shifted(own, 1))
