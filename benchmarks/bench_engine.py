@@ -72,7 +72,7 @@ def four_bar(rows: int) -> Book:
         mechanism.constant(row, 1, value)
         builder.name(name, parse_formula(f"Mechanism!$B${row + 1}"))
     positions = builder.sheet("Positions")
-    positions.column_constants(FIRST, 0, [float(n) for n in range(rows)])
+    positions.constants.extend(FIRST, 0, [float(n) for n in range(rows)])
     for col, text in enumerate(COLUMNS, 1):
         if text:
             positions.block(FIRST, col, rows, 1, parse_formula(text))
@@ -129,7 +129,7 @@ def pump(rows: int) -> Book:
     for col, (name, value) in enumerate(names.items()):
         sheet.constant(0, col, value)
         builder.name(name, parse_formula(f"Table!${chr(65 + col)}$1"))
-    sheet.column_constants(7, 0, [360.0 * n / (rows - 1) for n in range(rows)])
+    sheet.constants.extend(7, 0, [360.0 * n / (rows - 1) for n in range(rows)])
     for col, setting in enumerate(ACROSS, 1):
         sheet.constant(6, col, setting)
     sheet.block(7, 1, rows, len(ACROSS), parse_formula(pump_formula()))

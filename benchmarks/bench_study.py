@@ -19,7 +19,7 @@ import numpy as np
 
 from mechsheet.description import loads
 from mechsheet.description.templates import template_text
-from mechsheet.studies.chunk import Kept
+from mechsheet.studies.chunk import Kept, kept_of
 from mechsheet.studies.designs import Designs
 from mechsheet.studies.parts import CHUNK
 
@@ -83,7 +83,7 @@ def compared(designs: Designs, count: int) -> tuple[float, float, int]:
     for first in range(0, count, CHUNK):
         size = min(CHUNK, count - first)
         begun = time.process_time()
-        found = designs.kept(first, size)
+        found = kept_of(designs, first, size)
         ours += time.process_time() - begun
         begun = time.process_time()
         lengths = designs.sampling.values(np.arange(first, first + size))
@@ -96,7 +96,7 @@ def compared(designs: Designs, count: int) -> tuple[float, float, int]:
 
 def agree(designs: Designs, count: int) -> Kept:
     """What both keep is the same but for designs whose extreme lies between the rows; raises AssertionError."""
-    found = designs.kept(0, count)
+    found = kept_of(designs, 0, count)
     with np.errstate(invalid="ignore"):
         kept, angles, heights = by_hand(designs.sampling.values(np.arange(count)), designs.rows)
     assert np.isin(found.numbers, kept).all()

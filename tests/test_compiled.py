@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from chosen import IN_CI, some
+from chosen import ALL, some
 from folders import TEMPLATE_FILES
 from mechsheet.compiled import Compiled, motion_of
 from mechsheet.description import load, loads
@@ -44,6 +44,6 @@ def test_templates(template):
 
 
 @pytest.mark.cases(2)
-@pytest.mark.parametrize("seed", range(12 if IN_CI else 3))
+@pytest.mark.parametrize("seed", range(12 if ALL else 3))
 def test_random_mechanisms(seed):
     assert_same(loads(Grower(seed, 1 + seed % 3).text(), "random.toml"))

@@ -212,7 +212,7 @@ def formula_case(rng: random.Random) -> tuple[str, Callable[[], None]]:
         hash(node)
         sum(1 for _ in walk(node))
         sheet = BookSheet("Sheet1")
-        sheet.column_constants(0, 0, [1.0, "a", True, None, 2.5])
+        sheet.constants.extend(0, 0, [1.0, "a", True, None, 2.5])
         sheet.block(0, 5, 3, 1, node)
         evaluate(Book([sheet], [DefinedName("rate", CellRef(0, 0, True, True, "Sheet1"))]))
         again = parse_formula(print_formula(node, dialect), dialect)

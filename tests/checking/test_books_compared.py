@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import mechsheet
-from chosen import IN_CI
+from chosen import ALL
 from command_line import run
 from folders import TEMPLATES
 from livesheet.engine import evaluate
@@ -29,12 +29,12 @@ from mechsheet.dynamics.solve import solve
 from mechsheet.library.building import FORMATS
 from mechsheet.sheet.layout import lay_out
 
-OTHER = "adjustable-pump" if IN_CI else "elliptic-trammel"
+OTHER = "adjustable-pump" if ALL else "elliptic-trammel"
 
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
-    """Twins of two mechanisms: a scotch-yoke, and in CI a pump in Turkish with a two-way table."""
+    """Twins of two mechanisms: a scotch-yoke, and on `make full` a pump in Turkish with a two-way table."""
     made = tmp_path_factory.mktemp("twins")
     for name in ("scotch-yoke", OTHER):
         workbook = computed(laid_out(name))

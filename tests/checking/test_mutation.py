@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from edited import laid_out, saved
 
-from chosen import ALL, IN_CI
+from chosen import ALL
 from folders import TEMPLATES
 from livesheet.formats import read
 from livesheet.formula.parser import parse_formula
@@ -117,7 +117,7 @@ def test_edits_show_every_kind_of_damage(yoke):
     expected = expected_for(laid_out("scotch-yoke")[1].mechanism.text, "inside")
     assert edits_of(book, expected).edits == ()
     for sheet in book.sheets:
-        for block in sheet.blocks[:: 7 if IN_CI else 21]:
+        for block in sheet.blocks[:: 7 if ALL else 21]:
             for damage in damages(block.formula)[::12]:
                 others = [replace(one, formula=damage.of(one.formula)) if one is block else one for one in sheet.blocks]
                 damaged = replace(
@@ -154,7 +154,7 @@ def test_formulas_of_forces_alone_are_damaged_and_the_sheet_asks_both_ways_to_th
 @pytest.mark.parametrize("name", ["quick-return-lever", "quick-return-slider"])
 def test_formulas_of_a_synthesis_alone_are_damaged(tmp_path, name):
     path = saved(laid_out(name)[0], tmp_path / f"{name}.xlsx")
-    found = mutate(path, 8 if IN_CI else 3, sheets=("synthesis",))
+    found = mutate(path, 8 if ALL else 3, sheets=("synthesis",))
     assert found.clear
     assert found.agrees
     assert {damage.where.partition("!")[0] for damage in found.damages} == {"Synthesis"}

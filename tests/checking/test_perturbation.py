@@ -6,7 +6,7 @@ import pytest
 from edited import TEMPLATES, edited, laid_out, saved
 
 import mechsheet
-from chosen import IN_CI, part
+from chosen import ALL, part
 from livesheet.engine import compile_book
 from livesheet.evaluation import book_of, computed
 from livesheet.formats import read, write
@@ -26,7 +26,7 @@ def four_bar(tmp_path_factory):
 
 
 def test_the_reference_agrees_and_most_sets_assemble(four_bar):
-    count = 12 if IN_CI else 4
+    count = 12 if ALL else 4
     found = perturb(four_bar, count)
     assert found.agrees
     assert [item.worst.judge for item in found.judged] == ["reference"]
@@ -39,7 +39,7 @@ def test_the_reference_agrees_and_most_sets_assemble(four_bar):
 @pytest.mark.parametrize("name", ["crank-rocker-swing", "rigid-body-guidance"])
 def test_inputs_of_a_task_are_changed_and_the_reference_finds_the_same(tmp_path, name):
     path = saved(laid_out(name)[0], tmp_path / f"{name}.xlsx")
-    found = perturb(path, 4 if IN_CI else 2)
+    found = perturb(path, 4 if ALL else 2)
     assert found.agrees
     task = laid_out(name)[1].mechanism.synthesis
     assert set(task.inputs) <= found.judged[0].setting.inputs.keys()

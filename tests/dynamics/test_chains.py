@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from test_reactions import sines, solved, weighed
 
-from chosen import ALL, IN_CI
+from chosen import ALL
 from folders import TEMPLATES
 from mechsheet import reference
 from mechsheet.description import load
@@ -19,7 +19,7 @@ from mechsheet.kinematics.sweep import rough_poses, sweep
 from mechsheet.model import Solution
 from random_mechanisms import Grower
 
-RANDOM = 120 if ALL else 12 if IN_CI else 4
+RANDOM = 120 if ALL else 6
 """Random mechanisms of class III and IV in turn."""
 
 

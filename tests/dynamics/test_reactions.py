@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from chosen import ALL, IN_CI, LISTED, but, some
+from chosen import ALL, LISTED, but, some
 from folders import TEMPLATE_FILES
 from in_line import IN_LINE
 from mechsheet import reference
@@ -123,7 +123,7 @@ def test_templates_against_all_reactions_at_once(template):
 @pytest.mark.slow
 def test_random_mechanisms_of_all_dyads_against_all_reactions_at_once():
     kinds = set()
-    for seed in range(60 if ALL else 25 if IN_CI else 6):
+    for seed in range(60 if ALL else 10):
         text = weighed(Grower(seed, 1 + seed % 3).text(), seed)
         try:
             worst, _ = worst_of(text)

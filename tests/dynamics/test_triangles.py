@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from test_reactions import solved, weighed, worst_of
 
-from chosen import IN_CI
+from chosen import ALL
 from folders import TEMPLATE_FILES
 from mechsheet.diagnostics import MechsheetError
 from within_cases import loader
@@ -17,7 +17,7 @@ def template(name):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["scissor-lift-between-arms", "stephenson-ii-motor"])
 def test_templates_against_all_reactions_at_once(name):
-    for seed, static in ((1, False), (2, True)) if IN_CI else ((1, False),):
+    for seed, static in ((1, False), (2, True)) if ALL else ((1, False),):
         worst, count = worst_of(weighed(template(name), seed, static))
         assert count > 10
         assert worst < 1e-11
@@ -26,7 +26,7 @@ def test_templates_against_all_reactions_at_once(name):
 @pytest.mark.ci
 def test_random_cylinders_between_links_that_move():
     rng, judged = np.random.default_rng(18), 0
-    for seed in range(12 if IN_CI else 5):
+    for seed in range(12 if ALL else 5):
         text = weighed(loader(rng), seed)
         try:
             worst, _ = worst_of(text)

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 import command_line
 import mechsheet
-from chosen import IN_CI, first
+from chosen import ALL, first
 from homework.handmade import FOUR_BAR, Table, four_bar
 
 ROWS = [30.0 * n for n in range(13)]
@@ -95,7 +95,7 @@ EDITS = st.lists(st.tuples(st.integers(0, 1 << 20), st.integers(0, 255), st.inte
 @pytest.mark.cases(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("suffix", ["xlsx", "ods", "xls"])
-@settings(max_examples=60 if IN_CI else 6, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=60 if ALL else 6, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(edits=EDITS, part=st.integers(0, 20), whole=st.booleans())
 def test_bytes_flipped_in_a_good_file(folder, tmp_path, suffix, edits, part, whole):
     """In the archive as a whole (then it is cut off, or a sum is wrong), or inside of one of its parts."""

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from chosen import IN_CI, some
+from chosen import ALL, some
 from mechsheet.description import loads
 from mechsheet.description.templates import template_names
 from mechsheet.diagnostics import MechanismError, MechsheetError
@@ -111,7 +111,7 @@ def test_every_packaged_mechanism_is_studied_or_refused_by_name(template):
 
 @pytest.mark.slow
 def test_positions_of_many_designs_are_those_of_the_reference():
-    count = 200 if IN_CI else 40
+    count = 200 if ALL else 40
     vary = "vary = { a2 = [15, 60], a3 = [50, 110], a4 = [30, 90], b3 = [60, 140] }"
     part = f'[study]\nsample = "sobol"\ncount = {count}\n{vary}'
     mechanism = study_of(part, rows=37)

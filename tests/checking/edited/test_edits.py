@@ -7,7 +7,7 @@ import pytest
 from edited import audited, edited, laid_out, saved, with_column
 from placed import places_of
 
-from chosen import IN_CI, part
+from chosen import ALL, part
 from livesheet.diagnostics import WorkbookError
 from livesheet.evaluation import computed
 from livesheet.formats import write
@@ -273,12 +273,13 @@ def round_trip(folder: Path, names, source, target):
     ("source", "target"), part([("xlsx", "ods"), ("xlsx", "xlsx"), ("ods", "xlsx"), ("ods", "ods")], 8)
 )
 def test_a_file_saved_by_libreoffice_raises_no_false_alarm(tmp_path, source, target):
-    """The four-bar: anchors, coupler point. The pump: names, a two-way table, Turkish. The dwell: derived angles (in CI).
+    """The four-bar: anchors, coupler point. The pump: names, a two-way table, Turkish.
 
-    The engine: a force that is 0 but for rounding, of which an .ods keeps twenty decimals (in CI).
+    On `make full` the dwell: derived angles; and the engine: a force that is 0 but for rounding, of which an .ods keeps
+    twenty decimals.
     """
     names = ("four-bar", "adjustable-pump", "six-link-dwell", "engine")
-    if not IN_CI:  # both ways of converting, and both programs' own
+    if not ALL:  # both ways of converting, and both programs' own
         names = names[:1] if source == target else names[1:2]
     for path in round_trip(tmp_path, names, source, target):
         report = check(path)

@@ -5,7 +5,7 @@ import pytest
 from laid import Laid
 
 import mechsheet
-from chosen import IN_CI
+from chosen import ALL
 from in_line import IN_LINE
 from livesheet.formula.nodes import ErrorValue
 from mechsheet import loads, reference
@@ -160,7 +160,7 @@ def test_a_driven_slide_moves_by_a_law(tmp_path):
     laid = Laid(text)
     assert laid.column("s14")[4] == pytest.approx((160 + 225) / 2)
     assert laid.spot("duration") == 1
-    for layout in ("sheets", "page") if IN_CI else ("sheets",):
+    for layout in ("sheets", "page") if ALL else ("sheets",):
         (path,) = build(loads(text), tmp_path, layout=layout, force=True)
         assert check(path).agrees
 

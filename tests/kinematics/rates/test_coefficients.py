@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from chosen import ALL, CAMS, IN_CI, ITERATED, LISTED, but, some
+from chosen import ALL, CAMS, ITERATED, LISTED, but, some
 from folders import TEMPLATE_FILES
 from in_line import IN_LINE
 from mechsheet import reference
@@ -346,7 +346,7 @@ def test_templates_against_differences(template):
 @pytest.mark.slow
 def test_random_mechanisms_against_differences():
     kinds, compared = set(), 0
-    for seed in range(300 if ALL else 60 if IN_CI else 8):
+    for seed in range(300 if ALL else 12):
         text = moving(Grower(seed, 1 + seed % 3).text())
         try:
             worst, count = worst_by_differences(text)

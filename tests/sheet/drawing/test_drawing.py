@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from placed import places_of
 
-from chosen import IN_CI, LOADED, but, some
+from chosen import ALL, LOADED, but, some
 from folders import TEMPLATE_NAMES
 from livesheet.engine import Live, compile_book
 from livesheet.engine.layout import Area
@@ -90,7 +90,7 @@ def test_everything_lies_in_the_window(name):
     """Points, blocks, supports and names at every fourth position (twelfth outside CI); slots may be cut by the edge,
     and arrows of forces."""
     laid = template(name)
-    for position in range(0, laid.plan.rows, 4 if IN_CI else 12):
+    for position in range(0, laid.plan.rows, 4 if ALL else 12):
         values = laid.moved_to(position)
         for series in laid.drawing.chart.series:
             if "slot" in str(series.name) or "kanal" in str(series.name):
