@@ -20,7 +20,7 @@ from random_mechanisms import Grower
 
 pytestmark = pytest.mark.slow
 
-CHANGES = 150 if ALL else 20
+CHANGES = 150 if ALL else 25
 STEPS, FINER = 200, 4_000
 """Steps to the changed dimensions; more of them before it is said that the sheet is wrong."""
 
