@@ -192,7 +192,7 @@ def filled(task: Path, target: Path, slips: Mapping[str, str]) -> None:
     sheet = book.active
     places = {str(sheet.cell(row, 1).value).split(" ")[0]: row for row in range(1, sheet.max_row + 1)}
     cells = {name: f"$B${places[name]}" for name in ("a1", "a2", "a3", "a4")}
-    top = places["theta12"]
+    top = places["θ12"]
     letters = {"crank": "A"} | {name: get_column_letter(col) for col, (name, _) in enumerate(SOLVED, 5)}
     for name, formula in SOLVED:
         sheet[f"{letters[name]}{top}"] = name
